@@ -1,0 +1,236 @@
+//! Plain data: what a scene holds, and what one frame derives from it.
+//!
+//! A cuboid is an entity with [`Name`], [`Transform`], [`Mesh`], [`Material`], [`ShadingMode`] and the derived
+//! [`Normals`], [`VertexColors`] and [`Projected`]; a light has [`Name`], [`Transform`] and [`Light`]; a camera has
+//! [`Name`], [`Transform`] and [`Camera`]. [`View`] says how one frame is to be drawn.
+//!
+//! Rule: nothing here computes a picture, and everything the renderer and the reference share is here.
+
+use glam::{DMat3, DVec3};
+
+/// What an entity is called in the scene file: non-empty, unique within its kind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name(pub String);
+
+/// Where an entity stands (world units) and how it is turned (degrees).
+///
+/// Lights and cameras use the position alone; an ambient light uses neither.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Transform {
+    /// The centre, in world units.
+    pub position: DVec3,
+    /// Angles about the fixed x, y and z axes, in degrees, applied in that order: Rz * Ry * Rx.
+    pub rotation: DVec3,
+}
+
+impl Transform {
+    /// The rotation as a matrix whose columns are the entity's own axes in world space.
+    ///
+    /// Angles are reduced to one turn before they become radians, so 1e9 degrees is as exact as 280, and
+    /// quarter turns are exact.
+    pub fn axes(&self) -> DMat3 {
+        let [(sx, cx), (sy, cy), (sz, cz)] = self.rotation.to_array().map(sin_cos_degrees);
+        let about_x = DMat3::from_cols_array(&[1.0, 0.0, 0.0, 0.0, cx, sx, 0.0, -sx, cx]);
+        let about_y = DMat3::from_cols_array(&[cy, 0.0, -sy, 0.0, 1.0, 0.0, sy, 0.0, cy]);
+        let about_z = DMat3::from_cols_array(&[cz, sz, 0.0, -sz, cz, 0.0, 0.0, 0.0, 1.0]);
+        about_z * about_y * about_x
+    }
+}
+
+/// Sine and cosine of an angle in degrees, exact at quarter turns.
+fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+    // The remainder of a float division is exact, whatever the size of the angle.
+    let turn = degrees % 360.0;
+    let quarter = (turn / 90.0).round();
+    let (sin, cos) = (turn - 90.0 * quarter).to_radians().sin_cos();
+    match quarter.rem_euclid(4.0) as u8 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
+/// A cuboid's eight corners, relative to its centre and before rotation, in world units.
+///
+/// Corner `i` lies at +x if bit 0 of `i` is set, at +y if bit 1 is, at +z if bit 2 is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mesh {
+    /// The corners.
+    pub corners: [DVec3; 8],
+}
+
+/// The faces +x, -x, +y, -y, +z, -z as corner indices, counter-clockwise seen from outside.
+///
+/// The first and the third corner are the ends of the diagonal along which the face is cut: the third has the largest
+/// sum of local signs.
+pub const FACES: [[u8; 4]; 6] =
+    [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]];
+
+/// The twelve triangles, two to a face in the order of [`FACES`], counter-clockwise seen from outside.
+pub const TRIANGLES: [[u8; 3]; 12] = {
+    let mut triangles = [[0; 3]; 12];
+    let mut face = 0;
+    while face < 6 {
+        let [a, b, c, d] = FACES[face];
+        triangles[2 * face] = [a, b, c];
+        triangles[2 * face + 1] = [a, c, d];
+        face += 1;
+    }
+    triangles
+};
+
+impl Mesh {
+    /// A cuboid with the given full edge lengths (world units, > 0).
+    pub fn cuboid(size: DVec3) -> Self {
+        let half = size * 0.5;
+        let sign = |corner: usize, bit: usize| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
+        Mesh { corners: std::array::from_fn(|i| half * DVec3::new(sign(i, 0), sign(i, 1), sign(i, 2))) }
+    }
+}
+
+/// How a surface answers light: one coefficient per channel and term, and the exponent of the highlight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// kappa A, >= 0.
+    pub ambient: DVec3,
+    /// kappa D, >= 0.
+    pub diffuse: DVec3,
+    /// kappa E, >= 0.
+    pub specular: DVec3,
+    /// rho, 0..=1e6.
+    pub shininess: f64,
+}
+
+/// How a cuboid's surface is shaded: what its picture means, whatever the tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ShadingMode {
+    /// The model at the vertices, its colours interpolated perspective-correctly (Gouraud 1971).
+    Gouraud,
+    /// Position and normal interpolated perspective-correctly, the model at every pixel (Phong 1975).
+    Phong,
+    /// The assignment's shortcut: unit n, l and o of the vertices interpolated linearly on the screen and not renormalised.
+    UnitVectors,
+}
+
+/// The one term of the model that a light feeds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LightKind {
+    /// Everywhere alike.
+    Ambient,
+    /// max(0, n.l), from a point.
+    Diffuse,
+    /// max(0, o.r)^rho, from a point.
+    Specular,
+}
+
+/// A light; its place is its [`Transform`]'s position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// The term it feeds.
+    pub kind: LightKind,
+    /// Per channel, >= 0.
+    pub color: DVec3,
+    /// Lambda, >= 0.
+    pub intensity: f64,
+    /// Levels per unit of intensity, >= 0.
+    pub gain: f64,
+    /// A light that is off appears nowhere.
+    pub on: bool,
+}
+
+impl Light {
+    /// What the light sends, per channel, in levels: color * intensity * gain.
+    pub fn levels(&self) -> DVec3 {
+        self.color * (self.intensity * self.gain)
+    }
+}
+
+/// A camera; it stands at its [`Transform`]'s position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The point it looks at, in world units.
+    pub target: DVec3,
+    /// The direction that is up in the picture; not parallel to the view.
+    pub up: DVec3,
+    /// The vertical field of view in degrees, (0, 179]; perspective.
+    pub fov: f64,
+    /// World units seen vertically, > 0; orthographic.
+    pub height: f64,
+    /// Distance of the near plane, > 0; `None` is a thousandth of the distance to the target.
+    pub near: Option<f64>,
+}
+
+/// Unit vertex normals in world space, one per corner of the [`Mesh`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Normals(pub [DVec3; 8]);
+
+/// The model at each corner, in levels, unclamped.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VertexColors(pub [DVec3; 8]);
+
+/// How the picture is formed from the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Projection {
+    /// Rays leave the eye; the vertical field of view sets the scale.
+    Perspective,
+    /// Rays are parallel to the view direction; the seen height sets the scale.
+    Orthographic,
+}
+
+/// A camera resolved for one frame: where it stands and what it sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewpoint {
+    /// The eye, in world units.
+    pub position: DVec3,
+    /// See [`Camera`].
+    pub camera: Camera,
+}
+
+impl Viewpoint {
+    /// The unit vectors right, up and forward in world space.
+    pub fn axes(&self) -> [DVec3; 3] {
+        let forward = unit(self.camera.target - self.position);
+        let right = unit(forward.cross(unit(self.camera.up)));
+        [right, right.cross(forward), forward]
+    }
+
+    /// Distance of the near plane, in world units.
+    pub fn near(&self) -> f64 {
+        self.camera.near.unwrap_or_else(|| length(self.camera.target - self.position) * 1e-3)
+    }
+}
+
+/// How one frame is to be drawn.
+#[derive(Clone, Debug)]
+pub struct View {
+    /// Width and height of the picture in pixels, each at least 1.
+    pub size: [usize; 2],
+    /// Where from.
+    pub viewpoint: Viewpoint,
+    /// How it is projected.
+    pub projection: Projection,
+    /// The colour where nothing is drawn, in levels.
+    pub background: DVec3,
+    /// Draws every object so, whatever its own [`ShadingMode`]; `None` leaves each its own.
+    pub shading: Option<ShadingMode>,
+    /// The largest error of a shaded pixel against the exact evaluation of its mode, in levels, 0..=255.
+    pub tolerance: f64,
+}
+
+/// The length of `v`, right for every finite vector however large or small (numerics: safe normalise).
+pub fn length(v: DVec3) -> f64 {
+    let largest = v.abs().max_element();
+    if largest > 0.0 && largest.is_finite() { (v / largest).length() * largest } else { 0.0 }
+}
+
+/// `v` at length one; zero where `v` is zero or not finite, so that what it lights is unlit rather than undefined.
+pub fn unit(v: DVec3) -> DVec3 {
+    let largest = v.abs().max_element();
+    if largest > 0.0 && largest.is_finite() {
+        let scaled = v / largest;
+        scaled / scaled.length()
+    } else {
+        DVec3::ZERO
+    }
+}
