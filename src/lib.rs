@@ -1,0 +1,5 @@
+//! shadetrade draws lit cuboids with Gouraud and Phong shading and measures what every shortcut costs.
+pub mod components;
+pub mod frame;
+pub mod scene;
+pub mod systems;

@@ -1,0 +1,2 @@
+//! shadetrade
+fn main() {}
