@@ -2,4 +2,5 @@
 pub mod components;
 pub mod frame;
 pub mod scene;
+pub mod shading;
 pub mod systems;
