@@ -383,7 +383,8 @@ fn fill<T: Copy>(slice: &mut [T], range: Range<usize>, value: T) {
 
 /// The contract's display step: `floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0.
 pub fn display_step(level: f64) -> u8 {
-    (level.max(0.0).min(255.0) + 0.5).floor() as u8
+    let positive = if level > 0.0 { level } else { 0.0 };
+    (positive.min(255.0) + 0.5).floor() as u8
 }
 
 /// The display step of f32 levels, for every float the same as `floor(clamp(level) + 0.5)` in real arithmetic, without

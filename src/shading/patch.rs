@@ -32,6 +32,7 @@ impl Affine {
 
     /// Applies a linear map.
     #[inline(always)]
+    #[must_use]
     pub fn map(&self, f: impl Fn(DVec3) -> DVec3) -> Affine {
         Affine {
             centre: f(self.centre),
@@ -134,7 +135,7 @@ impl Patch {
     /// box `lanes` by `rows` (inclusive) is covered.
     #[inline(always)]
     pub fn new(triangle: &Triangle, origin: [f64; 2], lanes: [u8; 2], rows: [u8; 2]) -> Patch {
-        let middle = |ends: [u8; 2]| (f64::from(ends[0]) + f64::from(ends[1])) / 2.0;
+        let middle = |ends: [u8; 2]| f64::midpoint(f64::from(ends[0]), f64::from(ends[1]));
         let (lane, row) = (middle(lanes), middle(rows));
         let half = [f64::from(lanes[1]) - lane, f64::from(rows[1]) - row];
         let x = (origin[0] + lane + 0.5) * triangle.pitch;

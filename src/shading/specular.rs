@@ -49,7 +49,7 @@ pub fn power(shininess: f32, lambda: f32) -> f32 {
     let g = y - (rounded - ROUND);
     // ln 2 ^ k / k! for k = 0..=6.
     let mantissa = 1.0
-        + g * (0.693_147_2
+        + g * (std::f32::consts::LN_2
             + g * (0.240_226_5
                 + g * (0.055_504_11
                     + g * (0.009_618_129 + g * (0.001_333_355_8 + g * 0.000_154_035_3)))));

@@ -275,25 +275,7 @@ impl Sink for Store<'_, '_> {
         let first = self.band.index(self.column, y);
         let covered = first + lanes.start..first + lanes.end;
         let deep = !self.band.depths.is_empty();
-        if !self.band.pixels.is_empty() {
-            let mut bytes = [0_u32; TILE];
-            for lane in 0..TILE {
-                bytes[lane] = display_step_lane(levels[0][lane]) << 16
-                    | display_step_lane(levels[1][lane]) << 8
-                    | display_step_lane(levels[2][lane]);
-            }
-            if deep {
-                for lane in lanes.clone() {
-                    if self.band.triangles[first + lane] == self.id {
-                        self.band.pixels[first + lane] = bytes[lane];
-                        self.stored += 1;
-                    }
-                }
-            } else {
-                self.band.pixels[covered].copy_from_slice(&bytes[lanes]);
-                self.stored += u64::from(to - from);
-            }
-        } else {
+        if self.band.pixels.is_empty() {
             for lane in lanes {
                 let pixel = first + lane;
                 if !deep {
@@ -304,6 +286,24 @@ impl Sink for Store<'_, '_> {
                     self.stored += 1;
                 }
             }
+            return;
+        }
+        let mut bytes = [0_u32; TILE];
+        for lane in 0..TILE {
+            bytes[lane] = display_step_lane(levels[0][lane]) << 16
+                | display_step_lane(levels[1][lane]) << 8
+                | display_step_lane(levels[2][lane]);
+        }
+        if deep {
+            for lane in lanes {
+                if self.band.triangles[first + lane] == self.id {
+                    self.band.pixels[first + lane] = bytes[lane];
+                    self.stored += 1;
+                }
+            }
+        } else {
+            self.band.pixels[covered].copy_from_slice(&bytes[lanes]);
+            self.stored += u64::from(to - from);
         }
     }
 }
