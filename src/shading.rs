@@ -3,12 +3,14 @@
 //! ```text
 //!  triangle + tile --Patch--> weights, normal, position as affine functions of the pixel --Shader--> levels, tile row by row
 //! ```
-//! Rule: a [`Patch`] is set up in f64 from unsnapped vertices and anchored at the middle of what the tile covers; what a
+//! Rule: a [`patch::Patch`] is set up in f64 from unsnapped vertices and anchored at the middle of what the tile covers; what a
 //! shader does in f32 it may do only where its rounding error is bounded below the tolerance, and in f64 elsewhere.
 
+pub mod certificate;
 pub mod gouraud;
 pub mod patch;
 pub mod phong;
+pub mod polynomial;
 pub mod specular;
 pub mod unit_vectors;
 
@@ -86,6 +88,9 @@ pub const METHODS: &[Method] = &[
         help: "lit at every pixel, exact",
     },
 ];
+
+/// Unit round-off of f32: half the distance from 1 to the next float.
+pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 
 /// What the contract calls exact: tolerance 0 errs at most this much, in levels.
 pub const EXACT: f64 = 0.05;
@@ -167,13 +172,72 @@ pub trait Sink {
     fn take(&mut self, row: usize, levels: &TileRow);
 }
 
-/// What a shader has evaluated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How a tile was drawn, from cheap to dear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TileKind {
+    /// One colour, certified.
+    Constant,
+    /// A colour linear in x and y, certified.
+    Linear,
+    /// A quadratic colour, certified.
+    Quadratic,
+    /// Certified polynomials of n.l, cut off at 0 pixel by pixel; no specular term.
+    Terminator,
+    /// Certified polynomials, and specular terms pixel by pixel.
+    Highlight,
+    /// The definition at every pixel, in f32.
+    Exact,
+    /// The definition at every pixel, in f64.
+    Double,
+}
+
+impl TileKind {
+    /// All of them, in order.
+    pub const ALL: [TileKind; 7] = [
+        TileKind::Constant,
+        TileKind::Linear,
+        TileKind::Quadratic,
+        TileKind::Terminator,
+        TileKind::Highlight,
+        TileKind::Exact,
+        TileKind::Double,
+    ];
+
+    /// The word panels and reports use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            TileKind::Constant => "constant",
+            TileKind::Linear => "linear",
+            TileKind::Quadratic => "quadratic",
+            TileKind::Terminator => "terminator",
+            TileKind::Highlight => "highlight",
+            TileKind::Exact => "exact",
+            TileKind::Double => "exact in f64",
+        }
+    }
+}
+
+/// What a shader has done to a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Evaluations {
+    /// How the tile was drawn.
+    pub kind: TileKind,
     /// Evaluations of the illumination model.
     pub model: u64,
     /// Evaluations of the specular power.
     pub specular: u64,
+}
+
+impl Evaluations {
+    /// A tile of a kind, nothing counted yet.
+    #[inline(always)]
+    pub fn of(kind: TileKind) -> Self {
+        Evaluations {
+            kind,
+            model: 0,
+            specular: 0,
+        }
+    }
 }
 
 /// Room for one tile's intermediate values, kept so that no tile has to clear it.

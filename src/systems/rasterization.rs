@@ -225,11 +225,14 @@ fn draw(
 }
 
 fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {
-    Counts {
+    let mut counts = Counts {
         covered_pixels,
         model_evaluations: evaluations.model,
         specular_evaluations: evaluations.specular,
-    }
+        ..Counts::default()
+    };
+    counts.tiles[evaluations.kind as usize] = 1;
+    counts
 }
 
 /// Stores the rows of one tile.
@@ -302,7 +305,12 @@ impl Sink for Store<'_, '_> {
                 }
             }
         } else {
-            self.band.pixels[covered].copy_from_slice(&bytes[lanes]);
+            let pixels = &mut self.band.pixels[covered];
+            // A whole row is a copy of known length: two or four stores instead of a call.
+            match <&mut [u32; TILE]>::try_from(&mut *pixels) {
+                Ok(whole) => *whole = bytes,
+                Err(_) => pixels.copy_from_slice(&bytes[lanes]),
+            }
             self.stored += u64::from(to - from);
         }
     }
