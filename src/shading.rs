@@ -158,12 +158,44 @@ pub const TILE: usize = 16;
 pub type TileRow = [[f32; TILE]; 3];
 
 /// What a tile covers: for each of its rows the lanes from..to, in 0..=[`TILE`].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coverage {
     /// Empty where from >= to.
     pub spans: [(u8, u8); TILE],
     /// How many lanes in all.
     pub pixels: u32,
+    /// The first and the last lane covered anywhere.
+    pub lanes: [u8; 2],
+    /// The first and the last row covered anywhere.
+    pub rows: [u8; 2],
+}
+
+impl Coverage {
+    /// All of a tile.
+    pub const WHOLE: Coverage = Coverage {
+        spans: [(0, TILE as u8); TILE],
+        pixels: (TILE * TILE) as u32,
+        lanes: [0, TILE as u8 - 1],
+        rows: [0, TILE as u8 - 1],
+    };
+
+    /// The lanes from..to of each row of a tile.
+    pub fn new(spans: [(u8, u8); TILE]) -> Self {
+        let mut coverage = Coverage {
+            spans,
+            pixels: 0,
+            lanes: [TILE as u8, 0],
+            rows: [TILE as u8, 0],
+        };
+        for (row, &(from, to)) in spans.iter().enumerate() {
+            if from < to {
+                coverage.pixels += u32::from(to - from);
+                coverage.lanes = [coverage.lanes[0].min(from), coverage.lanes[1].max(to - 1)];
+                coverage.rows = [coverage.rows[0].min(row as u8), row as u8];
+            }
+        }
+        coverage
+    }
 }
 
 /// Takes the shaded rows of a tile: converts and stores the lanes that are covered.
