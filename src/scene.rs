@@ -23,7 +23,8 @@ use hecs::{Entity, Query, World};
 
 pub use self::error::SceneError;
 use crate::components::{
-    Camera, Light, Material, Mesh, Name, Normals, ShadingMode, Transform, VertexColors, Viewpoint,
+    Camera, Illumination, Light, Material, Mesh, Name, Normals, Projected, ShadingMode, Transform,
+    VertexColors, Viewpoint,
 };
 
 /// The scenes the program carries, as name and text; the first is the default.
@@ -96,6 +97,7 @@ impl Scene {
 
     fn spawn(name: String, records: Records) -> Scene {
         let mut world = World::new();
+        world.spawn((Illumination::default(),));
         Scene {
             name,
             background: records.background,
@@ -223,6 +225,7 @@ fn spawn_cuboid(
         shading,
         Normals::default(),
         VertexColors::default(),
+        Projected::default(),
     ))
 }
 
