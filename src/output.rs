@@ -9,6 +9,8 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageError};
 
 /// Where one file's content goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -193,26 +195,21 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Row by row, so that the picture is never held a second time.
+/// In bytes of red, green and blue, which the picture is held as a second time meanwhile.
 fn encode_png(
     writer: &mut dyn Write,
     pixels: &[u32],
     [width, height]: [usize; 2],
 ) -> io::Result<()> {
-    let mut encoder = png::Encoder::new(writer, width as u32, height as u32);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let mut header = encoder.write_header()?;
-    let mut rows = header.stream_writer()?;
-    let mut bytes = Vec::with_capacity(3 * width);
-    for row in pixels.chunks_exact(width) {
-        bytes.clear();
-        bytes.extend(row.iter().flat_map(|pixel| {
-            let [_, red, green, blue] = pixel.to_be_bytes();
-            [red, green, blue]
-        }));
-        rows.write_all(&bytes)?;
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(3 * pixels.len())?;
+    for pixel in pixels {
+        bytes.extend_from_slice(&pixel.to_be_bytes()[1..]);
     }
-    rows.finish()?;
-    Ok(header.finish()?)
+    PngEncoder::new(writer)
+        .write_image(&bytes, width as u32, height as u32, ExtendedColorType::Rgb8)
+        .map_err(|error| match error {
+            ImageError::IoError(error) => error,
+            other => io::Error::other(other),
+        })
 }

@@ -7,7 +7,6 @@ mod help;
 mod pictures;
 
 use std::fs;
-use std::io::Cursor;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -94,21 +93,10 @@ fn assert_works(folder: &Path, line: &str) -> String {
 /// Width, height and RGB bytes of a PNG; panics where it is none, or not 8-bit RGB.
 #[track_caller]
 fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
-    let mut reader = png::Decoder::new(Cursor::new(png))
-        .read_info()
-        .expect("a PNG header");
-    let mut bytes = vec![
-        0;
-        reader
-            .output_buffer_size()
-            .expect("a size that fits in memory")
-    ];
-    let frame = reader.next_frame(&mut bytes).expect("whole PNG data");
-    assert_eq!(
-        (frame.color_type, frame.bit_depth),
-        (png::ColorType::Rgb, png::BitDepth::Eight)
-    );
-    (frame.width, frame.height, bytes)
+    let picture =
+        image::load_from_memory_with_format(png, image::ImageFormat::Png).expect("whole PNG data");
+    assert_eq!(picture.color(), image::ColorType::Rgb8);
+    (picture.width(), picture.height(), picture.into_bytes())
 }
 
 /// What `folder` holds, hidden files too, in order.
