@@ -2,7 +2,8 @@
 //!
 //! A cuboid is an entity with [`Name`], [`Transform`], [`Mesh`], [`Material`], [`ShadingMode`] and the derived
 //! [`Normals`], [`VertexColors`] and [`Projected`]; a light has [`Name`], [`Transform`] and [`Light`]; a camera has
-//! [`Name`], [`Transform`] and [`Camera`]. [`View`] says how one frame is to be drawn.
+//! [`Name`], [`Transform`] and [`Camera`]; one entity more holds the derived [`Illumination`]. [`View`] says how one
+//! frame is to be drawn.
 //!
 //! Rule: nothing here computes a picture, and everything the renderer and the reference share is here.
 
@@ -64,8 +65,14 @@ pub struct Mesh {
 ///
 /// The first and the third corner are the ends of the diagonal along which the face is cut: the third has the largest
 /// sum of local signs.
-pub const FACES: [[u8; 4]; 6] =
-    [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]];
+pub const FACES: [[u8; 4]; 6] = [
+    [1, 3, 7, 5],
+    [0, 4, 6, 2],
+    [2, 6, 7, 3],
+    [0, 1, 5, 4],
+    [4, 5, 7, 6],
+    [0, 2, 3, 1],
+];
 
 /// The twelve triangles, two to a face in the order of [`FACES`], counter-clockwise seen from outside.
 pub const TRIANGLES: [[u8; 3]; 12] = {
@@ -85,7 +92,9 @@ impl Mesh {
     pub fn cuboid(size: DVec3) -> Self {
         let half = size * 0.5;
         let sign = |corner: usize, bit: usize| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
-        Mesh { corners: std::array::from_fn(|i| half * DVec3::new(sign(i, 0), sign(i, 1), sign(i, 2))) }
+        Mesh {
+            corners: std::array::from_fn(|i| half * DVec3::new(sign(i, 0), sign(i, 1), sign(i, 2))),
+        }
     }
 }
 
@@ -169,6 +178,56 @@ pub struct Normals(pub [DVec3; 8]);
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VertexColors(pub [DVec3; 8]);
 
+/// What all lights that are on send, gathered once a frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Illumination {
+    /// Sum over the ambient lights, in levels per unit of kappa A.
+    pub ambient: DVec3,
+    /// The point lights, those at one position together, in the order of the first of each.
+    pub points: Vec<PointLight>,
+}
+
+/// All diffuse and specular lights at one position: they share l and r.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointLight {
+    /// In world units.
+    pub position: DVec3,
+    /// Levels per unit of kappa D.
+    pub diffuse: DVec3,
+    /// Levels per unit of kappa E.
+    pub specular: DVec3,
+}
+
+/// Where a cuboid's corners fall, and the screen polygons of its triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Projected {
+    /// The corners relative to the cuboid's centre, along the world's axes, in world units.
+    pub offsets: [DVec3; 8],
+    /// The corners relative to the eye, along right, up and forward, in world units.
+    pub seen: [DVec3; 8],
+    /// The visible part of each of [`TRIANGLES`], empty where it faces away or is clipped.
+    pub polygons: [Polygon; 12],
+}
+
+/// A convex polygon on the screen, its vertices snapped to 1/256 pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Polygon {
+    /// x right and y down from the picture's top left corner, in 1/256 pixel, within +-2^30, counter-clockwise as seen.
+    pub vertices: [[i32; 2]; Polygon::MOST],
+    /// How many of them count: 0, or 3..=8.
+    pub len: u8,
+}
+
+impl Polygon {
+    /// A triangle, cut by the near plane and by the four sides of the guard band.
+    pub const MOST: usize = 8;
+
+    /// The vertices that count.
+    pub fn vertices(&self) -> &[[i32; 2]] {
+        &self.vertices[..usize::from(self.len)]
+    }
+}
+
 /// How the picture is formed from the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Projection {
@@ -195,9 +254,21 @@ impl Viewpoint {
         [right, right.cross(forward), forward]
     }
 
+    /// World units from one pixel's centre to the next in a picture `rows` pixels high: on the plane at distance 1
+    /// in perspective, on every plane in orthographic projection.
+    pub fn pixel_pitch(&self, projection: Projection, rows: usize) -> f64 {
+        let seen = match projection {
+            Projection::Perspective => 2.0 * (self.camera.fov / 2.0).to_radians().tan(),
+            Projection::Orthographic => self.camera.height,
+        };
+        seen / rows as f64
+    }
+
     /// Distance of the near plane, in world units.
     pub fn near(&self) -> f64 {
-        self.camera.near.unwrap_or_else(|| length(self.camera.target - self.position) * 1e-3)
+        self.camera
+            .near
+            .unwrap_or_else(|| length(self.camera.target - self.position) * 1e-3)
     }
 }
 
@@ -221,7 +292,11 @@ pub struct View {
 /// The length of `v`, right for every finite vector however large or small (numerics: safe normalise).
 pub fn length(v: DVec3) -> f64 {
     let largest = v.abs().max_element();
-    if largest > 0.0 && largest.is_finite() { (v / largest).length() * largest } else { 0.0 }
+    if largest > 0.0 && largest.is_finite() {
+        (v / largest).length() * largest
+    } else {
+        0.0
+    }
 }
 
 /// `v` at length one; zero where `v` is zero or not finite, so that what it lights is unlit rather than undefined.

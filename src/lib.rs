@@ -3,5 +3,6 @@ pub mod components;
 pub mod frame;
 pub mod reference;
 pub mod scene;
+pub mod shading;
 pub mod systems;
 pub mod trade;

@@ -1,0 +1,60 @@
+//! Vertex colours in, perspective-correct colours out (Gouraud 1971; Heckbert and Moreton 1991 for the division).
+//!
+//! Rule: with weights e_i the colour is sum(e_i C_i) / sum(e_i), both affine in the pixel: one division a pixel. In f32
+//! where the rounding stays below the tolerance, in f64 elsewhere.
+
+use super::patch::{Patch, Triangle};
+use super::{Coverage, EXACT, Evaluations, Sink, TILE};
+
+/// Unit round-off of f32.
+const U: f64 = 5.960_464_5e-8;
+
+/// Shades the covered pixels of a tile.
+#[inline(always)]
+pub fn shade(
+    triangle: &Triangle,
+    patch: &Patch,
+    coverage: &Coverage,
+    tolerance: f64,
+    sink: &mut impl Sink,
+) -> Evaluations {
+    let colors = patch.blend(&triangle.colors);
+    let total = patch.constant(glam::DVec3::ONE);
+    // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
+    // colour, over the smallest sum (at least half the middle's on a steady patch).
+    let largest =
+        colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
+    let rounding = 20.0 * U * largest.max_element();
+    let mut levels = [[0.0; TILE]; 3];
+    if patch.steady && rounding <= tolerance.max(EXACT) {
+        let lanes = patch.lanes();
+        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+            if from < to {
+                let y = row as f64 - patch.row;
+                let (color, total) = (colors.row(y), total.row(y));
+                for lane in 0..TILE {
+                    let inverse = 1.0 / total.at(lanes[lane])[0];
+                    let [red, green, blue] = color.at(lanes[lane]);
+                    levels[0][lane] = red * inverse;
+                    levels[1][lane] = green * inverse;
+                    levels[2][lane] = blue * inverse;
+                }
+                sink.take(row, &levels);
+            }
+        }
+    } else {
+        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+            if from < to {
+                for lane in from..to {
+                    let weights =
+                        patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
+                    let color = Triangle::blend(weights, &triangle.colors).as_vec3();
+                    let lane = usize::from(lane);
+                    [levels[0][lane], levels[1][lane], levels[2][lane]] = color.to_array();
+                }
+                sink.take(row, &levels);
+            }
+        }
+    }
+    Evaluations::default()
+}
