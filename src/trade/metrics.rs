@@ -49,7 +49,11 @@ pub struct Error {
 
 /// A level as it is displayed, short of rounding; 0 where it is not a number.
 pub fn displayed(level: f64) -> f64 {
-    if level.is_nan() { 0.0 } else { level.clamp(0.0, 255.0) }
+    if level.is_nan() {
+        0.0
+    } else {
+        level.clamp(0.0, 255.0)
+    }
 }
 
 /// The error of one pixel in levels, 0..=255.
