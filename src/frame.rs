@@ -9,7 +9,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
-use crate::shading::TILE;
+use crate::shading::{TILE, TileKind};
 
 /// Who draws: the SIMD level and the threads.
 pub struct Workers {
@@ -68,6 +68,8 @@ pub struct Counts {
     pub model_evaluations: u64,
     /// Powers evaluated.
     pub specular_evaluations: u64,
+    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`].
+    pub tiles: [u64; TileKind::ALL.len()],
 }
 
 impl AddAssign for Counts {
@@ -75,6 +77,9 @@ impl AddAssign for Counts {
         self.covered_pixels += other.covered_pixels;
         self.model_evaluations += other.model_evaluations;
         self.specular_evaluations += other.specular_evaluations;
+        for (tiles, more) in self.tiles.iter_mut().zip(other.tiles) {
+            *tiles += more;
+        }
     }
 }
 

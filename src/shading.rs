@@ -3,12 +3,14 @@
 //! ```text
 //!  triangle + tile --Patch--> weights, normal, position as affine functions of the pixel --Shader--> levels, tile row by row
 //! ```
-//! Rule: a [`Patch`] is set up in f64 from unsnapped vertices and anchored at the middle of what the tile covers; what a
+//! Rule: a [`patch::Patch`] is set up in f64 from unsnapped vertices and anchored at the middle of what the tile covers; what a
 //! shader does in f32 it may do only where its rounding error is bounded below the tolerance, and in f64 elsewhere.
 
+pub mod certificate;
 pub mod gouraud;
 pub mod patch;
 pub mod phong;
+pub mod polynomial;
 pub mod specular;
 pub mod unit_vectors;
 
@@ -87,6 +89,9 @@ pub const METHODS: &[Method] = &[
     },
 ];
 
+/// Unit round-off of f32: half the distance from 1 to the next float.
+pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
+
 /// What the contract calls exact: tolerance 0 errs at most this much, in levels.
 pub const EXACT: f64 = 0.05;
 
@@ -153,12 +158,44 @@ pub const TILE: usize = 16;
 pub type TileRow = [[f32; TILE]; 3];
 
 /// What a tile covers: for each of its rows the lanes from..to, in 0..=[`TILE`].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coverage {
     /// Empty where from >= to.
     pub spans: [(u8, u8); TILE],
     /// How many lanes in all.
     pub pixels: u32,
+    /// The first and the last lane covered anywhere.
+    pub lanes: [u8; 2],
+    /// The first and the last row covered anywhere.
+    pub rows: [u8; 2],
+}
+
+impl Coverage {
+    /// All of a tile.
+    pub const WHOLE: Coverage = Coverage {
+        spans: [(0, TILE as u8); TILE],
+        pixels: (TILE * TILE) as u32,
+        lanes: [0, TILE as u8 - 1],
+        rows: [0, TILE as u8 - 1],
+    };
+
+    /// The lanes from..to of each row of a tile.
+    pub fn new(spans: [(u8, u8); TILE]) -> Self {
+        let mut coverage = Coverage {
+            spans,
+            pixels: 0,
+            lanes: [TILE as u8, 0],
+            rows: [TILE as u8, 0],
+        };
+        for (row, &(from, to)) in spans.iter().enumerate() {
+            if from < to {
+                coverage.pixels += u32::from(to - from);
+                coverage.lanes = [coverage.lanes[0].min(from), coverage.lanes[1].max(to - 1)];
+                coverage.rows = [coverage.rows[0].min(row as u8), row as u8];
+            }
+        }
+        coverage
+    }
 }
 
 /// Takes the shaded rows of a tile: converts and stores the lanes that are covered.
@@ -167,13 +204,72 @@ pub trait Sink {
     fn take(&mut self, row: usize, levels: &TileRow);
 }
 
-/// What a shader has evaluated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How a tile was drawn, from cheap to dear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TileKind {
+    /// One colour, certified.
+    Constant,
+    /// A colour linear in x and y, certified.
+    Linear,
+    /// A quadratic colour, certified.
+    Quadratic,
+    /// Certified polynomials of n.l, cut off at 0 pixel by pixel; no specular term.
+    Terminator,
+    /// Certified polynomials, and specular terms pixel by pixel.
+    Highlight,
+    /// The definition at every pixel, in f32.
+    Exact,
+    /// The definition at every pixel, in f64.
+    Double,
+}
+
+impl TileKind {
+    /// All of them, in order.
+    pub const ALL: [TileKind; 7] = [
+        TileKind::Constant,
+        TileKind::Linear,
+        TileKind::Quadratic,
+        TileKind::Terminator,
+        TileKind::Highlight,
+        TileKind::Exact,
+        TileKind::Double,
+    ];
+
+    /// The word panels and reports use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            TileKind::Constant => "constant",
+            TileKind::Linear => "linear",
+            TileKind::Quadratic => "quadratic",
+            TileKind::Terminator => "terminator",
+            TileKind::Highlight => "highlight",
+            TileKind::Exact => "exact",
+            TileKind::Double => "exact in f64",
+        }
+    }
+}
+
+/// What a shader has done to a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Evaluations {
+    /// How the tile was drawn.
+    pub kind: TileKind,
     /// Evaluations of the illumination model.
     pub model: u64,
     /// Evaluations of the specular power.
     pub specular: u64,
+}
+
+impl Evaluations {
+    /// A tile of a kind, nothing counted yet.
+    #[inline(always)]
+    pub fn of(kind: TileKind) -> Self {
+        Evaluations {
+            kind,
+            model: 0,
+            specular: 0,
+        }
+    }
 }
 
 /// Room for one tile's intermediate values, kept so that no tile has to clear it.

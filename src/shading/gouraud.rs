@@ -1,13 +1,14 @@
 //! Vertex colours in, perspective-correct colours out (Gouraud 1971; Heckbert and Moreton 1991 for the division).
 //!
-//! Rule: with weights e_i the colour is sum(e_i C_i) / sum(e_i), both affine in the pixel: one division a pixel. In f32
-//! where the rounding stays below the tolerance, in f64 elsewhere.
+//! Rule: with weights e_i the colour is sum(e_i C_i) / sum(e_i), both affine in the pixel. Where the tolerance allows it
+//! that quotient is drawn as a certified polynomial; otherwise with one division a pixel, in f32 where its rounding stays
+//! below the tolerance and in f64 elsewhere.
 
-use super::patch::{Patch, Triangle};
-use super::{Coverage, EXACT, Evaluations, Sink, TILE};
+use glam::DVec3;
 
-/// Unit round-off of f32.
-const U: f64 = 5.960_464_5e-8;
+use super::certificate::quotient;
+use super::patch::{Affine, Patch, Triangle};
+use super::{Coverage, EXACT, Evaluations, Sink, TILE, TileKind, U, polynomial};
 
 /// Shades the covered pixels of a tile.
 #[inline(always)]
@@ -19,42 +20,68 @@ pub fn shade(
     sink: &mut impl Sink,
 ) -> Evaluations {
     let colors = patch.blend(&triangle.colors);
-    let total = patch.constant(glam::DVec3::ONE);
+    let total = patch.constant(DVec3::ONE);
+    if patch.steady && tolerance > 0.0 {
+        let (color, bound) = quotient(&colors, &total, patch.half);
+        let budget = tolerance - bound - polynomial::rounding(&color, patch.half);
+        if budget >= 0.0 {
+            let kind = polynomial::cheapest(&color, patch.half, budget);
+            polynomial::shade(&color, kind, patch, coverage, sink);
+            return Evaluations::of(kind);
+        }
+    }
     // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
     // colour, over the smallest sum (at least half the middle's on a steady patch).
     let largest =
         colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
     let rounding = 20.0 * U * largest.max_element();
-    let mut levels = [[0.0; TILE]; 3];
     if patch.steady && rounding <= tolerance.max(EXACT) {
-        let lanes = patch.lanes();
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                let y = row as f64 - patch.row;
-                let (color, total) = (colors.row(y), total.row(y));
-                for lane in 0..TILE {
-                    let inverse = 1.0 / total.at(lanes[lane])[0];
-                    let [red, green, blue] = color.at(lanes[lane]);
-                    levels[0][lane] = red * inverse;
-                    levels[1][lane] = green * inverse;
-                    levels[2][lane] = blue * inverse;
-                }
-                sink.take(row, &levels);
-            }
-        }
+        shade_lanes(&colors, &total, patch, coverage, sink);
+        Evaluations::of(TileKind::Exact)
     } else {
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                for lane in from..to {
-                    let weights =
-                        patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
-                    let color = Triangle::blend(weights, &triangle.colors).as_vec3();
-                    let lane = usize::from(lane);
-                    [levels[0][lane], levels[1][lane], levels[2][lane]] = color.to_array();
-                }
-                sink.take(row, &levels);
+        shade_doubles(triangle, patch, coverage, sink);
+        Evaluations::of(TileKind::Double)
+    }
+}
+
+#[inline(always)]
+fn shade_lanes(
+    colors: &Affine,
+    total: &Affine,
+    patch: &Patch,
+    coverage: &Coverage,
+    sink: &mut impl Sink,
+) {
+    let lanes = patch.lanes();
+    let mut levels = [[0.0; TILE]; 3];
+    for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+        if from < to {
+            let y = row as f64 - patch.row;
+            let (color, total) = (colors.row(y), total.row(y));
+            for lane in 0..TILE {
+                let inverse = 1.0 / total.at(lanes[lane])[0];
+                let [red, green, blue] = color.at(lanes[lane]);
+                levels[0][lane] = red * inverse;
+                levels[1][lane] = green * inverse;
+                levels[2][lane] = blue * inverse;
             }
+            sink.take(row, &levels);
         }
     }
-    Evaluations::default()
+}
+
+fn shade_doubles(triangle: &Triangle, patch: &Patch, coverage: &Coverage, sink: &mut impl Sink) {
+    let mut levels = [[0.0; TILE]; 3];
+    for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+        if from < to {
+            for lane in from..to {
+                let weights =
+                    patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
+                let color = Triangle::blend(weights, &triangle.colors).as_vec3();
+                let lane = usize::from(lane);
+                [levels[0][lane], levels[1][lane], levels[2][lane]] = color.to_array();
+            }
+            sink.take(row, &levels);
+        }
+    }
 }

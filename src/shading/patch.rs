@@ -41,6 +41,17 @@ impl Affine {
         }
     }
 
+    /// The difference.
+    #[inline(always)]
+    #[must_use]
+    pub fn minus(&self, other: &Affine) -> Affine {
+        Affine {
+            centre: self.centre - other.centre,
+            dx: self.dx - other.dx,
+            dy: self.dy - other.dy,
+        }
+    }
+
     /// How far the value moves within `half` pixels of the middle, over its length there: below 1 the vector cannot
     /// vanish on the tile. Infinite or not a number where the middle itself vanishes.
     #[inline(always)]

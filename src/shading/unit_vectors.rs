@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::patch::{Affine, Patch, Triangle};
 use super::specular::power;
-use super::{Coverage, Evaluations, Scratch, Sink, Surface, TILE};
+use super::{Coverage, Evaluations, Scratch, Sink, Surface, TILE, TileKind};
 use crate::components::unit;
 
 /// Shades the covered pixels of a tile.
@@ -79,6 +79,7 @@ pub fn shade(
     Evaluations {
         model: pixels,
         specular: pixels * surface.powers() as u64,
+        ..Evaluations::of(TileKind::Exact)
     }
 }
 

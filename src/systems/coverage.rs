@@ -167,17 +167,23 @@ impl Scan {
         let mut tiles = TileSpans {
             first,
             spans: [(0, 0); TILE],
-            from: usize::MAX,
-            to: 0,
+            outer: [usize::MAX, 0],
+            inner: [0, usize::MAX],
         };
+        let mut rows = 0;
         while self.row < self.end && (self.row as usize) < first + TILE {
             let row = self.row as usize - first;
             let (from, to) = self.span();
             if from < to {
+                let (from, to) = (from as usize, to as usize);
                 tiles.spans[row] = (from as u32, to as u32);
-                tiles.from = tiles.from.min(from as usize);
-                tiles.to = tiles.to.max(to as usize);
+                tiles.outer = [tiles.outer[0].min(from), tiles.outer[1].max(to)];
+                tiles.inner = [tiles.inner[0].max(from), tiles.inner[1].min(to)];
+                rows += 1;
             }
+        }
+        if rows < TILE {
+            tiles.inner = [0, 0];
         }
         Some(tiles)
     }
@@ -188,8 +194,10 @@ pub struct TileSpans {
     /// The first of its rows.
     pub first: usize,
     spans: [(u32, u32); TILE],
-    from: usize,
-    to: usize,
+    /// Where any of the spans begins, and the last ends.
+    outer: [usize; 2],
+    /// Where all of them have begun, and the first ends; empty if a row is.
+    inner: [usize; 2],
 }
 
 impl TileSpans {
@@ -207,36 +215,17 @@ impl TileSpans {
 
     /// The first pixel of each tile that may be covered.
     pub fn columns(&self) -> impl Iterator<Item = usize> + use<> {
-        (self.from.min(self.to) / TILE * TILE..self.to).step_by(TILE)
+        let [from, to] = self.outer;
+        (from.min(to) / TILE * TILE..to).step_by(TILE)
     }
 
     /// What is covered of the tile that begins at pixel `column`.
     #[inline(always)]
     pub fn coverage(&self, column: usize) -> Coverage {
-        let mut coverage = Coverage::default();
+        if self.inner[0] <= column && column + TILE <= self.inner[1] {
+            return Coverage::WHOLE;
+        }
         let lane = |pixel: u32| (i64::from(pixel) - column as i64).clamp(0, TILE as i64) as u8;
-        for (covered, &(from, to)) in coverage.spans.iter_mut().zip(&self.spans) {
-            let (from, to) = (lane(from), lane(to));
-            if from < to {
-                *covered = (from, to);
-                coverage.pixels += u32::from(to - from);
-            }
-        }
-        coverage
-    }
-}
-
-impl Coverage {
-    /// First and last covered lane, first and last covered row; of a tile that is covered somewhere.
-    #[inline(always)]
-    pub fn bounds(&self) -> [[u8; 2]; 2] {
-        let (mut lanes, mut rows) = ([TILE as u8, 0], [TILE as u8, 0]);
-        for (row, &(from, to)) in self.spans.iter().enumerate() {
-            if from < to {
-                lanes = [lanes[0].min(from), lanes[1].max(to - 1)];
-                rows = [rows[0].min(row as u8), rows[1].max(row as u8)];
-            }
-        }
-        [lanes, rows]
+        Coverage::new(self.spans.map(|(from, to)| (lane(from), lane(to))))
     }
 }

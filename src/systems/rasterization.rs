@@ -187,14 +187,7 @@ fn draw(
         }
         for column in tile_row.columns() {
             let coverage = tile_row.coverage(column);
-            let mut store = Store {
-                band,
-                column,
-                row: tile_row.first,
-                coverage: &coverage,
-                id,
-                stored: 0,
-            };
+            let mut store = Store::new(band, [column, tile_row.first], &coverage, id);
             if coverage.pixels == 0 || !store.is_seen() {
                 continue;
             }
@@ -202,8 +195,7 @@ fn draw(
                 column as f64 - lens.half[0],
                 tile_row.first as f64 - lens.half[1],
             ];
-            let [lanes, rows] = coverage.bounds();
-            let patch = Patch::new(triangle, origin, lanes, rows);
+            let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
             let evaluations = match object.mode {
                 ShadingMode::Gouraud => {
                     gouraud::shade(triangle, &patch, &coverage, object.tolerance, &mut store)
@@ -225,39 +217,74 @@ fn draw(
 }
 
 fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {
-    Counts {
+    let mut counts = Counts {
         covered_pixels,
         model_evaluations: evaluations.model,
         specular_evaluations: evaluations.specular,
-    }
+        ..Counts::default()
+    };
+    counts.tiles[evaluations.kind as usize] = 1;
+    counts
 }
 
 /// Stores the rows of one tile.
 struct Store<'a, 'b> {
     band: &'a mut Band<'b>,
-    column: usize,
-    row: usize,
     coverage: &'a Coverage,
     id: u32,
+    /// The picture's row of the tile's first.
+    row: usize,
+    /// Where the tile's first pixel stands in the band's slices, had the band no first row.
+    first: usize,
+    /// Whether the band has all of the tile's rows.
+    whole: bool,
     stored: u64,
 }
 
-impl Store<'_, '_> {
+impl<'a, 'b> Store<'a, 'b> {
+    #[inline(always)]
+    fn new(
+        band: &'a mut Band<'b>,
+        [column, row]: [usize; 2],
+        coverage: &'a Coverage,
+        id: u32,
+    ) -> Self {
+        let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
+        let whole = band.rows.start <= row && row + TILE <= band.rows.end;
+        Store {
+            band,
+            coverage,
+            id,
+            row,
+            first,
+            whole,
+            stored: 0,
+        }
+    }
+
+    /// The place of the first lane of a row of the tile, if the band has that row.
+    #[inline(always)]
+    fn place(&self, row: usize) -> Option<usize> {
+        let held = self.whole || self.band.rows.contains(&(self.row + row));
+        held.then(|| self.first.wrapping_add(row * self.band.width))
+    }
+
     /// Whether any pixel of the tile is drawn here: in this band, and not hidden.
     #[inline(always)]
     fn is_seen(&self) -> bool {
+        if self.whole && self.band.depths.is_empty() {
+            return true;
+        }
         self.coverage
             .spans
             .iter()
             .enumerate()
             .any(|(row, &(from, to))| {
-                let y = self.row + row;
                 from < to
-                    && self.band.rows.contains(&y)
-                    && (self.band.depths.is_empty() || {
-                        let first = self.band.index(self.column, y);
-                        self.band.triangles[first + usize::from(from)..first + usize::from(to)]
-                            .contains(&self.id)
+                    && self.place(row).is_some_and(|first| {
+                        let covered = first + usize::from(from)..first + usize::from(to);
+                        self.band.depths.is_empty()
+                            || self.band.triangles[covered].contains(&self.id)
                     })
             })
     }
@@ -266,14 +293,9 @@ impl Store<'_, '_> {
 impl Sink for Store<'_, '_> {
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &TileRow) {
-        let y = self.row + row;
-        if !self.band.rows.contains(&y) {
-            return;
-        }
+        let Some(first) = self.place(row) else { return };
         let (from, to) = self.coverage.spans[row];
         let lanes = usize::from(from)..usize::from(to);
-        let first = self.band.index(self.column, y);
-        let covered = first + lanes.start..first + lanes.end;
         let deep = !self.band.depths.is_empty();
         if self.band.pixels.is_empty() {
             for lane in lanes {
@@ -301,8 +323,12 @@ impl Sink for Store<'_, '_> {
                     self.stored += 1;
                 }
             }
+        } else if lanes.len() == TILE {
+            // A copy of known length: two or four stores instead of a call.
+            self.band.pixels[first..first + TILE].copy_from_slice(&bytes);
+            self.stored += TILE as u64;
         } else {
-            self.band.pixels[covered].copy_from_slice(&bytes[lanes]);
+            self.band.pixels[first + lanes.start..first + lanes.end].copy_from_slice(&bytes[lanes]);
             self.stored += u64::from(to - from);
         }
     }

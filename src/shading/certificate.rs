@@ -1,0 +1,263 @@
+//! Polynomials that stand for the model on a tile, and bounds on what that costs.
+//!
+//! All vectors of the model are affine on a tile up to one positive factor (see [`super::patch`]); a displacement d from
+//! its middle moves V by at most `reach` = |dx| h_x + |dy| h_y, and `swing` = reach / |V| at the middle. Along the path
+//! t d, 0 <= t <= 1, the unit vector v = V / |V| then has, with q = swing / (1 - swing) >= |V'| / |V|,
+//!
+//! ```text
+//!   |v'| <= q      |v''| <= (2 / sqrt 3) q^2      |v'''| <= 3 q^3
+//! ```
+//!
+//! (v' is the part of V' across V over |V|; differentiating w / |w| for affine w gives the factors, which are attained at
+//! 30 degrees and at 45 degrees to V.) By the product rule n.l has, with a, b the rates of n and l,
+//! |(n.l)'''| <= 3 a^3 + 2 sqrt 3 a^2 b + 2 sqrt 3 a b^2 + 3 b^3, and Taylor's remainder after the quadratic term is at
+//! most a sixth of that. The angle between V and its place at the middle is at most asin(swing), so the mirror direction
+//! r turns by at most 2 asin(swing_n) + asin(swing_l): the chord |r - o| cannot be shorter than at the middle less that
+//! and asin(swing_o), and s = 1 - |r - o|^2 / 2 gives the bound on the specular term, since (1 - x)^rho <= exp(-rho x).
+//!
+//! Rule: a bound that cannot be given is infinite, and infinite is above every tolerance.
+
+use glam::DVec3;
+
+use super::patch::Affine;
+
+/// Beyond this swing nothing is certified: the series would converge too slowly to be of use.
+pub const MOST_SWING: f64 = 0.5;
+
+/// c_0 + c_1 x + c_2 y + c_3 x^2 + c_4 xy + c_5 y^2, x and y in pixels from the middle of a tile.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Quadratic(pub [f64; 6]);
+
+impl Quadratic {
+    /// The product of two vectors that are affine, without loss.
+    #[inline(always)]
+    pub fn dot(v: &Affine, w: &Affine) -> Self {
+        Quadratic([
+            v.centre.dot(w.centre),
+            v.dx.dot(w.centre) + v.centre.dot(w.dx),
+            v.dy.dot(w.centre) + v.centre.dot(w.dy),
+            v.dx.dot(w.dx),
+            v.dx.dot(w.dy) + v.dy.dot(w.dx),
+            v.dy.dot(w.dy),
+        ])
+    }
+
+    /// One over the square root, to second order: (1 + e)^(-1/2) = 1 - e / 2 + 3 e^2 / 8 - ...
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_root(&self) -> Self {
+        let inverse = 1.0 / self.0[0];
+        let [_, x, y, xx, xy, yy] = self.0.map(|coefficient| coefficient * inverse);
+        let root = inverse.sqrt();
+        Quadratic([
+            root,
+            root * (-0.5 * x),
+            root * (-0.5 * y),
+            root * (-0.5 * xx + 0.375 * x * x),
+            root * (-0.5 * xy + 0.75 * x * y),
+            root * (-0.5 * yy + 0.375 * y * y),
+        ])
+    }
+
+    /// The product, to second order.
+    #[inline(always)]
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let (a, b) = (&self.0, &other.0);
+        Quadratic([
+            a[0] * b[0],
+            a[0] * b[1] + a[1] * b[0],
+            a[0] * b[2] + a[2] * b[0],
+            a[0] * b[3] + a[1] * b[1] + a[3] * b[0],
+            a[0] * b[4] + a[1] * b[2] + a[2] * b[1] + a[4] * b[0],
+            a[0] * b[5] + a[2] * b[2] + a[5] * b[0],
+        ])
+    }
+
+    /// Adds a multiple of another.
+    #[inline(always)]
+    pub fn add(&mut self, other: &Self, factor: f64) {
+        for (coefficient, more) in self.0.iter_mut().zip(other.0) {
+            *coefficient += factor * more;
+        }
+    }
+
+    /// A bound on the linear terms' size within `half` pixels of the middle.
+    #[inline(always)]
+    pub fn linear_reach(&self, half: [f64; 2]) -> f64 {
+        self.0[1].abs() * half[0] + self.0[2].abs() * half[1]
+    }
+
+    /// A bound on the quadratic terms' size within `half` pixels of the middle.
+    #[inline(always)]
+    pub fn quadratic_reach(&self, half: [f64; 2]) -> f64 {
+        let [right, down] = half;
+        self.0[3].abs() * right * right
+            + self.0[4].abs() * right * down
+            + self.0[5].abs() * down * down
+    }
+
+    /// One row, `y` pixels below the middle, as a polynomial in x.
+    #[inline(always)]
+    pub fn row(&self, y: f64) -> [f64; 3] {
+        let [middle, x, down, xx, xy, yy] = self.0;
+        [middle + y * (down + y * yy), x + y * xy, xx]
+    }
+}
+
+/// A colour on a tile: one polynomial a channel, in levels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Color(pub [Quadratic; 3]);
+
+impl Color {
+    /// The same everywhere.
+    #[inline(always)]
+    pub fn constant(levels: DVec3) -> Self {
+        Color(
+            levels
+                .to_array()
+                .map(|level| Quadratic([level, 0.0, 0.0, 0.0, 0.0, 0.0])),
+        )
+    }
+
+    /// Adds a scalar times a coefficient a channel.
+    #[inline(always)]
+    pub fn add(&mut self, scalar: &Quadratic, coefficients: DVec3) {
+        for (channel, factor) in self.0.iter_mut().zip(coefficients.to_array()) {
+            channel.add(scalar, factor);
+        }
+    }
+
+    /// The largest over the channels.
+    #[inline(always)]
+    pub fn largest(&self, measure: impl Fn(&Quadratic) -> f64) -> f64 {
+        measure(&self.0[0])
+            .max(measure(&self.0[1]))
+            .max(measure(&self.0[2]))
+    }
+}
+
+/// A bound on how fast a direction turns on the way from the middle to anywhere on the tile: see the module's q.
+#[inline(always)]
+pub fn rate(swing: f64) -> f64 {
+    if swing < MOST_SWING {
+        swing / (1.0 - swing)
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// The error of n.l's quadratic Taylor polynomial for rates `a` of n and `b` of l.
+#[inline(always)]
+pub fn cosine_remainder(a: f64, b: f64) -> f64 {
+    /// 2 sqrt 3.
+    const CROSSED: f64 = 3.464_101_615_137_755;
+    (3.0 * (a * a * a + b * b * b) + CROSSED * a * b * (a + b)) / 6.0
+}
+
+/// A bound on asin(swing): the ratio grows with the swing and is 1.0472 at a half.
+#[inline(always)]
+pub fn angle(swing: f64) -> f64 {
+    if swing < MOST_SWING {
+        1.0473 * swing
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// A lower bound of lambda = 1 - s on a tile: `chord` is |r - o| at its middle, `turns` what it may shrink by.
+#[inline(always)]
+pub fn least_lambda(chord: f64, turns: f64) -> f64 {
+    let shortest = chord - turns;
+    if shortest > 0.0 {
+        0.5 * shortest * shortest
+    } else {
+        0.0
+    }
+}
+
+/// Perspective-correct colours, sum(e_i C_i) / sum(e_i), as a quadratic: with kappa the gradient of the quotient at the
+/// middle and e how far the denominator strays from 1, C(d) = C + kappa.d / (1 + e.d) exactly, so the quadratic
+/// kappa.d (1 - e.d) errs by |kappa.d| e^2 / (1 - e) at most. Returns that bound in levels.
+#[inline(always)]
+pub fn quotient(colors: &Affine, total: &Affine, half: [f64; 2]) -> (Color, f64) {
+    let [x, y] = [total.dx.x, total.dy.x];
+    let stray = x.abs() * half[0] + y.abs() * half[1];
+    let mut reach = 0.0_f64;
+    let color = [0, 1, 2].map(|channel| {
+        let middle = colors.centre[channel];
+        let kappa = [
+            colors.dx[channel] - middle * x,
+            colors.dy[channel] - middle * y,
+        ];
+        reach = reach.max(kappa[0].abs() * half[0] + kappa[1].abs() * half[1]);
+        Quadratic([
+            middle,
+            kappa[0],
+            kappa[1],
+            -kappa[0] * x,
+            -kappa[0] * y - kappa[1] * x,
+            -kappa[1] * y,
+        ])
+    });
+    let bound = if stray < MOST_SWING {
+        reach * stray * stray / (1.0 - stray)
+    } else {
+        f64::INFINITY
+    };
+    (Color(color), bound)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_third_derivative_of_a_direction_is_bounded_by_three_and_nearly_attains_it() {
+        // v = (1 + t c, t s) / |..| with |V'| = 1 and |V| = 1 at t = 0; derivatives by central differences.
+        let mut most = [0.0_f64; 3];
+        for degrees in 0..=180 {
+            let (s, c) = f64::from(degrees).to_radians().sin_cos();
+            let v = |t: f64| DVec3::new(1.0 + t * c, t * s, 0.0).normalize();
+            let h = 1e-3;
+            let derivatives = [
+                (v(h) - v(-h)) / (2.0 * h),
+                (v(h) - 2.0 * v(0.0) + v(-h)) / (h * h),
+                (v(2.0 * h) - 2.0 * v(h) + 2.0 * v(-h) - v(-2.0 * h)) / (2.0 * h * h * h),
+            ];
+            for (most, derivative) in most.iter_mut().zip(derivatives) {
+                *most = most.max(derivative.length());
+            }
+        }
+        assert!(most[0] <= 1.0 + 1e-5 && most[0] > 0.999, "{most:?}");
+        assert!(
+            most[1] <= 2.0 / 3.0_f64.sqrt() + 1e-4 && most[1] > 1.154,
+            "{most:?}"
+        );
+        assert!(most[2] <= 3.0 + 1e-3 && most[2] > 2.99, "{most:?}");
+    }
+
+    #[test]
+    fn series_agree_with_the_functions_to_third_order() {
+        let q = Quadratic([2.0, 0.3, -0.2, 0.05, 0.01, -0.04]);
+        let at = |q: &Quadratic, x: f64, y: f64| {
+            let [middle, slope, curve] = q.row(y);
+            middle + x * (slope + x * curve)
+        };
+        let (root, square) = (q.inverse_root(), q.times(&q));
+        let error = |step: f64| {
+            let (x, y) = (step, 0.7 * step);
+            let value = at(&q, x, y);
+            (
+                (at(&root, x, y) - 1.0 / value.sqrt()).abs(),
+                (at(&square, x, y) - value * value).abs(),
+            )
+        };
+        let (far, near) = (error(0.1), error(0.05));
+        assert!(
+            (far.0 / near.0 - 8.0).abs() < 0.8,
+            "halving the step divides a third-order error by eight: {far:?} {near:?}"
+        );
+        assert!((far.1 / near.1 - 8.0).abs() < 0.8, "{far:?} {near:?}");
+    }
+}

@@ -1,0 +1,204 @@
+//! The promise of the tolerance: whatever the scene, no pixel strays further from the exact picture of its mode.
+//!
+//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150; the long run is 10000, in a release build).
+
+use fearless_simd::Level;
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{
+    Camera, Illumination, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
+    ShadingMode, Transform, VertexColors, View, Viewpoint,
+};
+use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use shadetrade::systems;
+
+/// Random numbers that are the same on every machine (splitmix64; Steele, Lea and Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn within(&mut self, from: f64, to: f64) -> f64 {
+        from + (to - from) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    /// Between two powers of ten, alike in every decade.
+    fn decade(&mut self, from: f64, to: f64) -> f64 {
+        10.0_f64.powf(self.within(from, to))
+    }
+
+    fn vector(&mut self, from: f64, to: f64) -> DVec3 {
+        DVec3::new(
+            self.within(from, to),
+            self.within(from, to),
+            self.within(from, to),
+        )
+    }
+
+    fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[(self.next() % choices.len() as u64) as usize]
+    }
+}
+
+/// A cuboid, up to five lights (some of them close to a face, some at one place) and a camera (some of them close).
+fn scene(random: &mut Random) -> (World, View) {
+    let mut world = World::new();
+    let size = DVec3::new(
+        random.decade(-0.5, 0.5),
+        random.decade(-0.5, 0.5),
+        random.decade(-0.5, 0.5),
+    ) * 2.0;
+    let transform = Transform {
+        position: random.vector(-1.0, 1.0),
+        rotation: random.vector(-180.0, 180.0),
+    };
+    let material = Material {
+        ambient: random.vector(0.0, 1.0),
+        diffuse: random.vector(0.0, 1.0),
+        specular: random.vector(0.0, 1.0),
+        shininess: random.decade(-0.301, 3.0),
+    };
+    world.spawn((
+        Name("cuboid".into()),
+        transform,
+        Mesh::cuboid(size),
+        material,
+        ShadingMode::Phong,
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
+    ));
+    let mut position = DVec3::ZERO;
+    for index in 0..1 + random.next() % 5 {
+        if index == 0 || random.next() % 3 > 0 {
+            position = if random.next() % 3 == 0 {
+                // A tenth above a face, anywhere over it or just beside it.
+                let axis = random.one_of(&[0, 1, 2]);
+                let mut local = random.vector(-0.6, 0.6) * size;
+                local[axis] = (0.5 * size[axis] + 0.1) * random.one_of(&[-1.0, 1.0]);
+                transform.position + transform.axes() * local
+            } else {
+                random.vector(-12.0, 12.0)
+            };
+        }
+        let light = Light {
+            kind: random.one_of(&[
+                LightKind::Ambient,
+                LightKind::Diffuse,
+                LightKind::Diffuse,
+                LightKind::Specular,
+                LightKind::Specular,
+            ]),
+            color: random.vector(0.0, 1.0),
+            intensity: random.decade(0.0, 3.0),
+            gain: 1.0,
+            on: true,
+        };
+        world.spawn((
+            Name(format!("light {index}")),
+            Transform {
+                position,
+                rotation: DVec3::ZERO,
+            },
+            light,
+        ));
+    }
+    world.spawn((Illumination::default(),));
+    let direction = loop {
+        let direction = random.vector(-1.0, 1.0);
+        if direction.length() > 0.1 {
+            break direction.normalize();
+        }
+    };
+    let distance = size.length() * random.decade(-0.25, 0.8);
+    let target = transform.position + random.vector(-0.3, 0.3) * size;
+    let camera = Camera {
+        target,
+        up: direction.any_orthonormal_vector(),
+        fov: random.within(10.0, 100.0),
+        height: size.length() * random.within(0.2, 1.5),
+        near: None,
+    };
+    let view = View {
+        size: [
+            random.one_of(&[64, 150, 320]),
+            random.one_of(&[48, 100, 240]),
+        ],
+        viewpoint: Viewpoint {
+            position: target + direction * distance,
+            camera,
+        },
+        projection: random.one_of(&[Projection::Perspective, Projection::Orthographic]),
+        background: DVec3::ZERO,
+        shading: None,
+        tolerance: 0.0,
+    };
+    (world, view)
+}
+
+fn cases() -> u64 {
+    std::env::var("SHADETRADE_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(150)
+}
+
+#[test]
+fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
+    let frame = || {
+        Frame::new(
+            Keep::Levels,
+            Workers::new(1, Level::new()).expect("one thread is always there"),
+        )
+    };
+    let (mut exact, mut certified) = (frame(), frame());
+    let shown = |level: f32| f64::from(level).clamp(0.0, 255.0);
+    let (mut worst_share, mut most_excess, mut covered, mut cheap) = (0.0_f64, f64::MIN, 0, 0);
+    for seed in 0..cases() {
+        let mut random = Random(seed);
+        let (mut world, mut view) = scene(&mut random);
+        let mode = random.one_of(&[ShadingMode::Phong, ShadingMode::Phong, ShadingMode::Gouraud]);
+        view.shading = Some(mode);
+        systems::draw(&mut world, &view, &mut exact).expect("small pictures fit");
+        let tolerance = random.one_of(&[0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0]);
+        view.tolerance = tolerance;
+        systems::draw(&mut world, &view, &mut certified).expect("small pictures fit");
+        let counts = certified.counts();
+        covered += counts.covered_pixels;
+        cheap += counts.tiles[0] + counts.tiles[1] + counts.tiles[2];
+        for (pixel, (a, b)) in exact.levels().iter().zip(certified.levels()).enumerate() {
+            assert_eq!(
+                exact.triangles()[pixel],
+                certified.triangles()[pixel],
+                "the tolerance moves no edge"
+            );
+            if exact.triangles()[pixel] == NO_TRIANGLE {
+                continue;
+            }
+            for channel in 0..3 {
+                let error = (shown(a[channel]) - shown(b[channel])).abs();
+                assert!(
+                    error <= tolerance + 0.05,
+                    "seed {seed}, {mode:?}, {:?}: {error} levels at pixel {pixel}, tolerance {tolerance}",
+                    view.projection
+                );
+                worst_share = worst_share.max(error / tolerance);
+                most_excess = most_excess.max(error - tolerance);
+            }
+        }
+    }
+    println!(
+        "{} scenes, {covered} pixels, {cheap} polynomial tiles, worst error {worst_share:.4} of the tolerance, {most_excess:.6} levels from it",
+        cases()
+    );
+    assert!(
+        covered > 0 && cheap > 0,
+        "the scenes show something, and something of it is certified"
+    );
+}
