@@ -244,24 +244,17 @@ fn flip_has_no_favourite_side() {
 
 #[test]
 fn flip_takes_its_mean_where_both_show_one_triangle_and_the_rest_as_surroundings() {
-    // Left half gray against gray, right half black against white: far from the seam nothing, and in the mean over the
-    // left half only what the blur carries over the seam.
-    let halves = |level| formula(move |x, _| [if x < 32 { 128 } else { level }; 3]);
-    let triangles: Vec<u32> = (0..WIDTH * HEIGHT)
-        .map(|i| if i % WIDTH < 32 { 0 } else { NO_TRIANGLE })
-        .collect();
-    let far: Vec<u32> = (0..WIDTH * HEIGHT)
-        .map(|i| if i % WIDTH < 20 { 0 } else { NO_TRIANGLE })
-        .collect();
-    let mean = |triangles: &[u32]| {
-        let [left, right] = [halves(0), halves(255)];
-        flip::mean(
-            whole(WIDTH, &left, triangles),
-            whole(WIDTH, &right, triangles),
-            flip::PIXELS_PER_DEGREE,
-        )
+    // Gray against gray but for a stripe of black against white, which no mean takes in: 16 columns from it there is
+    // nothing, beside it there is what the blur carries over.
+    let stripe = |level| formula(move |x, _| [if (24..40).contains(&x) { level } else { 128 }; 3]);
+    let [left, right] = [stripe(0), stripe(255)];
+    let mean = |counts: fn(usize) -> bool| {
+        let shown = |i| if counts(i % WIDTH) { 0 } else { NO_TRIANGLE };
+        let triangles: Vec<u32> = (0..WIDTH * HEIGHT).map(shown).collect();
+        let [left, right] = [&left, &right].map(|levels| whole(WIDTH, levels, &triangles));
+        flip::mean(left, right, flip::PIXELS_PER_DEGREE).expect("covered")
     };
-    assert_eq!(mean(&far), Some(0.0));
-    let near = mean(&triangles).expect("covered");
-    assert!(near > 0.01 && near < 0.3, "{near}");
+    assert_eq!(mean(|column| !(8..56).contains(&column)), 0.0);
+    let beside = mean(|column| column < 24);
+    assert!(beside > 0.01 && beside < 0.3, "{beside}");
 }

@@ -10,7 +10,7 @@ use super::scenes::{
 };
 
 /// Two cuboids and a light of each kind; every place moved by `offset`, every length multiplied by `scale`.
-fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View) {
+pub fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View) {
     let place = |p: [f64; 3]| p.map(|x| x * scale + offset);
     let size = |s: [f64; 3]| s.map(|x| x * scale);
     let mut world = World::new();

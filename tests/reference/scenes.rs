@@ -3,8 +3,8 @@
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
-    Viewpoint,
+    Camera, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection, ShadingMode,
+    Transform, VertexColors, View, Viewpoint,
 };
 use shadetrade::reference::{Sample, Truth, at_pixel, picture};
 
@@ -36,6 +36,9 @@ pub fn spawn_turned_cuboid(
         Mesh::cuboid(size.into()),
         material,
         ShadingMode::Phong,
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
     ));
 }
 
