@@ -9,7 +9,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
-use crate::shading::{TILE, TileKind};
+use crate::shading::{BLOCK, TileKind};
 
 /// Who draws: the SIMD level and the threads.
 pub struct Workers {
@@ -265,7 +265,7 @@ impl Frame {
                     .rows
                     .len()
                     .div_ceil(4 * pool.current_num_threads())
-                    .next_multiple_of(TILE);
+                    .next_multiple_of(BLOCK);
                 pool.install(|| band.split_and(rows, &draw))
             }
             _ => draw(&mut band),
@@ -290,12 +290,12 @@ pub(crate) struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Draws in parts of about `rows` rows, in parallel. Parts meet where tiles do, so no tile is cut in two.
+    /// Draws in parts of about `rows` rows, in parallel. Parts meet where blocks of tiles do, so none is cut in two.
     fn split_and(&mut self, rows: usize, draw: &(impl Fn(&mut Band) -> Counts + Sync)) -> Counts {
         if self.rows.len() <= rows {
             return draw(self);
         }
-        let middle = (self.rows.start + self.rows.len() / 2).next_multiple_of(TILE);
+        let middle = (self.rows.start + self.rows.len() / 2).next_multiple_of(BLOCK);
         if middle >= self.rows.end {
             return draw(self);
         }
@@ -392,18 +392,36 @@ pub fn display_step(level: f64) -> u8 {
     (positive.min(255.0) + 0.5).floor() as u8
 }
 
-/// The display step of f32 levels, for every float the same as `floor(clamp(level) + 0.5)` in real arithmetic, without
-/// the saturating casts that keep loops from vectorising.
+/// 2^23: adding it to a float of 0..=255 leaves the nearest integer, halves to even, in the low bits.
+const INTEGERS: f32 = 8_388_608.0;
+
 #[inline(always)]
-pub(crate) fn display_step_lane(level: f32) -> u32 {
-    /// 2^23: adding it leaves the nearest integer, halves to even, in the low bits.
-    const INTEGERS: f32 = 8_388_608.0;
+fn clamped(level: f32) -> f32 {
     let positive = if level > 0.0 { level } else { 0.0 };
-    let clamped = if positive < 255.0 { positive } else { 255.0 };
-    let nearest = clamped + INTEGERS;
+    if positive < 255.0 { positive } else { 255.0 }
+}
+
+/// The display step of f32 levels, the byte in the low bits and the rest as in [`INTEGERS`]: for every float
+/// `floor(clamp(level) + 0.5)` in real arithmetic, without the saturating casts that keep loops from vectorising.
+#[inline(always)]
+pub(crate) fn display_bits(level: f32) -> u32 {
+    let level = clamped(level);
+    let nearest = level + INTEGERS;
     // The subtraction is exact; a half that went down to even is put right.
-    let half = clamped - (nearest - INTEGERS) == 0.5;
-    (nearest.to_bits() & 0xff) + u32::from(half)
+    let half = level - (nearest - INTEGERS) == 0.5;
+    nearest.to_bits() + u32::from(half)
+}
+
+/// The same where levels are approximations anyway: halves go up, and so does the one float below an odd half.
+#[inline(always)]
+pub(crate) fn display_bits_within(level: f32) -> u32 {
+    (f32::from_bits(clamped(level).to_bits() + 1) + INTEGERS).to_bits()
+}
+
+/// Three display bits as 0x00RRGGBB; shifting drops what is not the byte.
+#[inline(always)]
+pub(crate) fn pack([red, green, blue]: [u32; 3]) -> u32 {
+    red << 16 | green << 8 | blue & 0xff
 }
 
 #[cfg(test)]
@@ -428,16 +446,23 @@ mod tests {
             (1e30, 255),
         ] {
             assert_eq!(display_step(level), byte, "{level}");
+            let byte = u32::from(display_step(f64::from(level as f32)));
+            let level = level as f32;
             assert_eq!(
-                display_step_lane(level as f32),
-                u32::from(display_step(f64::from(level as f32))),
+                pack([display_bits(level); 3]),
+                byte * 0x0001_0101,
                 "{level} in f32"
+            );
+            assert_eq!(
+                pack([display_bits_within(level); 3]),
+                byte * 0x0001_0101,
+                "{level} in f32, within"
             );
         }
     }
 
     #[test]
-    fn the_fast_display_step_is_the_plain_one_on_every_kind_of_float() {
+    fn the_fast_display_steps_are_the_plain_one_on_every_kind_of_float() {
         // Every 257th of all floats, and all those next to a half.
         let everywhere = (0..=u32::MAX / 257).map(|step| f32::from_bits(step * 257));
         let halves = (0..=255).flat_map(|level| {
@@ -445,10 +470,15 @@ mod tests {
             (half - 3..=half + 3).map(f32::from_bits)
         });
         for level in everywhere.chain(halves) {
-            assert_eq!(
-                display_step_lane(level),
-                u32::from(display_step(f64::from(level))),
-                "{level}"
+            let byte = u32::from(display_step(f64::from(level)));
+            assert_eq!(display_bits(level) & 0xff, byte, "{level}");
+            let early = u32::from(display_step(f64::from(f32::from_bits(
+                level.to_bits().wrapping_add(1),
+            ))));
+            let within = display_bits_within(level) & 0xff;
+            assert!(
+                within == byte || within == early,
+                "{level}: {within}, not {byte}"
             );
         }
     }

@@ -31,8 +31,9 @@
 //!
 //! # Who may import whom
 //!
-//! components -> glam. shading -> components. systems -> components, shading, frame. scene -> components. Nothing points
-//! back up; hecs ends at scene and systems.
+//! components -> glam. shading -> components. systems -> components, shading, frame. scene -> components. drawing -> scene,
+//! frame. output, lettering and simd -> none of these. pictures -> drawing, systems, output, lettering. cli -> drawing,
+//! output; main -> cli and the commands. Nothing points back up; hecs ends at scene and systems, clap at cli.
 //!
 //! # What is not modelled, and why
 //!
@@ -41,10 +42,16 @@
 //! assignment comes from), no far plane. A light that is off is not evaluated, and one convex body needs no depth buffer
 //! and gets none.
 
+pub mod cli;
 pub mod components;
+pub mod drawing;
 pub mod frame;
+pub mod lettering;
+pub mod output;
+pub mod pictures;
 pub mod reference;
 pub mod scene;
 pub mod shading;
+pub mod simd;
 pub mod systems;
 pub mod trade;

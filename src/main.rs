@@ -1,2 +1,57 @@
-//! shadetrade
-fn main() {}
+//! shadetrade: parses the command line, runs one command, says what went wrong.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use anyhow::anyhow;
+
+use shadetrade::cli::options::DrawingOptions;
+use shadetrade::cli::{self, Command, Failure};
+use shadetrade::scene::BUILT_IN;
+use shadetrade::{output, pictures};
+
+fn main() -> ExitCode {
+    match cli::parse(std::env::args_os()).and_then(run) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn run(command: Option<Command>) -> Result<(), Failure> {
+    match command {
+        None => Ok(()),
+        Some(Command::View(options)) => view(&options),
+        Some(Command::Render(options)) => {
+            Ok(pictures::render(options.drawing.open()?, &options.output)?)
+        }
+        Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
+        Some(Command::Completions { shell }) => Ok(cli::print_completions(shell)?),
+    }
+}
+
+/// Opens the window; where there is no display, the built-in scene's figures are drawn instead.
+fn view(options: &DrawingOptions) -> Result<(), Failure> {
+    let drawing = options.open()?;
+    let scene = drawing.scene.name.clone();
+    match open_window(drawing) {
+        Err(WindowError::NoDisplay) if scene == BUILT_IN[0].0 => {
+            output::say("no display to open a window on; drawing the figures instead");
+            Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
+        }
+        Err(WindowError::NoDisplay) => Err(Failure::Work(anyhow!(
+            "no display to open a window on; `shadetrade render {scene} -o FILE.png` draws a picture without one"
+        ))),
+        opened => Ok(opened.map_err(anyhow::Error::from)?),
+    }
+}
+
+/// Stands in for `shadetrade::window`.
+fn open_window(_drawing: shadetrade::drawing::Drawing) -> Result<(), WindowError> {
+    Err(WindowError::NoDisplay)
+}
+
+#[derive(Debug, thiserror::Error)]
+#[error("no display")]
+enum WindowError {
+    NoDisplay,
+}

@@ -16,6 +16,8 @@ pub mod unit_vectors;
 
 use glam::DVec3;
 
+use self::certificate::Color;
+use self::patch::{Patch, Triangle};
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
 
 /// A way to draw: what the picture means, and how far it may stray from that.
@@ -154,6 +156,9 @@ impl Surface<'_> {
 /// The side of a tile, in pixels.
 pub const TILE: usize = 16;
 
+/// The side of a block of tiles, in pixels: what a polynomial is first tried on.
+pub const BLOCK: usize = 2 * TILE;
+
 /// The levels of one row of a tile, by channel and lane.
 pub type TileRow = [[f32; TILE]; 3];
 
@@ -202,6 +207,26 @@ impl Coverage {
 pub trait Sink {
     /// Takes row `row` (0..[`TILE`]) of the tile, in levels, unclamped.
     fn take(&mut self, row: usize, levels: &TileRow);
+
+    /// Takes a row of approximations: its display step may round the last bit of a float away first.
+    fn take_within(&mut self, row: usize, levels: &TileRow);
+}
+
+/// Draws the tiles of triangles.
+pub trait Shader {
+    /// A colour that is certified to stay within the tolerance all over the patch, of the cheapest kind that does; none
+    /// where there is none, or where every pixel is to be exact.
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<(Color, TileKind)>;
+
+    /// Shades the covered pixels of a tile.
+    fn shade(
+        &self,
+        triangle: &Triangle,
+        patch: &Patch,
+        coverage: &Coverage,
+        scratch: &mut Scratch,
+        sink: &mut impl Sink,
+    ) -> Evaluations;
 }
 
 /// How a tile was drawn, from cheap to dear.

@@ -75,9 +75,9 @@ fn scene(random: &mut Random) -> (World, View) {
         Projected::default(),
     ));
     let mut position = DVec3::ZERO;
-    for index in 0..1 + random.next() % 5 {
-        if index == 0 || random.next() % 3 > 0 {
-            position = if random.next() % 3 == 0 {
+    for index in 0..=random.one_of(&[0, 1, 2, 3, 4]) {
+        if index == 0 || random.one_of(&[true, true, false]) {
+            position = if random.one_of(&[true, false, false]) {
                 // A tenth above a face, anywhere over it or just beside it.
                 let axis = random.one_of(&[0, 1, 2]);
                 let mut local = random.vector(-0.6, 0.6) * size;

@@ -6,41 +6,56 @@
 
 use glam::DVec3;
 
-use super::certificate::quotient;
+use super::certificate::{Color, quotient};
 use super::patch::{Affine, Patch, Triangle};
-use super::{Coverage, EXACT, Evaluations, Sink, TILE, TileKind, U, polynomial};
+use super::{Coverage, EXACT, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, polynomial};
 
-/// Shades the covered pixels of a tile.
-#[inline(always)]
-pub fn shade(
-    triangle: &Triangle,
-    patch: &Patch,
-    coverage: &Coverage,
-    tolerance: f64,
-    sink: &mut impl Sink,
-) -> Evaluations {
-    let colors = patch.blend(&triangle.colors);
-    let total = patch.constant(DVec3::ONE);
-    if patch.steady && tolerance > 0.0 {
-        let (color, bound) = quotient(&colors, &total, patch.half);
-        let budget = tolerance - bound - polynomial::rounding(&color, patch.half);
-        if budget >= 0.0 {
-            let kind = polynomial::cheapest(&color, patch.half, budget);
-            polynomial::shade(&color, kind, patch, coverage, sink);
+/// Draws what was lit at the vertices.
+pub struct Gouraud {
+    /// In levels.
+    pub tolerance: f64,
+}
+
+impl Shader for Gouraud {
+    #[inline(always)]
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<(Color, TileKind)> {
+        if self.tolerance == 0.0 || !patch.steady {
+            return None;
+        }
+        let (color, bound) = quotient(
+            &patch.blend(&triangle.colors),
+            &patch.constant(DVec3::ONE),
+            patch.half,
+        );
+        polynomial::cheapest(color, patch.half, self.tolerance - bound)
+    }
+
+    #[inline(always)]
+    fn shade(
+        &self,
+        triangle: &Triangle,
+        patch: &Patch,
+        coverage: &Coverage,
+        _scratch: &mut Scratch,
+        sink: &mut impl Sink,
+    ) -> Evaluations {
+        if let Some((color, kind)) = self.polynomial(triangle, patch) {
+            polynomial::shade(&color, kind, patch.first(), coverage, sink);
             return Evaluations::of(kind);
         }
-    }
-    // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
-    // colour, over the smallest sum (at least half the middle's on a steady patch).
-    let largest =
-        colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
-    let rounding = 20.0 * U * largest.max_element();
-    if patch.steady && rounding <= tolerance.max(EXACT) {
-        shade_lanes(&colors, &total, patch, coverage, sink);
-        Evaluations::of(TileKind::Exact)
-    } else {
-        shade_doubles(triangle, patch, coverage, sink);
-        Evaluations::of(TileKind::Double)
+        let colors = patch.blend(&triangle.colors);
+        // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
+        // colour, over the smallest sum (at least half the middle's on a steady patch).
+        let largest =
+            colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
+        let rounding = 20.0 * U * largest.max_element();
+        if patch.steady && rounding <= self.tolerance.max(EXACT) {
+            shade_lanes(&colors, &patch.constant(DVec3::ONE), patch, coverage, sink);
+            Evaluations::of(TileKind::Exact)
+        } else {
+            shade_doubles(triangle, patch, coverage, sink);
+            Evaluations::of(TileKind::Double)
+        }
     }
 }
 

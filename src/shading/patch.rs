@@ -208,6 +208,12 @@ impl Patch {
             .map(|weights| value * (weights.x + weights.y + weights.z))
     }
 
+    /// The place of the tile's first pixel, right and down of the middle, in pixels.
+    #[inline(always)]
+    pub fn first(&self) -> [f64; 2] {
+        [-self.lane, -self.row]
+    }
+
     /// Distance from the middle of each lane, in pixels.
     #[inline(always)]
     pub fn lanes(&self) -> [f32; TILE] {

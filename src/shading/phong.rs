@@ -13,7 +13,9 @@ use glam::DVec3;
 
 use super::certificate::{Color, Quadratic, angle, cosine_remainder, least_lambda, rate};
 use super::patch::{Affine, Patch, Triangle};
-use super::{Coverage, EXACT, Evaluations, Scratch, Sink, Surface, TILE, TileKind, U, polynomial};
+use super::{
+    Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, polynomial,
+};
 use crate::components::{PointLight, unit};
 
 /// The part of the tolerance that dropped specular terms may use up together.
@@ -50,6 +52,14 @@ enum Side {
     Terminator,
 }
 
+/// What is known of all lights on a tile before any pixel is looked at.
+struct Survey {
+    color: Color,
+    budget: f64,
+    terminators: u64,
+    highlights: u64,
+}
+
 /// What is known of one light on a tile before any pixel is looked at.
 struct Outlook {
     to_light: Affine,
@@ -79,29 +89,35 @@ impl<'a> Phong<'a> {
         }
     }
 
-    /// Shades the covered pixels of a tile.
+    /// What holds for the whole of a patch: the diffuse terms of the lights that are lit all over as polynomials, what is
+    /// left of the tolerance after their remainders and all rounding, and how many lights need a look at every pixel.
     #[inline(always)]
-    pub fn shade(
-        &self,
-        triangle: &Triangle,
-        patch: &Patch,
-        coverage: &Coverage,
-        scratch: &mut Scratch,
-        sink: &mut impl Sink,
-    ) -> Evaluations {
-        let vectors = Vectors::new(triangle, patch);
-        if patch.steady
-            && self.tolerance > 0.0
-            && let Some(evaluations) =
-                self.shade_certified(&vectors, patch, coverage, scratch, sink)
-        {
-            return evaluations;
+    fn survey(&self, vectors: &Vectors, patch: &Patch) -> Survey {
+        let mut survey = Survey {
+            color: Color::constant(self.surface.ambient()),
+            budget: (1.0 - DROPPED) * self.tolerance,
+            terminators: 0,
+            highlights: 0,
+        };
+        for light in &self.surface.illumination.points {
+            let outlook = self.outlook(light, vectors, patch);
+            if outlook.side == Side::Dark {
+                continue;
+            }
+            let [diffuse, specular] = self.surface.coefficients(light);
+            survey.budget -= diffuse.max_element() * (outlook.remainder + 6.0 * U);
+            if outlook.side == Side::Lit {
+                survey.color.add(&outlook.cosine, diffuse);
+            } else if diffuse != DVec3::ZERO {
+                survey.terminators += 1;
+            }
+            if outlook.shines {
+                survey.highlights += 1;
+                survey.budget -=
+                    self.specular_rounding(specular.max_element(), vectors, outlook.swing);
+            }
         }
-        if patch.steady && self.rounding(&vectors, patch) <= self.tolerance.max(EXACT) {
-            self.shade_lanes(&vectors, patch, coverage, scratch, sink)
-        } else {
-            self.shade_doubles(triangle, patch, coverage, sink)
-        }
+        survey
     }
 
     /// Draws polynomials, and pixel by pixel only the terminators and highlights; `None`, and nothing drawn, where the
@@ -115,58 +131,32 @@ impl<'a> Phong<'a> {
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Option<Evaluations> {
-        let mut color = Color::constant(self.surface.ambient());
-        let mut error = DROPPED * self.tolerance;
-        let mut largest = 0.0;
-        let (mut terminators, mut highlights) = (0, 0);
-        for light in &self.surface.illumination.points {
-            let outlook = self.outlook(light, vectors, patch);
-            if outlook.side == Side::Dark {
-                continue;
-            }
-            let [diffuse, specular] = self.surface.coefficients(light);
-            error += diffuse.max_element() * outlook.remainder;
-            largest += diffuse.max_element();
-            if outlook.side == Side::Lit {
-                color.add(&outlook.cosine, diffuse);
-            } else if diffuse != DVec3::ZERO {
-                terminators += 1;
-            }
-            if outlook.shines {
-                highlights += 1;
-                largest += specular.max_element();
-                error += self.specular_rounding(specular.max_element(), vectors, outlook.swing);
-            }
+        let survey = self.survey(vectors, patch);
+        if survey.terminators == 0 && survey.highlights == 0 {
+            let (color, kind) = polynomial::cheapest(survey.color, patch.half, survey.budget)?;
+            polynomial::shade(&color, kind, patch.first(), coverage, sink);
+            return Some(Evaluations::of(kind));
         }
-        let budget =
-            self.tolerance - error - polynomial::rounding(&color, patch.half) - 6.0 * U * largest;
+        let budget = survey.budget - polynomial::rounding(&survey.color, patch.half);
         if budget.is_nan() || budget < 0.0 {
             return None;
-        }
-        if terminators == 0 && highlights == 0 {
-            let kind = polynomial::cheapest(&color, patch.half, budget);
-            polynomial::shade(&color, kind, patch, coverage, sink);
-            return Some(Evaluations::of(kind));
         }
         let lanes = patch.lanes();
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
                 polynomial::row_of(
-                    &color,
+                    &survey.color,
                     row as f64 - patch.row,
                     &lanes,
                     &mut scratch.levels[row],
                 );
             }
         }
-        if highlights > 0 {
+        if survey.highlights > 0 {
             vectors.normalise(patch, coverage, &lanes, scratch);
         }
         for light in &self.surface.illumination.points {
             let outlook = self.outlook(light, vectors, patch);
-            if outlook.side == Side::Dark {
-                continue;
-            }
             if outlook.side == Side::Terminator {
                 self.add_terminator(light, &outlook, patch, coverage, scratch);
             }
@@ -175,13 +165,13 @@ impl<'a> Phong<'a> {
             }
         }
         exact::flush(coverage, scratch, sink);
-        let kind = if highlights > 0 {
+        let kind = if survey.highlights > 0 {
             TileKind::Highlight
         } else {
             TileKind::Terminator
         };
         Some(Evaluations {
-            specular: u64::from(coverage.pixels) * highlights,
+            specular: u64::from(coverage.pixels) * survey.highlights,
             ..Evaluations::of(kind)
         })
     }
@@ -260,6 +250,44 @@ impl<'a> Phong<'a> {
         patch
             .constant(light.position - self.surface.centre)
             .minus(position)
+    }
+}
+
+impl Shader for Phong<'_> {
+    #[inline(always)]
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<(Color, TileKind)> {
+        if self.tolerance == 0.0 || !patch.steady {
+            return None;
+        }
+        let survey = self.survey(&Vectors::new(triangle, patch), patch);
+        if survey.terminators > 0 || survey.highlights > 0 {
+            return None;
+        }
+        polynomial::cheapest(survey.color, patch.half, survey.budget)
+    }
+
+    #[inline(always)]
+    fn shade(
+        &self,
+        triangle: &Triangle,
+        patch: &Patch,
+        coverage: &Coverage,
+        scratch: &mut Scratch,
+        sink: &mut impl Sink,
+    ) -> Evaluations {
+        let vectors = Vectors::new(triangle, patch);
+        if patch.steady
+            && self.tolerance > 0.0
+            && let Some(evaluations) =
+                self.shade_certified(&vectors, patch, coverage, scratch, sink)
+        {
+            return evaluations;
+        }
+        if patch.steady && self.rounding(&vectors, patch) <= self.tolerance.max(EXACT) {
+            self.shade_lanes(&vectors, patch, coverage, scratch, sink)
+        } else {
+            self.shade_doubles(triangle, patch, coverage, sink)
+        }
     }
 }
 

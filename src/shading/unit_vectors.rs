@@ -6,80 +6,94 @@
 
 use glam::DVec3;
 
+use super::certificate::Color;
 use super::patch::{Affine, Patch, Triangle};
 use super::specular::power;
-use super::{Coverage, Evaluations, Scratch, Sink, Surface, TILE, TileKind};
+use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind};
 use crate::components::unit;
 
-/// Shades the covered pixels of a tile.
-#[inline(always)]
-pub fn shade(
-    surface: &Surface,
-    triangle: &Triangle,
-    patch: &Patch,
-    coverage: &Coverage,
-    scratch: &mut Scratch,
-    sink: &mut impl Sink,
-) -> Evaluations {
-    let to_eye = triangle.offsets.map(|offset| {
-        triangle
-            .eye
-            .map_or(triangle.backward, |eye| unit(eye - offset))
-    });
-    let weights = screen_weights(triangle, patch);
-    let blend = |values: &[DVec3; 3]| weights.map(|weights| Triangle::blend(weights, values));
-    let (normal, to_eye) = (blend(&triangle.normals), blend(&to_eye));
-    let shininess = surface.material.shininess as f32;
-    let ambient = surface.ambient().as_vec3().to_array();
-    let lanes = patch.lanes();
-    scratch.levels.fill(ambient.map(|level| [level; TILE]));
-    for light in &surface.illumination.points {
-        let [diffuse, specular] = surface
-            .coefficients(light)
-            .map(|levels| levels.as_vec3().to_array());
-        let to_light = blend(
-            &triangle
-                .offsets
-                .map(|offset| unit(light.position - surface.centre - offset)),
-        );
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                let y = row as f64 - patch.row;
-                let (n, l, o) = (normal.row(y), to_light.row(y), to_eye.row(y));
-                let mut cosine = [0.0; TILE];
-                let mut strength = [0.0; TILE];
-                for lane in 0..TILE {
-                    let (n, l, o) = (n.at(lanes[lane]), l.at(lanes[lane]), o.at(lanes[lane]));
-                    let nl = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
-                    let no = n[0] * o[0] + n[1] * o[1] + n[2] * o[2];
-                    let lo = l[0] * o[0] + l[1] * o[1] + l[2] * o[2];
-                    let raised = if shininess > 0.0 {
-                        power(shininess, 1.0 - (2.0 * nl * no - lo))
-                    } else {
-                        1.0
-                    };
-                    cosine[lane] = if nl > 0.0 { nl } else { 0.0 };
-                    strength[lane] = if nl > 0.0 { raised } else { 0.0 };
-                }
-                for channel in 0..3 {
+/// Draws the shortcut; it has no tolerance to keep.
+pub struct UnitVectors<'a> {
+    /// What is shaded.
+    pub surface: Surface<'a>,
+}
+
+impl Shader for UnitVectors<'_> {
+    #[inline(always)]
+    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch) -> Option<(Color, TileKind)> {
+        None
+    }
+
+    #[inline(always)]
+    fn shade(
+        &self,
+        triangle: &Triangle,
+        patch: &Patch,
+        coverage: &Coverage,
+        scratch: &mut Scratch,
+        sink: &mut impl Sink,
+    ) -> Evaluations {
+        let surface = &self.surface;
+        let to_eye = triangle.offsets.map(|offset| {
+            triangle
+                .eye
+                .map_or(triangle.backward, |eye| unit(eye - offset))
+        });
+        let weights = screen_weights(triangle, patch);
+        let blend = |values: &[DVec3; 3]| weights.map(|weights| Triangle::blend(weights, values));
+        let (normal, to_eye) = (blend(&triangle.normals), blend(&to_eye));
+        let shininess = surface.material.shininess as f32;
+        let ambient = surface.ambient().as_vec3().to_array();
+        let lanes = patch.lanes();
+        scratch.levels.fill(ambient.map(|level| [level; TILE]));
+        for light in &surface.illumination.points {
+            let [diffuse, specular] = surface
+                .coefficients(light)
+                .map(|levels| levels.as_vec3().to_array());
+            let to_light = blend(
+                &triangle
+                    .offsets
+                    .map(|offset| unit(light.position - surface.centre - offset)),
+            );
+            for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+                if from < to {
+                    let y = row as f64 - patch.row;
+                    let (n, l, o) = (normal.row(y), to_light.row(y), to_eye.row(y));
+                    let mut cosine = [0.0; TILE];
+                    let mut strength = [0.0; TILE];
                     for lane in 0..TILE {
-                        scratch.levels[row][channel][lane] +=
-                            diffuse[channel] * cosine[lane] + specular[channel] * strength[lane];
+                        let (n, l, o) = (n.at(lanes[lane]), l.at(lanes[lane]), o.at(lanes[lane]));
+                        let nl = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
+                        let no = n[0] * o[0] + n[1] * o[1] + n[2] * o[2];
+                        let lo = l[0] * o[0] + l[1] * o[1] + l[2] * o[2];
+                        let raised = if shininess > 0.0 {
+                            power(shininess, 1.0 - (2.0 * nl * no - lo))
+                        } else {
+                            1.0
+                        };
+                        cosine[lane] = if nl > 0.0 { nl } else { 0.0 };
+                        strength[lane] = if nl > 0.0 { raised } else { 0.0 };
+                    }
+                    for channel in 0..3 {
+                        for lane in 0..TILE {
+                            scratch.levels[row][channel][lane] += diffuse[channel] * cosine[lane]
+                                + specular[channel] * strength[lane];
+                        }
                     }
                 }
             }
         }
-    }
-    for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-        if from < to {
-            sink.take(row, &scratch.levels[row]);
+        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+            if from < to {
+                sink.take(row, &scratch.levels[row]);
+            }
         }
-    }
-    let pixels = u64::from(coverage.pixels);
-    Evaluations {
-        model: pixels,
-        specular: pixels * surface.powers() as u64,
-        ..Evaluations::of(TileKind::Exact)
+        let pixels = u64::from(coverage.pixels);
+        Evaluations {
+            model: pixels,
+            specular: pixels * surface.powers() as u64,
+            ..Evaluations::of(TileKind::Exact)
+        }
     }
 }
 

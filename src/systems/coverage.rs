@@ -157,13 +157,14 @@ impl Scan {
         None
     }
 
-    /// The next row of tiles.
+    /// The next row that may be covered.
+    pub fn next_row(&self) -> Option<usize> {
+        (self.row < self.end).then_some(self.row as usize)
+    }
+
+    /// The spans of the tiles whose first row is `first`; what lies above must have been taken already.
     #[inline(always)]
-    pub fn next_tiles(&mut self) -> Option<TileSpans> {
-        if self.row >= self.end {
-            return None;
-        }
-        let first = self.row as usize / TILE * TILE;
+    pub fn tiles(&mut self, first: usize) -> TileSpans {
         let mut tiles = TileSpans {
             first,
             spans: [(0, 0); TILE],
@@ -185,7 +186,7 @@ impl Scan {
         if rows < TILE {
             tiles.inner = [0, 0];
         }
-        Some(tiles)
+        tiles
     }
 }
 
@@ -213,10 +214,9 @@ impl TileSpans {
         (from as usize, to as usize)
     }
 
-    /// The first pixel of each tile that may be covered.
-    pub fn columns(&self) -> impl Iterator<Item = usize> + use<> {
-        let [from, to] = self.outer;
-        (from.min(to) / TILE * TILE..to).step_by(TILE)
+    /// The pixels between which all spans lie; empty where there is none.
+    pub fn extent(&self) -> Range<usize> {
+        self.outer[0].min(self.outer[1])..self.outer[1]
     }
 
     /// What is covered of the tile that begins at pixel `column`.

@@ -18,11 +18,13 @@ use crate::components::{
     Illumination, Material, Normals, Polygon, Projected, Projection, ShadingMode, TRIANGLES,
     Transform, VertexColors, View,
 };
-use crate::frame::{Band, Counts, Frame, display_step_lane};
+use crate::frame::{Band, Counts, Frame, display_bits, display_bits_within, pack};
+use crate::shading::gouraud::Gouraud;
 use crate::shading::patch::{Patch, Triangle};
 use crate::shading::phong::Phong;
+use crate::shading::unit_vectors::UnitVectors;
 use crate::shading::{
-    Coverage, Evaluations, Scratch, Sink, Surface, TILE, TileRow, gouraud, unit_vectors,
+    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileRow, polynomial,
 };
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
@@ -162,7 +164,7 @@ fn see(polygon: &Polygon, plane: DVec3, id: u32, lens: &Lens, band: &mut Band) {
     }
 }
 
-/// Shades a polygon, tile by tile.
+/// Shades a polygon with the shader of its object's mode.
 #[inline(always)]
 fn draw(
     polygon: &Polygon,
@@ -173,47 +175,145 @@ fn draw(
     band: &mut Band,
     scratch: &mut Scratch,
 ) -> Counts {
+    let Object {
+        surface,
+        mode,
+        tolerance,
+    } = *object;
+    match mode {
+        ShadingMode::Gouraud => draw_with(
+            &Gouraud { tolerance },
+            polygon,
+            triangle,
+            id,
+            lens,
+            band,
+            scratch,
+        ),
+        ShadingMode::Phong => draw_with(
+            &Phong::new(surface, tolerance),
+            polygon,
+            triangle,
+            id,
+            lens,
+            band,
+            scratch,
+        ),
+        ShadingMode::UnitVectors => draw_with(
+            &UnitVectors { surface },
+            polygon,
+            triangle,
+            id,
+            lens,
+            band,
+            scratch,
+        ),
+    }
+}
+
+/// Shades a polygon, block by block: a block that one polynomial covers within the tolerance is drawn with it, the others
+/// tile by tile.
+#[inline(always)]
+fn draw_with(
+    shader: &impl Shader,
+    polygon: &Polygon,
+    triangle: &Triangle,
+    id: u32,
+    lens: &Lens,
+    band: &mut Band,
+    scratch: &mut Scratch,
+) -> Counts {
     let mut counts = Counts::default();
-    let tiles =
-        band.rows.start / TILE * TILE..band.rows.end.next_multiple_of(TILE).min(band.height);
-    let mut scan = Scan::new(polygon, tiles, band.width);
-    let phong = Phong::new(object.surface, object.tolerance);
-    while let Some(tile_row) = scan.next_tiles() {
-        for row in tile_row.rows() {
-            let (from, to) = tile_row.span(row);
-            if from < to && band.rows.contains(&row) {
-                band.touch(row, from, to);
+    let rows =
+        band.rows.start / BLOCK * BLOCK..band.rows.end.next_multiple_of(BLOCK).min(band.height);
+    let mut scan = Scan::new(polygon, rows, band.width);
+    while let Some(row) = scan.next_row() {
+        let first = row / BLOCK * BLOCK;
+        let rows = [scan.tiles(first), scan.tiles(first + TILE)];
+        for tiles in &rows {
+            for row in tiles.rows() {
+                let (from, to) = tiles.span(row);
+                if from < to && band.rows.contains(&row) {
+                    band.touch(row, from, to);
+                }
             }
         }
-        for column in tile_row.columns() {
-            let coverage = tile_row.coverage(column);
-            let mut store = Store::new(band, [column, tile_row.first], &coverage, id);
-            if coverage.pixels == 0 || !store.is_seen() {
-                continue;
-            }
-            let origin = [
-                column as f64 - lens.half[0],
-                tile_row.first as f64 - lens.half[1],
-            ];
-            let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
-            let evaluations = match object.mode {
-                ShadingMode::Gouraud => {
-                    gouraud::shade(triangle, &patch, &coverage, object.tolerance, &mut store)
-                }
-                ShadingMode::Phong => phong.shade(triangle, &patch, &coverage, scratch, &mut store),
-                ShadingMode::UnitVectors => unit_vectors::shade(
-                    &object.surface,
-                    triangle,
-                    &patch,
-                    &coverage,
-                    scratch,
-                    &mut store,
-                ),
+        let [upper, lower] = [rows[0].extent(), rows[1].extent()];
+        let from = if upper.is_empty() || (!lower.is_empty() && lower.start < upper.start) {
+            lower.start
+        } else {
+            upper.start
+        };
+        for column in (from / BLOCK * BLOCK..upper.end.max(lower.end)).step_by(BLOCK) {
+            let corner = [column as f64 - lens.half[0], first as f64 - lens.half[1]];
+            let block = Block {
+                columns: [column, column + TILE],
+                coverage: rows
+                    .each_ref()
+                    .map(|tiles| [tiles.coverage(column), tiles.coverage(column + TILE)]),
             };
-            counts += counted(evaluations, store.stored);
+            let patch = block.patch(triangle, corner);
+            let polynomial = patch.as_ref().and_then(|patch| {
+                shader
+                    .polynomial(triangle, patch)
+                    .map(|(color, kind)| (patch, color, kind))
+            });
+            for (down, tiles) in rows.iter().enumerate() {
+                for (right, &column) in block.columns.iter().enumerate() {
+                    let coverage = &block.coverage[down][right];
+                    let mut store = Store::new(band, [column, tiles.first], coverage, id);
+                    if coverage.pixels == 0 || !store.is_seen() {
+                        continue;
+                    }
+                    let shift = [(right * TILE) as f64, (down * TILE) as f64];
+                    let evaluations = if let Some((patch, color, kind)) = &polynomial {
+                        let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
+                        polynomial::shade(color, *kind, first, coverage, &mut store);
+                        Evaluations::of(*kind)
+                    } else {
+                        let origin = [corner[0] + shift[0], corner[1] + shift[1]];
+                        let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
+                        shader.shade(triangle, &patch, coverage, scratch, &mut store)
+                    };
+                    counts += counted(evaluations, store.stored);
+                }
+            }
         }
     }
     counts
+}
+
+/// Two by two tiles.
+struct Block {
+    columns: [usize; 2],
+    coverage: [[Coverage; 2]; 2],
+}
+
+impl Block {
+    /// The block as one patch, where more than one of its tiles is covered.
+    #[inline(always)]
+    fn patch(&self, triangle: &Triangle, corner: [f64; 2]) -> Option<Patch> {
+        let (mut lanes, mut rows, mut covered) = ([u8::MAX, 0], [u8::MAX, 0], 0);
+        for (down, coverages) in self.coverage.iter().enumerate() {
+            for (right, coverage) in coverages
+                .iter()
+                .enumerate()
+                .filter(|(_, coverage)| coverage.pixels > 0)
+            {
+                let shift = [right, down].map(|tiles| (tiles * TILE) as u8);
+                lanes = [
+                    lanes[0].min(coverage.lanes[0] + shift[0]),
+                    lanes[1].max(coverage.lanes[1] + shift[0]),
+                ];
+                rows = [
+                    rows[0].min(coverage.rows[0] + shift[1]),
+                    rows[1].max(coverage.rows[1] + shift[1]),
+                ];
+                covered += 1;
+            }
+        }
+        (covered > 1).then(|| Patch::new(triangle, corner, lanes, rows))
+    }
 }
 
 fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {
@@ -293,6 +393,19 @@ impl<'a, 'b> Store<'a, 'b> {
 impl Sink for Store<'_, '_> {
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &TileRow) {
+        self.store(row, levels, display_bits);
+    }
+
+    #[inline(always)]
+    fn take_within(&mut self, row: usize, levels: &TileRow) {
+        self.store(row, levels, display_bits_within);
+    }
+}
+
+impl Store<'_, '_> {
+    /// Stores the covered lanes of a row; `step` is its display step.
+    #[inline(always)]
+    fn store(&mut self, row: usize, levels: &TileRow, step: impl Fn(f32) -> u32) {
         let Some(first) = self.place(row) else { return };
         let (from, to) = self.coverage.spans[row];
         let lanes = usize::from(from)..usize::from(to);
@@ -312,9 +425,7 @@ impl Sink for Store<'_, '_> {
         }
         let mut bytes = [0_u32; TILE];
         for lane in 0..TILE {
-            bytes[lane] = display_step_lane(levels[0][lane]) << 16
-                | display_step_lane(levels[1][lane]) << 8
-                | display_step_lane(levels[2][lane]);
+            bytes[lane] = pack([0, 1, 2].map(|channel| step(levels[channel][lane])));
         }
         if deep {
             for lane in lanes {

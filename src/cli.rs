@@ -1,0 +1,252 @@
+//! The words of the command line in, one command with checked values out; and how a run ends.
+//!
+//! Rule: a run ends with status 0 (done), 1 (could not do it) or 2 (the command line or the scene was wrong), and with
+//! one paragraph on standard error unless it is 0.
+
+pub mod options;
+
+use std::ffi::{OsStr, OsString};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::anyhow;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::error::ContextKind;
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
+
+use crate::output::{Output, say};
+use crate::scene;
+use options::DrawingOptions;
+
+/// The command line: a command, or the options of `view` without its name.
+#[derive(Debug, Parser)]
+#[command(
+    name = "shadetrade",
+    version,
+    about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files",
+    long_about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files.\n\n\
+                  Without a command it opens the window, as `shadetrade view` does, with the same options.",
+    args_conflicts_with_subcommands = true,
+    after_help = "\
+Examples:
+  shadetrade                                  the built-in scene in a window
+  shadetrade bench-far --size 800x600         another scene: as `shadetrade view bench-far ...`
+  shadetrade figures                          the assignment's figures, into shadetrade-figures
+  shadetrade render -o cuboid.png             one picture, without a window
+
+A scene file whose name is that of a command is given as ./name."
+)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    view: DrawingOptions,
+}
+
+/// What can be done.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Opens a window on a scene; without a display, draws the figures instead
+    #[command(after_help = "\
+Examples:
+  shadetrade view
+  shadetrade view assignment --camera 2 --shading phong
+  shadetrade view bench-far --lights white,ambient --projection orthographic
+
+Without a display to open, the built-in scene's figures are drawn, as by `shadetrade figures`.")]
+    View(DrawingOptions),
+    /// Draws one picture into a PNG file
+    #[command(after_help = "\
+Examples:
+  shadetrade render -o cuboid.png
+  shadetrade render bench-close -o close.png --shading phong --size 1920x1080
+  shadetrade render -o exact.png --shading phong --tolerance 0 --threads 1
+  shadetrade render -o - --lights white,ambient > white.png
+
+Standard error says what was written, how many pixels were shaded and what a frame takes.")]
+    Render(RenderOptions),
+    /// Draws the assignment's figures, and a sheet of them all, into a folder
+    #[command(after_help = "\
+Examples:
+  shadetrade figures
+  shadetrade figures -o pictures
+
+Drawn from the built-in scene, every pixel exactly, 960x720: Gouraud, Phong, and Phong with
+the white and ambient lights alone, each from both cameras; the components of the light; and
+a sheet of the six.")]
+    Figures(FiguresOptions),
+    /// Prints a completion script for a shell
+    #[command(after_help = "\
+Examples:
+  shadetrade completions bash > shadetrade.bash
+  shadetrade completions fish > shadetrade.fish")]
+    Completions {
+        /// The shell that is to complete
+        shell: Shell,
+    },
+}
+
+/// The options of `render`.
+#[derive(Args, Debug)]
+pub struct RenderOptions {
+    /// What to draw, and how.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// Where the PNG goes; `-` is standard output
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().map(Output::from))]
+    pub output: Output,
+}
+
+/// The options of `figures`.
+#[derive(Args, Debug)]
+pub struct FiguresOptions {
+    /// The folder the figures go to, made if absent
+    #[arg(short, long, value_name = "DIR", default_value = DEFAULT_FIGURES,
+          value_parser = PathBufValueParser::new().try_map(folder))]
+    pub output: PathBuf,
+}
+
+/// The folder for figures when none is named.
+pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
+
+/// Several files need a folder.
+fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
+    match Output::from(path.clone()) {
+        Output::File(_) => Ok(path),
+        Output::Stdout => Err("it is a folder, not standard output; ./- is a folder of that name"),
+    }
+}
+
+/// The command of a command line, or none where help or the version was asked for: that is printed already.
+///
+/// # Errors
+/// When the command line is wrong, or help could not be printed.
+pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
+    let words: Vec<OsString> = words.into_iter().collect();
+    if let Some(error) = words.get(1).and_then(|word| misspelt_command(word)) {
+        return Err(Failure::of(&error, None));
+    }
+    match Arguments::try_parse_from(&words) {
+        Ok(Arguments {
+            command: Some(command),
+            ..
+        }) => Ok(Some(command)),
+        Ok(Arguments {
+            command: None,
+            view,
+        }) => match &view.scene {
+            Some(scene) if is_command(OsStr::new(scene)) => {
+                Err(Failure::Usage(anyhow!(command_first(scene))))
+            }
+            _ => Ok(Some(Command::View(view))),
+        },
+        Err(error) if error.use_stderr() => Err(wrong(words, error)),
+        Err(help) => match help.print().and_then(|()| io::stdout().flush()) {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Work(
+                anyhow::Error::from(error).context("cannot write to standard output"),
+            )),
+            _ => Ok(None),
+        },
+    }
+}
+
+/// What is wrong with a line that clap refuses for `error`.
+fn wrong(mut words: Vec<OsString>, error: clap::Error) -> Failure {
+    if words.get(1).is_none_or(|word| is_command(word)) {
+        return Failure::of(&error, None);
+    }
+    let meant = words
+        .iter()
+        .skip(2)
+        .find(|word| is_command(word))
+        .map(|word| command_first(&word.to_string_lossy()));
+    // Clap takes a second scene for a command; spelt out, the line is told what it is.
+    words.insert(1, "view".into());
+    Failure::of(
+        &Arguments::try_parse_from(words).err().unwrap_or(error),
+        meant,
+    )
+}
+
+fn is_command(word: &OsStr) -> bool {
+    Arguments::command()
+        .get_subcommands()
+        .any(|command| command.get_name() == word)
+}
+
+fn command_first(command: &str) -> String {
+    format!(
+        "a command comes before its options: `shadetrade {command} ...`; a scene file so named is ./{command}"
+    )
+}
+
+/// Clap's error for a first word that resembles a command and can be no scene.
+///
+/// To clap alone a first word that is no command is a scene, so that `rendr` would be a missing file.
+fn misspelt_command(word: &OsStr) -> Option<clap::Error> {
+    let path = Path::new(word);
+    let is_plain = path.components().count() == 1 && path.extension().is_none();
+    if !is_plain || path.exists() || scene::BUILT_IN.iter().any(|(name, _)| *name == word) {
+        return None;
+    }
+    let error = clap::Command::new("shadetrade")
+        .subcommands(Arguments::command().get_subcommands().cloned())
+        .try_get_matches_from([OsStr::new("shadetrade"), word])
+        .err()?;
+    error
+        .get(ContextKind::SuggestedSubcommand)
+        .is_some()
+        .then_some(error)
+}
+
+/// Prints the completion script of `shell` to standard output.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn print_completions(shell: Shell) -> anyhow::Result<()> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "shadetrade", &mut script);
+    Output::Stdout.write(|writer| writer.write_all(&script))
+}
+
+/// Why a run did not do what was asked.
+#[derive(Debug)]
+pub enum Failure {
+    /// The command line or the scene was wrong: status 2.
+    Usage(anyhow::Error),
+    /// It could not be done: status 1.
+    Work(anyhow::Error),
+}
+
+impl From<anyhow::Error> for Failure {
+    fn from(error: anyhow::Error) -> Self {
+        Failure::Work(error)
+    }
+}
+
+impl Failure {
+    /// Clap's error with one more tip, as one paragraph: clap sets its tips and the usage apart with blank lines.
+    fn of(error: &clap::Error, tip: Option<String>) -> Self {
+        let text = error.render().to_string();
+        let tip = tip.map(|tip| format!("  tip: {tip}"));
+        let lines = text
+            .trim_start_matches("error: ")
+            .lines()
+            .filter(|line| !line.trim().is_empty());
+        Failure::Usage(anyhow!(
+            lines.chain(tip.as_deref()).collect::<Vec<_>>().join("\n")
+        ))
+    }
+
+    /// Says on standard error what went wrong; the status to end with.
+    pub fn report(&self) -> ExitCode {
+        let (error, status) = match self {
+            Failure::Usage(error) => (error, 2),
+            Failure::Work(error) => (error, 1),
+        };
+        say(format!("error: {error:#}").trim_end());
+        ExitCode::from(status)
+    }
+}

@@ -1,0 +1,217 @@
+//! The options that every command which draws has in common: words in, a [`Drawing`] out.
+//!
+//! Rule: everything is checked before anything is allocated, and whatever is wrong names what would be right.
+
+use anyhow::anyhow;
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use fearless_simd::Level;
+
+use super::Failure;
+use crate::components::{Projection, ShadingMode};
+use crate::drawing::{Drawing, MOST_THREADS, all_cores};
+use crate::scene::{LightChoice, Scene};
+use crate::simd;
+
+/// The longest side of a picture, in pixels.
+const MOST_PIXELS: usize = 16_384;
+/// The error allowed where none is named, in levels: no picture differs by more than one from its exact twin.
+const DEFAULT_TOLERANCE: f64 = 0.5;
+
+/// What to draw and how, as the command line says it.
+#[derive(Args, Clone, Debug)]
+pub struct DrawingOptions {
+    /// A scene file, or one of the built-in scenes cuboid, bench-far, bench-close, assignment [default: cuboid]
+    #[arg(value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// The camera of the scene to look through [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+    /// How the picture is projected
+    #[arg(long, default_value = "perspective", value_name = "PROJECTION", value_parser = projection())]
+    pub projection: Projection,
+    /// How all objects are shaded [default: each as the scene says]
+    #[arg(long, value_name = "SHADING", value_parser = shading())]
+    pub shading: Option<ShadingMode>,
+    /// The lights that are on: names, `all` or `none` [default: as the scene says]
+    #[arg(long, value_name = "NAME,NAME...")]
+    pub lights: Option<LightChoice>,
+    /// The SIMD instructions to draw with
+    #[arg(long, default_value = "auto", value_name = "LEVEL", value_parser = level())]
+    pub simd: Level,
+    /// The largest error of a pixel, in levels from 0 (exact) to 255 [default: 0.5]
+    #[arg(long, value_name = "LEVELS", value_parser = tolerance, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// The picture in pixels, 1x1 to 16384x16384
+    #[arg(long, default_value = "960x720", value_name = "WIDTHxHEIGHT", value_parser = size, allow_hyphen_values = true)]
+    pub size: [usize; 2],
+    /// How many threads draw, 1 to 1024 [default: all cores]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    pub threads: Option<usize>,
+}
+
+impl DrawingOptions {
+    /// Loads the scene and looks up in it what the options name.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light.
+    pub fn open(&self) -> Result<Drawing, Failure> {
+        let mut scene =
+            Scene::load(self.scene.as_deref()).map_err(|error| Failure::Usage(error.into()))?;
+        let camera = match &self.camera {
+            None => 0,
+            Some(name) => scene
+                .find_camera(name)
+                .ok_or_else(|| unknown_camera(name, &scene))?,
+        };
+        if let Some(lights) = &self.lights {
+            scene
+                .switch_lights(lights)
+                .map_err(|error| Failure::Usage(error.into()))?;
+        }
+        Ok(Drawing {
+            scene,
+            camera,
+            projection: self.projection,
+            shading: self.shading,
+            tolerance: self.tolerance.unwrap_or(DEFAULT_TOLERANCE),
+            size: self.size,
+            threads: self.threads.unwrap_or_else(all_cores),
+            level: self.simd,
+        })
+    }
+}
+
+fn unknown_camera(name: &str, scene: &Scene) -> Failure {
+    let names: Vec<String> = scene
+        .camera_names()
+        .iter()
+        .map(|name| format!("{name:?}"))
+        .collect();
+    Failure::Usage(anyhow!(
+        "no camera is named {name:?}; the scene's cameras are {}",
+        names.join(", ")
+    ))
+}
+
+fn projection() -> impl TypedValueParser<Value = Projection> {
+    PossibleValuesParser::new(["perspective", "orthographic"]).map(|name| match name.as_str() {
+        "orthographic" => Projection::Orthographic,
+        _ => Projection::Perspective,
+    })
+}
+
+fn shading() -> impl TypedValueParser<Value = ShadingMode> {
+    PossibleValuesParser::new(["gouraud", "phong"]).map(|name| match name.as_str() {
+        "phong" => ShadingMode::Phong,
+        _ => ShadingMode::Gouraud,
+    })
+}
+
+fn level() -> impl TypedValueParser<Value = Level> {
+    PossibleValuesParser::new(std::iter::once("auto").chain(simd::NAMES)).try_map(|name| match name
+        .as_str()
+    {
+        "auto" => Ok(Level::new()),
+        name => simd::named(name).ok_or_else(|| {
+            let present = simd::NAMES
+                .iter()
+                .filter(|name| simd::named(name).is_some())
+                .copied()
+                .collect::<Vec<_>>();
+            format!(
+                "this machine does not have it; it has {}",
+                present.join(", ")
+            )
+        }),
+    })
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(levels) if (0.0..=255.0).contains(&levels) => Ok(levels),
+        _ => Err("it is a number of levels from 0 to 255".to_owned()),
+    }
+}
+
+fn size(text: &str) -> Result<[usize; 2], String> {
+    let (width, height) = text
+        .split_once('x')
+        .ok_or("it is WIDTHxHEIGHT in pixels, such as 960x720")?;
+    match (
+        whole_number(width, MOST_PIXELS),
+        whole_number(height, MOST_PIXELS),
+    ) {
+        (Some(width), Some(height)) => Ok([width, height]),
+        _ => Err(format!(
+            "it is WIDTHxHEIGHT in pixels, 1x1 to {MOST_PIXELS}x{MOST_PIXELS}"
+        )),
+    }
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    whole_number(text, MOST_THREADS)
+        .ok_or_else(|| format!("it is a whole number from 1 to {MOST_THREADS}"))
+}
+
+/// A number written in digits alone, 1..=`most`.
+fn whole_number(text: &str, most: usize) -> Option<usize> {
+    let digits = text.bytes().all(|byte| byte.is_ascii_digit());
+    text.parse()
+        .ok()
+        .filter(|number| digits && (1..=most).contains(number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_end_at_one_pixel_and_at_16384() {
+        assert_eq!(size("1x1"), Ok([1, 1]));
+        assert_eq!(size("16384x16384"), Ok([16_384, 16_384]));
+        assert_eq!(size("0640x480"), Ok([640, 480]));
+        for wrong in [
+            "0x1",
+            "1x0",
+            "16385x1",
+            "1x16385",
+            "99999999999999999999x1",
+            "-1x1",
+            "+1x1",
+            "1x",
+            "x1",
+            "1x1x1",
+        ] {
+            assert!(
+                size(wrong).is_err_and(|text| text.contains("16384x16384")),
+                "{wrong}"
+            );
+        }
+        for wrong in ["", "640", "640X480", "640,480"] {
+            assert!(
+                size(wrong).is_err_and(|text| text.contains("960x720")),
+                "{wrong}"
+            );
+        }
+    }
+
+    #[test]
+    fn tolerances_are_numbers_of_levels() {
+        assert_eq!(tolerance("0"), Ok(0.0));
+        assert_eq!(tolerance("255"), Ok(255.0));
+        assert_eq!(tolerance("1e-3"), Ok(0.001));
+        for wrong in ["-0.1", "255.001", "nan", "inf", "-inf", "", "half"] {
+            assert!(tolerance(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn threads_are_counted_from_one() {
+        assert_eq!(threads("1"), Ok(1));
+        assert_eq!(threads("1024"), Ok(1024));
+        for wrong in ["0", "1025", "-1", "+2", "2.5", "", "99999999999999999999"] {
+            assert!(threads(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! A scene and the choices made for it, brought together: what every command that draws is handed.
+//!
+//! Rule: whoever holds a [`Drawing`] need not check it again.
+
+use std::num::NonZero;
+use std::thread::available_parallelism;
+
+use anyhow::Context;
+use fearless_simd::Level;
+
+use crate::components::{Projection, ShadingMode, View};
+use crate::frame::Workers;
+use crate::scene::Scene;
+
+/// The most threads that draw: more than machines have cores, fewer than a process may start.
+pub const MOST_THREADS: usize = 1024;
+
+/// A scene and how it is to be drawn, everything checked.
+pub struct Drawing {
+    /// With the lights on that were asked for.
+    pub scene: Scene,
+    /// Position in the scene's list of cameras.
+    pub camera: usize,
+    /// How it is projected.
+    pub projection: Projection,
+    /// How all objects are shaded; `None` leaves each its own.
+    pub shading: Option<ShadingMode>,
+    /// Levels, 0..=255.
+    pub tolerance: f64,
+    /// Width and height in pixels, each 1..=16384.
+    pub size: [usize; 2],
+    /// At least 1.
+    pub threads: usize,
+    /// One this machine has.
+    pub level: Level,
+}
+
+impl Drawing {
+    /// How a frame of it is drawn.
+    pub fn view(&self) -> View {
+        View {
+            size: self.size,
+            viewpoint: self.scene.viewpoint(self.camera),
+            projection: self.projection,
+            background: self.scene.background,
+            shading: self.shading,
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// Who draws it.
+    ///
+    /// # Errors
+    /// When the system gives no threads.
+    pub fn workers(&self) -> anyhow::Result<Workers> {
+        Workers::new(self.threads, self.level).context("cannot start the threads that draw")
+    }
+}
+
+/// As many threads as the machine runs at once.
+pub fn all_cores() -> usize {
+    available_parallelism()
+        .map_or(1, NonZero::get)
+        .min(MOST_THREADS)
+}

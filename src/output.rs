@@ -1,0 +1,218 @@
+//! Content in, a file or standard output out.
+//!
+//! Rule: a file is written whole or not at all. The content goes to a hidden temporary file in the same folder, which
+//! takes the target's name once everything is on the disk. Devices and pipes are written directly; a symbolic link
+//! stays a link and its target is replaced; a reader that closes our standard output early is no error.
+
+use std::fs::{self, OpenOptions, Permissions};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, bail, ensure};
+
+/// Where one file's content goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// Standard output.
+    Stdout,
+    /// The file, device or pipe of this path.
+    File(PathBuf),
+}
+
+impl From<PathBuf> for Output {
+    /// `-` and the system's names for it are standard output, everything else is a path.
+    fn from(path: PathBuf) -> Self {
+        let stdout = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+        if stdout.iter().any(|name| path.as_os_str() == *name) {
+            Output::Stdout
+        } else {
+            Output::File(path)
+        }
+    }
+}
+
+impl Output {
+    /// Writes what `content` produces.
+    ///
+    /// # Errors
+    /// When it could not be written; a file that was there is then as it was before.
+    pub fn write(
+        &self,
+        content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> anyhow::Result<()> {
+        match self {
+            Output::Stdout => buffered(Stdout(io::stdout().lock()), content)
+                .context("cannot write to standard output"),
+            Output::File(path) => write_file(path, content)
+                .with_context(|| format!("cannot write {}", path.display())),
+        }
+    }
+
+    /// Writes a PNG of `pixels`, 0x00RRGGBB row by row from the top.
+    ///
+    /// # Errors
+    /// As [`Output::write`].
+    pub fn write_png(&self, pixels: &[u32], size: [usize; 2]) -> anyhow::Result<()> {
+        self.write(|writer| encode_png(writer, pixels, size))
+    }
+}
+
+/// Makes the folder `path` unless it is there; its parent is not made.
+///
+/// # Errors
+/// When something else has that name, or the folder cannot be made.
+pub fn make_folder(path: &Path) -> anyhow::Result<()> {
+    match fs::create_dir(path) {
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            ensure!(
+                path.is_dir(),
+                "{} is there already and is not a folder",
+                path.display()
+            );
+            Ok(())
+        }
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            bail!(
+                "cannot make the folder {}: there is no folder {}",
+                path.display(),
+                folder_of(path).display()
+            )
+        }
+        made => made.with_context(|| format!("cannot make the folder {}", path.display())),
+    }
+}
+
+/// One line for the user, on standard error so that standard output holds nothing but what was asked for.
+pub fn say(line: &str) {
+    // Whoever closed standard error does not want to hear that it is closed.
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
+/// Standard output that takes everything once its reader has gone.
+struct Stdout(io::StdoutLock<'static>);
+
+impl Write for Stdout {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.0.write(bytes) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(bytes.len()),
+            written => written,
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self.0.flush() {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            flushed => flushed,
+        }
+    }
+}
+
+fn buffered(
+    writer: impl Write,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut writer = BufWriter::new(writer);
+    content(&mut writer)?;
+    writer.flush()
+}
+
+fn write_file(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> anyhow::Result<()> {
+    match fs::metadata(path) {
+        Ok(found) if found.is_dir() => bail!("it is a folder; give the name of a file"),
+        Ok(found) if found.is_file() => {
+            // What a plain write would be refused, a replacement is refused too.
+            OpenOptions::new().write(true).open(path)?;
+            replace(&follow_links(path)?, Some(found.permissions()), content)
+        }
+        Ok(_) => Ok(buffered(
+            OpenOptions::new().append(true).open(path)?,
+            content,
+        )?),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            replace(&follow_links(path)?, None, content)
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Puts a new file in the place of `target`, which need not exist; `kept` are the permissions it had.
+fn replace(
+    target: &Path,
+    kept: Option<Permissions>,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> anyhow::Result<()> {
+    ensure!(
+        !target.to_string_lossy().ends_with(std::path::is_separator),
+        "that is the name of a folder"
+    );
+    let folder = folder_of(target);
+    ensure!(folder.is_dir(), "there is no folder {}", folder.display());
+    // The error's own text would name the temporary file, which nobody asked for.
+    let file = temporary_file(folder).map_err(|error| io::Error::from(error.kind()))?;
+    buffered(file.as_file(), content)?;
+    if let Some(permissions) = kept {
+        file.as_file().set_permissions(permissions)?;
+    }
+    file.as_file().sync_all()?;
+    file.persist(target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// A hidden file that goes when it is dropped, with the permissions any new file gets.
+fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".shadetrade-").suffix(".tmp");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
+/// Where `path` leads once it is no symbolic link any more, whether or not something is there.
+fn follow_links(path: &Path) -> io::Result<PathBuf> {
+    // As many as Linux follows.
+    const MOST_LINKS: usize = 40;
+    let mut target = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&target) {
+            Ok(next) => target = folder_of(&target).join(next),
+            Err(_) => return Ok(target),
+        }
+    }
+    Err(io::Error::other(
+        "too many symbolic links, one after the other",
+    ))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// Row by row, so that the picture is never held a second time.
+fn encode_png(
+    writer: &mut dyn Write,
+    pixels: &[u32],
+    [width, height]: [usize; 2],
+) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(writer, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut header = encoder.write_header()?;
+    let mut rows = header.stream_writer()?;
+    let mut bytes = Vec::with_capacity(3 * width);
+    for row in pixels.chunks_exact(width) {
+        bytes.clear();
+        bytes.extend(row.iter().flat_map(|pixel| {
+            let [_, red, green, blue] = pixel.to_be_bytes();
+            [red, green, blue]
+        }));
+        rows.write_all(&bytes)?;
+    }
+    rows.finish()?;
+    Ok(header.finish()?)
+}

@@ -1,0 +1,205 @@
+//! Pictures and their labels in, one picture of them all out.
+//!
+//! Rule: pure on pixels; every cell is as large as its picture, and the cells of a sheet are of one size.
+//!
+//! ```text
+//! title
+//! +---------+   +---------+
+//! | picture | + | picture |     a joiner stands in the gap after its cell
+//! +---------+   +---------+
+//! heading remark  heading remark
+//! ```
+
+use crate::lettering::{RasterHeight, measure, text};
+
+const PAPER: u32 = 0x0024_2429;
+const FRAME: u32 = 0x003c_3c44;
+const BRIGHT: u32 = 0x00f0_f0f2;
+const DIM: u32 = 0x00a0_a0aa;
+
+/// The empty border of a sheet, in pixels.
+const MARGIN: usize = 40;
+/// Between two cells, and wide enough for a joiner.
+const GAP: usize = 32;
+const JOINED_GAP: usize = 72;
+/// From a picture to its label, and from the title to the pictures.
+const LABEL_GAP: usize = 10;
+const TITLE_GAP: usize = 24;
+
+const TITLE: RasterHeight = RasterHeight::Size32;
+const LABEL: RasterHeight = RasterHeight::Size24;
+
+/// Pixels, 0x00RRGGBB row by row from the top.
+pub struct Picture {
+    /// Width and height, in pixels.
+    pub size: [usize; 2],
+    /// Width times height of them.
+    pub pixels: Vec<u32>,
+}
+
+/// One picture of a sheet.
+pub struct Cell<'a> {
+    /// The picture.
+    pub picture: Picture,
+    /// The first words of the label.
+    pub heading: &'a str,
+    /// The rest of the label, set back.
+    pub remark: &'a str,
+    /// A sign between this cell and the next; may be empty.
+    pub joiner: &'a str,
+}
+
+/// `picture` at half its size, each pixel the mean of four; an odd last row or column is left out.
+pub fn half(picture: &Picture) -> Picture {
+    let [width, height] = picture.size.map(|side| side / 2);
+    let pixel = |x: usize, y: usize| picture.pixels[y * picture.size[0] + x];
+    let pixels = (0..width * height).map(|index| {
+        let [x, y] = [index % width * 2, index / width * 2];
+        let four = [
+            pixel(x, y),
+            pixel(x + 1, y),
+            pixel(x, y + 1),
+            pixel(x + 1, y + 1),
+        ];
+        let mean = |shift: u32| {
+            (four
+                .iter()
+                .map(|color| (color >> shift) & 0xff)
+                .sum::<u32>()
+                + 2)
+                / 4
+        };
+        (mean(16) << 16) | (mean(8) << 8) | mean(0)
+    });
+    Picture {
+        size: [width, height],
+        pixels: pixels.collect(),
+    }
+}
+
+/// The cells in rows of `columns` under a `title`.
+pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
+    let [cell_width, cell_height] = cells.first().map_or([0, 0], |cell| cell.picture.size);
+    let gap = if cells.iter().any(|cell| !cell.joiner.is_empty()) {
+        JOINED_GAP
+    } else {
+        GAP
+    };
+    let top = MARGIN + TITLE.val() + TITLE_GAP;
+    let row_height = cell_height + LABEL_GAP + LABEL.val();
+    let rows = cells.len().div_ceil(columns);
+    let width = 2 * MARGIN + columns * cell_width + (columns - 1) * gap;
+    let height = top + rows * row_height + rows.saturating_sub(1) * GAP + MARGIN;
+
+    let mut sheet = Picture {
+        size: [width, height],
+        pixels: vec![PAPER; width * height],
+    };
+    sheet.letter([MARGIN, MARGIN], title, TITLE, BRIGHT);
+    for (index, cell) in cells.iter().enumerate() {
+        let x = MARGIN + index % columns * (cell_width + gap);
+        let y = top + index / columns * (row_height + GAP);
+        sheet.paste([x, y], &cell.picture);
+        let label = y + cell_height + LABEL_GAP;
+        sheet.letter([x, label], cell.heading, LABEL, BRIGHT);
+        sheet.letter(
+            [x + measure(cell.heading, LABEL)[0] + 12, label],
+            cell.remark,
+            LABEL,
+            DIM,
+        );
+        let joiner = x + cell_width + (gap - measure(cell.joiner, TITLE)[0].min(gap)) / 2;
+        sheet.letter(
+            [joiner, y + (cell_height - TITLE.val().min(cell_height)) / 2],
+            cell.joiner,
+            TITLE,
+            BRIGHT,
+        );
+    }
+    sheet
+}
+
+impl Picture {
+    /// Puts `picture` in, with a line of one pixel around it.
+    fn paste(&mut self, [x, y]: [usize; 2], picture: &Picture) {
+        let [width, height] = picture.size;
+        for row in y - 1..=y + height {
+            self.row(row)[x - 1..=x + width].fill(FRAME);
+        }
+        for (row, pixels) in (y..).zip(picture.pixels.chunks_exact(width)) {
+            self.row(row)[x..x + width].copy_from_slice(pixels);
+        }
+    }
+
+    fn row(&mut self, row: usize) -> &mut [u32] {
+        &mut self.pixels[row * self.size[0]..][..self.size[0]]
+    }
+
+    fn letter(&mut self, at: [usize; 2], string: &str, height: RasterHeight, color: u32) {
+        text(
+            &mut self.pixels,
+            self.size[0],
+            at.map(|coordinate| coordinate as i64),
+            string,
+            height,
+            color,
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(color: u32, size: [usize; 2]) -> Picture {
+        Picture {
+            size,
+            pixels: vec![color; size[0] * size[1]],
+        }
+    }
+
+    #[test]
+    fn half_a_picture_is_the_mean_of_four_pixels_each() {
+        let picture = Picture {
+            size: [4, 2],
+            pixels: vec![0, 0, 0x00ff_0000, 0, 0, 0x0000_0004, 0, 0x00ff_0000],
+        };
+        assert_eq!(half(&picture).size, [2, 1]);
+        // 0, 0, 0 and 4 have the mean 1; two of four at 255 have the mean 127.5, which rounds up.
+        assert_eq!(half(&picture).pixels, [0x0000_0001, 0x0080_0000]);
+    }
+
+    #[test]
+    fn a_sheet_holds_every_picture_whole_and_nothing_over_its_margin() {
+        let colors = [
+            0x0010_0000,
+            0x0020_0000,
+            0x0030_0000,
+            0x0040_0000,
+            0x0050_0000,
+        ];
+        let cells = colors.map(|color| Cell {
+            picture: plain(color, [60, 40]),
+            heading: "A",
+            remark: "b",
+            joiner: if color == 0x0030_0000 { "" } else { "+" },
+        });
+        let sheet = sheet("Title", 3, &cells);
+        for color in colors {
+            assert_eq!(
+                sheet.pixels.iter().filter(|&&pixel| pixel == color).count(),
+                60 * 40
+            );
+        }
+        let [width, height] = sheet.size;
+        assert_eq!(sheet.pixels.len(), width * height);
+        let title = &sheet.pixels[..(MARGIN + TITLE.val()) * width];
+        assert!(title.contains(&BRIGHT) && !title.iter().any(|pixel| colors.contains(pixel)));
+        for (index, &pixel) in sheet.pixels.iter().enumerate() {
+            let [x, y] = [index % width, index / width];
+            let inside = (MARGIN - 1..=width - MARGIN).contains(&x)
+                && (MARGIN - 1..=height - MARGIN).contains(&y);
+            assert!(inside || pixel == PAPER, "ink in the margin at ({x}, {y})");
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! The program as people and scripts meet it: run for real, judged by exit status, standard output, standard error and
+//! files.
+
+mod errors;
+mod files;
+mod help;
+mod pictures;
+
+use std::fs;
+use std::io::Cursor;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+/// A folder of its own for one test.
+fn folder() -> TempDir {
+    tempfile::tempdir().expect("a temporary folder can be made")
+}
+
+/// The program in `folder`, where no display is to be found.
+fn shadetrade(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shadetrade"));
+    command
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET");
+    command
+}
+
+/// Runs the program in `folder` with the words of `line`.
+fn run(folder: &Path, line: &str) -> Output {
+    shadetrade(folder)
+        .args(line.split_whitespace())
+        .output()
+        .expect("the program starts")
+}
+
+/// Standard error as text.
+fn said(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("messages are UTF-8")
+}
+
+/// Runs `line` and checks that it ends with `status`, says each of `words` in one paragraph and nothing on stdout.
+#[track_caller]
+fn assert_fails(folder: &Path, line: &str, status: i32, words: &[&str]) {
+    let output = run(folder, line);
+    let said = said(&output);
+    assert_eq!(
+        output.status.code(),
+        Some(status),
+        "`shadetrade {line}` said: {said}"
+    );
+    assert!(
+        output.stdout.is_empty(),
+        "`shadetrade {line}` wrote to standard output"
+    );
+    assert!(
+        said.starts_with("error: "),
+        "`shadetrade {line}` said: {said}"
+    );
+    assert!(
+        !said.contains("\n\n") && said.ends_with('\n'),
+        "not one paragraph: {said}"
+    );
+    for internal in ["panicked", "backtrace", "src/"] {
+        assert!(
+            !said.contains(internal),
+            "`shadetrade {line}` shows its inside: {said}"
+        );
+    }
+    for word in words {
+        assert!(
+            said.contains(word),
+            "`shadetrade {line}` does not say {word:?}: {said}"
+        );
+    }
+}
+
+/// Runs `line`, checks that it ends well, and gives what it said on standard error.
+#[track_caller]
+fn assert_works(folder: &Path, line: &str) -> String {
+    let output = run(folder, line);
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "`shadetrade {line}` said: {}",
+        said(&output)
+    );
+    said(&output)
+}
+
+/// Width, height and RGB bytes of a PNG; panics where it is none, or not 8-bit RGB.
+#[track_caller]
+fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
+    let mut reader = png::Decoder::new(Cursor::new(png))
+        .read_info()
+        .expect("a PNG header");
+    let mut bytes = vec![
+        0;
+        reader
+            .output_buffer_size()
+            .expect("a size that fits in memory")
+    ];
+    let frame = reader.next_frame(&mut bytes).expect("whole PNG data");
+    assert_eq!(
+        (frame.color_type, frame.bit_depth),
+        (png::ColorType::Rgb, png::BitDepth::Eight)
+    );
+    (frame.width, frame.height, bytes)
+}
+
+/// What `folder` holds, hidden files too, in order.
+fn listing(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    names.sort();
+    names
+}
