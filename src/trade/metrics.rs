@@ -1,0 +1,119 @@
+//! Two pictures in, how far they are apart out.
+//!
+//! The error of a pixel is the largest difference of its three channels as displayed: both clamped to 0..=255, neither
+//! rounded. Every figure here is a statistic of that one error over the pixels where both pictures show the same
+//! triangle; where they do not, no error is taken and the pixel counts as an edge pixel.
+//!
+//! Rule: every figure is a finite number or `None`. A level that is not a number is displayed, and compared, as 0.
+
+use crate::frame::NO_TRIANGLE;
+
+/// A picture to compare, row by row from the top.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a, T> {
+    /// Pixels in a row.
+    pub width: usize,
+    /// Red, green and blue in levels, unclamped.
+    pub levels: &'a [[T; 3]],
+    /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`].
+    pub triangles: &'a [u32],
+}
+
+/// How far two pictures are apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Difference {
+    /// Over the pixels where both show the same triangle; `None` where there is no such pixel.
+    pub error: Option<Error>,
+    /// How many pixels that is.
+    pub compared_pixels: u64,
+    /// Pixels where they show different triangles, or one shows a triangle and the other background.
+    pub edge_pixels: u64,
+}
+
+/// Statistics of the errors of pixels, in levels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Error {
+    /// The largest.
+    pub max: f64,
+    /// Column and row of the first pixel that has it.
+    pub max_pixel: [usize; 2],
+    /// The mean.
+    pub mean: f64,
+    /// The root of the mean square.
+    pub rmse: f64,
+    /// The 99.9th percentile: the smallest error that at least 99.9 % of the pixels do not exceed (nearest rank).
+    pub p999: f64,
+    /// The share of pixels that err by more than one level, 0..=1.
+    pub over_1_level: f64,
+}
+
+/// A level as it is displayed, short of rounding; 0 where it is not a number.
+pub fn displayed(level: f64) -> f64 {
+    if level.is_nan() {
+        0.0
+    } else {
+        level.clamp(0.0, 255.0)
+    }
+}
+
+/// The error of one pixel in levels, 0..=255.
+pub fn pixel_error<T: Into<f64>, U: Into<f64>>(left: [T; 3], right: [U; 3]) -> f64 {
+    let [left, right] = [
+        left.map(|level| displayed(level.into())),
+        right.map(|level| displayed(level.into())),
+    ];
+    left.iter()
+        .zip(right)
+        .map(|(left, right)| (left - right).abs())
+        .fold(0.0, f64::max)
+}
+
+impl<T> Picture<'_, T> {
+    /// Whether both pictures show the same triangle at this pixel, counted row by row.
+    pub fn shows_as<U>(&self, other: &Picture<U>, pixel: usize) -> bool {
+        self.triangles[pixel] == other.triangles[pixel] && self.triangles[pixel] != NO_TRIANGLE
+    }
+}
+
+/// Compares two pictures of one size; which is which makes no difference.
+pub fn compare<T, U>(left: Picture<T>, right: Picture<U>) -> Difference
+where
+    T: Into<f64> + Copy,
+    U: Into<f64> + Copy,
+{
+    let mut errors: Vec<(f64, usize)> = (0..left.levels.len())
+        .filter(|pixel| left.shows_as(&right, *pixel))
+        .map(|pixel| (pixel_error(left.levels[pixel], right.levels[pixel]), pixel))
+        .collect();
+    let edges = left
+        .triangles
+        .iter()
+        .zip(right.triangles)
+        .filter(|(left, right)| left != right);
+    Difference {
+        error: statistics(&mut errors, left.width),
+        compared_pixels: errors.len() as u64,
+        edge_pixels: edges.count() as u64,
+    }
+}
+
+/// The statistics of the errors of these pixels, which are left in another order.
+fn statistics(errors: &mut [(f64, usize)], width: usize) -> Option<Error> {
+    let first_worst =
+        |worst: (f64, usize), next: (f64, usize)| if next.0 > worst.0 { next } else { worst };
+    let (max, pixel) = errors.iter().copied().reduce(first_worst)?;
+    let count = errors.len() as f64;
+    let over_1_level = errors.iter().filter(|(error, _)| *error > 1.0).count();
+    let rank = (errors.len() * 999).div_ceil(1000) - 1;
+    Some(Error {
+        max,
+        max_pixel: [pixel % width, pixel / width],
+        mean: errors.iter().map(|(error, _)| error).sum::<f64>() / count,
+        rmse: (errors.iter().map(|(error, _)| error * error).sum::<f64>() / count).sqrt(),
+        over_1_level: over_1_level as f64 / count,
+        p999: errors
+            .select_nth_unstable_by(rank, |(left, _), (right, _)| left.total_cmp(right))
+            .1
+            .0,
+    })
+}

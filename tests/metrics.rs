@@ -1,0 +1,260 @@
+//! Distances between pictures: every figure against a value computed by hand or by somebody else's program.
+
+use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::trade::flip;
+use shadetrade::trade::metrics::{Difference, Error, Picture, compare, pixel_error};
+
+const GRAY: [f64; 3] = [100.0; 3];
+
+/// A picture of one triangle everywhere.
+fn whole<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [u32]) -> Picture<'a, T> {
+    Picture {
+        width,
+        levels,
+        triangles,
+    }
+}
+
+/// The comparison with a flat gray picture of one row on which all of one triangle is seen.
+fn against_gray(levels: &[[f64; 3]]) -> Difference {
+    let triangles = vec![0; levels.len()];
+    compare(
+        whole(levels.len(), levels, &triangles),
+        whole(levels.len(), &vec![GRAY; levels.len()], &triangles),
+    )
+}
+
+#[track_caller]
+fn close(observed: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (observed - expected).abs() <= tolerance,
+        "{observed} is not {expected} within {tolerance}"
+    );
+}
+
+#[test]
+fn the_figures_of_four_pixels_are_those_computed_by_hand() {
+    // Errors 0, 3, 4 and 1: mean 8 / 4, root mean square sqrt(26 / 4), two of four above one level.
+    let levels = [
+        GRAY,
+        [100.0, 103.0, 98.0],
+        [99.5, 100.0, 96.0],
+        [101.0, 100.0, 100.0],
+    ];
+    let difference = against_gray(&levels);
+    assert_eq!((difference.compared_pixels, difference.edge_pixels), (4, 0));
+    let expected = Error {
+        max: 4.0,
+        max_pixel: [2, 0],
+        mean: 2.0,
+        rmse: 6.5_f64.sqrt(),
+        p999: 4.0,
+        over_1_level: 0.5,
+    };
+    assert_eq!(difference.error, Some(expected));
+}
+
+#[test]
+fn the_largest_error_is_named_by_column_and_row_and_the_first_wins() {
+    let mut levels = [GRAY; 6];
+    levels[4] = [0.0, 100.0, 100.0];
+    levels[5] = [100.0, 200.0, 100.0];
+    let difference = compare(whole(3, &levels, &[7; 6]), whole(3, &[GRAY; 6], &[7; 6]));
+    let error = difference.error.expect("six pixels are compared");
+    assert_eq!((error.max, error.max_pixel), (100.0, [1, 1]));
+}
+
+#[test]
+fn one_in_a_thousand_is_beyond_the_percentile_and_two_are_not() {
+    // Of 1000 errors in order the 999th is taken.
+    let mut levels = vec![[102.0; 3]; 1000];
+    levels[500] = [150.0; 3];
+    assert_eq!(
+        against_gray(&levels).error.map(|error| error.p999),
+        Some(2.0)
+    );
+    levels[501] = [140.0; 3];
+    assert_eq!(
+        against_gray(&levels).error.map(|error| error.p999),
+        Some(40.0)
+    );
+}
+
+#[test]
+fn levels_are_clamped_but_not_rounded() {
+    assert_eq!(pixel_error([300.0, -7.0, 1e30], [255.0, 0.0, 9e9]), 0.0);
+    assert_eq!(
+        pixel_error([254.75_f32, 0.0, 0.0], [1000.0, 0.25, 0.0]),
+        0.25
+    );
+}
+
+#[test]
+fn what_is_no_number_or_infinite_is_compared_as_it_is_displayed() {
+    assert_eq!(
+        pixel_error(
+            [f64::NAN, f64::INFINITY, f64::NEG_INFINITY],
+            [3.0, 250.0, 1.0]
+        ),
+        5.0
+    );
+    let error = against_gray(&[[f64::NAN; 3], [f64::INFINITY; 3]])
+        .error
+        .expect("two pixels are compared");
+    assert_eq!((error.max, error.mean), (155.0, 127.5));
+}
+
+#[test]
+fn pixels_of_different_triangles_are_edge_pixels_and_have_no_error() {
+    let [left, right] = [
+        [3, 3, NO_TRIANGLE, 4, NO_TRIANGLE],
+        [3, NO_TRIANGLE, 3, 5, NO_TRIANGLE],
+    ];
+    let difference = compare(
+        whole(5, &[[0.0; 3]; 5], &left),
+        whole(5, &[[9.0; 3]; 5], &right),
+    );
+    assert_eq!((difference.compared_pixels, difference.edge_pixels), (1, 3));
+    assert_eq!(difference.error.map(|error| error.max), Some(9.0));
+}
+
+#[test]
+fn where_nothing_is_drawn_there_is_no_error_to_speak_of() {
+    let background = whole(2, &[GRAY; 2], &[NO_TRIANGLE; 2]);
+    assert_eq!(
+        compare(background, background),
+        Difference {
+            error: None,
+            compared_pixels: 0,
+            edge_pixels: 0
+        }
+    );
+    assert_eq!(
+        flip::mean(background, background, flip::PIXELS_PER_DEGREE),
+        None
+    );
+}
+
+const WIDTH: usize = 64;
+const HEIGHT: usize = 48;
+
+/// A picture of bytes from a formula in column and row.
+fn formula(color: impl Fn(i64, i64) -> [i64; 3]) -> Vec<[f64; 3]> {
+    (0..WIDTH * HEIGHT)
+        .map(|i| color((i % WIDTH) as i64, (i / WIDTH) as i64).map(|level| level as f64))
+        .collect()
+}
+
+fn waves(x: i64, y: i64) -> [i64; 3] {
+    [
+        (x * x + 3 * y) % 256,
+        (5 * x + y * y) % 256,
+        (x * y + 7 * x) % 256,
+    ]
+}
+
+fn ramp(x: i64, y: i64) -> [i64; 3] {
+    [4 * x, 5 * y, 2 * (x + y)]
+}
+
+fn disc(x: i64, y: i64, [center, area, green]: [i64; 3]) -> [i64; 3] {
+    let inside = i64::from((x - center).pow(2) + (y - 24).pow(2) < area);
+    [200 * inside + 20, green * inside + 20, 24]
+}
+
+/// Mean FLIP of two pictures that show one triangle everywhere.
+fn flip_of(left: &[[f64; 3]], right: &[[f64; 3]], pixels_per_degree: f64) -> f64 {
+    let triangles = vec![0; left.len()];
+    flip::mean(
+        whole(WIDTH, left, &triangles),
+        whole(WIDTH, right, &triangles),
+        pixels_per_degree,
+    )
+    .expect("covered")
+}
+
+#[test]
+fn flip_agrees_with_its_authors_program() {
+    // The expected values are the means of the maps that flip-evaluator 1.7 (PyPI) returns for the same bytes / 255:
+    // evaluate(left, right, "LDR", applyMagma=False, parameters={"ppd": 67.02064327658226 or 30.0}).
+    let gray = |level| formula(move |_, _| [level; 3]);
+    let pairs = [
+        (
+            formula(waves),
+            formula(|x, y| waves(x + 1, y)),
+            [0.255_367_00, 0.502_435_45],
+        ),
+        (
+            formula(ramp),
+            formula(|x, y| ramp(x, y).map(|level| level / 32 * 32)),
+            [0.276_713_18, 0.312_327_08],
+        ),
+        (
+            formula(|x, y| disc(x, y, [20, 150, 90])),
+            formula(|x, y| disc(x, y, [22, 140, 120])),
+            [0.140_195_65, 0.120_745_75],
+        ),
+        (gray(128), gray(129), [0.029_863_09, 0.029_864_62]),
+        (
+            gray(0),
+            formula(|x, y| [255 * i64::from((x, y) == (32, 24)); 3]),
+            [0.004_657_969_02, 0.001_807_740_78],
+        ),
+    ];
+    for (left, right, expected) in &pairs {
+        close(
+            flip_of(left, right, flip::PIXELS_PER_DEGREE),
+            expected[0],
+            2e-5,
+        );
+        close(flip_of(left, right, 30.0), expected[1], 2e-5);
+    }
+}
+
+#[test]
+fn flip_of_black_against_white_is_the_known_maximum_of_grays() {
+    // No features, and black and white are 100 apart in lightness alone. Green is (87.74, -75.61, 72.98) and blue
+    // (32.30, 25.58, -34.84) in Hunt's Lab, so the largest difference is 55.44 + |(101.19, 107.82)| = 203.30; with the
+    // exponent 100^0.7 = 25.119 and 203.30^0.7 = 41.276: 0.95 + 0.05 (25.119 - 16.510) / (41.276 - 16.510).
+    let expected = 0.967_380;
+    close(
+        flip_of(
+            &formula(|_, _| [0; 3]),
+            &formula(|_, _| [255; 3]),
+            flip::PIXELS_PER_DEGREE,
+        ),
+        expected,
+        2e-5,
+    );
+}
+
+#[test]
+fn flip_of_a_picture_against_itself_is_exactly_nothing() {
+    assert_eq!(
+        flip_of(&formula(waves), &formula(waves), flip::PIXELS_PER_DEGREE),
+        0.0
+    );
+}
+
+#[test]
+fn flip_has_no_favourite_side() {
+    let [left, right] = [formula(waves), formula(|x, y| waves(y, x))];
+    assert_eq!(flip_of(&left, &right, 67.0), flip_of(&right, &left, 67.0));
+}
+
+#[test]
+fn flip_takes_its_mean_where_both_show_one_triangle_and_the_rest_as_surroundings() {
+    // Gray against gray but for a stripe of black against white, which no mean takes in: 16 columns from it there is
+    // nothing, beside it there is what the blur carries over.
+    let stripe = |level| formula(move |x, _| [if (24..40).contains(&x) { level } else { 128 }; 3]);
+    let [left, right] = [stripe(0), stripe(255)];
+    let mean = |counts: fn(usize) -> bool| {
+        let shown = |i| if counts(i % WIDTH) { 0 } else { NO_TRIANGLE };
+        let triangles: Vec<u32> = (0..WIDTH * HEIGHT).map(shown).collect();
+        let [left, right] = [&left, &right].map(|levels| whole(WIDTH, levels, &triangles));
+        flip::mean(left, right, flip::PIXELS_PER_DEGREE).expect("covered")
+    };
+    assert_eq!(mean(|column| !(8..56).contains(&column)), 0.0);
+    let beside = mean(|column| column < 24);
+    assert!(beside > 0.01 && beside < 0.3, "{beside}");
+}

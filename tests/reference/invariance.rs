@@ -1,0 +1,141 @@
+//! What must not matter.
+
+use hecs::World;
+use shadetrade::components::{LightKind, Projection, ShadingMode, View};
+use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::reference::{at_pixel, picture};
+
+use super::scenes::{
+    MATERIAL, close, draw, shaded, spawn_cuboid, spawn_light, spawn_turned_cuboid, view,
+};
+
+/// Two cuboids and a light of each kind; every place moved by `offset`, every length multiplied by `scale`.
+pub fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View) {
+    let place = |p: [f64; 3]| p.map(|x| x * scale + offset);
+    let size = |s: [f64; 3]| s.map(|x| x * scale);
+    let mut world = World::new();
+    spawn_turned_cuboid(
+        &mut world,
+        size([4.0, 3.0, 2.0]),
+        place([0.0; 3]),
+        [30.0, 40.0, 50.0],
+        MATERIAL,
+    );
+    spawn_cuboid(&mut world, size([0.5, 8.0, 0.5]), place([1.0, 0.0, 2.0]));
+    for kind in [LightKind::Ambient, LightKind::Diffuse, LightKind::Specular] {
+        spawn_light(&mut world, kind, place([5.0, 6.0, 7.0]));
+    }
+    let mut view = view([40, 30], place([4.0, 3.0, 6.0]), place([0.0; 3]));
+    view.viewpoint.camera.near = Some(0.5 * scale);
+    view.viewpoint.camera.height *= scale;
+    view.viewpoint.camera.fov = 45.0;
+    (world, View { projection, ..view })
+}
+
+#[test]
+fn a_scene_a_billion_units_away_or_scaled_by_a_power_of_two_is_the_same_picture_bit_for_bit() {
+    for projection in [Projection::Perspective, Projection::Orthographic] {
+        let (world, view) = mixed_scene(0.0, 1.0, projection);
+        let expected = draw(&world, &view);
+        let covered = expected.triangles.iter().filter(|id| **id != NO_TRIANGLE);
+        assert!(covered.count() > 100, "there is something to compare");
+        for (offset, scale) in [
+            (1e9, 1.0),
+            (0.0, 2.0_f64.powi(300)),
+            (0.0, 2.0_f64.powi(-300)),
+        ] {
+            let (world, view) = mixed_scene(offset, scale, projection);
+            assert!(
+                draw(&world, &view) == expected,
+                "{offset} {scale} {projection:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_scene_at_the_ends_of_the_allowed_lengths_is_the_same_picture() {
+    for projection in [Projection::Perspective, Projection::Orthographic] {
+        let (world, view) = mixed_scene(0.0, 1.0, projection);
+        let expected = draw(&world, &view);
+        for scale in [1e98, 1e-98] {
+            let (world, view) = mixed_scene(0.0, scale, projection);
+            let observed = draw(&world, &view);
+            assert_eq!(observed.triangles, expected.triangles, "{scale}");
+            for (observed, expected) in observed.levels.iter().zip(&expected.levels) {
+                observed
+                    .iter()
+                    .zip(expected)
+                    .for_each(|(observed, expected)| close(*observed, *expected));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_part_of_the_rows_is_that_part_of_the_picture() {
+    let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
+    let [whole, part] =
+        [0..30, 7..19].map(|rows| picture(&world, &view, rows, &|| false, &|_| ()).expect("whole"));
+    assert_eq!((part.width, part.rows), (40, 7..19));
+    assert_eq!(part.levels, whole.levels[7 * 40..19 * 40]);
+    assert_eq!(part.triangles, whole.triangles[7 * 40..19 * 40]);
+}
+
+#[test]
+fn a_pixel_asked_for_alone_is_that_pixel_of_the_picture_and_its_terms_add_up() {
+    let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
+    let [gouraud, phong] =
+        [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| draw(&world, &shaded(mode, &view)));
+    for (x, y) in (0..40).flat_map(|x| (0..30).map(move |y| (x, y))) {
+        let pixel = 40 * y + x;
+        let Some(seen) = at_pixel(&world, &view, x, y) else {
+            assert_eq!(phong.triangles[pixel], NO_TRIANGLE);
+            continue;
+        };
+        assert_eq!(
+            seen.object * 12 + seen.triangle,
+            phong.triangles[pixel] as usize
+        );
+        assert_eq!(
+            [seen.gouraud.to_array(), seen.phong.to_array()],
+            [gouraud.levels[pixel], phong.levels[pixel]]
+        );
+        close(
+            seen.lights.iter().map(|light| light.phong.x).sum(),
+            seen.phong.x,
+        );
+        close(
+            seen.lights.iter().map(|light| light.gouraud.x).sum(),
+            seen.gouraud.x,
+        );
+        for vector in seen
+            .lights
+            .iter()
+            .flat_map(|light| [light.to_light, light.reflected])
+            .flatten()
+        {
+            close(vector.length(), 1.0);
+        }
+        assert!(
+            seen.lights[0].to_light.is_none(),
+            "ambient light comes from nowhere"
+        );
+    }
+    assert_eq!(at_pixel(&world, &view, 40, 5), None);
+}
+
+#[test]
+fn a_cancelled_picture_is_none_and_a_finished_one_has_told_every_row() {
+    let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
+    assert_eq!(picture(&world, &view, 0..30, &|| true, &|_| ()), None);
+    let told = std::sync::Mutex::new(Vec::new());
+    draw(&world, &view);
+    picture(&world, &view, 0..30, &|| false, &|done| {
+        told.lock().expect("nobody panics").push(done);
+    })
+    .expect("whole");
+    let mut told = told.into_inner().expect("nobody panics");
+    told.sort_unstable();
+    assert_eq!(told, (1..=30).collect::<Vec<_>>());
+}

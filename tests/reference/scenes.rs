@@ -1,0 +1,137 @@
+//! Scenes small enough for paper, and how the tests look at them.
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{
+    Camera, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection, ShadingMode,
+    Transform, VertexColors, View, Viewpoint,
+};
+use shadetrade::reference::{Sample, Truth, at_pixel, picture};
+
+/// kA 0.1, kD 1 and kE 0.5 in every channel.
+pub const MATERIAL: Material = Material {
+    ambient: DVec3::splat(0.1),
+    diffuse: DVec3::ONE,
+    specular: DVec3::splat(0.5),
+    shininess: 2.0,
+};
+
+pub fn spawn_cuboid(world: &mut World, size: [f64; 3], position: [f64; 3]) {
+    spawn_turned_cuboid(world, size, position, [0.0; 3], MATERIAL);
+}
+
+pub fn spawn_turned_cuboid(
+    world: &mut World,
+    size: [f64; 3],
+    position: [f64; 3],
+    rotation: [f64; 3],
+    material: Material,
+) {
+    let transform = Transform {
+        position: position.into(),
+        rotation: rotation.into(),
+    };
+    world.spawn((
+        transform,
+        Mesh::cuboid(size.into()),
+        material,
+        ShadingMode::Phong,
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
+    ));
+}
+
+/// A white light of 100 levels.
+pub fn spawn_light(world: &mut World, kind: LightKind, position: [f64; 3]) {
+    let name = Name(format!("{kind:?} at {position:?}"));
+    let light = Light {
+        kind,
+        color: DVec3::ONE,
+        intensity: 10.0,
+        gain: 10.0,
+        on: true,
+    };
+    world.spawn((
+        name,
+        Transform {
+            position: position.into(),
+            rotation: DVec3::ZERO,
+        },
+        light,
+    ));
+}
+
+/// A cube from -1 to 1 and one light.
+pub fn cube_under(kind: LightKind, position: [f64; 3]) -> World {
+    let mut world = World::new();
+    spawn_cuboid(&mut world, [2.0; 3], [0.0; 3]);
+    spawn_light(&mut world, kind, position);
+    world
+}
+
+/// From `eye` towards `target`, 90 degrees high: a point at distance d is seen d high at the picture's upper edge.
+pub fn view(size: [usize; 2], eye: [f64; 3], target: [f64; 3]) -> View {
+    let camera = Camera {
+        target: target.into(),
+        up: DVec3::Y,
+        fov: 90.0,
+        height: 10.0,
+        near: Some(0.1),
+    };
+    View {
+        size,
+        viewpoint: Viewpoint {
+            position: eye.into(),
+            camera,
+        },
+        projection: Projection::Perspective,
+        background: DVec3::new(1.0, 2.0, 3.0),
+        shading: None,
+        tolerance: 0.0,
+    }
+}
+
+/// Along -z from z = 5, seeing 10 units of height.
+pub fn orthographic(size: [usize; 2]) -> View {
+    View {
+        projection: Projection::Orthographic,
+        ..view(size, [0.0, 0.0, 5.0], [0.0; 3])
+    }
+}
+
+pub fn shaded(mode: ShadingMode, view: &View) -> View {
+    View {
+        shading: Some(mode),
+        ..view.clone()
+    }
+}
+
+pub fn draw(world: &World, view: &View) -> Truth {
+    picture(world, view, 0..view.size[1], &|| false, &|_| ()).expect("nobody cancels")
+}
+
+/// The first channel at a pixel.
+pub fn level(world: &World, view: &View, x: usize, y: usize) -> f64 {
+    draw(world, view).levels[y * view.size[0] + x][0]
+}
+
+pub fn sample(world: &World, view: &View, x: usize, y: usize) -> Sample {
+    at_pixel(world, view, x, y).expect("the cuboid is seen there")
+}
+
+#[track_caller]
+pub fn close(observed: f64, expected: f64) {
+    assert!(
+        (observed - expected).abs() <= 1e-9 * expected.abs().max(1.0),
+        "{observed} is not {expected}"
+    );
+}
+
+#[track_caller]
+pub fn same_place(observed: DVec3, expected: [f64; 3]) {
+    assert!(
+        (observed - DVec3::from(expected)).length() <= 1e-12,
+        "{observed} is not {expected:?}"
+    );
+}

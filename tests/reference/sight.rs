@@ -1,0 +1,200 @@
+//! Where things are seen.
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{LightKind, Projection, View};
+use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::reference::at_pixel;
+
+use super::scenes::{
+    MATERIAL, cube_under, draw, orthographic, same_place, sample, spawn_cuboid,
+    spawn_turned_cuboid, view,
+};
+
+#[test]
+fn a_pixel_sees_the_point_its_line_of_sight_meets() {
+    // Column 60 of 100 lies (2 * 60 + 1 - 100) / 100 = 0.21 right of the axis per unit of depth, row 44 0.11 above; the
+    // face is 4 away. The normal of a cube at (x, y, 1) goes as (x, y, 1).
+    let world = cube_under(LightKind::Ambient, [0.0; 3]);
+    let seen = sample(&world, &view([100, 100], [0.0, 0.0, 5.0], [0.0; 3]), 60, 44);
+    same_place(seen.position, [0.84, 0.44, 1.0]);
+    same_place(
+        seen.normal,
+        (DVec3::new(0.84, 0.44, 1.0) / 1.8992_f64.sqrt()).to_array(),
+    );
+    same_place(
+        seen.to_eye,
+        (DVec3::new(-0.84, -0.44, 4.0) / 16.8992_f64.sqrt()).to_array(),
+    );
+    assert_eq!(
+        (seen.object, seen.triangle),
+        (0, 8),
+        "right of the diagonal of face +z"
+    );
+}
+
+#[test]
+fn the_vertical_field_of_view_fixes_the_scale_of_wide_pictures_too() {
+    // As above, 50 pixels of margin on each side.
+    let world = cube_under(LightKind::Ambient, [0.0; 3]);
+    same_place(
+        sample(
+            &world,
+            &view([200, 100], [0.0, 0.0, 5.0], [0.0; 3]),
+            110,
+            44,
+        )
+        .position,
+        [0.84, 0.44, 1.0],
+    );
+}
+
+#[test]
+fn an_orthographic_pixel_sees_its_own_column_of_space() {
+    // 10 units on 10 rows: column 5 sees x = 5 + 0.5 - 10 / 2 = 0.5, row 3 sees y = 1.5.
+    let mut world = World::new();
+    spawn_cuboid(&mut world, [4.0, 4.0, 2.0], [0.0; 3]);
+    let seen = sample(&world, &orthographic([10, 10]), 5, 3);
+    same_place(seen.position, [0.5, 1.5, 1.0]);
+    same_place(
+        seen.normal,
+        (DVec3::new(0.25, 0.75, 1.0) / 1.625_f64.sqrt()).to_array(),
+    );
+    same_place(seen.to_eye, [0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn every_pixel_centre_on_an_edge_belongs_to_the_triangle_right_of_it_or_below() {
+    // A 3 x 3 face whose border and diagonal run through pixel centres: left and upper border are in, right and lower
+    // are out, the diagonal belongs to the triangle on its right.
+    let mut world = World::new();
+    spawn_cuboid(&mut world, [3.0; 3], [0.0; 3]);
+    let mut grid = String::new();
+    for row in draw(&world, &orthographic([10, 10])).triangles.chunks(10) {
+        grid.extend(
+            row.iter()
+                .map(|id| char::from_digit(*id, 12).unwrap_or('.')),
+        );
+        grid.push('\n');
+    }
+    let expected = "\
+        ..........\n..........\n..........\n\
+        ...999....\n\
+        ...998....\n\
+        ...988....\n\
+        ..........\n..........\n..........\n..........\n";
+    assert_eq!(grid, expected, "\n{grid}");
+}
+
+#[test]
+fn angles_turn_about_the_fixed_x_axis_first_then_y_then_z() {
+    // 2 x 4 x 6 turned about x is 2 x 6 x 4, then about y 4 x 6 x 2: 4 columns and 6 rows. The other order gives 6 x 2.
+    let mut world = World::new();
+    spawn_turned_cuboid(
+        &mut world,
+        [2.0, 4.0, 6.0],
+        [0.0; 3],
+        [90.0, 90.0, 0.0],
+        MATERIAL,
+    );
+    let truth = draw(&world, &orthographic([10, 10]));
+    let covered: Vec<usize> = (0..100)
+        .filter(|pixel| truth.triangles[*pixel] != NO_TRIANGLE)
+        .collect();
+    let expected: Vec<usize> = (2..8)
+        .flat_map(|row| (3..7).map(move |column| 10 * row + column))
+        .collect();
+    assert_eq!(covered, expected);
+}
+
+#[test]
+fn a_corner_turned_to_the_viewer_is_seen_where_the_angles_put_it() {
+    // Turned by 45 degrees about y, the cube's edge x = z = 1 lies at (0, y, sqrt(2)).
+    let mut world = World::new();
+    spawn_turned_cuboid(&mut world, [2.0; 3], [0.0; 3], [0.0, -45.0, 0.0], MATERIAL);
+    let seen = sample(&world, &orthographic([11, 11]), 5, 5);
+    same_place(seen.position, [0.0, 0.0, 2.0_f64.sqrt()]);
+    same_place(seen.normal, [0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn what_is_nearer_than_the_near_plane_is_not_there() {
+    // The face is 4 away, and behind it there are only back faces.
+    let world = cube_under(LightKind::Ambient, [0.0; 3]);
+    for projection in [Projection::Perspective, Projection::Orthographic] {
+        let mut view = View {
+            projection,
+            ..view([11, 11], [0.0, 0.0, 5.0], [0.0; 3])
+        };
+        view.viewpoint.camera.near = Some(4.0);
+        assert!(at_pixel(&world, &view, 5, 5).is_some());
+        view.viewpoint.camera.near = Some(4.0 + 1e-12);
+        assert_eq!(at_pixel(&world, &view, 5, 5), None);
+        assert_eq!(draw(&world, &view).levels[60], [1.0, 2.0, 3.0]);
+    }
+}
+
+#[test]
+fn a_clipped_face_shows_what_is_left_of_it() {
+    // The eye is 1 above a floor 20 deep that reaches behind it: row 7 of 10 looks 0.5 down per unit of depth and sees
+    // the floor 2 ahead; with the near plane at 2.5 only rows that look less steeply see any.
+    let mut world = World::new();
+    spawn_cuboid(&mut world, [20.0, 2.0, 20.0], [0.0, -2.0, 0.0]);
+    let mut view = view([10, 10], [0.0; 3], [0.0, 0.0, -1.0]);
+    same_place(sample(&world, &view, 5, 7).position, [0.2, -1.0, -2.0]);
+    view.viewpoint.camera.near = Some(2.5);
+    assert_eq!(at_pixel(&world, &view, 5, 7), None);
+    same_place(
+        sample(&world, &view, 5, 6).position,
+        [1.0 / 3.0, -1.0, -10.0 / 3.0],
+    );
+}
+
+#[test]
+fn from_inside_a_cuboid_nothing_of_it_is_seen() {
+    let world = cube_under(LightKind::Ambient, [0.0; 3]);
+    let truth = draw(&world, &view([8, 8], [0.2, 0.1, 0.3], [0.0, 0.0, -5.0]));
+    assert!(truth.triangles.iter().all(|id| *id == NO_TRIANGLE));
+}
+
+#[test]
+fn the_nearer_cuboid_hides_the_other_whatever_their_order() {
+    for [first, second] in [[0.0, -3.0], [-3.0, 0.0]] {
+        let mut world = World::new();
+        spawn_cuboid(&mut world, [2.0; 3], [0.0, 0.0, first]);
+        spawn_cuboid(&mut world, [9.0, 9.0, 2.0], [0.0, 0.0, second]);
+        let view = view([11, 11], [0.0, 0.0, 5.0], [0.0; 3]);
+        assert_eq!(sample(&world, &view, 5, 5).position.z, 1.0);
+        assert_eq!(
+            sample(&world, &view, 5, 5).object,
+            usize::from(first < second)
+        );
+    }
+}
+
+#[test]
+fn faces_in_one_plane_belong_to_the_cuboid_earlier_in_the_file() {
+    // Different sizes, so that rounding differs, and 1e-12 nearer is the same plane still.
+    for positions in [[0.0, 0.25], [0.25, 0.0], [0.0, 0.25 + 1e-12]] {
+        let mut world = World::new();
+        for position in positions {
+            let half = 1.0 - if position < 0.2 { 0.0 } else { 0.25 };
+            spawn_turned_cuboid(
+                &mut world,
+                [2.0, 2.0, 2.0 * half],
+                [0.0, 0.0, position],
+                [0.0; 3],
+                MATERIAL,
+            );
+        }
+        let truth = draw(&world, &view([31, 31], [0.3, 0.4, 5.0], [0.0; 3]));
+        let front = truth
+            .triangles
+            .iter()
+            .filter(|id| matches!(**id % 12, 8 | 9));
+        assert!(
+            front.clone().count() > 0 && front.clone().all(|id| *id < 12),
+            "{positions:?}"
+        );
+    }
+}

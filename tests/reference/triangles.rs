@@ -1,0 +1,122 @@
+//! How corners spread over a triangle.
+
+use hecs::World;
+use shadetrade::components::{LightKind, Material, ShadingMode};
+
+use super::scenes::{
+    MATERIAL, close, cube_under, level, orthographic, shaded, spawn_cuboid, spawn_light,
+    spawn_turned_cuboid, view,
+};
+
+/// The top of a cube 1 below the eye and 2 to 4 ahead, a diffuse light infinitely far along +z; `near` in world units.
+///
+/// Pixel (13, 17) of 25 x 25 looks 0.08 right and 0.4 down per unit of depth: it sees the point 2.5 ahead that lies at
+/// (0.2, 1, 0.5) from the cube's centre, on the triangle of the corners (-1, 1, -1), (-1, 1, 1), (1, 1, 1) with weights
+/// 0.25, 0.15, 0.6. The corners are 4, 2 and 2 deep: on the screen their weights go as 1, 0.3, 1.2, so 0.4, 0.12, 0.48.
+fn receding_top(mode: ShadingMode, near: f64) -> f64 {
+    let mut world = World::new();
+    spawn_cuboid(&mut world, [2.0; 3], [0.0, -2.0, -3.0]);
+    spawn_light(&mut world, LightKind::Diffuse, [0.0, -1.0, 1e15]);
+    let mut view = shaded(mode, &view([25, 25], [0.0; 3], [0.0, 0.0, -1.0]));
+    view.viewpoint.camera.near = Some(near);
+    level(&world, &view, 13, 17)
+}
+
+#[test]
+fn gouraud_interpolates_levels_perspective_correctly() {
+    // n.l at the corners: -1 / sqrt(3), which is dark, and twice 1 / sqrt(3).
+    close(
+        receding_top(ShadingMode::Gouraud, 0.1),
+        75.0 / 3.0_f64.sqrt(),
+    );
+}
+
+#[test]
+fn phong_interpolates_normals_perspective_correctly_and_normalises_them() {
+    close(
+        receding_top(ShadingMode::Phong, 0.1),
+        50.0 / 1.29_f64.sqrt(),
+    );
+}
+
+#[test]
+fn unit_vectors_are_interpolated_on_the_screen_and_left_short() {
+    // n_z = (-0.4 + 0.12 + 0.48) / sqrt(3).
+    close(
+        receding_top(ShadingMode::UnitVectors, 0.1),
+        20.0 / 3.0_f64.sqrt(),
+    );
+}
+
+#[test]
+fn unit_vectors_of_a_clipped_triangle_are_interpolated_perspective_correctly() {
+    // The nearest corners are 2 deep and have no place on the screen: n_z = (-0.25 + 0.15 + 0.6) / sqrt(3).
+    close(
+        receding_top(ShadingMode::UnitVectors, 2.2),
+        50.0 / 3.0_f64.sqrt(),
+    );
+    close(
+        receding_top(ShadingMode::UnitVectors, 2.0),
+        20.0 / 3.0_f64.sqrt(),
+    );
+}
+
+#[test]
+fn a_clipped_triangle_keeps_the_colours_of_the_whole_one() {
+    close(
+        receding_top(ShadingMode::Gouraud, 2.2),
+        75.0 / 3.0_f64.sqrt(),
+    );
+    close(
+        receding_top(ShadingMode::Phong, 2.2),
+        50.0 / 1.29_f64.sqrt(),
+    );
+}
+
+#[test]
+fn unit_vectors_lose_the_highlight_and_two_thirds_of_the_light_at_the_middle_of_a_face() {
+    // The corners on the diagonal have n = (-+1, -+1, 1) / sqrt(3) and, under a light 1 above the face, l = (+-1, +-1, 1)
+    // / sqrt(3): both shrink to (0, 0, 1 / sqrt(3)). n.l = 1 / 3, and r = 2/3 n - l points down.
+    for (kind, expected) in [
+        (LightKind::Diffuse, 100.0 / 3.0),
+        (LightKind::Specular, 0.0),
+    ] {
+        let world = cube_under(kind, [0.0, 0.0, 2.0]);
+        close(
+            level(
+                &world,
+                &shaded(ShadingMode::UnitVectors, &orthographic([11, 11])),
+                5,
+                5,
+            ),
+            expected,
+        );
+    }
+}
+
+#[test]
+fn unit_vectors_shorten_the_eye_and_with_it_the_highlight() {
+    // Half-way down the left edge of face z = 1 n = (-1, 0, 1) / sqrt(3), and the eye 4 above it has o = (0, +-1, 4) /
+    // sqrt(17) at the corners, (0, 0, 4 / sqrt(17)) between. A light infinitely far has l = (-1, 0, 1) / sqrt(2), so
+    // r = (2/3 - 1/2) sqrt(2) (-1, 0, 1) and o.r = sqrt(2) / 6 * 4 / sqrt(17).
+    let mut world = World::new();
+    spawn_turned_cuboid(
+        &mut world,
+        [2.0; 3],
+        [0.0; 3],
+        [0.0; 3],
+        Material {
+            shininess: 1.0,
+            ..MATERIAL
+        },
+    );
+    spawn_light(&mut world, LightKind::Specular, [-1e15, 0.0, 1e15]);
+    let view = shaded(
+        ShadingMode::UnitVectors,
+        &view([11, 11], [-1.0, 0.0, 5.0], [-1.0, 0.0, 0.0]),
+    );
+    close(
+        level(&world, &view, 5, 5),
+        50.0 * 2.0_f64.sqrt() / 6.0 * 4.0 / 17.0_f64.sqrt(),
+    );
+}
