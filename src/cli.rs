@@ -64,6 +64,7 @@ Examples:
   shadetrade render bench-close -o close.png --shading phong --size 1920x1080
   shadetrade render -o exact.png --shading phong --tolerance 0 --threads 1
   shadetrade render -o - --lights white,ambient > white.png
+  shadetrade render -o truth.png --shading phong --reference
 
 Standard error says what was written, how many pixels were shaded and what a frame takes.")]
     Render(RenderOptions),
@@ -77,6 +78,15 @@ Drawn from the built-in scene, every pixel exactly, 960x720: Gouraud, Phong, and
 the white and ambient lights alone, each from both cameras; the components of the light; and
 a sheet of the six.")]
     Figures(FiguresOptions),
+    /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
+    #[command(after_help = "\
+Examples:
+  shadetrade probe --pixel 480,300
+  shadetrade probe bench-far --pixel 500,400 --tolerance 0
+  shadetrade probe --pixel 480,300 --json | jq .phong.terms
+
+Levels are unclamped; those of `drawn` come from the renderer, all else is evaluated in f64.")]
+    Probe(ProbeOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "\
 Examples:
@@ -97,6 +107,32 @@ pub struct RenderOptions {
     /// Where the PNG goes; `-` is standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().map(Output::from))]
     pub output: Output,
+    /// Draws with the f64 reference instead of the renderer; --tolerance and --simd have no say then
+    #[arg(long)]
+    pub reference: bool,
+}
+
+/// The options of `probe`.
+#[derive(Args, Debug)]
+pub struct ProbeOptions {
+    /// What is drawn, and how.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// The pixel: x to the right and y down from the top left corner, from 0
+    #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
+    pub pixel: [usize; 2],
+    /// Prints one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn pixel(text: &str) -> Result<[usize; 2], String> {
+    let coordinate = |text: &str| {
+        text.parse()
+            .map_err(|_| "it is X,Y in whole pixels from 0, such as 480,300".to_owned())
+    };
+    let (x, y) = text.split_once(',').unwrap_or((text, ""));
+    Ok([coordinate(x)?, coordinate(y)?])
 }
 
 /// The options of `figures`.

@@ -49,6 +49,7 @@ pub mod frame;
 pub mod lettering;
 pub mod output;
 pub mod pictures;
+pub mod probe;
 pub mod reference;
 pub mod scene;
 pub mod shading;

@@ -6,9 +6,10 @@ use std::process::ExitCode;
 use anyhow::anyhow;
 
 use shadetrade::cli::options::DrawingOptions;
-use shadetrade::cli::{self, Command, Failure};
+use shadetrade::cli::{self, Command, Failure, ProbeOptions};
+use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
-use shadetrade::{output, pictures};
+use shadetrade::{output, pictures, probe};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -22,11 +23,40 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         None => Ok(()),
         Some(Command::View(options)) => view(&options),
         Some(Command::Render(options)) => {
-            Ok(pictures::render(options.drawing.open()?, &options.output)?)
+            let drawing = options.drawing.open()?;
+            let draw = if options.reference {
+                pictures::render_reference
+            } else {
+                pictures::render
+            };
+            Ok(draw(drawing, &options.output)?)
         }
+        Some(Command::Probe(options)) => probe(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
         Some(Command::Completions { shell }) => Ok(cli::print_completions(shell)?),
     }
+}
+
+/// Prints what happened at a pixel.
+fn probe(options: &ProbeOptions) -> Result<(), Failure> {
+    let mut drawing = options.drawing.open()?;
+    let ([x, y], [width, height]) = (options.pixel, drawing.size);
+    if x >= width || y >= height {
+        return Err(Failure::Usage(anyhow!(
+            "pixel {x},{y} is outside the picture, whose pixels are 0,0 to {},{}; --size makes it larger",
+            width - 1,
+            height - 1
+        )));
+    }
+    let (view, workers) = (drawing.view(), drawing.workers()?);
+    let probe =
+        probe::at(&mut drawing.scene, &view, [x, y], workers).map_err(anyhow::Error::from)?;
+    let text = if options.json {
+        serde_json::to_string_pretty(&probe).map_err(anyhow::Error::from)?
+    } else {
+        probe.lines().join("\n")
+    };
+    Ok(Output::Stdout.write(|writer| writeln!(writer, "{text}"))?)
 }
 
 /// Opens the window; where there is no display, the built-in scene's figures are drawn instead.

@@ -4,6 +4,7 @@
 //! takes the target's name once everything is on the disk. Devices and pipes are written directly; a symbolic link
 //! stays a link and its target is replaced; a reader that closes our standard output early is no error.
 
+use std::borrow::Cow;
 use std::fs::{self, OpenOptions, Permissions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -34,6 +35,14 @@ impl From<PathBuf> for Output {
 }
 
 impl Output {
+    /// What messages call it.
+    pub fn name(&self) -> Cow<'_, str> {
+        match self {
+            Output::Stdout => "standard output".into(),
+            Output::File(path) => path.to_string_lossy(),
+        }
+    }
+
     /// Writes what `content` produces.
     ///
     /// # Errors

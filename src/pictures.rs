@@ -9,10 +9,12 @@ pub use figures::figures;
 
 use std::time::{Duration, Instant};
 
+use indicatif::{ProgressBar, ProgressStyle};
+
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, OutOfMemory};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, OutOfMemory, display_step};
 use crate::output::{Output, say};
-use crate::{simd, systems};
+use crate::{reference, simd, systems};
 
 /// Draws one picture into `output`, and says on standard error what it wrote and what a frame of it costs.
 ///
@@ -26,10 +28,7 @@ pub fn render(mut drawing: Drawing, output: &Output) -> anyhow::Result<()> {
     let (time, frames) = warm_frame(draw)?;
     output.write_png(frame.pixels(), frame.size())?;
     let [width, height] = frame.size();
-    let name = match output {
-        Output::Stdout => "standard output".into(),
-        Output::File(path) => path.to_string_lossy(),
-    };
+    let name = output.name();
     say(&format!(
         "wrote {name}: PNG, {width}x{height}, {} pixels shaded; a frame takes {:.3} ms \
          (median of {}, PNG apart; {}, {})",
@@ -41,6 +40,54 @@ pub fn render(mut drawing: Drawing, output: &Output) -> anyhow::Result<()> {
     ));
     Ok(())
 }
+
+/// Draws one picture with the reference in f64 into `output`, and says on standard error what it wrote.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_reference(drawing: Drawing, output: &Output) -> anyhow::Result<()> {
+    let view = drawing.view();
+    let [width, height] = view.size;
+    let out_of_memory = |_| OutOfMemory { width, height };
+    let (mut pixels, mut covered) = (Vec::new(), 0);
+    pixels
+        .try_reserve_exact(width * height)
+        .map_err(out_of_memory)?;
+    let progress = ProgressBar::new(height as u64).with_style(ProgressStyle::with_template(
+        "{wide_bar} {percent}%, {eta} left",
+    )?);
+    let begin = Instant::now();
+    // In bands, since the reference holds seven times what the picture does.
+    for first in (0..height).step_by(ROWS_AT_ONCE) {
+        let rows = first..height.min(first + ROWS_AT_ONCE);
+        let done = |rows: usize| progress.set_position((first + rows) as u64);
+        let Some(truth) = reference::picture(&drawing.scene.world, &view, rows, &|| false, &done)
+        else {
+            break;
+        };
+        covered += truth
+            .triangles
+            .iter()
+            .filter(|&&triangle| triangle != NO_TRIANGLE)
+            .count();
+        pixels.extend(truth.levels.iter().map(|levels| {
+            let [red, green, blue] = levels.map(display_step);
+            u32::from_be_bytes([0, red, green, blue])
+        }));
+    }
+    progress.finish_and_clear();
+    let time = begin.elapsed();
+    output.write_png(&pixels, view.size)?;
+    say(&format!(
+        "wrote {}: PNG, {width}x{height}, {covered} pixels shaded by the reference in f64, in {:.3} s",
+        output.name(),
+        time.as_secs_f64()
+    ));
+    Ok(())
+}
+
+/// How many rows the reference draws before they become bytes.
+const ROWS_AT_ONCE: usize = 256;
 
 fn count(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })

@@ -1,0 +1,254 @@
+//! One pixel in, everything that happened there out: the vectors, every light's term, and three verdicts side by side.
+//!
+//! Rule: `levels` are the renderer's own, at the tolerance it was asked to keep; vectors and terms are evaluated exactly,
+//! by the reference. A quantity that does not exist, or that no f64 holds, is null.
+
+use glam::DVec3;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use crate::components::{LightKind, Name, ShadingMode, View};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, OutOfMemory, Workers, display_step};
+use crate::reference;
+use crate::scene::Scene;
+use crate::systems;
+
+/// What is known of a pixel.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Probe {
+    /// x right, y down, from the top left corner.
+    pub pixel: [usize; 2],
+    /// The cuboid seen; `None` is background.
+    pub object: Option<String>,
+    /// What is known of it; nothing of the background.
+    #[serde(flatten)]
+    pub surface: Option<Surface>,
+}
+
+/// What is known of the surface at a pixel. Vectors are unit vectors in world space.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Surface {
+    /// Its place in [`crate::components::TRIANGLES`].
+    pub triangle: u32,
+    /// The point seen, in world units; `None` where the reference sees another triangle, at an edge.
+    pub position: Option<DVec3>,
+    /// n, as Phong interpolates it.
+    pub normal: Option<DVec3>,
+    /// o.
+    pub to_eye: Option<DVec3>,
+    /// Every light that is on, in file order.
+    pub lights: Vec<Light>,
+    /// As Gouraud has it.
+    pub gouraud: Shaded,
+    /// As Phong has it.
+    pub phong: Shaded,
+    /// As it ought to be.
+    pub reference: Reference,
+}
+
+/// A light as the point sees it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Light {
+    /// Its name.
+    pub name: String,
+    /// Its term: ambient, diffuse or specular.
+    pub kind: &'static str,
+    /// l; none for an ambient light, and for one at the very point.
+    pub to_light: Option<DVec3>,
+    /// r; exists where l does.
+    pub reflected: Option<DVec3>,
+}
+
+/// What a mode makes of the pixel.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Shaded {
+    /// The renderer's, unclamped.
+    pub levels: [f64; 3],
+    /// Each light's share, in file order, evaluated exactly, unclamped.
+    #[serde(serialize_with = "as_map")]
+    pub terms: Vec<(String, [f64; 3])>,
+    /// After the display step.
+    pub bytes: [u8; 3],
+}
+
+/// Both modes in f64.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Reference {
+    /// As Gouraud ought to be; `None` where the reference sees another triangle.
+    pub gouraud: Option<Levels>,
+    /// As Phong ought to be.
+    pub phong: Option<Levels>,
+}
+
+/// Unclamped levels.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Levels {
+    /// By channel.
+    pub levels: [f64; 3],
+}
+
+fn as_map<S: Serializer>(terms: &[(String, [f64; 3])], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(terms.len()))?;
+    for (name, levels) in terms {
+        map.serialize_entry(name, levels)?;
+    }
+    map.end()
+}
+
+/// Looks at pixel (`x`, `y`) of the picture that `view` asks for; it must lie inside.
+///
+/// # Errors
+/// When a row of the picture does not fit in memory.
+pub fn at(
+    scene: &mut Scene,
+    view: &View,
+    [x, y]: [usize; 2],
+    workers: Workers,
+) -> Result<Probe, OutOfMemory> {
+    let mut frame = Frame::new(Keep::Levels, workers);
+    let mut drawn = |mode| {
+        let view = View {
+            shading: Some(mode),
+            ..view.clone()
+        };
+        systems::draw_rows(&mut scene.world, &view, y..y + 1, &mut frame)?;
+        Ok((frame.triangles()[x], frame.levels()[x].map(f64::from)))
+    };
+    let (id, gouraud) = drawn(ShadingMode::Gouraud)?;
+    let (_, phong) = drawn(ShadingMode::Phong)?;
+    if id == NO_TRIANGLE {
+        return Ok(Probe {
+            pixel: [x, y],
+            object: None,
+            surface: None,
+        });
+    }
+    let (object, triangle) = (id / 12, id % 12);
+    let cuboid = scene.cuboids[object as usize];
+    let name = scene
+        .world
+        .get::<&Name>(cuboid)
+        .map_or_else(|_| String::new(), |name| name.0.clone());
+    let sample = reference::at_pixel(&scene.world, view, x, y)
+        .filter(|sample| [sample.object, sample.triangle] == [object as usize, triangle as usize]);
+    let shaded = |levels: [f64; 3], term: fn(&reference::LightSample) -> DVec3| Shaded {
+        levels,
+        terms: sample
+            .iter()
+            .flat_map(|sample| &sample.lights)
+            .map(|light| (light.name.clone(), term(light).to_array()))
+            .collect(),
+        bytes: levels.map(display_step),
+    };
+    let surface = Surface {
+        triangle,
+        position: sample.as_ref().map(|sample| sample.position),
+        normal: sample.as_ref().map(|sample| sample.normal),
+        to_eye: sample.as_ref().map(|sample| sample.to_eye),
+        lights: sample
+            .iter()
+            .flat_map(|sample| &sample.lights)
+            .map(|light| Light {
+                name: light.name.clone(),
+                kind: match light.kind {
+                    LightKind::Ambient => "ambient",
+                    LightKind::Diffuse => "diffuse",
+                    LightKind::Specular => "specular",
+                },
+                to_light: light.to_light,
+                reflected: light.reflected,
+            })
+            .collect(),
+        gouraud: shaded(gouraud, |light| light.gouraud),
+        phong: shaded(phong, |light| light.phong),
+        reference: Reference {
+            gouraud: sample.as_ref().map(|sample| Levels {
+                levels: sample.gouraud.to_array(),
+            }),
+            phong: sample.as_ref().map(|sample| Levels {
+                levels: sample.phong.to_array(),
+            }),
+        },
+    };
+    Ok(Probe {
+        pixel: [x, y],
+        object: Some(name),
+        surface: Some(surface),
+    })
+}
+
+impl Probe {
+    /// As lines for a person, none longer than 78 characters while names are short.
+    pub fn lines(&self) -> Vec<String> {
+        let [x, y] = self.pixel;
+        let (Some(object), Some(surface)) = (&self.object, &self.surface) else {
+            return vec![format!("pixel {x},{y}: background")];
+        };
+        let mut lines = vec![
+            format!("pixel {x},{y}: {object}, triangle {}", surface.triangle),
+            format!("  position  {}", vector(surface.position)),
+            format!("  normal  n {}", vector(surface.normal)),
+            format!("  to eye  o {}", vector(surface.to_eye)),
+        ];
+        for light in surface
+            .lights
+            .iter()
+            .filter(|light| light.kind != "ambient")
+        {
+            lines.push(format!("  {} ({})", light.name, light.kind));
+            lines.push(format!("    to light  l {}", vector(light.to_light)));
+            lines.push(format!("    reflected r {}", vector(light.reflected)));
+        }
+        lines.push(format!(
+            "  {:<12} {:>29}  {:>29}",
+            "levels", "Gouraud", "Phong"
+        ));
+        let row = |name: &str, gouraud: String, phong: String| {
+            format!("  {name:<12} {gouraud:>29}  {phong:>29}")
+        };
+        for ((name, gouraud), (_, phong)) in surface.gouraud.terms.iter().zip(&surface.phong.terms)
+        {
+            lines.push(row(name, levels(gouraud), levels(phong)));
+        }
+        lines.push(row(
+            "drawn",
+            levels(&surface.gouraud.levels),
+            levels(&surface.phong.levels),
+        ));
+        let truth = |truth: &Option<Levels>| {
+            truth.map_or_else(|| "-".to_owned(), |truth| levels(&truth.levels))
+        };
+        lines.push(row(
+            "reference",
+            truth(&surface.reference.gouraud),
+            truth(&surface.reference.phong),
+        ));
+        let bytes = |[red, green, blue]: [u8; 3]| format!("{red:>9} {green:>9} {blue:>9}");
+        lines.push(row(
+            "bytes",
+            bytes(surface.gouraud.bytes),
+            bytes(surface.phong.bytes),
+        ));
+        lines
+    }
+}
+
+fn vector(vector: Option<DVec3>) -> String {
+    vector.map_or_else(
+        || "-".to_owned(),
+        |v| format!("{} {} {}", number(v.x), number(v.y), number(v.z)),
+    )
+}
+
+fn levels(levels: &[f64; 3]) -> String {
+    levels.map(number).join(" ")
+}
+
+/// Nine characters, in plain notation as long as that says something.
+fn number(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
+        format!("{value:>9.3}")
+    } else {
+        format!("{value:>9.1e}")
+    }
+}
