@@ -83,7 +83,7 @@ a sheet of the six.")]
 Examples:
   shadetrade probe --pixel 480,300
   shadetrade probe bench-far --pixel 500,400 --tolerance 0
-  shadetrade probe --pixel 480,300 --json | jq .phong.terms
+  shadetrade probe --pixel 480,300 --json > pixel.json
 
 Levels are unclamped; those of `drawn` come from the renderer, all else is evaluated in f64.")]
     Probe(ProbeOptions),

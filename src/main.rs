@@ -23,13 +23,13 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         None => Ok(()),
         Some(Command::View(options)) => view(&options),
         Some(Command::Render(options)) => {
-            let drawing = options.drawing.open()?;
+            let mut drawing = options.drawing.open()?;
             let draw = if options.reference {
                 pictures::render_reference
             } else {
                 pictures::render
             };
-            Ok(draw(drawing, &options.output)?)
+            Ok(draw(&mut drawing, &options.output)?)
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),

@@ -20,7 +20,7 @@ use crate::{reference, simd, systems};
 ///
 /// # Errors
 /// When the picture does not fit in memory or cannot be written.
-pub fn render(mut drawing: Drawing, output: &Output) -> anyhow::Result<()> {
+pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let view = drawing.view();
     let mut frame = Frame::new(Keep::Display, drawing.workers()?);
     let mut draw = || systems::draw(&mut drawing.scene.world, &view, &mut frame);
@@ -45,7 +45,7 @@ pub fn render(mut drawing: Drawing, output: &Output) -> anyhow::Result<()> {
 ///
 /// # Errors
 /// As [`render`].
-pub fn render_reference(drawing: Drawing, output: &Output) -> anyhow::Result<()> {
+pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let view = drawing.view();
     let [width, height] = view.size;
     let out_of_memory = |_| OutOfMemory { width, height };

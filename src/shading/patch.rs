@@ -11,6 +11,7 @@
 use glam::DVec3;
 
 use super::TILE;
+use crate::components::unit;
 
 /// A vector that is affine in the pixel's place: `centre + dx * x + dy * y`, x and y in pixels from the tile's middle.
 #[derive(Clone, Copy, Debug, Default)]
@@ -112,6 +113,17 @@ impl Triangle {
     pub fn planes(vertices: [DVec3; 3]) -> [DVec3; 3] {
         let [a, b, c] = vertices;
         [b.cross(c - b), c.cross(a - c), a.cross(b - a)]
+    }
+
+    /// Unit vectors from the vertices to the eye.
+    pub fn to_eye(&self) -> [DVec3; 3] {
+        self.offsets
+            .map(|offset| self.eye.map_or(self.backward, |eye| unit(eye - offset)))
+    }
+
+    /// Unit vectors from the vertices to a light, whose place is given from the cuboid's centre.
+    pub fn to_light(&self, light: DVec3) -> [DVec3; 3] {
+        self.offsets.map(|offset| unit(light - offset))
     }
 
     /// A linear combination of three vertex values.

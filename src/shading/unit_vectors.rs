@@ -8,9 +8,8 @@ use glam::DVec3;
 
 use super::certificate::Color;
 use super::patch::{Affine, Patch, Triangle};
-use super::specular::power;
+use super::specular::{power, power_exact};
 use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind};
-use crate::components::unit;
 
 /// Draws the shortcut; it has no tolerance to keep.
 pub struct UnitVectors<'a> {
@@ -34,12 +33,11 @@ impl Shader for UnitVectors<'_> {
         sink: &mut impl Sink,
     ) -> Evaluations {
         let surface = &self.surface;
-        let to_eye = triangle.offsets.map(|offset| {
-            triangle
-                .eye
-                .map_or(triangle.backward, |eye| unit(eye - offset))
-        });
-        let weights = screen_weights(triangle, patch);
+        let Some(factors) = triangle.screen else {
+            return self.shade_clipped(triangle, patch, coverage, sink);
+        };
+        let to_eye = triangle.to_eye();
+        let weights = screen_weights(factors, patch);
         let blend = |values: &[DVec3; 3]| weights.map(|weights| Triangle::blend(weights, values));
         let (normal, to_eye) = (blend(&triangle.normals), blend(&to_eye));
         let shininess = surface.material.shininess as f32;
@@ -50,11 +48,7 @@ impl Shader for UnitVectors<'_> {
             let [diffuse, specular] = surface
                 .coefficients(light)
                 .map(|levels| levels.as_vec3().to_array());
-            let to_light = blend(
-                &triangle
-                    .offsets
-                    .map(|offset| unit(light.position - surface.centre - offset)),
-            );
+            let to_light = blend(&triangle.to_light(light.position - surface.centre));
             for (row, &(from, to)) in coverage.spans.iter().enumerate() {
                 if from < to {
                     let y = row as f64 - patch.row;
@@ -97,10 +91,59 @@ impl Shader for UnitVectors<'_> {
     }
 }
 
-/// The three coordinates that are linear on the screen, or the perspective-correct ones where there are none.
-fn screen_weights(triangle: &Triangle, patch: &Patch) -> Affine {
-    let factors = DVec3::from_array(triangle.screen.unwrap_or([1.0; 3]));
-    let linear = patch.weights.map(|weights| weights * factors);
+impl UnitVectors<'_> {
+    /// Shades a triangle that has no three screen positions, in f64, pixel by pixel.
+    fn shade_clipped(
+        &self,
+        triangle: &Triangle,
+        patch: &Patch,
+        coverage: &Coverage,
+        sink: &mut impl Sink,
+    ) -> Evaluations {
+        let surface = &self.surface;
+        let mut levels = [[0.0; TILE]; 3];
+        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+            if from < to {
+                for lane in from..to {
+                    let weights =
+                        patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
+                    let n = Triangle::blend(weights, &triangle.normals);
+                    let o = Triangle::blend(weights, &triangle.to_eye());
+                    let mut color = surface.ambient();
+                    for light in &surface.illumination.points {
+                        let [diffuse, specular] = surface.coefficients(light);
+                        let l = Triangle::blend(
+                            weights,
+                            &triangle.to_light(light.position - surface.centre),
+                        );
+                        let cosine = n.dot(l);
+                        if cosine > 0.0 {
+                            let lambda = 1.0 - o.dot(2.0 * cosine * n - l);
+                            color += diffuse * cosine
+                                + specular * power_exact(surface.material.shininess, lambda);
+                        }
+                    }
+                    let lane = usize::from(lane);
+                    [levels[0][lane], levels[1][lane], levels[2][lane]] =
+                        color.as_vec3().to_array();
+                }
+                sink.take(row, &levels);
+            }
+        }
+        let pixels = u64::from(coverage.pixels);
+        Evaluations {
+            model: pixels,
+            specular: pixels * surface.powers() as u64,
+            ..Evaluations::of(TileKind::Double)
+        }
+    }
+}
+
+/// The three coordinates that are linear on the screen: the weights times the vertices' w.
+fn screen_weights(factors: [f64; 3], patch: &Patch) -> Affine {
+    let linear = patch
+        .weights
+        .map(|weights| weights * DVec3::from_array(factors));
     let total = linear.centre.x + linear.centre.y + linear.centre.z;
     linear.map(|weights| weights / total)
 }
