@@ -373,6 +373,18 @@ impl Band<'_> {
         touched[1] = touched[1].max(to as u32);
     }
 
+    /// Whether these rows of the picture are all here.
+    #[inline(always)]
+    pub fn holds(&self, first: usize, rows: usize) -> bool {
+        self.rows.start <= first && first + rows <= self.rows.end
+    }
+
+    /// Whether these rows are here and take bytes, and nothing hides them.
+    #[inline(always)]
+    pub fn takes_whole(&self, first: usize, rows: usize) -> bool {
+        self.holds(first, rows) && self.depths.is_empty() && !self.pixels.is_empty()
+    }
+
     /// Where the pixel `x` of a row of the picture stands in the slices.
     #[inline(always)]
     pub fn index(&self, x: usize, row: usize) -> usize {

@@ -22,6 +22,7 @@ use crate::frame::{Band, Counts, Frame, display_bits, display_bits_within, pack}
 use crate::shading::gouraud::Gouraud;
 use crate::shading::patch::{Patch, Triangle};
 use crate::shading::phong::Phong;
+use crate::shading::polynomial::Rows;
 use crate::shading::unit_vectors::UnitVectors;
 use crate::shading::{
     BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileRow, polynomial,
@@ -258,6 +259,20 @@ fn draw_with(
                     .polynomial(triangle, patch)
                     .map(|(color, kind)| (patch, color, kind))
             });
+            if let Some((patch, color, kind)) = &polynomial
+                && block.is_whole()
+                && band.takes_whole(first, BLOCK)
+            {
+                let target = &mut WholeBlock {
+                    band,
+                    column,
+                    first,
+                };
+                polynomial::for_rows(color, *kind, patch.first(), 0..BLOCK, target);
+                counts.covered_pixels += (BLOCK * BLOCK) as u64;
+                counts.tiles[*kind as usize] += 4;
+                continue;
+            }
             for (down, tiles) in rows.iter().enumerate() {
                 for (right, &column) in block.columns.iter().enumerate() {
                     let coverage = &block.coverage[down][right];
@@ -283,6 +298,25 @@ fn draw_with(
     counts
 }
 
+/// Stores a block all of which is covered by one polynomial.
+struct WholeBlock<'a, 'b> {
+    band: &'a mut Band<'b>,
+    column: usize,
+    first: usize,
+}
+
+impl Rows<BLOCK> for WholeBlock<'_, '_> {
+    #[inline(always)]
+    fn take(&mut self, row: usize, levels: &[[f32; BLOCK]; 3]) {
+        let start = self.band.index(self.column, self.first + row);
+        let pixels = &mut self.band.pixels[start..start + BLOCK];
+        for lane in 0..BLOCK {
+            pixels[lane] =
+                pack([0, 1, 2].map(|channel| display_bits_within(levels[channel][lane])));
+        }
+    }
+}
+
 /// Two by two tiles.
 struct Block {
     columns: [usize; 2],
@@ -290,6 +324,13 @@ struct Block {
 }
 
 impl Block {
+    fn is_whole(&self) -> bool {
+        self.coverage
+            .iter()
+            .flatten()
+            .all(|coverage| coverage.pixels == Coverage::WHOLE.pixels)
+    }
+
     /// The block as one patch, where more than one of its tiles is covered.
     #[inline(always)]
     fn patch(&self, triangle: &Triangle, corner: [f64; 2]) -> Option<Patch> {
@@ -350,7 +391,7 @@ impl<'a, 'b> Store<'a, 'b> {
         id: u32,
     ) -> Self {
         let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
-        let whole = band.rows.start <= row && row + TILE <= band.rows.end;
+        let whole = band.holds(row, TILE);
         Store {
             band,
             coverage,
