@@ -25,7 +25,8 @@ use crate::shading::phong::Phong;
 use crate::shading::polynomial::Rows;
 use crate::shading::unit_vectors::UnitVectors;
 use crate::shading::{
-    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileRow, polynomial,
+    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow,
+    polynomial,
 };
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
@@ -290,6 +291,7 @@ fn draw_with(
                         let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
                         shader.shade(triangle, &patch, coverage, scratch, &mut store)
                     };
+                    store.mark(evaluations.kind);
                     counts += counted(evaluations, store.stored);
                 }
             }
@@ -408,6 +410,23 @@ impl<'a, 'b> Store<'a, 'b> {
     fn place(&self, row: usize) -> Option<usize> {
         let held = self.whole || self.band.rows.contains(&(self.row + row));
         held.then(|| self.first.wrapping_add(row * self.band.width))
+    }
+
+    /// Notes how the tile was drawn, where the frame keeps that.
+    fn mark(&mut self, kind: TileKind) {
+        if self.band.kinds.is_empty() {
+            return;
+        }
+        for (row, &(from, to)) in self.coverage.spans.iter().enumerate() {
+            let Some(first) = self.place(row) else {
+                continue;
+            };
+            for lane in usize::from(from)..usize::from(to) {
+                if self.band.triangles[first + lane] == self.id {
+                    self.band.kinds[first + lane] = kind as u8;
+                }
+            }
+        }
     }
 
     /// Whether any pixel of the tile is drawn here: in this band, and not hidden.
