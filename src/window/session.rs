@@ -1,0 +1,319 @@
+//! The state behind the window: a [`Scene`], what the user has done to it ([`Action`]s), and the [`View`] that follows.
+//!
+//! Rule: nothing here knows pixels, keys or clocks; the time is told by [`Session::tick`], so that everything can be
+//! tested without a display.
+
+use std::time::Duration;
+
+use hecs::Entity;
+
+use super::bindings::Action;
+use super::orbit::{Limits, Orbit, moved_camera};
+use super::overlay::{Overlay, Pane};
+use super::statistics::Statistics;
+use super::turning::Turning;
+use crate::components::{Light, Name, Projection, ShadingMode, View, Viewpoint};
+use crate::drawing::Drawing;
+use crate::frame::{Frame, OutOfMemory};
+use crate::scene::Scene;
+use crate::systems;
+
+/// What has to be done anew because something changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Redraw {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// What lies over the picture.
+    Overlay,
+    /// The picture, and what lies over it.
+    Picture,
+}
+
+/// What only the window itself can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Request {
+    /// Saves what is shown.
+    Screenshot,
+    /// Ends the program.
+    Quit,
+}
+
+/// Everything that a key or a click can change.
+pub struct Session {
+    scene: Scene,
+    camera: usize,
+    orbit: Orbit,
+    projection: Projection,
+    shading: Option<ShadingMode>,
+    tolerance: f64,
+    turning: Turning,
+    overlay: Overlay,
+    statistics: Statistics,
+    now: Duration,
+    redraw: Redraw,
+    requests: Vec<Request>,
+}
+
+impl Session {
+    /// Starts with the panel shown and everything as `drawing` says.
+    pub fn new(drawing: Drawing) -> Self {
+        Session {
+            turning: Turning::new(&drawing.scene),
+            scene: drawing.scene,
+            camera: drawing.camera,
+            orbit: Orbit::default(),
+            projection: drawing.projection,
+            shading: drawing.shading,
+            tolerance: drawing.tolerance,
+            overlay: Overlay::default(),
+            statistics: Statistics::default(),
+            now: Duration::ZERO,
+            redraw: Redraw::Picture,
+            requests: Vec::new(),
+        }
+    }
+
+    /// Does what the user wants; what cannot be done says so for two seconds.
+    pub fn apply(&mut self, action: Action) {
+        match action {
+            Action::Light(index) => self.switch_light(index),
+            Action::LightNamed(name) => match self.light_named(name) {
+                Some(index) => self.switch_light(index),
+                None => self.say(format!("no light is named {name}")),
+            },
+            Action::Shading(mode) => {
+                self.shading = Some(mode);
+                self.wants(Redraw::Picture);
+            }
+            Action::Projection(projection) => {
+                self.projection = projection;
+                self.wants(Redraw::Picture);
+            }
+            Action::NextProjection => self.apply(Action::Projection(match self.projection {
+                Projection::Perspective => Projection::Orthographic,
+                Projection::Orthographic => Projection::Perspective,
+            })),
+            Action::Camera(index) => self.look_from(index),
+            Action::NextCamera if self.scene.cameras.len() == 1 => self.say("there is one camera"),
+            Action::NextCamera => self.look_from((self.camera + 1) % self.scene.cameras.len()),
+            Action::Orbit { azimuth, elevation } => {
+                let orbit = self.orbit.moved(&self.own_viewpoint(), azimuth, elevation);
+                self.move_camera(orbit, "the camera stops short of the pole");
+            }
+            Action::Zoom(steps) => {
+                let limits = Limits::of(&self.scene, &self.own_viewpoint());
+                let end = if steps > 0 {
+                    "no closer than this"
+                } else {
+                    "no further than this"
+                };
+                self.move_camera(self.orbit.zoomed(steps, &limits), end);
+            }
+            Action::ResetView => {
+                self.orbit = Orbit::default();
+                self.turning.turn_to(0, &mut self.scene);
+                self.wants(Redraw::Picture);
+            }
+            Action::Turning => {
+                self.turning.switch(self.now);
+                self.wants(Redraw::Overlay);
+            }
+            Action::Panel => {
+                self.overlay.switch_panel();
+                self.wants(Redraw::Overlay);
+            }
+            Action::Help => {
+                self.overlay.switch_help();
+                self.wants(Redraw::Overlay);
+            }
+            Action::Close if self.overlay.shows_help() => self.apply(Action::Help),
+            Action::Close | Action::Quit => self.requests.push(Request::Quit),
+            Action::Screenshot => self.requests.push(Request::Screenshot),
+        }
+    }
+
+    /// Tells the time since the start: turning goes on, and what has stood long enough goes.
+    pub fn tick(&mut self, now: Duration) {
+        self.now = now;
+        if self.overlay.tick(now) {
+            self.wants(Redraw::Overlay);
+        }
+        if self.turning.tick(now, &mut self.scene) {
+            self.wants(Redraw::Picture);
+        }
+    }
+
+    /// Puts words into the window for two seconds.
+    pub fn say(&mut self, text: impl Into<String>) {
+        self.overlay.say(text.into(), self.now);
+        self.wants(Redraw::Overlay);
+    }
+
+    /// The mouse moved, and is now over the row of this action or over none.
+    pub fn hover(&mut self, action: Option<Action>) {
+        if self.overlay.hover(action, self.now) {
+            self.wants(Redraw::Overlay);
+        }
+    }
+
+    /// Shows a pane from this row on.
+    pub fn scroll_to(&mut self, pane: Pane, row: usize) {
+        self.overlay.scroll_to(pane, row);
+        self.wants(Redraw::Overlay);
+    }
+
+    /// The window has another size.
+    pub fn resized(&mut self) {
+        self.wants(Redraw::Picture);
+    }
+
+    /// How a picture of `size` pixels is to be drawn now.
+    pub fn view(&self, size: [usize; 2]) -> View {
+        View {
+            size,
+            viewpoint: moved_camera(&self.own_viewpoint(), &self.orbit),
+            projection: self.projection,
+            background: self.scene.background,
+            shading: self.shading,
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// Draws the picture of `size` pixels into `frame`.
+    ///
+    /// # Errors
+    /// When it does not fit in memory.
+    pub fn draw(&mut self, size: [usize; 2], frame: &mut Frame) -> Result<(), OutOfMemory> {
+        let view = self.view(size);
+        systems::draw(&mut self.scene.world, &view, frame)
+    }
+
+    /// Notes what drawing `frame` took.
+    pub fn record(&mut self, time: Duration, frame: &Frame) {
+        self.statistics.record(time, frame.counts(), frame.size());
+    }
+
+    /// What has to be done anew since this was last asked.
+    pub fn take_redraw(&mut self) -> Redraw {
+        std::mem::take(&mut self.redraw)
+    }
+
+    /// What the window itself is to do since this was last asked, in order.
+    pub fn take_requests(&mut self) -> Vec<Request> {
+        std::mem::take(&mut self.requests)
+    }
+
+    /// What is seen.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The light of this place in the file.
+    pub fn light(&self, index: usize) -> Option<Light> {
+        let entity = *self.scene.lights.get(index)?;
+        self.scene
+            .world
+            .get::<&Light>(entity)
+            .ok()
+            .map(|light| *light)
+    }
+
+    /// The place in the file of the light so named.
+    pub fn light_named(&self, name: &str) -> Option<usize> {
+        let mut lights = self.scene.lights.iter();
+        lights.position(|&entity| self.is_named(entity, name))
+    }
+
+    /// Whether the scene file calls an entity `name`.
+    pub fn is_named(&self, entity: Entity, name: &str) -> bool {
+        let own = self.scene.world.get::<&Name>(entity);
+        own.is_ok_and(|own| own.0 == name)
+    }
+
+    /// What the scene file calls an entity.
+    pub fn name(&self, entity: Entity) -> String {
+        let own = self.scene.world.get::<&Name>(entity);
+        own.map_or_else(|_| String::new(), |own| own.0.clone())
+    }
+
+    /// Which camera of the file the picture is seen from.
+    pub fn camera(&self) -> usize {
+        self.camera
+    }
+
+    /// How far the camera has been moved.
+    pub fn orbit(&self) -> Orbit {
+        self.orbit
+    }
+
+    /// How the picture is projected.
+    pub fn projection(&self) -> Projection {
+        self.projection
+    }
+
+    /// How all cuboids are shaded, where it is the same for all.
+    pub fn shading(&self) -> Option<ShadingMode> {
+        let own = |&entity: &Entity| {
+            self.scene
+                .world
+                .get::<&ShadingMode>(entity)
+                .ok()
+                .map(|it| *it)
+        };
+        self.shading.or_else(|| {
+            let mut modes = self.scene.cuboids.iter().filter_map(own);
+            let first = modes.next()?;
+            modes.all(|mode| mode == first).then_some(first)
+        })
+    }
+
+    /// How far the cuboids have turned, and whether they do.
+    pub fn turning(&self) -> &Turning {
+        &self.turning
+    }
+
+    /// What lies over the picture.
+    pub fn overlay(&self) -> &Overlay {
+        &self.overlay
+    }
+
+    /// What drawing has cost.
+    pub fn statistics(&self) -> &Statistics {
+        &self.statistics
+    }
+
+    fn wants(&mut self, redraw: Redraw) {
+        self.redraw = self.redraw.max(redraw);
+    }
+
+    fn switch_light(&mut self, index: usize) {
+        let Some(&entity) = self.scene.lights.get(index) else {
+            return self.say(format!("there is no light {}", index + 1));
+        };
+        if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
+            light.on = !light.on;
+        }
+        self.wants(Redraw::Picture);
+    }
+
+    fn look_from(&mut self, camera: usize) {
+        self.camera = camera;
+        self.orbit = Orbit::default();
+        self.wants(Redraw::Picture);
+    }
+
+    /// Moves the camera, or says what keeps it from moving.
+    fn move_camera(&mut self, orbit: Orbit, end: &str) {
+        if orbit == self.orbit {
+            return self.say(end);
+        }
+        self.orbit = orbit;
+        self.wants(Redraw::Picture);
+    }
+
+    /// Where the scene puts the camera.
+    fn own_viewpoint(&self) -> Viewpoint {
+        self.scene.viewpoint(self.camera)
+    }
+}
