@@ -110,6 +110,29 @@ fn the_plot_is_well_formed_and_names_every_method() {
 }
 
 #[test]
+fn every_point_lies_in_the_plot_however_small_its_error() {
+    let mut report = example::report();
+    report.methods[2].accuracy.error = example::difference(1e-30);
+    let text = plot::svg(&report).expect("it is drawn");
+    let attribute = |tag: &str, name: &str| -> Option<f64> {
+        let (_, rest) = tag.split_once(name)?;
+        rest.split('"').nth(1)?.parse().ok()
+    };
+    let mut points = 0;
+    for tag in text.lines().filter(|line| line.starts_with("<circle")) {
+        let x = attribute(tag, "cx=").expect("a circle has a place");
+        let y = attribute(tag, "cy=").expect("a circle has a place");
+        assert!(
+            (0.0..960.0).contains(&x) && (0.0..600.0).contains(&y),
+            "{tag}"
+        );
+        points += 1;
+    }
+    // A disc and a rim for each of four methods and of five words of the key.
+    assert_eq!(points, 2 * (4 + 5));
+}
+
+#[test]
 fn the_plot_of_nothing_says_so() {
     let text = plot::svg(&example::empty_report()).expect("it is drawn");
     assert_well_formed(&text);

@@ -229,15 +229,15 @@ fn a_folder_that_cannot_be_made_is_told_of_before_anything_is_measured() {
 }
 
 #[test]
-fn a_picture_beyond_all_memory_is_an_error() {
-    let huge = [1 << 24, 1 << 24];
-    let result = trade::measure(request(scene(GREEN, CENTRE, true), huge, 1), &|_| ());
-    let message = format!(
-        "{:#}",
-        anyhow::Error::from(result.expect_err("no machine holds it"))
-    );
+fn a_picture_beyond_all_memory_is_an_error_and_leaves_an_empty_folder() {
+    let parent = tempfile::tempdir().expect("there is room for a folder");
+    let folder = parent.path().join("out");
+    let huge = request(scene(GREEN, CENTRE, true), [1 << 24, 1 << 24], 1);
+    let error = trade::run(huge, Some(&folder)).expect_err("no machine holds it");
     assert_eq!(
-        message,
+        format!("{error:#}"),
         "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in this machine's memory"
     );
+    let left = fs::read_dir(&folder).expect("the folder was made");
+    assert_eq!(left.count(), 0);
 }
