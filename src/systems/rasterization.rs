@@ -22,9 +22,11 @@ use crate::frame::{Band, Counts, Frame, display_bits, display_bits_within, pack}
 use crate::shading::gouraud::Gouraud;
 use crate::shading::patch::{Patch, Triangle};
 use crate::shading::phong::Phong;
+use crate::shading::polynomial::Rows;
 use crate::shading::unit_vectors::UnitVectors;
 use crate::shading::{
-    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileRow, polynomial,
+    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow,
+    polynomial,
 };
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
@@ -258,6 +260,20 @@ fn draw_with(
                     .polynomial(triangle, patch)
                     .map(|(color, kind)| (patch, color, kind))
             });
+            if let Some((patch, color, kind)) = &polynomial
+                && block.is_whole()
+                && band.takes_whole(first, BLOCK)
+            {
+                let target = &mut WholeBlock {
+                    band,
+                    column,
+                    first,
+                };
+                polynomial::for_rows(color, *kind, patch.first(), 0..BLOCK, target);
+                counts.covered_pixels += (BLOCK * BLOCK) as u64;
+                counts.tiles[*kind as usize] += 4;
+                continue;
+            }
             for (down, tiles) in rows.iter().enumerate() {
                 for (right, &column) in block.columns.iter().enumerate() {
                     let coverage = &block.coverage[down][right];
@@ -275,12 +291,32 @@ fn draw_with(
                         let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
                         shader.shade(triangle, &patch, coverage, scratch, &mut store)
                     };
+                    store.mark(evaluations.kind);
                     counts += counted(evaluations, store.stored);
                 }
             }
         }
     }
     counts
+}
+
+/// Stores a block all of which is covered by one polynomial.
+struct WholeBlock<'a, 'b> {
+    band: &'a mut Band<'b>,
+    column: usize,
+    first: usize,
+}
+
+impl Rows<BLOCK> for WholeBlock<'_, '_> {
+    #[inline(always)]
+    fn take(&mut self, row: usize, levels: &[[f32; BLOCK]; 3]) {
+        let start = self.band.index(self.column, self.first + row);
+        let pixels = &mut self.band.pixels[start..start + BLOCK];
+        for lane in 0..BLOCK {
+            pixels[lane] =
+                pack([0, 1, 2].map(|channel| display_bits_within(levels[channel][lane])));
+        }
+    }
 }
 
 /// Two by two tiles.
@@ -290,6 +326,13 @@ struct Block {
 }
 
 impl Block {
+    fn is_whole(&self) -> bool {
+        self.coverage
+            .iter()
+            .flatten()
+            .all(|coverage| coverage.pixels == Coverage::WHOLE.pixels)
+    }
+
     /// The block as one patch, where more than one of its tiles is covered.
     #[inline(always)]
     fn patch(&self, triangle: &Triangle, corner: [f64; 2]) -> Option<Patch> {
@@ -350,7 +393,7 @@ impl<'a, 'b> Store<'a, 'b> {
         id: u32,
     ) -> Self {
         let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
-        let whole = band.rows.start <= row && row + TILE <= band.rows.end;
+        let whole = band.holds(row, TILE);
         Store {
             band,
             coverage,
@@ -367,6 +410,23 @@ impl<'a, 'b> Store<'a, 'b> {
     fn place(&self, row: usize) -> Option<usize> {
         let held = self.whole || self.band.rows.contains(&(self.row + row));
         held.then(|| self.first.wrapping_add(row * self.band.width))
+    }
+
+    /// Notes how the tile was drawn, where the frame keeps that.
+    fn mark(&mut self, kind: TileKind) {
+        if self.band.kinds.is_empty() {
+            return;
+        }
+        for (row, &(from, to)) in self.coverage.spans.iter().enumerate() {
+            let Some(first) = self.place(row) else {
+                continue;
+            };
+            for lane in usize::from(from)..usize::from(to) {
+                if self.band.triangles[first + lane] == self.id {
+                    self.band.kinds[first + lane] = kind as u8;
+                }
+            }
+        }
     }
 
     /// Whether any pixel of the tile is drawn here: in this band, and not hidden.
