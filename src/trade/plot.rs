@@ -249,7 +249,7 @@ fn key(area: &Area) -> anyhow::Result<()> {
     let mut explain = |meaning: &str, draw: &dyn Fn(i32) -> anyhow::Result<()>| {
         draw(x)?;
         area.draw_text(meaning, &text_style(12.0, INK), (x + 11, 84))?;
-        x += 34 + label_width(meaning) * 4 / 5;
+        x += 38 + label_width(meaning) * 4 / 5;
         anyhow::Ok(())
     };
     for (meaning, mode) in [
@@ -262,7 +262,7 @@ fn key(area: &Area) -> anyhow::Result<()> {
     explain("on the front", &|x| dot(area, (x, 90), FRONT, true))?;
     explain("beaten by another", &|x| dot(area, (x, 90), FRONT, false))?;
     explain("where the time may lie", &|x| {
-        let line = PathElement::new([(x - 9, 90), (x + 6, 90)], FRONT.stroke_width(1));
+        let line = PathElement::new([(x - 8, 90), (x + 6, 90)], FRONT.stroke_width(1));
         Ok(area.draw(&line)?)
     })
 }
