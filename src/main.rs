@@ -10,7 +10,7 @@ use shadetrade::cli::{self, Command, Failure, ProbeOptions};
 use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::{self, WindowError};
-use shadetrade::{output, pictures, probe};
+use shadetrade::{output, pictures, probe, trade};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -31,6 +31,9 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
                 pictures::render
             };
             Ok(draw(&mut drawing, &options.output)?)
+        }
+        Some(Command::Trade(options)) => {
+            Ok(trade::run(options.request()?, options.output.as_deref())?)
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
