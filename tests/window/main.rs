@@ -1,23 +1,15 @@
 //! The window's state, tested without a display: what keys and clicks do to the scene and to what is seen.
-//! The real window is opened in `window/display.rs`.
+//! The real window is opened in `display.rs`.
 
-#[path = "window/canvas.rs"]
 mod canvas;
 #[cfg(target_os = "linux")]
-#[path = "window/desktop.rs"]
 mod desktop;
 #[cfg(target_os = "linux")]
-#[path = "window/display.rs"]
 mod display;
-#[path = "window/fit.rs"]
 mod fit;
-#[path = "window/hud.rs"]
 mod hud;
-#[path = "window/input.rs"]
 mod input;
-#[path = "window/orbit.rs"]
 mod orbit;
-#[path = "window/screenshot.rs"]
 mod screenshot;
 
 use std::time::Duration;
