@@ -7,6 +7,7 @@
 //! shader does in f32 it may do only where its rounding error is bounded below the tolerance, and in f64 elsewhere.
 
 pub mod certificate;
+mod doubles;
 pub mod gouraud;
 pub mod patch;
 pub mod phong;
@@ -293,6 +294,18 @@ impl Evaluations {
             kind,
             model: 0,
             specular: 0,
+        }
+    }
+
+    /// The same, with the whole model evaluated at every covered pixel.
+    #[inline(always)]
+    #[must_use]
+    fn of_every_pixel(self, coverage: &Coverage, surface: &Surface) -> Self {
+        let pixels = u64::from(coverage.pixels);
+        Evaluations {
+            model: pixels,
+            specular: pixels * surface.powers() as u64,
+            ..self
         }
     }
 }

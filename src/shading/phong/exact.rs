@@ -10,7 +10,7 @@ use crate::components::{PointLight, unit};
 use crate::shading::certificate::Quadratic;
 use crate::shading::patch::{Patch, Triangle};
 use crate::shading::specular::power;
-use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U};
+use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U, doubles};
 
 /// The steepest slope of (1 - d^2/2)^rho as a function of d = |r - o|, taken at d^2 = 2 / (2 rho - 1) for rho >= 1; it
 /// has no bound for smaller rho, where s goes to 0.
@@ -187,33 +187,15 @@ impl Phong<'_> {
         coverage: &Coverage,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        let mut levels = [[0.0; TILE]; 3];
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                for lane in from..to {
-                    let weights =
-                        patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
-                    let offset = Triangle::blend(weights, &triangle.offsets);
-                    let normal = unit(Triangle::blend(weights, &triangle.normals));
-                    let to_eye = triangle
-                        .eye
-                        .map_or(triangle.backward, |eye| unit(eye - offset));
-                    let lane = usize::from(lane);
-                    [levels[0][lane], levels[1][lane], levels[2][lane]] = self
-                        .surface
-                        .levels(offset, normal, to_eye)
-                        .as_vec3()
-                        .to_array();
-                }
-                sink.take(row, &levels);
-            }
-        }
-        let pixels = u64::from(coverage.pixels);
-        Evaluations {
-            model: pixels,
-            specular: pixels * self.surface.powers() as u64,
-            ..Evaluations::of(TileKind::Double)
-        }
+        doubles::shade(patch, coverage, sink, |weights| {
+            let offset = Triangle::blend(weights, &triangle.offsets);
+            let normal = unit(Triangle::blend(weights, &triangle.normals));
+            let to_eye = triangle
+                .eye
+                .map_or(triangle.backward, |eye| unit(eye - offset));
+            self.surface.levels(offset, normal, to_eye)
+        });
+        Evaluations::of(TileKind::Double).of_every_pixel(coverage, &self.surface)
     }
 }
 
