@@ -98,6 +98,12 @@ pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 /// What the contract calls exact: tolerance 0 errs at most this much, in levels.
 pub const EXACT: f64 = 0.05;
 
+/// How far a pixel may stray, in levels: the tolerance, or what is called exact where that is 0.
+#[inline(always)]
+pub(crate) fn limit(tolerance: f64) -> f64 {
+    if tolerance > 0.0 { tolerance } else { EXACT }
+}
+
 /// What the model needs to know of an object.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<'a> {

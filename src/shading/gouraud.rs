@@ -9,7 +9,7 @@ use glam::DVec3;
 use super::certificate::{Color, quotient};
 use super::patch::{Affine, Patch, Triangle};
 use super::{
-    Coverage, EXACT, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, polynomial,
+    Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit, polynomial,
 };
 
 /// Draws what was lit at the vertices.
@@ -51,7 +51,7 @@ impl Shader for Gouraud {
         let largest =
             colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
         let rounding = 20.0 * U * largest.max_element();
-        if patch.steady && rounding <= self.tolerance.max(EXACT) {
+        if patch.steady && rounding <= limit(self.tolerance) {
             shade_lanes(&colors, &patch.constant(DVec3::ONE), patch, coverage, sink);
             Evaluations::of(TileKind::Exact)
         } else {
