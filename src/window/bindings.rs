@@ -16,6 +16,10 @@ pub enum Action {
     LightNamed(&'static str),
     /// Shades every cuboid so.
     Shading(ShadingMode),
+    /// Shades more coarsely by so many steps of [`super::session::TOLERANCES`], or finer where negative.
+    Tolerance(i32),
+    /// The next coarser tolerance, after the coarsest the finest.
+    NextTolerance,
     /// Projects so.
     Projection(Projection),
     /// The other projection.
@@ -103,7 +107,8 @@ pub struct Binding {
     pub characters: &'static [char],
     /// What it does.
     pub action: Action,
-    /// What it does, in words; lights, modes, projections and cameras are called by their names instead.
+    /// What it does, in words; lights, modes, tolerances, projections and cameras are called by their names
+    /// instead.
     pub says: &'static str,
     /// Whether the panel has it too; the help has all.
     pub on_panel: bool,
@@ -185,6 +190,8 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Lights, &["A"], &[Key::A], &['a'], Action::LightNamed("ambient"), "").on_panel(),
     Binding::new(Section::Shading, &["G"], &[Key::G], &['g'], GOURAUD, "").on_panel(),
     Binding::new(Section::Shading, &["P"], &[Key::P], &['p'], PHONG, "").on_panel(),
+    Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "").on_panel(),
+    Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "").on_panel(),
     Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "").on_panel(),
     Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "").on_panel(),
     Binding::new(Section::View, &["Left"], &[Key::Left], &[], LEFT, "orbit left, or drag").repeats(),

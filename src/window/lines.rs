@@ -155,7 +155,12 @@ fn choices(session: &Session, section: Section) -> Vec<Action> {
         Section::Projection => [Projection::Perspective, Projection::Orthographic]
             .map(Action::Projection)
             .to_vec(),
-        Section::Shading | Section::View | Section::Window => BINDINGS
+        Section::Shading => vec![
+            Action::Shading(ShadingMode::Gouraud),
+            Action::Shading(ShadingMode::Phong),
+            Action::NextTolerance,
+        ],
+        Section::View | Section::Window => BINDINGS
             .iter()
             .filter(|binding| binding.section == section)
             .map(|binding| binding.action)
@@ -171,7 +176,8 @@ fn serves(session: &Session, bound: Action, shown: Action) -> bool {
             .lights
             .get(index)
             .is_some_and(|&light| session.is_named(light, name)),
-        (Action::NextProjection, Action::Projection(_))
+        (Action::Tolerance(_), Action::NextTolerance)
+        | (Action::NextProjection, Action::Projection(_))
         | (Action::NextCamera, Action::Camera(_)) => true,
         _ => bound == shown,
     }
@@ -188,6 +194,7 @@ fn label(session: &Session, action: Action) -> String {
         Action::Camera(index) => name(&session.scene().cameras, index),
         Action::Shading(mode) => shading_label(mode).to_owned(),
         Action::Projection(projection) => projection_label(projection).to_owned(),
+        Action::NextTolerance => "tolerance".to_owned(),
         _ => BINDINGS
             .iter()
             .find(|binding| binding.action == action)
@@ -226,6 +233,7 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
                 switch(light.on, brightest(light.color))
             }),
         Action::Shading(mode) => choice(session.shading() == Some(mode)),
+        Action::NextTolerance => (Mark::None, tolerance(session.tolerance())),
         Action::Projection(projection) => choice(session.projection() == projection),
         Action::Camera(index) => choice(session.camera() == index),
         Action::Turning => switch(session.turning().is_on(), ON),
@@ -249,6 +257,15 @@ fn brightest(color: DVec3) -> u32 {
     }
     let [red, green, blue] = (color / largest * 255.0).round().to_array();
     (red as u32) << 16 | (green as u32) << 8 | blue as u32
+}
+
+/// A tolerance in levels, or what 0 means.
+pub(super) fn tolerance(levels: f64) -> String {
+    if levels == 0.0 {
+        "exact".to_owned()
+    } else {
+        levels.to_string()
+    }
 }
 
 fn degrees(angle: f64) -> String {

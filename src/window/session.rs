@@ -18,6 +18,9 @@ use crate::frame::{Frame, OutOfMemory};
 use crate::scene::Scene;
 use crate::systems;
 
+/// The tolerances that keys step through, in levels.
+pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+
 /// What has to be done anew because something changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Redraw {
@@ -86,6 +89,11 @@ impl Session {
                 self.shading = Some(mode);
                 self.wants(Redraw::Picture);
             }
+            Action::Tolerance(steps) => self.step_tolerance(steps),
+            Action::NextTolerance if self.next_tolerance(1).is_none() => {
+                self.shade_within(TOLERANCES[0]);
+            }
+            Action::NextTolerance => self.step_tolerance(1),
             Action::Projection(projection) => {
                 self.projection = projection;
                 self.wants(Redraw::Picture);
@@ -194,6 +202,9 @@ impl Session {
         self.statistics.record(time, frame.counts(), frame.size());
     }
 
+    /// The tolerances that keys step through, in levels.
+    pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+
     /// What has to be done anew since this was last asked.
     pub fn take_redraw(&mut self) -> Redraw {
         std::mem::take(&mut self.redraw)
@@ -268,6 +279,11 @@ impl Session {
         })
     }
 
+    /// How far the picture may stray from its own mode, in levels.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// How far the cuboids have turned, and whether they do.
     pub fn turning(&self) -> &Turning {
         &self.turning
@@ -294,6 +310,31 @@ impl Session {
         if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
             light.on = !light.on;
         }
+        self.wants(Redraw::Picture);
+    }
+
+    /// The nearest of [`TOLERANCES`] in the direction of `steps`.
+    fn next_tolerance(&self, steps: i32) -> Option<f64> {
+        let mut tolerances = TOLERANCES.into_iter();
+        if steps > 0 {
+            tolerances.find(|next| *next > self.tolerance)
+        } else {
+            tolerances.rfind(|next| *next < self.tolerance)
+        }
+    }
+
+    fn step_tolerance(&mut self, steps: i32) {
+        for _ in 0..steps.abs() {
+            match self.next_tolerance(steps) {
+                Some(tolerance) => self.shade_within(tolerance),
+                None if steps > 0 => return self.say("no coarser than this"),
+                None => return self.say("no finer than exact"),
+            }
+        }
+    }
+
+    fn shade_within(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
         self.wants(Redraw::Picture);
     }
 

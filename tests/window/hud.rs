@@ -104,6 +104,7 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
         "4 A # ambient on",
         "G # Gouraud ",
         "P . Phong ",
+        "[ ]   tolerance 0.5",
         "O # perspective ",
         "O . orthographic ",
         "C # 1 ",
@@ -141,6 +142,7 @@ fn where_cuboids_differ_no_mode_is_marked() {
 fn a_click_in_the_help_does_what_the_key_does() {
     let shown = |action| match action {
         // What steps through several states has a row for each of them; here the one that the step leads to.
+        Action::Tolerance(1) => Action::NextTolerance,
         Action::NextProjection => Action::Projection(Projection::Orthographic),
         Action::NextCamera => Action::Camera(1),
         Action::LightNamed("white") => Action::Light(0),
@@ -150,7 +152,8 @@ fn a_click_in_the_help_does_what_the_key_does() {
         other => other,
     };
     for binding in BINDINGS {
-        if matches!(binding.action, Action::Light(4..)) {
+        // A click steps the tolerance one way only.
+        if matches!(binding.action, Action::Light(4..) | Action::Tolerance(-1)) {
             continue;
         }
         let [mut pressed, mut clicked] = [default_session(), default_session()];
