@@ -9,6 +9,8 @@ mod desktop;
 #[cfg(target_os = "linux")]
 #[path = "window/display.rs"]
 mod display;
+#[path = "window/examiner.rs"]
+mod examiner;
 #[path = "window/fit.rs"]
 mod fit;
 #[path = "window/hud.rs"]
@@ -19,6 +21,8 @@ mod input;
 mod orbit;
 #[path = "window/screenshot.rs"]
 mod screenshot;
+#[path = "window/views.rs"]
+mod views;
 
 use std::time::Duration;
 
@@ -318,7 +322,7 @@ fn every_key_and_every_character_calls_up_one_command() {
         let named = matches!(
             binding.section,
             Section::Lights | Section::Shading | Section::Projection | Section::Camera
-        );
+        ) || binding.action == Action::NextView;
         assert_eq!(binding.says.is_empty(), named, "{binding:?}");
     }
 }

@@ -29,7 +29,11 @@ pub(crate) struct Band<'a> {
 
 impl Band<'_> {
     /// Draws in parts of about `rows` rows, in parallel. Parts meet where blocks of tiles do, so none is cut in two.
-    pub fn split_and(&mut self, rows: usize, draw: &(impl Fn(&mut Band) -> Counts + Sync)) -> Counts {
+    pub fn split_and(
+        &mut self,
+        rows: usize,
+        draw: &(impl Fn(&mut Band) -> Counts + Sync),
+    ) -> Counts {
         if self.rows.len() <= rows {
             return draw(self);
         }

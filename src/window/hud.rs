@@ -8,6 +8,7 @@ use super::bindings::Action;
 use super::board::{Board, Place};
 use super::canvas::{Canvas, FACES, Face, Ink, Point, Rect};
 use super::input::Gesture;
+use super::legend::Legend;
 use super::lines;
 use super::overlay::Pane;
 use super::session::Session;
@@ -37,6 +38,7 @@ pub struct Hud {
     size: [usize; 2],
     panel: Option<Board>,
     help: Option<Board>,
+    legend: Option<Legend>,
     message: Option<Message>,
     hovered: Option<Action>,
     shades: bool,
@@ -55,9 +57,13 @@ impl Hud {
         let area = Rect::new(0, 0, size[0] as i32, size[1] as i32);
         let area = area.inset((area.width.min(area.height) / 60).max(2));
         let all = shown == Shown::All;
+        let panel = panel(session, size, area, shown);
+        let covered = panel.as_ref().map(Board::rect);
+        let legend = |face| Legend::new(session, size, face, area, covered);
         Hud {
             size,
-            panel: panel(session, size, area, shown),
+            panel,
+            legend: faces(size, PANEL_ROWS).next().map(legend),
             help: help(session, size, area),
             message: session
                 .overlay()
@@ -72,6 +78,9 @@ impl Hud {
     /// Draws it all over the picture in `pixels`, 0x00RRGGBB, row by row from the top.
     pub fn draw(&self, pixels: &mut [u32]) {
         let canvas = &mut Canvas::new(pixels, self.size);
+        if let Some(legend) = &self.legend {
+            legend.draw(canvas);
+        }
         if let Some(panel) = &self.panel {
             panel.draw(canvas, self.hovered.filter(|_| !self.shades));
         }
@@ -96,6 +105,11 @@ impl Hud {
         self.help.as_ref()
     }
 
+    /// What explains the view.
+    pub fn legend(&self) -> Option<&Legend> {
+        self.legend.as_ref()
+    }
+
     /// The command of the uppermost board at `point`.
     fn action_at(&self, point: Point) -> Option<Action> {
         let (_, board) = self.board_at(point)?;
@@ -116,6 +130,7 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
     let hud = Hud::new(session, size, Shown::All);
     match gesture {
         Gesture::Command(action) => session.apply(action),
+        Gesture::Released(action) => session.release(action),
         Gesture::Hover(point) => session.hover(hud.action_at(point)),
         Gesture::Click(point) => {
             if let Some(action) = hud.action_at(point) {
@@ -125,7 +140,13 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
             }
         }
         Gesture::Drag { from, by } => {
-            if hud.board_at(from).is_none() {
+            let caught = hud.legend().is_some_and(|legend| legend.catches(from));
+            if hud.board_at(from).is_some() {
+                return;
+            }
+            if session.holds_divider() || caught {
+                session.drag_divider(f64::from(by[0]) / size[0].max(1) as f64);
+            } else {
                 let degrees = DRAG_TURN / size[0].min(size[1]).max(1) as f64;
                 // The cuboid follows the mouse, so the camera goes the other way.
                 session.apply(Action::Orbit {
@@ -134,6 +155,7 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
                 });
             }
         }
+        Gesture::Drop => session.drop_divider(),
         Gesture::Wheel { at, notches } => match hud.board_at(at) {
             Some((pane, board)) => {
                 if let Some(scroll) = board.scroll() {

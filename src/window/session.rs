@@ -8,10 +8,14 @@ use std::time::Duration;
 use hecs::Entity;
 
 use super::bindings::Action;
+use super::examination::Examination;
+use super::examiner::{Findings, Question};
+use super::looking::Looking;
 use super::orbit::{Limits, Orbit, moved_camera};
 use super::overlay::{Overlay, Pane};
 use super::statistics::Statistics;
 use super::turning::Turning;
+use super::views::ViewMode;
 use crate::components::{Light, Name, Projection, ShadingMode, View, Viewpoint};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, OutOfMemory};
@@ -38,6 +42,8 @@ pub enum Redraw {
 pub enum Request {
     /// Saves what is shown.
     Screenshot,
+    /// Asks the reference about the picture.
+    Examine,
     /// Ends the program.
     Quit,
 }
@@ -53,6 +59,8 @@ pub struct Session {
     turning: Turning,
     overlay: Overlay,
     statistics: Statistics,
+    looking: Looking,
+    examination: Examination,
     now: Duration,
     redraw: Redraw,
     requests: Vec<Request>,
@@ -71,6 +79,8 @@ impl Session {
             tolerance: drawing.tolerance,
             overlay: Overlay::default(),
             statistics: Statistics::default(),
+            looking: Looking::default(),
+            examination: Examination::default(),
             now: Duration::ZERO,
             redraw: Redraw::Picture,
             requests: Vec::new(),
@@ -87,7 +97,7 @@ impl Session {
             },
             Action::Shading(mode) => {
                 self.shading = Some(mode);
-                self.wants(Redraw::Picture);
+                self.changed();
             }
             Action::Tolerance(steps) => self.step_tolerance(steps),
             Action::NextTolerance if self.next_tolerance(1).is_none() => {
@@ -96,7 +106,7 @@ impl Session {
             Action::NextTolerance => self.step_tolerance(1),
             Action::Projection(projection) => {
                 self.projection = projection;
-                self.wants(Redraw::Picture);
+                self.changed();
             }
             Action::NextProjection => self.apply(Action::Projection(match self.projection {
                 Projection::Perspective => Projection::Orthographic,
@@ -121,7 +131,16 @@ impl Session {
             Action::ResetView => {
                 self.orbit = Orbit::default();
                 self.turning.turn_to(0, &mut self.scene);
+                self.changed();
+            }
+            Action::Show(mode) => {
+                self.looking.mode = mode;
                 self.wants(Redraw::Picture);
+            }
+            Action::NextView => self.apply(Action::Show(self.looking.mode.next())),
+            Action::Blink => {
+                self.looking.blinks ^= true;
+                self.wants(Redraw::Overlay);
             }
             Action::Turning => {
                 self.turning.switch(self.now);
@@ -141,6 +160,31 @@ impl Session {
         }
     }
 
+    /// The key of `action` went up, and what lasted as long ends.
+    pub fn release(&mut self, action: Action) {
+        if action == Action::Blink && self.looking.blinks {
+            self.apply(action);
+        }
+    }
+
+    /// Moves the divider by this share of the picture's width to the right.
+    pub fn drag_divider(&mut self, by: f64) {
+        self.looking.drag(by);
+        self.wants(Redraw::Overlay);
+    }
+
+    /// Lets the divider stand where it is.
+    pub fn drop_divider(&mut self) {
+        self.looking.let_go();
+    }
+
+    /// Takes what was found out, unless it is about a picture that has changed since.
+    pub fn answer(&mut self, findings: Findings) {
+        if self.examination.answer(findings) {
+            self.wants(Redraw::Overlay);
+        }
+    }
+
     /// Tells the time since the start: turning goes on, and what has stood long enough goes.
     pub fn tick(&mut self, now: Duration) {
         self.now = now;
@@ -148,7 +192,10 @@ impl Session {
             self.wants(Redraw::Overlay);
         }
         if self.turning.tick(now, &mut self.scene) {
-            self.wants(Redraw::Picture);
+            self.changed();
+        }
+        if self.examination.is_due(now) {
+            self.requests.push(Request::Examine);
         }
     }
 
@@ -173,7 +220,7 @@ impl Session {
 
     /// The window has another size.
     pub fn resized(&mut self) {
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     /// How a picture of `size` pixels is to be drawn now.
@@ -193,8 +240,33 @@ impl Session {
     /// # Errors
     /// When it does not fit in memory.
     pub fn draw(&mut self, size: [usize; 2], frame: &mut Frame) -> Result<(), OutOfMemory> {
-        let view = self.view(size);
+        self.draw_as(self.shading, size, frame)
+    }
+
+    /// The same with all cuboids shaded so.
+    ///
+    /// # Errors
+    /// When it does not fit in memory.
+    pub fn draw_as(
+        &mut self,
+        shading: Option<ShadingMode>,
+        size: [usize; 2],
+        frame: &mut Frame,
+    ) -> Result<(), OutOfMemory> {
+        let view = View {
+            shading,
+            ..self.view(size)
+        };
         systems::draw(&mut self.scene.world, &view, frame)
+    }
+
+    /// What the reference is to be asked about a picture of `size` pixels.
+    pub fn question(&self, size: [usize; 2]) -> Question {
+        Question {
+            scene: self.scene.snapshot(),
+            view: self.view(size),
+            revision: self.revision(),
+        }
     }
 
     /// Notes what drawing `frame` took.
@@ -284,6 +356,36 @@ impl Session {
         self.tolerance
     }
 
+    /// What is shown of the scene.
+    pub fn view_mode(&self) -> ViewMode {
+        self.looking.mode
+    }
+
+    /// Whether the reference is to be seen.
+    pub fn blinks(&self) -> bool {
+        self.looking.blinks
+    }
+
+    /// Whether the divider is being moved.
+    pub fn holds_divider(&self) -> bool {
+        self.looking.is_held()
+    }
+
+    /// The first column right of the divider in a picture of this width.
+    pub fn divider_column(&self, width: usize) -> usize {
+        self.looking.column(width)
+    }
+
+    /// The number of the present picture: every change makes it larger.
+    pub fn revision(&self) -> u64 {
+        self.examination.revision()
+    }
+
+    /// What was found out about the present picture.
+    pub fn findings(&self) -> Option<&Findings> {
+        self.examination.findings()
+    }
+
     /// How far the cuboids have turned, and whether they do.
     pub fn turning(&self) -> &Turning {
         &self.turning
@@ -303,6 +405,13 @@ impl Session {
         self.redraw = self.redraw.max(redraw);
     }
 
+    /// The picture is another one.
+    fn changed(&mut self) {
+        self.examination.restart(self.now);
+        self.requests.retain(|request| *request != Request::Examine);
+        self.wants(Redraw::Picture);
+    }
+
     fn switch_light(&mut self, index: usize) {
         let Some(&entity) = self.scene.lights.get(index) else {
             return self.say(format!("there is no light {}", index + 1));
@@ -310,7 +419,7 @@ impl Session {
         if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
             light.on = !light.on;
         }
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     /// The nearest of [`TOLERANCES`] in the direction of `steps`.
@@ -335,13 +444,13 @@ impl Session {
 
     fn shade_within(&mut self, tolerance: f64) {
         self.tolerance = tolerance;
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     fn look_from(&mut self, camera: usize) {
         self.camera = camera;
         self.orbit = Orbit::default();
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     /// Moves the camera, or says what keeps it from moving.
@@ -350,7 +459,7 @@ impl Session {
             return self.say(end);
         }
         self.orbit = orbit;
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     /// Where the scene puts the camera.

@@ -13,6 +13,7 @@ use shadetrade::window::hud::{Hud, Shown, respond};
 use shadetrade::window::input::Gesture;
 use shadetrade::window::lines::{Command, Line, Mark};
 use shadetrade::window::session::{Redraw, Request, Session};
+use shadetrade::window::views::ViewMode;
 
 use super::{SIZE, default_session, mixed_session, press, session_of};
 
@@ -66,7 +67,15 @@ fn state(session: &mut Session) -> String {
     let requests = session.take_requests();
     format!(
         "{:?}",
-        (session.view(SIZE), lights, shown, turned, requests)
+        (
+            session.view(SIZE),
+            lights,
+            shown,
+            turned,
+            session.view_mode(),
+            session.blinks(),
+            requests
+        )
     )
 }
 
@@ -109,6 +118,12 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
         "O . orthographic ",
         "C # 1 ",
         "C . 2 ",
+        "Tab # picture ",
+        "Tab . Gouraud | Phong ",
+        "Tab . method | reference ",
+        "Tab . error map ",
+        "Tab . tiles ",
+        "B . hold: reference off",
         "Home   reset view ",
         "Space . turn cuboids off",
         "I # panel on",
@@ -123,7 +138,16 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
             _ => None,
         })
         .collect();
-    assert_eq!(facts, ["frame", "shaded", "window"]);
+    assert_eq!(
+        facts,
+        [
+            "frame",
+            "shaded",
+            "error max / mean",
+            "in its own mode",
+            "window"
+        ]
+    );
 }
 
 #[test]
@@ -145,6 +169,7 @@ fn a_click_in_the_help_does_what_the_key_does() {
         Action::Tolerance(1) => Action::NextTolerance,
         Action::NextProjection => Action::Projection(Projection::Orthographic),
         Action::NextCamera => Action::Camera(1),
+        Action::NextView => Action::Show(ViewMode::GouraudPhong),
         Action::LightNamed("white") => Action::Light(0),
         Action::LightNamed("red") => Action::Light(1),
         Action::LightNamed("specular") => Action::Light(2),
