@@ -23,6 +23,7 @@ pub mod looking;
 pub mod orbit;
 pub mod overlay;
 mod paint;
+pub mod probing;
 pub mod screenshot;
 pub mod session;
 pub mod statistics;

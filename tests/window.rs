@@ -19,6 +19,8 @@ mod hud;
 mod input;
 #[path = "window/orbit.rs"]
 mod orbit;
+#[path = "window/probing.rs"]
+mod probing;
 #[path = "window/screenshot.rs"]
 mod screenshot;
 #[path = "window/views.rs"]

@@ -54,7 +54,7 @@ pub enum Action {
     Help,
     /// Saves what the window shows.
     Screenshot,
-    /// Closes the help, or the program where no help is open.
+    /// Closes what lies over the picture, or the program where nothing does.
     Close,
     /// Ends the program.
     Quit,
@@ -235,7 +235,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
     Binding::new(Section::Window, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
     Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save a picture"),
-    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close help, or quit"),
+    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close, or quit"),
     Binding::new(Section::Window, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
 ];
 

@@ -44,6 +44,7 @@ impl Composition {
     /// # Errors
     /// When it does not fit in memory.
     pub fn draw(&mut self, session: &mut Session, size: [usize; 2]) -> Result<(), OutOfMemory> {
+        session.update_probe(size, self.frame.workers().level())?;
         let mode = session.view_mode();
         if mode == ViewMode::GouraudPhong {
             for (pixels, mode) in [

@@ -228,9 +228,7 @@ fn work(
         if cancelled() {
             continue;
         }
-        let findings = Workers::new(1, level)
-            .ok()
-            .and_then(|workers| pool.install(|| examine(question, workers, &cancelled)));
+        let findings = pool.install(|| examine(question, Workers::alone(level), &cancelled));
         if let Some(findings) = findings
             && answer.send(findings).is_err()
         {

@@ -11,6 +11,7 @@ use super::input::Gesture;
 use super::legend::Legend;
 use super::lines;
 use super::overlay::Pane;
+use super::probing;
 use super::session::Session;
 use super::style::Style;
 
@@ -38,6 +39,8 @@ pub struct Hud {
     size: [usize; 2],
     panel: Option<Board>,
     help: Option<Board>,
+    probe: Option<Board>,
+    cross: Option<Point>,
     legend: Option<Legend>,
     message: Option<Message>,
     hovered: Option<Action>,
@@ -62,6 +65,10 @@ impl Hud {
         let legend = |face| Legend::new(session, size, face, area, covered);
         Hud {
             size,
+            probe: probe(session, size, area, covered),
+            cross: session
+                .probed()
+                .map(|probe| probe.pixel.map(|at| at as i32)),
             panel,
             legend: faces(size, PANEL_ROWS).next().map(legend),
             help: help(session, size, area),
@@ -80,6 +87,12 @@ impl Hud {
         let canvas = &mut Canvas::new(pixels, self.size);
         if let Some(legend) = &self.legend {
             legend.draw(canvas);
+        }
+        if let Some(cross) = self.cross {
+            probing::draw_cross(canvas, cross, FACES[0].advance());
+        }
+        if let Some(probe) = &self.probe {
+            probe.draw(canvas, None);
         }
         if let Some(panel) = &self.panel {
             panel.draw(canvas, self.hovered.filter(|_| !self.shades));
@@ -105,6 +118,11 @@ impl Hud {
         self.help.as_ref()
     }
 
+    /// What is known of a pixel, where one is looked at and there is room for it.
+    pub fn probe(&self) -> Option<&Board> {
+        self.probe.as_ref()
+    }
+
     /// What explains the view.
     pub fn legend(&self) -> Option<&Legend> {
         self.legend.as_ref()
@@ -118,10 +136,14 @@ impl Hud {
 
     /// The uppermost board at `point`.
     fn board_at(&self, point: Point) -> Option<(Pane, &Board)> {
-        [(Pane::Help, &self.help), (Pane::Panel, &self.panel)]
-            .into_iter()
-            .filter_map(|(pane, board)| Some((pane, board.as_ref()?)))
-            .find(|(_, board)| board.rect().contains(point))
+        [
+            (Pane::Help, &self.help),
+            (Pane::Panel, &self.panel),
+            (Pane::Probe, &self.probe),
+        ]
+        .into_iter()
+        .filter_map(|(pane, board)| Some((pane, board.as_ref()?)))
+        .find(|(_, board)| board.rect().contains(point))
     }
 }
 
@@ -135,8 +157,13 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
         Gesture::Click(point) => {
             if let Some(action) = hud.action_at(point) {
                 session.apply(action);
-            } else if session.overlay().shows_help() && hud.board_at(point).is_none() {
-                session.apply(Action::Help);
+                return;
+            }
+            match hud.board_at(point) {
+                Some((Pane::Probe, _)) => session.probe(None),
+                Some(_) => {}
+                None if session.overlay().shows_help() => session.apply(Action::Help),
+                None => session.probe(pixel_at(point, size)),
             }
         }
         Gesture::Drag { from, by } => {
@@ -166,6 +193,54 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
             None => session.apply(Action::Zoom(notches)),
         },
     }
+}
+
+/// The pixel at `point`, where it lies in the picture.
+fn pixel_at(point: Point, size: [usize; 2]) -> Option<[usize; 2]> {
+    let [x, y] = point.map(|at| usize::try_from(at).ok());
+    let pixel = [x?, y?];
+    (pixel[0] < size[0] && pixel[1] < size[1]).then_some(pixel)
+}
+
+/// What is known of a pixel, beside it: at the right edge, or beside the panel where the pixel itself is there.
+fn probe(session: &Session, size: [usize; 2], area: Rect, panel: Option<Rect>) -> Option<Board> {
+    let probe = session.probed()?;
+    let first = session.overlay().scroll(Pane::Probe);
+    let [wide, narrow] = [true, false].map(|wide| probing::lines(probe, wide));
+    let part = |percent: i32| area.width * percent / 100;
+    let large = faces(size, PANEL_ROWS).flat_map(|face| {
+        let style = Style::new(face);
+        [(&wide, style, part(45)), (&narrow, style, part(45))]
+    });
+    let small = Style::new(FACES[0]).tight();
+    let sparing = [
+        (&narrow, small, area.width),
+        (&narrow, small.scrolled(), area.width),
+        (&narrow, small.cut(), area.width),
+    ];
+    let pixel = probe.pixel.map(|at| at as i32);
+    large.chain(sparing).find_map(|(lines, style, width)| {
+        let lay_out = |area, place| Board::lay_out(lines.clone(), style, area, place, first);
+        let left = area.right() - width;
+        let right = lay_out(
+            Rect {
+                x: left,
+                width,
+                ..area
+            },
+            Place::Side,
+        )?;
+        if !right.rect().contains(pixel) {
+            return Some(right);
+        }
+        let x = panel.map_or(area.x, |panel| panel.right() + style.gap());
+        let beside = Rect {
+            x,
+            width: width.min(area.right() - x),
+            ..area
+        };
+        lay_out(beside, Place::Corner).or(Some(right))
+    })
 }
 
 /// The faces for a window, from the one of which it holds so many rows down to the smallest.

@@ -50,6 +50,8 @@ pub enum Line {
     Heading(&'static str),
     /// Something to click.
     Command(Command),
+    /// Words and numbers whose columns stand below one another.
+    Text(String),
     /// Something to know: its name and its value.
     Fact(&'static str, String),
     /// A line drawn between what can be clicked and what can be known.

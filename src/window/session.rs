@@ -3,9 +3,11 @@
 //! Rule: nothing here knows pixels, keys or clocks; the time is told by [`Session::tick`], so that everything can be
 //! tested without a display.
 
+mod readings;
+
 use std::time::Duration;
 
-use hecs::Entity;
+use fearless_simd::Level;
 
 use super::bindings::Action;
 use super::examination::Examination;
@@ -13,10 +15,10 @@ use super::examiner::{Findings, Question};
 use super::looking::Looking;
 use super::orbit::{Limits, Orbit, moved_camera};
 use super::overlay::{Overlay, Pane};
+use super::probing::Probing;
 use super::statistics::Statistics;
 use super::turning::Turning;
-use super::views::ViewMode;
-use crate::components::{Light, Name, Projection, ShadingMode, View, Viewpoint};
+use crate::components::{Light, Projection, ShadingMode, View, Viewpoint};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, OutOfMemory};
 use crate::scene::Scene;
@@ -60,6 +62,7 @@ pub struct Session {
     overlay: Overlay,
     statistics: Statistics,
     looking: Looking,
+    probing: Probing,
     examination: Examination,
     now: Duration,
     redraw: Redraw,
@@ -80,6 +83,7 @@ impl Session {
             overlay: Overlay::default(),
             statistics: Statistics::default(),
             looking: Looking::default(),
+            probing: Probing::default(),
             examination: Examination::default(),
             now: Duration::ZERO,
             redraw: Redraw::Picture,
@@ -155,6 +159,7 @@ impl Session {
                 self.wants(Redraw::Overlay);
             }
             Action::Close if self.overlay.shows_help() => self.apply(Action::Help),
+            Action::Close if self.probing.is_open() => self.probe(None),
             Action::Close | Action::Quit => self.requests.push(Request::Quit),
             Action::Screenshot => self.requests.push(Request::Screenshot),
         }
@@ -176,6 +181,22 @@ impl Session {
     /// Lets the divider stand where it is.
     pub fn drop_divider(&mut self) {
         self.looking.let_go();
+    }
+
+    /// Looks at this pixel from now on, or no longer at any.
+    pub fn probe(&mut self, pixel: Option<[usize; 2]>) {
+        self.probing.look_at(pixel);
+        self.overlay.scroll_to(Pane::Probe, 0);
+        self.wants(Redraw::Picture);
+    }
+
+    /// Finds out anew what there is to know of the pixel that is looked at, in a picture of `size` pixels.
+    ///
+    /// # Errors
+    /// When a row of it does not fit in memory.
+    pub fn update_probe(&mut self, size: [usize; 2], level: Level) -> Result<(), OutOfMemory> {
+        let view = self.view(size);
+        self.probing.update(&mut self.scene, &view, level)
     }
 
     /// Takes what was found out, unless it is about a picture that has changed since.
@@ -285,120 +306,6 @@ impl Session {
     /// What the window itself is to do since this was last asked, in order.
     pub fn take_requests(&mut self) -> Vec<Request> {
         std::mem::take(&mut self.requests)
-    }
-
-    /// What is seen.
-    pub fn scene(&self) -> &Scene {
-        &self.scene
-    }
-
-    /// The light of this place in the file.
-    pub fn light(&self, index: usize) -> Option<Light> {
-        let entity = *self.scene.lights.get(index)?;
-        self.scene
-            .world
-            .get::<&Light>(entity)
-            .ok()
-            .map(|light| *light)
-    }
-
-    /// The place in the file of the light so named.
-    pub fn light_named(&self, name: &str) -> Option<usize> {
-        let mut lights = self.scene.lights.iter();
-        lights.position(|&entity| self.is_named(entity, name))
-    }
-
-    /// Whether the scene file calls an entity `name`.
-    pub fn is_named(&self, entity: Entity, name: &str) -> bool {
-        let own = self.scene.world.get::<&Name>(entity);
-        own.is_ok_and(|own| own.0 == name)
-    }
-
-    /// What the scene file calls an entity.
-    pub fn name(&self, entity: Entity) -> String {
-        let own = self.scene.world.get::<&Name>(entity);
-        own.map_or_else(|_| String::new(), |own| own.0.clone())
-    }
-
-    /// Which camera of the file the picture is seen from.
-    pub fn camera(&self) -> usize {
-        self.camera
-    }
-
-    /// How far the camera has been moved.
-    pub fn orbit(&self) -> Orbit {
-        self.orbit
-    }
-
-    /// How the picture is projected.
-    pub fn projection(&self) -> Projection {
-        self.projection
-    }
-
-    /// How all cuboids are shaded, where it is the same for all.
-    pub fn shading(&self) -> Option<ShadingMode> {
-        let own = |&entity: &Entity| {
-            self.scene
-                .world
-                .get::<&ShadingMode>(entity)
-                .ok()
-                .map(|it| *it)
-        };
-        self.shading.or_else(|| {
-            let mut modes = self.scene.cuboids.iter().filter_map(own);
-            let first = modes.next()?;
-            modes.all(|mode| mode == first).then_some(first)
-        })
-    }
-
-    /// How far the picture may stray from its own mode, in levels.
-    pub fn tolerance(&self) -> f64 {
-        self.tolerance
-    }
-
-    /// What is shown of the scene.
-    pub fn view_mode(&self) -> ViewMode {
-        self.looking.mode
-    }
-
-    /// Whether the reference is to be seen.
-    pub fn blinks(&self) -> bool {
-        self.looking.blinks
-    }
-
-    /// Whether the divider is being moved.
-    pub fn holds_divider(&self) -> bool {
-        self.looking.is_held()
-    }
-
-    /// The first column right of the divider in a picture of this width.
-    pub fn divider_column(&self, width: usize) -> usize {
-        self.looking.column(width)
-    }
-
-    /// The number of the present picture: every change makes it larger.
-    pub fn revision(&self) -> u64 {
-        self.examination.revision()
-    }
-
-    /// What was found out about the present picture.
-    pub fn findings(&self) -> Option<&Findings> {
-        self.examination.findings()
-    }
-
-    /// How far the cuboids have turned, and whether they do.
-    pub fn turning(&self) -> &Turning {
-        &self.turning
-    }
-
-    /// What lies over the picture.
-    pub fn overlay(&self) -> &Overlay {
-        &self.overlay
-    }
-
-    /// What drawing has cost.
-    pub fn statistics(&self) -> &Statistics {
-        &self.statistics
     }
 
     fn wants(&mut self, redraw: Redraw) {
