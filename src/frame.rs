@@ -38,6 +38,11 @@ impl Workers {
         Ok(Workers { level, pool })
     }
 
+    /// The calling thread alone, which no system refuses.
+    pub fn alone(level: Level) -> Self {
+        Workers { level, pool: None }
+    }
+
     /// The SIMD level in use.
     pub fn level(&self) -> Level {
         self.level

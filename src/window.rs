@@ -11,18 +11,25 @@
 pub mod bindings;
 pub mod board;
 pub mod canvas;
+mod composition;
 pub mod display;
+pub mod examination;
+pub mod examiner;
 pub mod hud;
 pub mod input;
+pub mod legend;
 pub mod lines;
+pub mod looking;
 pub mod orbit;
 pub mod overlay;
 mod paint;
+pub mod probing;
 pub mod screenshot;
 pub mod session;
 pub mod statistics;
 pub mod style;
 pub mod turning;
+pub mod views;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -30,8 +37,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, OutOfMemory, Workers};
+use crate::frame::{OutOfMemory, Workers};
+use composition::Composition;
 use display::Display;
+use examiner::Examiner;
 use hud::{Hud, Shown};
 use input::Input;
 use session::{Redraw, Request, Session};
@@ -77,6 +86,9 @@ pub enum WindowError {
     /// The system gives no threads.
     #[error("cannot start the threads that draw: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
+    /// The system gives no thread.
+    #[error("cannot start the thread that examines pictures: {0}")]
+    Examiner(#[source] io::Error),
     /// The window is larger than memory allows.
     #[error(transparent)]
     OutOfMemory(#[from] OutOfMemory),
@@ -91,12 +103,13 @@ pub fn run(drawing: Drawing) -> Result<Outcome, WindowError> {
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
     let session = Session::new(drawing);
     let display = Display::open(&lines::title(&session), size)?;
-    let workers = Workers::new(threads, level)?;
+    let workers = || Workers::new(threads, level);
     let window = Window {
         session,
         display,
         input: Input::default(),
-        frame: Frame::new(Keep::Display, workers),
+        composition: Composition::new(workers()?, workers()?),
+        examiner: Examiner::start(level)?,
         shown: Vec::new(),
         title: String::new(),
         outcome: Outcome::default(),
@@ -109,7 +122,8 @@ struct Window {
     session: Session,
     display: Display,
     input: Input,
-    frame: Frame,
+    composition: Composition,
+    examiner: Examiner,
     /// The picture with everything over it, as it was last shown.
     shown: Vec<u32>,
     title: String,
@@ -128,6 +142,7 @@ impl Window {
                 last_event = now;
             }
             size = self.react(now, size);
+            self.examiner.keep_to(self.session.revision());
             let redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
                 self.draw(redraw, size)?;
@@ -135,6 +150,7 @@ impl Window {
             for request in self.session.take_requests() {
                 match request {
                     Request::Screenshot => self.save_screenshot(),
+                    Request::Examine => self.examiner.ask(self.session.question(size)),
                     Request::Quit => return Ok(self.outcome),
                 }
             }
@@ -165,6 +181,9 @@ impl Window {
             self.session.resized();
         }
         self.session.tick(now);
+        if let Some(findings) = self.examiner.answer() {
+            self.session.answer(findings);
+        }
         for event in self.display.take_events() {
             if let Some(gesture) = self.input.handle(event, now) {
                 hud::respond(&mut self.session, gesture, size);
@@ -179,12 +198,9 @@ impl Window {
     /// Draws what has changed, and tells in the window's frame what state that is.
     fn draw(&mut self, redraw: Redraw, size: [usize; 2]) -> Result<(), OutOfMemory> {
         if redraw == Redraw::Picture {
-            let start = Instant::now();
-            self.session.draw(size, &mut self.frame)?;
-            self.session.record(start.elapsed(), &self.frame);
+            self.composition.draw(&mut self.session, size)?;
         }
-        self.shown.clear();
-        self.shown.extend_from_slice(self.frame.pixels());
+        self.composition.compose(&self.session, &mut self.shown);
         Hud::new(&self.session, size, Shown::All).draw(&mut self.shown);
         let title = lines::title(&self.session);
         if title != self.title {
@@ -195,8 +211,9 @@ impl Window {
     }
 
     fn save_screenshot(&mut self) {
-        let size = self.frame.size();
-        let mut pixels = self.frame.pixels().to_vec();
+        let size = self.composition.size();
+        let mut pixels = Vec::new();
+        self.composition.compose(&self.session, &mut pixels);
         Hud::new(&self.session, size, Shown::Lasting).draw(&mut pixels);
         match screenshot::save(Path::new("."), &pixels, size) {
             Ok(path) => {

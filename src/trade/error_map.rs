@@ -34,6 +34,11 @@ pub fn position(error: f64) -> f64 {
     ((error / KNEE).ln_1p() / (255.0 / KNEE).ln_1p()).clamp(0.0, 1.0)
 }
 
+/// The error in levels that stands so far up the scale, 0..=1.
+pub fn error_at(position: f64) -> f64 {
+    KNEE * (position * (255.0 / KNEE).ln_1p()).exp_m1()
+}
+
 /// The colour, 0x00RRGGBB, of an error in levels, 0..=255.
 pub fn color(error: f64) -> u32 {
     color_at(position(error))
@@ -143,6 +148,7 @@ mod tests {
         assert_eq!(position(0.0), 0.0);
         assert_eq!(position(255.0), 1.0);
         // ln(1 + 0.5 / 0.25) / ln(1 + 255 / 0.25) = ln 3 / ln 1021.
+        assert!((error_at(position(0.5)) - 0.5).abs() < 1e-12);
         assert!((position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
         assert!(
             channels(color(0.5)).iter().sum::<i32>()

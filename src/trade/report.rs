@@ -195,7 +195,7 @@ pub(super) fn mode_name(mode: ShadingMode) -> &'static str {
 }
 
 /// Three digits that matter, or fewer; "-" for what does not exist.
-pub(super) fn short(value: Option<f64>) -> String {
+pub(crate) fn short(value: Option<f64>) -> String {
     match value {
         None => "-".to_owned(),
         Some(0.0) => "0".to_owned(),

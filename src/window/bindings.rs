@@ -5,6 +5,7 @@
 
 use minifb::Key;
 
+use super::views::ViewMode;
 use crate::components::{Projection, ShadingMode};
 
 /// What the user can have done.
@@ -16,6 +17,10 @@ pub enum Action {
     LightNamed(&'static str),
     /// Shades every cuboid so.
     Shading(ShadingMode),
+    /// Shades more coarsely by so many steps of [`super::session::TOLERANCES`], or finer where negative.
+    Tolerance(i32),
+    /// The next coarser tolerance, after the coarsest the finest.
+    NextTolerance,
     /// Projects so.
     Projection(Projection),
     /// The other projection.
@@ -24,6 +29,12 @@ pub enum Action {
     Camera(usize),
     /// Looks from the next camera of the file, after the last from the first.
     NextCamera,
+    /// Shows the scene so.
+    Show(ViewMode),
+    /// The next view, after the last the first.
+    NextView,
+    /// Shows the reference, and hides it again.
+    Blink,
     /// Moves the camera about its target.
     Orbit {
         /// To the right as seen from the camera, in degrees.
@@ -43,7 +54,7 @@ pub enum Action {
     Help,
     /// Saves what the window shows.
     Screenshot,
-    /// Closes the help, or the program where no help is open.
+    /// Closes what lies over the picture, or the program where nothing does.
     Close,
     /// Ends the program.
     Quit,
@@ -60,20 +71,23 @@ pub enum Section {
     Projection,
     /// Where it is seen from.
     Camera,
-    /// Moving about.
+    /// What is shown of the scene.
     View,
+    /// Moving about.
+    Motion,
     /// The window itself.
     Window,
 }
 
 impl Section {
     /// Every section, in the order in which they are shown.
-    pub const ALL: [Section; 6] = [
+    pub const ALL: [Section; 7] = [
         Section::Lights,
         Section::Shading,
         Section::Projection,
         Section::Camera,
         Section::View,
+        Section::Motion,
         Section::Window,
     ];
 
@@ -85,6 +99,7 @@ impl Section {
             Section::Projection => "projection",
             Section::Camera => "camera",
             Section::View => "view",
+            Section::Motion => "move",
             Section::Window => "window",
         }
     }
@@ -103,12 +118,24 @@ pub struct Binding {
     pub characters: &'static [char],
     /// What it does.
     pub action: Action,
-    /// What it does, in words; lights, modes, projections and cameras are called by their names instead.
+    /// What it does, in words; lights, modes, tolerances, projections, cameras and views are called by their names
+    /// instead.
     pub says: &'static str,
     /// Whether the panel has it too; the help has all.
     pub on_panel: bool,
-    /// Whether it goes on while its key is held.
-    pub repeats: bool,
+    /// What happens while its key is held.
+    pub hold: Hold,
+}
+
+/// What happens while a key is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// Nothing more.
+    Rests,
+    /// The command goes on.
+    Repeats,
+    /// What the command began lasts, and ends with it.
+    Lasts,
 }
 
 impl Binding {
@@ -129,7 +156,7 @@ impl Binding {
             action,
             says,
             on_panel: false,
-            repeats: false,
+            hold: Hold::Rests,
         }
     }
 
@@ -141,7 +168,13 @@ impl Binding {
 
     /// The same row, going on while its key is held.
     const fn repeats(mut self) -> Self {
-        self.repeats = true;
+        self.hold = Hold::Repeats;
+        self
+    }
+
+    /// The same row, lasting as long as its key is held.
+    const fn lasts(mut self) -> Self {
+        self.hold = Hold::Lasts;
         self
     }
 }
@@ -185,20 +218,24 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Lights, &["A"], &[Key::A], &['a'], Action::LightNamed("ambient"), "").on_panel(),
     Binding::new(Section::Shading, &["G"], &[Key::G], &['g'], GOURAUD, "").on_panel(),
     Binding::new(Section::Shading, &["P"], &[Key::P], &['p'], PHONG, "").on_panel(),
+    Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "").on_panel(),
+    Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "").on_panel(),
     Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "").on_panel(),
     Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "").on_panel(),
-    Binding::new(Section::View, &["Left"], &[Key::Left], &[], LEFT, "orbit left, or drag").repeats(),
-    Binding::new(Section::View, &["Right"], &[Key::Right], &[], RIGHT, "orbit right, or drag").repeats(),
-    Binding::new(Section::View, &["Up"], &[Key::Up], &[], UP, "orbit up, or drag").repeats(),
-    Binding::new(Section::View, &["Down"], &[Key::Down], &[], DOWN, "orbit down, or drag").repeats(),
-    Binding::new(Section::View, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "closer, or wheel").repeats(),
-    Binding::new(Section::View, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "away, or wheel").repeats(),
-    Binding::new(Section::View, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),
-    Binding::new(Section::View, &["Space"], &[Key::Space], &[' '], Action::Turning, "turn cuboids").on_panel(),
+    Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::NextView, "").on_panel(),
+    Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
+    Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit left, or drag").repeats(),
+    Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], RIGHT, "orbit right, or drag").repeats(),
+    Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], UP, "orbit up, or drag").repeats(),
+    Binding::new(Section::Motion, &["Down"], &[Key::Down], &[], DOWN, "orbit down, or drag").repeats(),
+    Binding::new(Section::Motion, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "closer, or wheel").repeats(),
+    Binding::new(Section::Motion, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "away, or wheel").repeats(),
+    Binding::new(Section::Motion, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),
+    Binding::new(Section::Motion, &["Space"], &[Key::Space], &[' '], Action::Turning, "turn cuboids").on_panel(),
     Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
     Binding::new(Section::Window, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
     Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save a picture"),
-    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close help, or quit"),
+    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close, or quit"),
     Binding::new(Section::Window, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
 ];
 

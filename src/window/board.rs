@@ -32,6 +32,8 @@ pub struct Scroll {
 pub enum Place {
     /// In the upper left corner.
     Corner,
+    /// In the upper right corner.
+    Side,
     /// In the middle.
     Middle,
 }
@@ -70,6 +72,7 @@ impl Board {
         let height = head_height + body_height + style.height(&foot) + 2 * down;
         let (x, y) = match place {
             Place::Corner => (area.x, area.y),
+            Place::Side => (area.right() - width, area.y),
             Place::Middle => (
                 area.x + (area.width - width) / 2,
                 area.y + (area.height - height) / 2,

@@ -199,6 +199,9 @@ impl<'a> Canvas<'a> {
     /// A plain rectangle.
     pub fn fill(&mut self, rect: Rect, ink: Ink) {
         let rect = rect.intersection(&self.clip);
+        if rect.is_empty() {
+            return;
+        }
         let alpha = weight(ink.alpha);
         for y in rect.y..rect.bottom() {
             let start = (y * self.width + rect.x) as usize;

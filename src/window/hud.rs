@@ -8,8 +8,10 @@ use super::bindings::Action;
 use super::board::{Board, Place};
 use super::canvas::{Canvas, FACES, Face, Ink, Point, Rect};
 use super::input::Gesture;
+use super::legend::Legend;
 use super::lines;
 use super::overlay::Pane;
+use super::probing;
 use super::session::Session;
 use super::style::Style;
 
@@ -37,6 +39,9 @@ pub struct Hud {
     size: [usize; 2],
     panel: Option<Board>,
     help: Option<Board>,
+    probe: Option<Board>,
+    cross: Option<Point>,
+    legend: Option<Legend>,
     message: Option<Message>,
     hovered: Option<Action>,
     shades: bool,
@@ -55,9 +60,17 @@ impl Hud {
         let area = Rect::new(0, 0, size[0] as i32, size[1] as i32);
         let area = area.inset((area.width.min(area.height) / 60).max(2));
         let all = shown == Shown::All;
+        let panel = panel(session, size, area, shown);
+        let covered = panel.as_ref().map(Board::rect);
+        let legend = |face| Legend::new(session, size, face, area, covered);
         Hud {
             size,
-            panel: panel(session, size, area, shown),
+            probe: probe(session, size, area, covered),
+            cross: session
+                .probed()
+                .map(|probe| probe.pixel.map(|at| at as i32)),
+            panel,
+            legend: faces(size, PANEL_ROWS).next().map(legend),
             help: help(session, size, area),
             message: session
                 .overlay()
@@ -72,6 +85,15 @@ impl Hud {
     /// Draws it all over the picture in `pixels`, 0x00RRGGBB, row by row from the top.
     pub fn draw(&self, pixels: &mut [u32]) {
         let canvas = &mut Canvas::new(pixels, self.size);
+        if let Some(legend) = &self.legend {
+            legend.draw(canvas);
+        }
+        if let Some(cross) = self.cross {
+            probing::draw_cross(canvas, cross, FACES[0].advance());
+        }
+        if let Some(probe) = &self.probe {
+            probe.draw(canvas, None);
+        }
         if let Some(panel) = &self.panel {
             panel.draw(canvas, self.hovered.filter(|_| !self.shades));
         }
@@ -96,6 +118,16 @@ impl Hud {
         self.help.as_ref()
     }
 
+    /// What is known of a pixel, where one is looked at and there is room for it.
+    pub fn probe(&self) -> Option<&Board> {
+        self.probe.as_ref()
+    }
+
+    /// What explains the view.
+    pub fn legend(&self) -> Option<&Legend> {
+        self.legend.as_ref()
+    }
+
     /// The command of the uppermost board at `point`.
     fn action_at(&self, point: Point) -> Option<Action> {
         let (_, board) = self.board_at(point)?;
@@ -104,10 +136,14 @@ impl Hud {
 
     /// The uppermost board at `point`.
     fn board_at(&self, point: Point) -> Option<(Pane, &Board)> {
-        [(Pane::Help, &self.help), (Pane::Panel, &self.panel)]
-            .into_iter()
-            .filter_map(|(pane, board)| Some((pane, board.as_ref()?)))
-            .find(|(_, board)| board.rect().contains(point))
+        [
+            (Pane::Help, &self.help),
+            (Pane::Panel, &self.panel),
+            (Pane::Probe, &self.probe),
+        ]
+        .into_iter()
+        .filter_map(|(pane, board)| Some((pane, board.as_ref()?)))
+        .find(|(_, board)| board.rect().contains(point))
     }
 }
 
@@ -116,16 +152,28 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
     let hud = Hud::new(session, size, Shown::All);
     match gesture {
         Gesture::Command(action) => session.apply(action),
+        Gesture::Released(action) => session.release(action),
         Gesture::Hover(point) => session.hover(hud.action_at(point)),
         Gesture::Click(point) => {
             if let Some(action) = hud.action_at(point) {
                 session.apply(action);
-            } else if session.overlay().shows_help() && hud.board_at(point).is_none() {
-                session.apply(Action::Help);
+                return;
+            }
+            match hud.board_at(point) {
+                Some((Pane::Probe, _)) => session.probe(None),
+                Some(_) => {}
+                None if session.overlay().shows_help() => session.apply(Action::Help),
+                None => session.probe(pixel_at(point, size)),
             }
         }
         Gesture::Drag { from, by } => {
-            if hud.board_at(from).is_none() {
+            let caught = hud.legend().is_some_and(|legend| legend.catches(from));
+            if hud.board_at(from).is_some() {
+                return;
+            }
+            if session.holds_divider() || caught {
+                session.drag_divider(f64::from(by[0]) / size[0].max(1) as f64);
+            } else {
                 let degrees = DRAG_TURN / size[0].min(size[1]).max(1) as f64;
                 // The cuboid follows the mouse, so the camera goes the other way.
                 session.apply(Action::Orbit {
@@ -134,6 +182,7 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
                 });
             }
         }
+        Gesture::Drop => session.drop_divider(),
         Gesture::Wheel { at, notches } => match hud.board_at(at) {
             Some((pane, board)) => {
                 if let Some(scroll) = board.scroll() {
@@ -144,6 +193,54 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
             None => session.apply(Action::Zoom(notches)),
         },
     }
+}
+
+/// The pixel at `point`, where it lies in the picture.
+fn pixel_at(point: Point, size: [usize; 2]) -> Option<[usize; 2]> {
+    let [x, y] = point.map(|at| usize::try_from(at).ok());
+    let pixel = [x?, y?];
+    (pixel[0] < size[0] && pixel[1] < size[1]).then_some(pixel)
+}
+
+/// What is known of a pixel, beside it: at the right edge, or beside the panel where the pixel itself is there.
+fn probe(session: &Session, size: [usize; 2], area: Rect, panel: Option<Rect>) -> Option<Board> {
+    let probe = session.probed()?;
+    let first = session.overlay().scroll(Pane::Probe);
+    let [wide, narrow] = [true, false].map(|wide| probing::lines(probe, wide));
+    let part = |percent: i32| area.width * percent / 100;
+    let large = faces(size, PANEL_ROWS).flat_map(|face| {
+        let style = Style::new(face);
+        [(&wide, style, part(45)), (&narrow, style, part(45))]
+    });
+    let small = Style::new(FACES[0]).tight();
+    let sparing = [
+        (&narrow, small, area.width),
+        (&narrow, small.scrolled(), area.width),
+        (&narrow, small.cut(), area.width),
+    ];
+    let pixel = probe.pixel.map(|at| at as i32);
+    large.chain(sparing).find_map(|(lines, style, width)| {
+        let lay_out = |area, place| Board::lay_out(lines.clone(), style, area, place, first);
+        let left = area.right() - width;
+        let right = lay_out(
+            Rect {
+                x: left,
+                width,
+                ..area
+            },
+            Place::Side,
+        )?;
+        if !right.rect().contains(pixel) {
+            return Some(right);
+        }
+        let x = panel.map_or(area.x, |panel| panel.right() + style.gap());
+        let beside = Rect {
+            x,
+            width: width.min(area.right() - x),
+            ..area
+        };
+        lay_out(beside, Place::Corner).or(Some(right))
+    })
 }
 
 /// The faces for a window, from the one of which it holds so many rows down to the smallest.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use minifb::Key;
 
-use super::bindings::{Action, Binding, bound_to_character, bound_to_key};
+use super::bindings::{Action, Hold, bound_to_character, bound_to_key};
 use super::canvas::Point;
 
 /// From how many pixels on a press that moves is a drag.
@@ -45,6 +45,8 @@ pub enum Event {
 pub enum Gesture {
     /// A key called this up.
     Command(Action),
+    /// The key that called this up, and that it lasts as long as, went up.
+    Released(Action),
     /// The mouse moved to here, no button held.
     Hover(Point),
     /// A press and its release, here.
@@ -56,6 +58,8 @@ pub enum Gesture {
         /// Right and down.
         by: Point,
     },
+    /// A drag ended.
+    Drop,
     /// The wheel turned while the mouse was at `at`.
     Wheel {
         /// Where the mouse is.
@@ -65,11 +69,13 @@ pub enum Gesture {
     },
 }
 
-/// A key that is down, and when what it does goes on.
+/// A key that is down, when what it does goes on, and what ends with it.
 #[derive(Clone, Copy)]
 struct Held {
     key: Key,
     repeat: Option<(Action, Duration)>,
+    /// What ends when it goes up.
+    lasting: Option<Action>,
 }
 
 /// A button that is down.
@@ -108,14 +114,16 @@ impl Input {
         match event {
             Event::KeyDown(key) => self.key_down(key, now),
             Event::KeyUp(key) => {
+                let released = self.released(|held| held.key == key);
                 self.held.retain(|held| held.key != key);
                 self.last_press = LastPress::Unknown;
-                None
+                released
             }
             Event::Character(character) => self.character(character, now),
             Event::FocusLost => {
+                let released = self.released(|_| true);
                 self.held.clear();
-                None
+                released
             }
             Event::MouseAt(point) => self.mouse_at(point),
             Event::MouseDown => {
@@ -127,7 +135,10 @@ impl Input {
             }
             Event::MouseUp => {
                 let press = self.press.take()?;
-                press.told.is_none().then_some(Gesture::Click(press.from))
+                Some(match press.told {
+                    None => Gesture::Click(press.from),
+                    Some(_) => Gesture::Drop,
+                })
             }
             Event::Wheel(notches) => Some(Gesture::Wheel {
                 at: self.mouse,
@@ -159,6 +170,12 @@ impl Input {
         self.press.is_some() || self.held.iter().any(|held| held.repeat.is_some())
     }
 
+    /// What ends with those keys; there is one key of that kind, so it is one thing.
+    fn released(&self, of: impl Fn(&Held) -> bool) -> Option<Gesture> {
+        let mut keys = self.held.iter().filter(|held| of(held));
+        keys.find_map(|held| held.lasting).map(Gesture::Released)
+    }
+
     fn key_down(&mut self, key: Key, now: Duration) -> Option<Gesture> {
         let binding = bound_to_key(key);
         let again = self.held.iter().any(|held| held.key == key);
@@ -170,14 +187,11 @@ impl Input {
         if again {
             return None;
         }
-        let repeat = |binding: &Binding| {
-            binding
-                .repeats
-                .then_some((binding.action, now + REPEAT_DELAY))
-        };
+        let held_as = |hold| binding.filter(|binding| binding.hold == hold);
         self.held.push(Held {
             key,
-            repeat: binding.and_then(repeat),
+            repeat: held_as(Hold::Repeats).map(|it| (it.action, now + REPEAT_DELAY)),
+            lasting: held_as(Hold::Lasts).map(|it| it.action),
         });
         binding.map(|binding| Gesture::Command(binding.action))
     }

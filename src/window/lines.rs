@@ -9,8 +9,11 @@ use glam::DVec3;
 use hecs::Entity;
 
 use super::bindings::{Action, BINDINGS, Section};
+use super::examiner::{Errors, Findings};
 use super::session::Session;
+use super::views::{ViewMode, mode_label};
 use crate::components::{Projection, ShadingMode};
+use crate::trade::report::short;
 
 /// The sign before a command that has a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +50,8 @@ pub enum Line {
     Heading(&'static str),
     /// Something to click.
     Command(Command),
+    /// Words and numbers whose columns stand below one another.
+    Text(String),
     /// Something to know: its name and its value.
     Fact(&'static str, String),
     /// A line drawn between what can be clicked and what can be known.
@@ -103,7 +108,7 @@ pub fn help(session: &Session) -> Vec<Line> {
 /// What the window's title says.
 pub fn title(session: &Session) -> String {
     let scene = &session.scene().name;
-    let shading = session.shading().map_or("mixed shading", shading_label);
+    let shading = session.shading().map_or("mixed shading", mode_label);
     let projection = projection_label(session.projection());
     let camera = label(session, Action::Camera(session.camera()));
     let title =
@@ -155,7 +160,17 @@ fn choices(session: &Session, section: Section) -> Vec<Action> {
         Section::Projection => [Projection::Perspective, Projection::Orthographic]
             .map(Action::Projection)
             .to_vec(),
-        Section::Shading | Section::View | Section::Window => BINDINGS
+        Section::Shading => vec![
+            Action::Shading(ShadingMode::Gouraud),
+            Action::Shading(ShadingMode::Phong),
+            Action::NextTolerance,
+        ],
+        Section::View => ViewMode::ALL
+            .into_iter()
+            .map(Action::Show)
+            .chain([Action::Blink])
+            .collect(),
+        Section::Motion | Section::Window => BINDINGS
             .iter()
             .filter(|binding| binding.section == section)
             .map(|binding| binding.action)
@@ -171,8 +186,10 @@ fn serves(session: &Session, bound: Action, shown: Action) -> bool {
             .lights
             .get(index)
             .is_some_and(|&light| session.is_named(light, name)),
-        (Action::NextProjection, Action::Projection(_))
-        | (Action::NextCamera, Action::Camera(_)) => true,
+        (Action::Tolerance(_), Action::NextTolerance)
+        | (Action::NextProjection, Action::Projection(_))
+        | (Action::NextCamera, Action::Camera(_))
+        | (Action::NextView, Action::Show(_)) => true,
         _ => bound == shown,
     }
 }
@@ -186,20 +203,14 @@ fn label(session: &Session, action: Action) -> String {
     match action {
         Action::Light(index) => name(&session.scene().lights, index),
         Action::Camera(index) => name(&session.scene().cameras, index),
-        Action::Shading(mode) => shading_label(mode).to_owned(),
+        Action::Shading(mode) => mode_label(mode).to_owned(),
+        Action::Show(mode) => mode.label().to_owned(),
         Action::Projection(projection) => projection_label(projection).to_owned(),
+        Action::NextTolerance => "tolerance".to_owned(),
         _ => BINDINGS
             .iter()
             .find(|binding| binding.action == action)
             .map_or_else(String::new, |binding| binding.says.to_owned()),
-    }
-}
-
-fn shading_label(mode: ShadingMode) -> &'static str {
-    match mode {
-        ShadingMode::Gouraud => "Gouraud",
-        ShadingMode::Phong => "Phong",
-        ShadingMode::UnitVectors => "unit vectors",
     }
 }
 
@@ -226,8 +237,11 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
                 switch(light.on, brightest(light.color))
             }),
         Action::Shading(mode) => choice(session.shading() == Some(mode)),
+        Action::NextTolerance => (Mark::None, tolerance(session.tolerance())),
         Action::Projection(projection) => choice(session.projection() == projection),
         Action::Camera(index) => choice(session.camera() == index),
+        Action::Show(mode) => choice(session.view_mode() == mode),
+        Action::Blink => switch(session.blinks(), ON),
         Action::Turning => switch(session.turning().is_on(), ON),
         Action::Panel => switch(session.overlay().shows_panel(), ON),
         Action::Help => switch(session.overlay().shows_help(), ON),
@@ -251,12 +265,21 @@ fn brightest(color: DVec3) -> u32 {
     (red as u32) << 16 | (green as u32) << 8 | blue as u32
 }
 
+/// A tolerance in levels, or what 0 means.
+pub(super) fn tolerance(levels: f64) -> String {
+    if levels == 0.0 {
+        "exact".to_owned()
+    } else {
+        levels.to_string()
+    }
+}
+
 fn degrees(angle: f64) -> String {
     // Adding zero takes the sign off a negative zero.
     format!("{}\u{b0}", angle.round() + 0.0)
 }
 
-fn facts(session: &Session) -> [Line; 3] {
+fn facts(session: &Session) -> [Line; 5] {
     let statistics = session.statistics();
     let time = statistics.frame_time().map_or_else(
         || "-".to_owned(),
@@ -269,8 +292,26 @@ fn facts(session: &Session) -> [Line; 3] {
             "shaded",
             format!("{} px", grouped(statistics.shaded_pixels())),
         ),
+        Line::Fact("error max / mean", errors(session, |it| it.errors)),
+        Line::Fact("in its own mode", errors(session, |it| it.own_errors)),
         Line::Fact("window", format!("{width}\u{d7}{height}")),
     ]
+}
+
+/// Largest and mean error in levels, or why there is none.
+fn errors(session: &Session, of: fn(&Findings) -> Option<Errors>) -> String {
+    session.findings().map_or_else(
+        || "...".to_owned(),
+        |findings| {
+            of(findings).map_or_else(
+                || "-".to_owned(),
+                |errors| {
+                    let [max, mean] = [errors.max, errors.mean].map(|error| short(Some(error)));
+                    format!("{max} / {mean}")
+                },
+            )
+        },
+    )
 }
 
 /// A number with its digits in threes.

@@ -18,6 +18,8 @@ pub enum Pane {
     Panel,
     /// The help in the middle.
     Help,
+    /// What is known of a pixel.
+    Probe,
 }
 
 /// Words that stand in the window for a while.
@@ -32,7 +34,7 @@ struct Message {
 pub struct Overlay {
     panel: bool,
     help: bool,
-    scroll: [usize; 2],
+    scroll: [usize; 3],
     hovered: Option<Action>,
     tab_until: Option<Duration>,
     message: Option<Message>,
@@ -44,7 +46,7 @@ impl Default for Overlay {
         Overlay {
             panel: true,
             help: false,
-            scroll: [0; 2],
+            scroll: [0; 3],
             hovered: None,
             tab_until: None,
             message: None,

@@ -26,7 +26,7 @@ impl Board {
         let canvas = &mut canvas.clipped(self.rect);
         let radius = self.style.gap();
         let pane = match self.place {
-            Place::Corner => PANE,
+            Place::Corner | Place::Side => PANE,
             Place::Middle => THICK_PANE,
         };
         canvas.rounded(self.rect, radius, pane);
@@ -49,6 +49,11 @@ impl Board {
                         canvas.rounded(lit, self.style.gap() / 2, HOVER);
                     }
                     self.draw_command(canvas, *row, command);
+                }
+                Line::Text(words) => {
+                    let letters = (row.width / self.style.face.advance()).max(0) as usize;
+                    let at = [row.x, self.text_top(*row)];
+                    canvas.text(self.style.face, at, TEXT, &fit(words, letters));
                 }
                 Line::Fact(name, value) => self.draw_fact(canvas, *row, name, value),
                 Line::Rule => {

@@ -3,20 +3,29 @@
 //! Rule: nothing here knows pixels, keys or clocks; the time is told by [`Session::tick`], so that everything can be
 //! tested without a display.
 
+mod readings;
+
 use std::time::Duration;
 
-use hecs::Entity;
+use fearless_simd::Level;
 
 use super::bindings::Action;
+use super::examination::Examination;
+use super::examiner::{Findings, Question};
+use super::looking::Looking;
 use super::orbit::{Limits, Orbit, moved_camera};
 use super::overlay::{Overlay, Pane};
+use super::probing::Probing;
 use super::statistics::Statistics;
 use super::turning::Turning;
-use crate::components::{Light, Name, Projection, ShadingMode, View, Viewpoint};
+use crate::components::{Light, Projection, ShadingMode, View, Viewpoint};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, OutOfMemory};
 use crate::scene::Scene;
 use crate::systems;
+
+/// The tolerances that keys step through, in levels.
+pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
 /// What has to be done anew because something changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,6 +44,8 @@ pub enum Redraw {
 pub enum Request {
     /// Saves what is shown.
     Screenshot,
+    /// Asks the reference about the picture.
+    Examine,
     /// Ends the program.
     Quit,
 }
@@ -50,6 +61,9 @@ pub struct Session {
     turning: Turning,
     overlay: Overlay,
     statistics: Statistics,
+    looking: Looking,
+    probing: Probing,
+    examination: Examination,
     now: Duration,
     redraw: Redraw,
     requests: Vec<Request>,
@@ -68,6 +82,9 @@ impl Session {
             tolerance: drawing.tolerance,
             overlay: Overlay::default(),
             statistics: Statistics::default(),
+            looking: Looking::default(),
+            probing: Probing::default(),
+            examination: Examination::default(),
             now: Duration::ZERO,
             redraw: Redraw::Picture,
             requests: Vec::new(),
@@ -84,11 +101,16 @@ impl Session {
             },
             Action::Shading(mode) => {
                 self.shading = Some(mode);
-                self.wants(Redraw::Picture);
+                self.changed();
             }
+            Action::Tolerance(steps) => self.step_tolerance(steps),
+            Action::NextTolerance if self.next_tolerance(1).is_none() => {
+                self.shade_within(TOLERANCES[0]);
+            }
+            Action::NextTolerance => self.step_tolerance(1),
             Action::Projection(projection) => {
                 self.projection = projection;
-                self.wants(Redraw::Picture);
+                self.changed();
             }
             Action::NextProjection => self.apply(Action::Projection(match self.projection {
                 Projection::Perspective => Projection::Orthographic,
@@ -113,7 +135,16 @@ impl Session {
             Action::ResetView => {
                 self.orbit = Orbit::default();
                 self.turning.turn_to(0, &mut self.scene);
+                self.changed();
+            }
+            Action::Show(mode) => {
+                self.looking.mode = mode;
                 self.wants(Redraw::Picture);
+            }
+            Action::NextView => self.apply(Action::Show(self.looking.mode.next())),
+            Action::Blink => {
+                self.looking.blinks ^= true;
+                self.wants(Redraw::Overlay);
             }
             Action::Turning => {
                 self.turning.switch(self.now);
@@ -128,8 +159,50 @@ impl Session {
                 self.wants(Redraw::Overlay);
             }
             Action::Close if self.overlay.shows_help() => self.apply(Action::Help),
+            Action::Close if self.probing.is_open() => self.probe(None),
             Action::Close | Action::Quit => self.requests.push(Request::Quit),
             Action::Screenshot => self.requests.push(Request::Screenshot),
+        }
+    }
+
+    /// The key of `action` went up, and what lasted as long ends.
+    pub fn release(&mut self, action: Action) {
+        if action == Action::Blink && self.looking.blinks {
+            self.apply(action);
+        }
+    }
+
+    /// Moves the divider by this share of the picture's width to the right.
+    pub fn drag_divider(&mut self, by: f64) {
+        self.looking.drag(by);
+        self.wants(Redraw::Overlay);
+    }
+
+    /// Lets the divider stand where it is.
+    pub fn drop_divider(&mut self) {
+        self.looking.let_go();
+    }
+
+    /// Looks at this pixel from now on, or no longer at any.
+    pub fn probe(&mut self, pixel: Option<[usize; 2]>) {
+        self.probing.look_at(pixel);
+        self.overlay.scroll_to(Pane::Probe, 0);
+        self.wants(Redraw::Picture);
+    }
+
+    /// Finds out anew what there is to know of the pixel that is looked at, in a picture of `size` pixels.
+    ///
+    /// # Errors
+    /// When a row of it does not fit in memory.
+    pub fn update_probe(&mut self, size: [usize; 2], level: Level) -> Result<(), OutOfMemory> {
+        let view = self.view(size);
+        self.probing.update(&mut self.scene, &view, level)
+    }
+
+    /// Takes what was found out, unless it is about a picture that has changed since.
+    pub fn answer(&mut self, findings: Findings) {
+        if self.examination.answer(findings) {
+            self.wants(Redraw::Overlay);
         }
     }
 
@@ -140,7 +213,10 @@ impl Session {
             self.wants(Redraw::Overlay);
         }
         if self.turning.tick(now, &mut self.scene) {
-            self.wants(Redraw::Picture);
+            self.changed();
+        }
+        if self.examination.is_due(now) {
+            self.requests.push(Request::Examine);
         }
     }
 
@@ -165,7 +241,7 @@ impl Session {
 
     /// The window has another size.
     pub fn resized(&mut self) {
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     /// How a picture of `size` pixels is to be drawn now.
@@ -185,14 +261,42 @@ impl Session {
     /// # Errors
     /// When it does not fit in memory.
     pub fn draw(&mut self, size: [usize; 2], frame: &mut Frame) -> Result<(), OutOfMemory> {
-        let view = self.view(size);
+        self.draw_as(self.shading, size, frame)
+    }
+
+    /// The same with all cuboids shaded so.
+    ///
+    /// # Errors
+    /// When it does not fit in memory.
+    pub fn draw_as(
+        &mut self,
+        shading: Option<ShadingMode>,
+        size: [usize; 2],
+        frame: &mut Frame,
+    ) -> Result<(), OutOfMemory> {
+        let view = View {
+            shading,
+            ..self.view(size)
+        };
         systems::draw(&mut self.scene.world, &view, frame)
+    }
+
+    /// What the reference is to be asked about a picture of `size` pixels.
+    pub fn question(&self, size: [usize; 2]) -> Question {
+        Question {
+            scene: self.scene.snapshot(),
+            view: self.view(size),
+            revision: self.revision(),
+        }
     }
 
     /// Notes what drawing `frame` took.
     pub fn record(&mut self, time: Duration, frame: &Frame) {
         self.statistics.record(time, frame.counts(), frame.size());
     }
+
+    /// The tolerances that keys step through, in levels.
+    pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
     /// What has to be done anew since this was last asked.
     pub fn take_redraw(&mut self) -> Redraw {
@@ -204,87 +308,15 @@ impl Session {
         std::mem::take(&mut self.requests)
     }
 
-    /// What is seen.
-    pub fn scene(&self) -> &Scene {
-        &self.scene
-    }
-
-    /// The light of this place in the file.
-    pub fn light(&self, index: usize) -> Option<Light> {
-        let entity = *self.scene.lights.get(index)?;
-        self.scene
-            .world
-            .get::<&Light>(entity)
-            .ok()
-            .map(|light| *light)
-    }
-
-    /// The place in the file of the light so named.
-    pub fn light_named(&self, name: &str) -> Option<usize> {
-        let mut lights = self.scene.lights.iter();
-        lights.position(|&entity| self.is_named(entity, name))
-    }
-
-    /// Whether the scene file calls an entity `name`.
-    pub fn is_named(&self, entity: Entity, name: &str) -> bool {
-        let own = self.scene.world.get::<&Name>(entity);
-        own.is_ok_and(|own| own.0 == name)
-    }
-
-    /// What the scene file calls an entity.
-    pub fn name(&self, entity: Entity) -> String {
-        let own = self.scene.world.get::<&Name>(entity);
-        own.map_or_else(|_| String::new(), |own| own.0.clone())
-    }
-
-    /// Which camera of the file the picture is seen from.
-    pub fn camera(&self) -> usize {
-        self.camera
-    }
-
-    /// How far the camera has been moved.
-    pub fn orbit(&self) -> Orbit {
-        self.orbit
-    }
-
-    /// How the picture is projected.
-    pub fn projection(&self) -> Projection {
-        self.projection
-    }
-
-    /// How all cuboids are shaded, where it is the same for all.
-    pub fn shading(&self) -> Option<ShadingMode> {
-        let own = |&entity: &Entity| {
-            self.scene
-                .world
-                .get::<&ShadingMode>(entity)
-                .ok()
-                .map(|it| *it)
-        };
-        self.shading.or_else(|| {
-            let mut modes = self.scene.cuboids.iter().filter_map(own);
-            let first = modes.next()?;
-            modes.all(|mode| mode == first).then_some(first)
-        })
-    }
-
-    /// How far the cuboids have turned, and whether they do.
-    pub fn turning(&self) -> &Turning {
-        &self.turning
-    }
-
-    /// What lies over the picture.
-    pub fn overlay(&self) -> &Overlay {
-        &self.overlay
-    }
-
-    /// What drawing has cost.
-    pub fn statistics(&self) -> &Statistics {
-        &self.statistics
-    }
-
     fn wants(&mut self, redraw: Redraw) {
         self.redraw = self.redraw.max(redraw);
+    }
+
+    /// The picture is another one.
+    fn changed(&mut self) {
+        self.examination.restart(self.now);
+        self.requests.retain(|request| *request != Request::Examine);
+        self.wants(Redraw::Picture);
     }
 
     fn switch_light(&mut self, index: usize) {
@@ -294,13 +326,38 @@ impl Session {
         if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
             light.on = !light.on;
         }
-        self.wants(Redraw::Picture);
+        self.changed();
+    }
+
+    /// The nearest of [`TOLERANCES`] in the direction of `steps`.
+    fn next_tolerance(&self, steps: i32) -> Option<f64> {
+        let mut tolerances = TOLERANCES.into_iter();
+        if steps > 0 {
+            tolerances.find(|next| *next > self.tolerance)
+        } else {
+            tolerances.rfind(|next| *next < self.tolerance)
+        }
+    }
+
+    fn step_tolerance(&mut self, steps: i32) {
+        for _ in 0..steps.abs() {
+            match self.next_tolerance(steps) {
+                Some(tolerance) => self.shade_within(tolerance),
+                None if steps > 0 => return self.say("no coarser than this"),
+                None => return self.say("no finer than exact"),
+            }
+        }
+    }
+
+    fn shade_within(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
+        self.changed();
     }
 
     fn look_from(&mut self, camera: usize) {
         self.camera = camera;
         self.orbit = Orbit::default();
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     /// Moves the camera, or says what keeps it from moving.
@@ -309,7 +366,7 @@ impl Session {
             return self.say(end);
         }
         self.orbit = orbit;
-        self.wants(Redraw::Picture);
+        self.changed();
     }
 
     /// Where the scene puts the camera.

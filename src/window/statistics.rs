@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use crate::frame::Counts;
+use crate::shading::TileKind;
 
 /// How many frames the median is taken of.
 const FRAMES: usize = 60;
@@ -12,7 +13,7 @@ const FRAMES: usize = 60;
 #[derive(Debug, Default)]
 pub struct Statistics {
     times: VecDeque<Duration>,
-    shaded_pixels: u64,
+    counts: Counts,
     size: [usize; 2],
 }
 
@@ -23,7 +24,7 @@ impl Statistics {
             self.times.pop_front();
         }
         self.times.push_back(time);
-        self.shaded_pixels = counts.covered_pixels;
+        self.counts = counts;
         self.size = size;
     }
 
@@ -38,7 +39,12 @@ impl Statistics {
 
     /// Pixels of the last frame that a triangle covers.
     pub fn shaded_pixels(&self) -> u64 {
-        self.shaded_pixels
+        self.counts.covered_pixels
+    }
+
+    /// Tiles of the last frame, by [`crate::shading::TileKind`] in the order of its `ALL`.
+    pub fn tiles(&self) -> [u64; TileKind::ALL.len()] {
+        self.counts.tiles
     }
 
     /// Width and height of the last frame, in pixels.

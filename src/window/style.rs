@@ -162,6 +162,7 @@ impl Columns {
     /// As wide as `lines` need, at most `width`; `None` where that is not possible.
     pub fn of(lines: &[Line], style: &Style, width: i32) -> Option<Columns> {
         let (mut keys, mut mark, mut label, mut state, mut fact) = (0, 0, 0, 0, 0);
+        let mut text = 0;
         for line in lines {
             match line {
                 Line::Command(command) => {
@@ -174,6 +175,7 @@ impl Columns {
                     label = label.max(command.label.chars().count());
                     state = state.max(command.state.chars().count());
                 }
+                Line::Text(words) => text = text.max(words.chars().count()),
                 Line::Fact(name, value) => fact = fact.max(name.len() + 2 + value.chars().count()),
                 Line::Title(..) | Line::Heading(_) | Line::Rule => {}
             }
@@ -194,12 +196,19 @@ impl Columns {
         } else {
             label.min(MOST_LETTERS)
         };
-        if letters < enough {
+        let cuts = style.overflow == Overflow::ScrollsAndCuts;
+        let room = if cuts {
+            style.face.advance()
+        } else {
+            style.face.width(text)
+        };
+        if letters < enough || widest < room {
             return None;
         }
         let label_letters = label.min(letters).min(MOST_LETTERS);
         let row = (label_start + style.face.width(label_letters) + states)
             .max(style.face.width(fact))
+            .max(style.face.width(text))
             .min(widest);
         Some(Columns {
             mark: gap(keys),

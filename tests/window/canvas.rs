@@ -73,6 +73,18 @@ fn nothing_is_drawn_outside_of_the_clip() {
 }
 
 #[test]
+fn what_lies_outside_of_the_buffer_is_not_drawn() {
+    for rect in [
+        Rect::new(9, 2, 3, 1),
+        Rect::new(2, 7, 1, 9),
+        Rect::new(-5, -5, 2, 2),
+    ] {
+        let rows = drawn(WHOLE, |canvas| canvas.fill(rect, WHITE));
+        assert_eq!(rows, ["........"; 6]);
+    }
+}
+
+#[test]
 fn a_clip_cannot_be_widened_again() {
     let rows = drawn(Rect::new(0, 0, 1, 1), |canvas| {
         canvas.clipped(WHOLE).fill(WHOLE, WHITE);

@@ -13,6 +13,7 @@ use shadetrade::window::hud::{Hud, Shown, respond};
 use shadetrade::window::input::Gesture;
 use shadetrade::window::lines::{Command, Line, Mark};
 use shadetrade::window::session::{Redraw, Request, Session};
+use shadetrade::window::views::ViewMode;
 
 use super::{SIZE, default_session, mixed_session, press, session_of};
 
@@ -66,7 +67,15 @@ fn state(session: &mut Session) -> String {
     let requests = session.take_requests();
     format!(
         "{:?}",
-        (session.view(SIZE), lights, shown, turned, requests)
+        (
+            session.view(SIZE),
+            lights,
+            shown,
+            turned,
+            session.view_mode(),
+            session.blinks(),
+            requests
+        )
     )
 }
 
@@ -104,10 +113,17 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
         "4 A # ambient on",
         "G # Gouraud ",
         "P . Phong ",
+        "[ ]   tolerance 0.5",
         "O # perspective ",
         "O . orthographic ",
         "C # 1 ",
         "C . 2 ",
+        "Tab # picture ",
+        "Tab . Gouraud | Phong ",
+        "Tab . method | reference ",
+        "Tab . error map ",
+        "Tab . tiles ",
+        "B . hold: reference off",
         "Home   reset view ",
         "Space . turn cuboids off",
         "I # panel on",
@@ -122,7 +138,16 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
             _ => None,
         })
         .collect();
-    assert_eq!(facts, ["frame", "shaded", "window"]);
+    assert_eq!(
+        facts,
+        [
+            "frame",
+            "shaded",
+            "error max / mean",
+            "in its own mode",
+            "window"
+        ]
+    );
 }
 
 #[test]
@@ -141,8 +166,10 @@ fn where_cuboids_differ_no_mode_is_marked() {
 fn a_click_in_the_help_does_what_the_key_does() {
     let shown = |action| match action {
         // What steps through several states has a row for each of them; here the one that the step leads to.
+        Action::Tolerance(1) => Action::NextTolerance,
         Action::NextProjection => Action::Projection(Projection::Orthographic),
         Action::NextCamera => Action::Camera(1),
+        Action::NextView => Action::Show(ViewMode::GouraudPhong),
         Action::LightNamed("white") => Action::Light(0),
         Action::LightNamed("red") => Action::Light(1),
         Action::LightNamed("specular") => Action::Light(2),
@@ -150,7 +177,8 @@ fn a_click_in_the_help_does_what_the_key_does() {
         other => other,
     };
     for binding in BINDINGS {
-        if matches!(binding.action, Action::Light(4..)) {
+        // A click steps the tolerance one way only.
+        if matches!(binding.action, Action::Light(4..) | Action::Tolerance(-1)) {
             continue;
         }
         let [mut pressed, mut clicked] = [default_session(), default_session()];

@@ -6,11 +6,14 @@ mod canvas;
 mod desktop;
 #[cfg(target_os = "linux")]
 mod display;
+mod examiner;
 mod fit;
 mod hud;
 mod input;
 mod orbit;
+mod probing;
 mod screenshot;
+mod views;
 
 use std::time::Duration;
 
@@ -161,6 +164,41 @@ fn g_and_p_shade_every_cuboid_whatever_the_scene_says() {
 }
 
 #[test]
+fn brackets_and_page_keys_step_the_tolerance() {
+    for [finer, coarser] in [
+        [Key::LeftBracket, Key::RightBracket],
+        [Key::PageDown, Key::PageUp],
+    ] {
+        let mut session = default_session();
+        let mut steps = |key| {
+            let mut seen = Vec::new();
+            for _ in 0..7 {
+                press(&mut session, key);
+                seen.push(session.view(SIZE).tolerance);
+            }
+            (seen, session.overlay().message().map(str::to_owned))
+        };
+        let (seen, words) = steps(coarser);
+        assert_eq!(seen, [1.0, 2.0, 4.0, 8.0, 8.0, 8.0, 8.0]);
+        assert_eq!(words.as_deref(), Some("no coarser than this"));
+        let (seen, words) = steps(finer);
+        assert_eq!(seen, [4.0, 2.0, 1.0, 0.5, 0.25, 0.0, 0.0]);
+        assert_eq!(words.as_deref(), Some("no finer than exact"));
+    }
+}
+
+#[test]
+fn a_click_on_the_tolerance_goes_round() {
+    let mut session = default_session();
+    let mut seen = Vec::new();
+    for _ in 0..7 {
+        session.apply(Action::NextTolerance);
+        seen.push(session.tolerance());
+    }
+    assert_eq!(seen, [1.0, 2.0, 4.0, 8.0, 0.0, 0.25, 0.5]);
+}
+
+#[test]
 fn o_changes_the_projection_and_back() {
     let mut session = default_session();
     press(&mut session, Key::O);
@@ -275,7 +313,7 @@ fn every_key_and_every_character_calls_up_one_command() {
         let named = matches!(
             binding.section,
             Section::Lights | Section::Shading | Section::Projection | Section::Camera
-        );
+        ) || binding.action == Action::NextView;
         assert_eq!(binding.says.is_empty(), named, "{binding:?}");
     }
 }
