@@ -111,7 +111,7 @@ pub fn assert_twin(
 }
 
 /// Twice the area of a triangle; positive if it is counter-clockwise as seen.
-pub fn turn([a, b, c]: [[i32; 2]; 3]) -> i64 {
-    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|vertex| vertex.map(i64::from));
+pub fn turn([a, b, c]: [[i32; 2]; 3]) -> i128 {
+    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|vertex| vertex.map(i128::from));
     (cx - ax) * (by - ay) - (bx - ax) * (cy - ay)
 }

@@ -69,7 +69,7 @@ fn assert_long_triangles_agree(reach: f64, aside: f64) {
         let (sin, cos) = random.within(0.0, std::f64::consts::TAU).sin_cos();
         let middle = [random.within(0.0, 4096.0), random.within(0.0, 4096.0)];
         let ends = [1.0, -1.0, 1.0].map(|sign| {
-            let along = sign * reach * random.within(0.5, 0.7);
+            let along = sign * reach * random.within(0.5, 0.99);
             let aside = random
                 .within(-aside, aside)
                 .clamp(-0.1 * reach, 0.1 * reach);
@@ -77,11 +77,61 @@ fn assert_long_triangles_agree(reach: f64, aside: f64) {
             let y = middle[1] + along * sin + aside * cos;
             [x, y].map(|coordinate| coordinate.round() as i32)
         });
-        let [a, b, c] = ends;
-        let triangle = snapped(&if turn(ends) > 0 { [a, b, c] } else { [a, c, b] });
+        let triangle = facing(ends);
         covered += assert_twin(&[triangle], [16, 16], |x, y| covers(&triangle, x, y));
     }
     assert!(covered > 200, "{covered} pixels were looked at");
+}
+
+#[test]
+fn an_edge_that_meets_a_centre_or_misses_it_by_the_least_there_is_agrees_with_the_twin() {
+    let mut random = Random(3);
+    for reach in [1000.0, 1e5, 1e8] {
+        let mut covered = 0;
+        for _ in 0..1000 {
+            let mut component = || random.within(-reach, reach) as i64;
+            let (across, down) = (component(), component());
+            // The least there is: `down` u - `across` v = 1.
+            let (divisor, u, v) = bezout(down, -across);
+            if divisor != 1 {
+                continue;
+            }
+            for miss in [-1, 0, 1] {
+                let at = |right: i64, below: i64| {
+                    [miss * u + right, miss * v + below].map(|c| (8 * 256 + 128 + c) as i32)
+                };
+                let sides = [at(-down, across), at(down, -across)];
+                // One step up or down and no more, or the edge would miss by several times the least.
+                for end in [at(-across, -down), at(across, down)] {
+                    for side in sides {
+                        let triangle = facing([at(0, 0), end, side]);
+                        covered +=
+                            assert_twin(&[triangle], [17, 17], |x, y| covers(&triangle, x, y));
+                    }
+                }
+            }
+        }
+        assert!(covered > 10_000, "{covered} pixels were looked at");
+    }
+}
+
+/// The greatest common divisor of two integers, and the factors that make it of them (Euclid's algorithm, extended).
+fn bezout(a: i64, b: i64) -> (i64, i64, i64) {
+    if b == 0 {
+        (a.abs(), a.signum(), 0)
+    } else {
+        let (divisor, u, v) = bezout(b, a % b);
+        (divisor, v, u - a / b * v)
+    }
+}
+
+/// A triangle, turned over if it must be to face the eye.
+fn facing([a, b, c]: [[i32; 2]; 3]) -> Polygon {
+    snapped(&if turn([a, b, c]) > 0 {
+        [a, b, c]
+    } else {
+        [a, c, b]
+    })
 }
 
 /// The convex hull, counter-clockwise as seen (Andrew 1979).
