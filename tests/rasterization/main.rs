@@ -1,0 +1,8 @@
+//! Which pixels a polygon covers.
+
+mod counting;
+mod cuboids;
+mod drawings;
+#[path = "../support/random.rs"]
+mod random;
+mod twins;

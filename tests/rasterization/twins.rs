@@ -1,0 +1,215 @@
+//! Random polygons against the twins.
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+use shadetrade::components::Polygon;
+use shadetrade::shading::TILE;
+use shadetrade::systems::coverage::Scan;
+
+use crate::counting::{assert_twin, count, covers, encloses, snapped, turn};
+use crate::random::Random;
+
+#[test]
+fn a_fan_of_360_triangles_counts_the_pixel_in_its_middle_once() {
+    let rim: Vec<[i32; 2]> = (0..360)
+        .map(|degrees| {
+            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+            [10.5 + 9.7 * cos, 10.5 - 9.7 * sin].map(|pixels| (pixels * 256.0) as i32)
+        })
+        .collect();
+    let middle = [10 * 256 + 128; 2];
+    let fan: Vec<Polygon> = (0..360)
+        .map(|degrees| snapped(&[middle, rim[degrees], rim[(degrees + 1) % 360]]))
+        .collect();
+    assert_eq!(count(&fan, [21, 21])[10 * 21 + 10], 1);
+    assert_twin(&fan, [21, 21], |x, y| encloses(&rim, x, y));
+}
+
+#[test]
+fn two_halves_of_any_quadrilateral_count_its_pixels_once_and_no_others() {
+    let mut random = Random(1);
+    let mut covered = 0;
+    let mut left = 100_000;
+    while left > 0 {
+        // Half of them on a coarse grid, where edges meet pixel centres.
+        let unit = if left % 2 == 0 { 128.0 } else { 1.0 };
+        let mut coordinate =
+            || (random.within(-256.0, 8.0 * 256.0) / unit).round() as i32 * unit as i32;
+        let ring: [[i32; 2]; 4] = std::array::from_fn(|_| [coordinate(), coordinate()]);
+        let [a, b, c, d] = ring;
+        if turn([a, b, c]) > 0 && turn([a, c, d]) > 0 {
+            let halves = [snapped(&[a, b, c]), snapped(&[a, c, d])];
+            covered += assert_twin(&halves, [7, 7], |x, y| encloses(&ring, x, y));
+            left -= 1;
+        }
+    }
+    assert!(covered > 500_000, "{covered} pixels were looked at");
+}
+
+#[test]
+fn slivers_of_any_slope_and_thousands_of_pixels_long_agree_with_the_twin() {
+    assert_long_triangles_agree(4000.0 * 256.0, 1.0);
+}
+
+#[test]
+fn coordinates_up_to_the_limit_agree_with_the_twin() {
+    let limit = f64::from(1 << 30) - 4096.0;
+    assert_long_triangles_agree(limit / 2.0, 1000.0);
+    assert_long_triangles_agree(limit, 1000.0);
+    assert_long_triangles_agree(limit, 1e9);
+}
+
+/// Random triangles round a small picture: up to `reach` long to both sides of it and up to twice `aside` wide, in
+/// 1/256 pixel.
+#[track_caller]
+fn assert_long_triangles_agree(reach: f64, aside: f64) {
+    let mut random = Random(2);
+    let mut covered = 0;
+    for _ in 0..10_000 {
+        let (sin, cos) = random.within(0.0, std::f64::consts::TAU).sin_cos();
+        let middle = [random.within(0.0, 4096.0), random.within(0.0, 4096.0)];
+        let ends = [1.0, -1.0, 1.0].map(|sign| {
+            let along = sign * reach * random.within(0.5, 0.99);
+            let aside = random
+                .within(-aside, aside)
+                .clamp(-0.1 * reach, 0.1 * reach);
+            let x = middle[0] + along * cos - aside * sin;
+            let y = middle[1] + along * sin + aside * cos;
+            [x, y].map(|coordinate| coordinate.round() as i32)
+        });
+        let triangle = facing(ends);
+        covered += assert_twin(&[triangle], [16, 16], |x, y| covers(&triangle, x, y));
+    }
+    assert!(covered > 200, "{covered} pixels were looked at");
+}
+
+#[test]
+fn an_edge_that_meets_a_centre_or_misses_it_by_the_least_there_is_agrees_with_the_twin() {
+    let mut random = Random(3);
+    for reach in [1000.0, 1e5, 1e8] {
+        let mut covered = 0;
+        for _ in 0..1000 {
+            let mut component = || random.within(-reach, reach) as i64;
+            let (across, down) = (component(), component());
+            // The least there is: `down` u - `across` v = 1.
+            let (divisor, u, v) = bezout(down, -across);
+            if divisor != 1 {
+                continue;
+            }
+            for miss in [-1, 0, 1] {
+                let at = |right: i64, below: i64| {
+                    [miss * u + right, miss * v + below].map(|c| (8 * 256 + 128 + c) as i32)
+                };
+                let sides = [at(-down, across), at(down, -across)];
+                // One step up or down and no more, or the edge would miss by several times the least.
+                for end in [at(-across, -down), at(across, down)] {
+                    for side in sides {
+                        let triangle = facing([at(0, 0), end, side]);
+                        covered +=
+                            assert_twin(&[triangle], [17, 17], |x, y| covers(&triangle, x, y));
+                    }
+                }
+            }
+        }
+        assert!(covered > 10_000, "{covered} pixels were looked at");
+    }
+}
+
+/// The greatest common divisor of two integers, and the factors that make it of them (Euclid's algorithm, extended).
+fn bezout(a: i64, b: i64) -> (i64, i64, i64) {
+    if b == 0 {
+        (a.abs(), a.signum(), 0)
+    } else {
+        let (divisor, u, v) = bezout(b, a % b);
+        (divisor, v, u - a / b * v)
+    }
+}
+
+/// A triangle, turned over if it must be to face the eye.
+fn facing([a, b, c]: [[i32; 2]; 3]) -> Polygon {
+    snapped(&if turn([a, b, c]) > 0 {
+        [a, b, c]
+    } else {
+        [a, c, b]
+    })
+}
+
+/// The convex hull, counter-clockwise as seen (Andrew 1979).
+fn hull(mut points: Vec<[i32; 2]>) -> Vec<[i32; 2]> {
+    points.sort_unstable();
+    points.dedup();
+    let half = |points: &mut dyn Iterator<Item = [i32; 2]>| {
+        let mut chain: Vec<[i32; 2]> = Vec::new();
+        for point in points {
+            while let [.., a, b] = chain[..]
+                && turn([a, b, point]) <= 0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut ring = half(&mut points.iter().copied());
+    ring.extend(half(&mut points.iter().rev().copied()));
+    ring
+}
+
+/// Convex polygons in and around a small picture; with `unit` 128, of vertices on pixel centres and pixel corners.
+fn convex() -> impl Strategy<Value = Polygon> {
+    prop_oneof![Just(1), Just(128)].prop_flat_map(|unit| {
+        let coordinate = (-512 / unit..=40 * 256 / unit).prop_map(move |step| step * unit);
+        prop::collection::vec([coordinate.clone(), coordinate], 3..=Polygon::MOST)
+            .prop_map(|points| snapped(&hull(points)))
+    })
+}
+
+proptest! {
+    #![proptest_config(Config {
+        cases: 2000,
+        rng_seed: RngSeed::Fixed(1),
+        failure_persistence: None,
+        ..Config::default()
+    })]
+
+    #[test]
+    fn any_convex_polygon_covers_what_its_twin_does(polygon in convex()) {
+        assert_twin(&[polygon], [36, 36], |x, y| covers(&polygon, x, y));
+    }
+
+    #[test]
+    fn some_rows_of_a_polygon_are_those_rows(polygon in convex(), from in 0..36_usize, rows in 0..36_usize) {
+        let spans = |rows| {
+            let mut scan = Scan::new(&polygon, rows, 36);
+            std::iter::from_fn(move || scan.next_span()).collect::<Vec<_>>()
+        };
+        let to = (from + rows).min(36);
+        let expected: Vec<_> = spans(0..36).into_iter().filter(|span| (from..to).contains(&span.0)).collect();
+        prop_assert_eq!(spans(from..to), expected);
+    }
+
+    #[test]
+    fn tiles_cover_what_spans_do(polygon in convex()) {
+        let mut scan = Scan::new(&polygon, 0..48, 48);
+        let mut counts = vec![0; 48 * 48];
+        while let Some(row) = scan.next_row() {
+            let first = row / TILE * TILE;
+            let tiles = scan.tiles(first);
+            for column in (0..48).step_by(TILE) {
+                let coverage = tiles.coverage(column);
+                let mut pixels = 0;
+                for (row, (from, to)) in coverage.spans.into_iter().enumerate() {
+                    for lane in from..to {
+                        counts[(first + row) * 48 + column + usize::from(lane)] += 1;
+                        pixels += 1;
+                    }
+                }
+                prop_assert_eq!(coverage.pixels, pixels);
+                let within = tiles.extent().start < column + TILE && column < tiles.extent().end;
+                prop_assert!(within || pixels == 0, "the tiles' extent leaves out column {}", column);
+            }
+        }
+        prop_assert_eq!(counts, count(&[polygon], [48, 48]));
+    }
+}

@@ -1,0 +1,135 @@
+//! Tiles shaded in f32, a lane for every pixel, against their naive twin: the same tile, pixel by pixel in f64.
+
+use glam::DVec3;
+use shadetrade::components::{Illumination, Material, PointLight};
+use shadetrade::shading::gouraud::Gouraud;
+use shadetrade::shading::patch::{Patch, Triangle};
+use shadetrade::shading::phong::Phong;
+use shadetrade::shading::{
+    Coverage, EXACT, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow,
+};
+
+use crate::random::Random;
+
+/// The levels of a tile, row by row.
+#[derive(Default)]
+struct Tile(Vec<TileRow>);
+
+impl Sink for Tile {
+    fn take(&mut self, row: usize, levels: &TileRow) {
+        assert_eq!(row, self.0.len(), "rows come in order");
+        self.0.push(*levels);
+    }
+
+    fn take_within(&mut self, _row: usize, _levels: &TileRow) {
+        panic!("an exact tile is not an approximation");
+    }
+}
+
+/// A triangle that fills a tile's surroundings, in world units round its centre: on the plane z = 0 but for a slope,
+/// with normals and colours of its own, seen by an eye above it.
+fn triangle(random: &mut Random) -> Triangle {
+    let mut vector = |least: DVec3, most: DVec3| {
+        let [x, y, z] = [0, 1, 2].map(|axis| random.within(least[axis], most[axis]));
+        DVec3::new(x, y, z)
+    };
+    let eye = vector(DVec3::new(-2.0, -2.0, 6.0), DVec3::new(2.0, 2.0, 20.0));
+    let slope = DVec3::new(0.0, 0.0, 1.0);
+    let offsets = [[-3.0, -2.0], [3.0, -2.0], [0.0, 4.0]]
+        .map(|[x, y]| DVec3::new(x, y, 0.0) + vector(-slope, slope));
+    let normals =
+        offsets.map(|_| vector(DVec3::new(-1.0, -1.0, 0.5), DVec3::new(1.0, 1.0, 1.0)).normalize());
+    let colors = offsets.map(|_| vector(DVec3::ZERO, DVec3::splat(400.0)));
+    let seen = offsets.map(|offset| (offset - eye) * DVec3::new(1.0, 1.0, -1.0));
+    Triangle {
+        planes: Triangle::planes(seen),
+        pitch: 1e-3,
+        offsets,
+        normals,
+        colors,
+        screen: Some(seen.map(|seen| seen.z)),
+        eye: Some(eye),
+        backward: DVec3::Z,
+    }
+}
+
+/// The tile over the middle of the triangle.
+fn middle(triangle: &Triangle) -> Patch {
+    let centre = (triangle.offsets[0] + triangle.offsets[1] + triangle.offsets[2]) / 3.0;
+    let seen = centre - triangle.eye.expect("in perspective");
+    let origin = [seen.x, -seen.y].map(|place| (place / -seen.z / triangle.pitch).round());
+    Patch::new(triangle, origin, [0, TILE as u8 - 1], [0, TILE as u8 - 1])
+}
+
+/// Shades a tile both ways; returns how it was done in lanes and the largest difference in levels.
+fn compare(shader: &impl Shader, triangle: &Triangle) -> (TileKind, f64) {
+    let steady = middle(triangle);
+    let shaken = Patch {
+        steady: false,
+        ..steady
+    };
+    let [(kind, lanes), (twin, doubles)] = [steady, shaken].map(|patch| {
+        let mut tile = Tile::default();
+        let scratch = &mut Scratch::default();
+        let evaluations = shader.shade(triangle, &patch, &Coverage::WHOLE, scratch, &mut tile);
+        assert_eq!(tile.0.len(), TILE);
+        (evaluations.kind, tile.0)
+    });
+    assert_eq!(twin, TileKind::Double);
+    let levels = |rows: &[TileRow]| rows.as_flattened().as_flattened().to_vec();
+    let pairs = levels(&lanes).into_iter().zip(levels(&doubles));
+    (
+        kind,
+        pairs
+            .map(|(a, b)| f64::from((a - b).abs()))
+            .fold(0.0, f64::max),
+    )
+}
+
+#[test]
+fn phong_in_lanes_is_phong_in_f64() {
+    let mut random = Random(6);
+    let mut in_lanes = 0;
+    for _ in 0..1000 {
+        let triangle = triangle(&mut random);
+        let mut between = |least: f64, most: f64| random.within(least, most);
+        let shininess = 10.0_f64.powf(between(0.0, 4.0));
+        let material = Material {
+            ambient: DVec3::splat(0.1),
+            diffuse: DVec3::new(0.2, 0.5, 0.8),
+            specular: DVec3::new(0.9, 0.6, 0.3),
+            shininess,
+        };
+        let points = (0..3).map(|_| PointLight {
+            position: DVec3::new(between(-9.0, 9.0), between(-9.0, 9.0), between(-1.0, 9.0)),
+            diffuse: DVec3::splat(between(0.0, 900.0)),
+            specular: DVec3::splat(between(0.0, 300.0)),
+        });
+        let illumination = Illumination {
+            ambient: DVec3::splat(50.0),
+            points: points.collect(),
+        };
+        let surface = Surface {
+            material: &material,
+            illumination: &illumination,
+            centre: DVec3::ZERO,
+        };
+        let (kind, difference) = compare(&Phong::new(surface, 0.0), &triangle);
+        assert!(
+            difference <= EXACT,
+            "{difference} levels at shininess {shininess}"
+        );
+        in_lanes += u32::from(kind == TileKind::Exact);
+    }
+    assert!(in_lanes > 800, "{in_lanes} tiles were shaded in f32");
+}
+
+#[test]
+fn gouraud_in_lanes_is_gouraud_in_f64() {
+    let mut random = Random(7);
+    for _ in 0..1000 {
+        let (kind, difference) = compare(&Gouraud { tolerance: 0.0 }, &triangle(&mut random));
+        assert!(difference <= EXACT, "{difference} levels");
+        assert_eq!(kind, TileKind::Exact);
+    }
+}

@@ -1,0 +1,10 @@
+//! What colour a pixel gets.
+
+mod agreement;
+mod known;
+mod lanes;
+#[path = "../support/random.rs"]
+mod random;
+#[path = "../support/scene.rs"]
+mod scene;
+mod truth;

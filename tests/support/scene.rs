@@ -1,0 +1,90 @@
+//! Worlds built by hand, as a scene file would have them, and pictures of them.
+
+use fearless_simd::Level;
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{
+    Camera, Illumination, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
+    ShadingMode, Transform, VertexColors, View, Viewpoint,
+};
+use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::systems;
+
+/// A world without anything in it.
+pub fn empty() -> World {
+    let mut world = World::new();
+    world.spawn((Illumination::default(),));
+    world
+}
+
+/// Adds a cuboid, shaded as the view says.
+pub fn spawn_cuboid(world: &mut World, size: DVec3, transform: Transform, material: Material) {
+    world.spawn((
+        Name("cuboid".into()),
+        transform,
+        Mesh::cuboid(size),
+        material,
+        ShadingMode::Phong,
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
+    ));
+}
+
+/// Adds a light that sends `levels` a channel.
+pub fn spawn_light(world: &mut World, kind: LightKind, levels: DVec3, position: DVec3) {
+    let light = Light {
+        kind,
+        color: levels / 100.0,
+        intensity: 50.0,
+        gain: 2.0,
+        on: true,
+    };
+    world.spawn((Name(format!("{kind:?}")), at(position), light));
+}
+
+/// An unturned place.
+pub fn at(position: DVec3) -> Transform {
+    Transform {
+        position,
+        rotation: DVec3::ZERO,
+    }
+}
+
+/// From `eye` towards `target`, 30 degrees or 6 units high, at tolerance 0.
+pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection) -> View {
+    let camera = Camera {
+        target,
+        up: DVec3::Y,
+        fov: 30.0,
+        height: 6.0,
+        near: None,
+    };
+    View {
+        size,
+        viewpoint: Viewpoint {
+            position: eye,
+            camera,
+        },
+        projection,
+        background: DVec3::new(20.0, 20.0, 24.0),
+        shading: None,
+        tolerance: 0.0,
+    }
+}
+
+/// The same view in another mode.
+pub fn shaded(mode: ShadingMode, view: &View) -> View {
+    View {
+        shading: Some(mode),
+        ..view.clone()
+    }
+}
+
+/// A picture drawn by the calling thread alone, with the best SIMD level there is.
+pub fn draw(world: &mut World, view: &View, keep: Keep) -> Frame {
+    let workers = Workers::new(1, Level::new()).expect("one thread is always there");
+    let mut frame = Frame::new(keep, workers);
+    systems::draw(world, view, &mut frame).expect("a small picture fits");
+    frame
+}
