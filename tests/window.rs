@@ -17,6 +17,8 @@ mod fit;
 mod hud;
 #[path = "window/input.rs"]
 mod input;
+#[path = "window/measuring.rs"]
+mod measuring;
 #[path = "window/orbit.rs"]
 mod orbit;
 #[path = "window/probing.rs"]
