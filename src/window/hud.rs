@@ -63,10 +63,12 @@ impl Hud {
         let all = shown == Shown::All;
         let panel = panel(session, size, area, shown);
         let covered = panel.as_ref().map(Board::rect);
-        let legend = |face| Legend::new(session, size, face, area, covered);
+        let probe = probe(session, size, area, covered);
+        let free = beside(area, probe.as_ref());
+        let legend = |face| Legend::new(session, size, face, free, covered);
         Hud {
             size,
-            probe: probe(session, size, area, covered),
+            probe,
             cross: session
                 .probed()
                 .map(|probe| probe.pixel.map(|at| at as i32)),
@@ -225,6 +227,17 @@ fn table(session: &Session, size: [usize; 2], area: Rect) -> Option<Board> {
         .find_map(|(style, letters)| {
             Board::lay_out(measuring.lines(letters), style, area, Place::Middle, first)
         })
+}
+
+/// What a board at the right edge of `area` leaves of it.
+fn beside(area: Rect, board: Option<&Board>) -> Rect {
+    match board.map(Board::rect) {
+        Some(rect) if rect.right() == area.right() => Rect {
+            width: rect.x - FACES[0].advance() - area.x,
+            ..area
+        },
+        _ => area,
+    }
 }
 
 /// The pixel at `point`, where it lies in the picture.
