@@ -9,6 +9,7 @@ use std::ffi::{OsStr, OsString};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 use anyhow::anyhow;
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -17,7 +18,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 use crate::output::{Output, say};
-use crate::scene;
+use crate::{scene, trade};
 use options::DrawingOptions;
 
 /// The command line: a command, or the options of `view` without its name.
@@ -78,6 +79,21 @@ Drawn from the built-in scene, every pixel exactly, 960x720: Gouraud, Phong, and
 the white and ambient lights alone, each from both cameras; the components of the light; and
 a sheet of the six.")]
     Figures(FiguresOptions),
+    /// Measures what every shading method costs and how far it errs, and which of them are worth their time
+    #[command(
+        mut_arg("size", |argument| argument.default_value("1920x1080")),
+        mut_arg("threads", |argument| argument.default_value("1").help("How many threads draw the frames that are timed, 1 to 1024")),
+        mut_arg("shading", |argument| argument.hide(true)),
+        mut_arg("tolerance", |argument| argument.hide(true)),
+        after_help = "\
+Examples:
+  shadetrade trade --quick
+  shadetrade trade bench-close -o close
+  shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
+
+Prints a verdict and a table; with -o also writes trade.json, trade.csv, trade.md, trade.svg (error
+against time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
+    Trade(TradeOptions),
     /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
     #[command(after_help = "\
 Examples:
@@ -110,6 +126,65 @@ pub struct RenderOptions {
     /// Draws with the f64 reference instead of the renderer; --tolerance and --simd have no say then
     #[arg(long)]
     pub reference: bool,
+}
+
+/// The options of `trade`.
+#[derive(Args, Debug)]
+pub struct TradeOptions {
+    /// What is measured; each method has its own shading and tolerance.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// The folder for the reports, made if absent
+    #[arg(short, long, value_name = "DIR", value_parser = PathBufValueParser::new().try_map(folder))]
+    pub output: Option<PathBuf>,
+    /// As few samples as a median needs; the same as --seconds 0
+    #[arg(long, conflicts_with = "seconds")]
+    pub quick: bool,
+    /// How long to time frames in all, the reference apart; no less than 30 of each method [default: 20]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
+    pub seconds: Option<Duration>,
+}
+
+impl TradeOptions {
+    /// What is to be measured.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when the scene is wrong, or a shading or tolerance is asked for.
+    pub fn request(&self) -> Result<trade::Request, Failure> {
+        let given = [
+            ("--shading", self.drawing.shading.is_some()),
+            ("--tolerance", self.drawing.tolerance.is_some()),
+        ];
+        if let Some((option, _)) = given.iter().find(|(_, given)| *given) {
+            return Err(Failure::Usage(anyhow!(
+                "{option} does not go with `trade`, which measures every shading at its own tolerance"
+            )));
+        }
+        let time = if self.quick {
+            trade::QUICK_TIME
+        } else {
+            self.seconds.unwrap_or(trade::USUAL_TIME)
+        };
+        let words: Vec<String> = std::env::args_os()
+            .skip(1)
+            .map(|word| word.to_string_lossy().into_owned())
+            .collect();
+        Ok(trade::Request::new(
+            self.drawing.open()?,
+            time,
+            format!("shadetrade {}", words.join(" ")),
+        ))
+    }
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text
+        .parse()
+        .ok()
+        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    seconds
+        .filter(|time| time.as_secs() <= 86_400)
+        .ok_or_else(|| "it is a number of seconds from 0 to 86400".to_owned())
 }
 
 /// The options of `probe`.

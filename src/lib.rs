@@ -20,6 +20,8 @@
 //!    [`shading::phong`], [`shading::unit_vectors`]. [`shading::certificate`] bounds what a polynomial costs in place of
 //!    the model; with a tolerance above 0 a tile takes the cheapest evaluation that provably keeps it.
 //! 4. [`frame`] holds the pixels and applies the display step, once and last.
+//! 5. [`mod@reference`] draws the same picture in f64 by rays, written on its own; [`trade`] sets the two side by side, with
+//!    the time of each method; [`probe`] does so for one pixel; [`window`] shows all of it live.
 //!
 //! # What to touch to add ...
 //!
@@ -27,13 +29,17 @@
 //!   [`systems::rasterization`], a row of [`shading::METHODS`];
 //! - a light kind: a variant of [`components::LightKind`], its sum in [`systems::lighting::gather`], its term in
 //!   [`shading::Surface::levels`] and, written anew, in the reference;
-//! - a step of the frame: a row of [`systems::FRAME`].
+//! - a step of the frame: a row of [`systems::FRAME`];
+//! - a metric: a pure function in [`trade::metrics`], its column in [`trade::report`];
+//! - a key: a row of [`window::bindings::BINDINGS`], and an arm where [`window::session`] applies actions.
 //!
 //! # Who may import whom
 //!
-//! components -> glam. shading -> components. systems -> components, shading, frame. scene -> components. drawing -> scene,
-//! frame. output, lettering and simd -> none of these. pictures -> drawing, systems, output, lettering. cli -> drawing,
-//! output; main -> cli and the commands. Nothing points back up; hecs ends at scene and systems, clap at cli.
+//! components -> glam. shading -> components. frame -> shading's tiles. systems -> components, shading, frame. scene ->
+//! components. reference -> components: it shares no formula with the renderer. drawing -> scene, frame. probe ->
+//! systems, reference. trade -> drawing, systems, reference, [`shading::METHODS`]. window -> the same; only it names
+//! minifb. output, lettering and simd -> none of these. pictures -> drawing, systems, reference, output, lettering. cli ->
+//! drawing, output, trade's request; main -> cli and the commands. Nothing points back up.
 //!
 //! # What is not modelled, and why
 //!
@@ -56,3 +62,4 @@ pub mod shading;
 pub mod simd;
 pub mod systems;
 pub mod trade;
+pub mod window;

@@ -9,7 +9,8 @@ use shadetrade::cli::options::DrawingOptions;
 use shadetrade::cli::{self, Command, Failure, ProbeOptions};
 use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
-use shadetrade::{output, pictures, probe};
+use shadetrade::window::{self, WindowError};
+use shadetrade::{output, pictures, probe, trade};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -30,6 +31,9 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
                 pictures::render
             };
             Ok(draw(&mut drawing, &options.output)?)
+        }
+        Some(Command::Trade(options)) => {
+            Ok(trade::run(options.request()?, options.output.as_deref())?)
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
@@ -61,27 +65,18 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
 
 /// Opens the window; where there is no display, the built-in scene's figures are drawn instead.
 fn view(options: &DrawingOptions) -> Result<(), Failure> {
+    // Before anything is read: a scene that comes through a pipe can be read once.
+    window::restart_without_input_method().map_err(anyhow::Error::from)?;
     let drawing = options.open()?;
     let scene = drawing.scene.name.clone();
-    match open_window(drawing) {
-        Err(WindowError::NoDisplay) if scene == BUILT_IN[0].0 => {
+    match window::run(drawing) {
+        Err(WindowError::NoDisplay { .. }) if scene == BUILT_IN[0].0 => {
             output::say("no display to open a window on; drawing the figures instead");
             Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
         }
-        Err(WindowError::NoDisplay) => Err(Failure::Work(anyhow!(
+        Err(WindowError::NoDisplay { .. }) => Err(Failure::Work(anyhow!(
             "no display to open a window on; `shadetrade render {scene} -o FILE.png` draws a picture without one"
         ))),
-        opened => Ok(opened.map_err(anyhow::Error::from)?),
+        closed => Ok(closed.map(drop).map_err(anyhow::Error::from)?),
     }
-}
-
-/// Stands in for `shadetrade::window`.
-fn open_window(_drawing: shadetrade::drawing::Drawing) -> Result<(), WindowError> {
-    Err(WindowError::NoDisplay)
-}
-
-#[derive(Debug, thiserror::Error)]
-#[error("no display")]
-enum WindowError {
-    NoDisplay,
 }

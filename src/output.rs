@@ -118,7 +118,8 @@ impl Write for Stdout {
     }
 }
 
-fn buffered(
+/// Writes `content` through a buffer, and notices what fails only when it is emptied.
+pub(crate) fn buffered(
     writer: impl Write,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
@@ -173,7 +174,7 @@ fn replace(
 }
 
 /// A hidden file that goes when it is dropped, with the permissions any new file gets.
-fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+pub(crate) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".shadetrade-").suffix(".tmp");
     #[cfg(unix)]
@@ -204,8 +205,8 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// In bytes of red, green and blue, which the picture is held as a second time meanwhile.
-fn encode_png(
+/// A PNG of 0x00RRGGBB pixels, which are held a second time meanwhile, as bytes of red, green and blue.
+pub(crate) fn encode_png(
     writer: &mut dyn Write,
     pixels: &[u32],
     [width, height]: [usize; 2],

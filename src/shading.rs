@@ -7,6 +7,7 @@
 //! shader does in f32 it may do only where its rounding error is bounded below the tolerance, and in f64 elsewhere.
 
 pub mod certificate;
+mod doubles;
 pub mod gouraud;
 pub mod patch;
 pub mod phong;
@@ -96,6 +97,12 @@ pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 
 /// What the contract calls exact: tolerance 0 errs at most this much, in levels.
 pub const EXACT: f64 = 0.05;
+
+/// How far a pixel may stray, in levels: the tolerance, or what is called exact where that is 0.
+#[inline(always)]
+pub(crate) fn limit(tolerance: f64) -> f64 {
+    if tolerance > 0.0 { tolerance } else { EXACT }
+}
 
 /// What the model needs to know of an object.
 #[derive(Clone, Copy, Debug)]
@@ -293,6 +300,18 @@ impl Evaluations {
             kind,
             model: 0,
             specular: 0,
+        }
+    }
+
+    /// The same, with the whole model evaluated at every covered pixel.
+    #[inline(always)]
+    #[must_use]
+    fn of_every_pixel(self, coverage: &Coverage, surface: &Surface) -> Self {
+        let pixels = u64::from(coverage.pixels);
+        Evaluations {
+            model: pixels,
+            specular: pixels * surface.powers() as u64,
+            ..self
         }
     }
 }

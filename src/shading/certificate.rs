@@ -97,6 +97,12 @@ impl Quadratic {
             + self.0[5].abs() * down * down
     }
 
+    /// One row, `y` pixels below the middle, as a polynomial in x in f32.
+    #[inline(always)]
+    pub fn ramp(&self, y: f64) -> [f32; 3] {
+        self.row(y).map(|coefficient| coefficient as f32)
+    }
+
     /// One row, `y` pixels below the middle, as a polynomial in x.
     #[inline(always)]
     pub fn row(&self, y: f64) -> [f64; 3] {

@@ -8,7 +8,9 @@ use glam::DVec3;
 
 use super::certificate::{Color, quotient};
 use super::patch::{Affine, Patch, Triangle};
-use super::{Coverage, EXACT, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, polynomial};
+use super::{
+    Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit, polynomial,
+};
 
 /// Draws what was lit at the vertices.
 pub struct Gouraud {
@@ -49,11 +51,13 @@ impl Shader for Gouraud {
         let largest =
             colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
         let rounding = 20.0 * U * largest.max_element();
-        if patch.steady && rounding <= self.tolerance.max(EXACT) {
+        if patch.steady && rounding <= limit(self.tolerance) {
             shade_lanes(&colors, &patch.constant(DVec3::ONE), patch, coverage, sink);
             Evaluations::of(TileKind::Exact)
         } else {
-            shade_doubles(triangle, patch, coverage, sink);
+            doubles::shade(patch, coverage, sink, |weights| {
+                Triangle::blend(weights, &triangle.colors)
+            });
             Evaluations::of(TileKind::Double)
         }
     }
@@ -79,22 +83,6 @@ fn shade_lanes(
                 levels[0][lane] = red * inverse;
                 levels[1][lane] = green * inverse;
                 levels[2][lane] = blue * inverse;
-            }
-            sink.take(row, &levels);
-        }
-    }
-}
-
-fn shade_doubles(triangle: &Triangle, patch: &Patch, coverage: &Coverage, sink: &mut impl Sink) {
-    let mut levels = [[0.0; TILE]; 3];
-    for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-        if from < to {
-            for lane in from..to {
-                let weights =
-                    patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
-                let color = Triangle::blend(weights, &triangle.colors).as_vec3();
-                let lane = usize::from(lane);
-                [levels[0][lane], levels[1][lane], levels[2][lane]] = color.to_array();
             }
             sink.take(row, &levels);
         }

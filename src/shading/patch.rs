@@ -196,9 +196,15 @@ impl Patch {
         }
     }
 
-    /// Weights that sum to one at a pixel `x` right and `y` down of the middle, held inside the triangle.
+    /// Weights that sum to one at a pixel `x` right and `y` down of the middle; on an unsteady patch held inside the
+    /// triangle.
     pub fn weights_at(&self, x: f64, y: f64) -> DVec3 {
-        let weights = self.weights.at(x, y).max(DVec3::ZERO);
+        let own = self.weights.at(x, y);
+        let weights = if self.steady {
+            own
+        } else {
+            own.max(DVec3::ZERO)
+        };
         let total = weights.x + weights.y + weights.z;
         if total > 0.0 && total.is_finite() {
             weights / total

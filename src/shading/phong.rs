@@ -14,12 +14,15 @@ use glam::DVec3;
 use super::certificate::{Color, Quadratic, angle, cosine_remainder, least_lambda, rate};
 use super::patch::{Affine, Patch, Triangle};
 use super::{
-    Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, polynomial,
+    Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, limit, polynomial,
 };
-use crate::components::{PointLight, unit};
+use crate::components::PointLight;
+use exact::Reflection;
 
 /// The part of the tolerance that dropped specular terms may use up together.
 const DROPPED: f64 = 0.25;
+/// The part of the tolerance that the rounding of highlights should keep to.
+const ROUNDED: f64 = 0.5;
 
 /// What a shaded object brings to all of its tiles.
 pub struct Phong<'a> {
@@ -32,13 +35,18 @@ pub struct Phong<'a> {
     drop: f64,
 }
 
-/// The interpolated vectors of a tile, each true up to one positive factor a pixel, and how far they swing.
+/// The interpolated vectors of a tile, each true up to one positive factor a pixel and of length one at the tile's
+/// middle, how far they swing, and their products.
 struct Vectors {
     normal: Affine,
-    position: Affine,
     to_eye: Affine,
+    /// P, weighted, from the cuboid's centre in world units.
+    position: Affine,
     swing_normal: f64,
     swing_eye: f64,
+    normal_square: Quadratic,
+    normal_eye: Quadratic,
+    eye_square: Quadratic,
 }
 
 /// How a light stands to a tile.
@@ -58,18 +66,17 @@ struct Survey {
     budget: f64,
     terminators: u64,
     highlights: u64,
+    /// Whether any of the highlights needs unit vectors.
+    by_vectors: bool,
 }
 
 /// What is known of one light on a tile before any pixel is looked at.
 struct Outlook {
     to_light: Affine,
-    /// N'.L', without loss: the sign of n.l.
+    /// N.L, without loss: the sign of n.l.
     facing: Quadratic,
+    light_square: Quadratic,
     side: Side,
-    /// n.l.
-    cosine: Quadratic,
-    /// What that polynomial may err.
-    remainder: f64,
     /// Whether the highlight may reach the tile.
     shines: bool,
     swing: f64,
@@ -78,15 +85,27 @@ struct Outlook {
 impl<'a> Phong<'a> {
     /// Prepares an object; `tolerance` in levels.
     pub fn new(surface: Surface<'a>, tolerance: f64) -> Self {
-        let shininess = surface.material.shininess;
-        let share = DROPPED * tolerance / surface.powers().max(1) as f64;
-        let drop = (surface.material.specular.max_element() / share).ln();
-        Phong {
+        let mut phong = Phong {
             surface,
             tolerance,
-            slope: exact::steepest(shininess),
-            drop,
-        }
+            slope: exact::steepest(surface.material.shininess),
+            drop: 0.0,
+        };
+        let share = phong.dropped() / surface.powers().max(1) as f64;
+        phong.drop = (surface.material.specular.max_element() / share).ln();
+        phong
+    }
+
+    /// What dropped specular terms may cost together, in levels.
+    #[inline(always)]
+    fn dropped(&self) -> f64 {
+        DROPPED * limit(self.tolerance)
+    }
+
+    /// What the rounding of one highlight should cost at most, in levels.
+    #[inline(always)]
+    fn share(&self) -> f64 {
+        ROUNDED * limit(self.tolerance) / self.surface.powers().max(1) as f64
     }
 
     /// What holds for the whole of a patch: the diffuse terms of the lights that are lit all over as polynomials, what is
@@ -95,9 +114,10 @@ impl<'a> Phong<'a> {
     fn survey(&self, vectors: &Vectors, patch: &Patch) -> Survey {
         let mut survey = Survey {
             color: Color::constant(self.surface.ambient()),
-            budget: (1.0 - DROPPED) * self.tolerance,
+            budget: self.tolerance - self.dropped(),
             terminators: 0,
             highlights: 0,
+            by_vectors: false,
         };
         for light in &self.surface.illumination.points {
             let outlook = self.outlook(light, vectors, patch);
@@ -105,16 +125,26 @@ impl<'a> Phong<'a> {
                 continue;
             }
             let [diffuse, specular] = self.surface.coefficients(light);
-            survey.budget -= diffuse.max_element() * (outlook.remainder + 6.0 * U);
-            if outlook.side == Side::Lit {
-                survey.color.add(&outlook.cosine, diffuse);
-            } else if diffuse != DVec3::ZERO {
-                survey.terminators += 1;
+            if diffuse != DVec3::ZERO {
+                let remainder = cosine_remainder(rate(vectors.swing_normal), rate(outlook.swing));
+                survey.budget -= diffuse.max_element() * (remainder + 6.0 * U);
+                if outlook.side == Side::Lit {
+                    survey.color.add(&outlook.cosine(vectors), diffuse);
+                } else {
+                    survey.terminators += 1;
+                }
             }
             if outlook.shines {
                 survey.highlights += 1;
-                survey.budget -=
-                    self.specular_rounding(specular.max_element(), vectors, outlook.swing);
+                let (reflection, cost) = self.reflection(
+                    specular.max_element(),
+                    self.share(),
+                    vectors,
+                    &outlook,
+                    patch,
+                );
+                survey.by_vectors |= reflection == Reflection::Vectors;
+                survey.budget -= cost;
             }
         }
         survey
@@ -152,16 +182,16 @@ impl<'a> Phong<'a> {
                 );
             }
         }
-        if survey.highlights > 0 {
-            vectors.normalise(patch, coverage, &lanes, scratch);
+        if survey.by_vectors {
+            vectors.normalise(patch, coverage, scratch);
         }
         for light in &self.surface.illumination.points {
             let outlook = self.outlook(light, vectors, patch);
             if outlook.side == Side::Terminator {
-                self.add_terminator(light, &outlook, patch, coverage, scratch);
+                self.add_terminator(light, &outlook.cosine(vectors), patch, coverage, scratch);
             }
             if outlook.shines {
-                self.add_light(light, &outlook, false, patch, coverage, scratch);
+                self.add_specular(light, vectors, &outlook, patch, coverage, scratch);
             }
         }
         exact::flush(coverage, scratch, sink);
@@ -179,37 +209,30 @@ impl<'a> Phong<'a> {
     /// Bounds what a light does to a tile.
     #[inline(always)]
     fn outlook(&self, light: &PointLight, vectors: &Vectors, patch: &Patch) -> Outlook {
-        let to_light = self.to_light(light, &vectors.position, patch);
+        let to_light = exact::scaled(
+            &patch
+                .constant(light.position - self.surface.centre)
+                .minus(&vectors.position),
+        );
         let facing = Quadratic::dot(&vectors.normal, &to_light);
         let side = side(&facing, patch.half);
         let swing = to_light.swing(patch.half);
-        let mut outlook = Outlook {
-            to_light,
-            facing,
-            side,
-            cosine: Quadratic::default(),
-            remainder: 0.0,
-            shines: false,
-            swing,
-        };
-        if side == Side::Dark {
-            return outlook;
-        }
-        if light.diffuse != DVec3::ZERO {
-            let roots = Quadratic::dot(&vectors.normal, &vectors.normal)
-                .inverse_root()
-                .times(&Quadratic::dot(&to_light, &to_light).inverse_root());
-            outlook.cosine = facing.times(&roots);
-            outlook.remainder = cosine_remainder(rate(vectors.swing_normal), rate(swing));
-        }
-        if light.specular != DVec3::ZERO {
+        let mut shines = false;
+        if side != Side::Dark && light.specular != DVec3::ZERO {
             let turns = 2.0 * angle(vectors.swing_normal) + angle(swing) + angle(vectors.swing_eye);
             let lambda = least_lambda(chord(vectors, &to_light), turns);
             let most = self.drop + light.specular.max_element().ln()
                 - self.surface.material.shininess * lambda;
-            outlook.shines = most.is_nan() || most > 0.0;
+            shines = most.is_nan() || most > 0.0;
         }
-        outlook
+        Outlook {
+            facing,
+            light_square: Quadratic::dot(&to_light, &to_light),
+            to_light,
+            side,
+            shines,
+            swing,
+        }
     }
 
     /// Adds max(0, n.l) where its polynomial changes sign, or stays so near to zero that it may.
@@ -217,19 +240,17 @@ impl<'a> Phong<'a> {
     fn add_terminator(
         &self,
         light: &PointLight,
-        outlook: &Outlook,
+        cosine: &Quadratic,
         patch: &Patch,
         coverage: &Coverage,
         scratch: &mut Scratch,
     ) {
+        let polynomial = cosine;
         let lanes = patch.lanes();
         let diffuse = self.surface.coefficients(light)[0].as_vec3().to_array();
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
-                let [middle, slope, curve] = outlook
-                    .cosine
-                    .row(row as f64 - patch.row)
-                    .map(|term| term as f32);
+                let [middle, slope, curve] = polynomial.ramp(row as f64 - patch.row);
                 let mut cosine = [0.0; TILE];
                 for lane in 0..TILE {
                     let value = middle + lanes[lane] * (slope + lanes[lane] * curve);
@@ -243,13 +264,18 @@ impl<'a> Phong<'a> {
             }
         }
     }
+}
 
-    /// L - P, weighted.
+impl Outlook {
+    /// n.l, to second order.
     #[inline(always)]
-    fn to_light(&self, light: &PointLight, position: &Affine, patch: &Patch) -> Affine {
-        patch
-            .constant(light.position - self.surface.centre)
-            .minus(position)
+    fn cosine(&self, vectors: &Vectors) -> Quadratic {
+        self.facing.times(
+            &vectors
+                .normal_square
+                .inverse_root()
+                .times(&self.light_square.inverse_root()),
+        )
     }
 }
 
@@ -283,29 +309,33 @@ impl Shader for Phong<'_> {
         {
             return evaluations;
         }
-        if patch.steady && self.rounding(&vectors, patch) <= self.tolerance.max(EXACT) {
+        let in_lanes = if patch.steady {
             self.shade_lanes(&vectors, patch, coverage, scratch, sink)
         } else {
-            self.shade_doubles(triangle, patch, coverage, sink)
-        }
+            None
+        };
+        in_lanes.unwrap_or_else(|| self.shade_doubles(triangle, patch, coverage, sink))
     }
 }
 
 impl Vectors {
     #[inline(always)]
     fn new(triangle: &Triangle, patch: &Patch) -> Self {
-        let normal = patch.blend(&triangle.normals);
+        let normal = exact::scaled(&patch.blend(&triangle.normals));
         let position = patch.blend(&triangle.offsets);
-        let to_eye = match triangle.eye {
+        let to_eye = exact::scaled(&match triangle.eye {
             Some(eye) => patch.constant(eye).minus(&position),
             None => patch.constant(triangle.backward),
-        };
+        });
         Vectors {
             swing_normal: normal.swing(patch.half),
             swing_eye: to_eye.swing(patch.half),
+            normal_square: Quadratic::dot(&normal, &normal),
+            normal_eye: Quadratic::dot(&normal, &to_eye),
+            eye_square: Quadratic::dot(&to_eye, &to_eye),
             normal,
-            position,
             to_eye,
+            position,
         }
     }
 }
@@ -317,8 +347,7 @@ fn chord(vectors: &Vectors, to_light: &Affine) -> f64 {
         vectors.normal.centre,
         to_light.centre,
         vectors.to_eye.centre,
-    ]
-    .map(unit);
+    ];
     (2.0 * n.dot(l) * n - l - o).length()
 }
 

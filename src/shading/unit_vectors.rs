@@ -9,7 +9,7 @@ use glam::DVec3;
 use super::certificate::Color;
 use super::patch::{Affine, Patch, Triangle};
 use super::specular::{power, power_exact};
-use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind};
+use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, doubles};
 
 /// Draws the shortcut; it has no tolerance to keep.
 pub struct UnitVectors<'a> {
@@ -82,12 +82,7 @@ impl Shader for UnitVectors<'_> {
                 sink.take(row, &scratch.levels[row]);
             }
         }
-        let pixels = u64::from(coverage.pixels);
-        Evaluations {
-            model: pixels,
-            specular: pixels * surface.powers() as u64,
-            ..Evaluations::of(TileKind::Exact)
-        }
+        Evaluations::of(TileKind::Exact).of_every_pixel(coverage, surface)
     }
 }
 
@@ -101,41 +96,24 @@ impl UnitVectors<'_> {
         sink: &mut impl Sink,
     ) -> Evaluations {
         let surface = &self.surface;
-        let mut levels = [[0.0; TILE]; 3];
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                for lane in from..to {
-                    let weights =
-                        patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
-                    let n = Triangle::blend(weights, &triangle.normals);
-                    let o = Triangle::blend(weights, &triangle.to_eye());
-                    let mut color = surface.ambient();
-                    for light in &surface.illumination.points {
-                        let [diffuse, specular] = surface.coefficients(light);
-                        let l = Triangle::blend(
-                            weights,
-                            &triangle.to_light(light.position - surface.centre),
-                        );
-                        let cosine = n.dot(l);
-                        if cosine > 0.0 {
-                            let lambda = 1.0 - o.dot(2.0 * cosine * n - l);
-                            color += diffuse * cosine
-                                + specular * power_exact(surface.material.shininess, lambda);
-                        }
-                    }
-                    let lane = usize::from(lane);
-                    [levels[0][lane], levels[1][lane], levels[2][lane]] =
-                        color.as_vec3().to_array();
+        doubles::shade(patch, coverage, sink, |weights| {
+            let n = Triangle::blend(weights, &triangle.normals);
+            let o = Triangle::blend(weights, &triangle.to_eye());
+            let mut levels = surface.ambient();
+            for light in &surface.illumination.points {
+                let [diffuse, specular] = surface.coefficients(light);
+                let l =
+                    Triangle::blend(weights, &triangle.to_light(light.position - surface.centre));
+                let cosine = n.dot(l);
+                if cosine > 0.0 {
+                    let lambda = 1.0 - o.dot(2.0 * cosine * n - l);
+                    levels += diffuse * cosine
+                        + specular * power_exact(surface.material.shininess, lambda);
                 }
-                sink.take(row, &levels);
             }
-        }
-        let pixels = u64::from(coverage.pixels);
-        Evaluations {
-            model: pixels,
-            specular: pixels * surface.powers() as u64,
-            ..Evaluations::of(TileKind::Double)
-        }
+            levels
+        });
+        Evaluations::of(TileKind::Double).of_every_pixel(coverage, surface)
     }
 }
 

@@ -8,25 +8,25 @@
 //! one cuboid, and then only pixels that are seen are shaded. Tiles hang on the picture's own grid and are set up from all
 //! they cover, so neither threads nor parts of a picture change a bit.
 
+mod store;
+
 use fearless_simd::dispatch;
 use glam::DVec3;
 use hecs::World;
 
+use self::store::{Store, WholeBlock};
 use super::coverage::Scan;
 use super::projection::Lens;
 use crate::components::{
     Illumination, Material, Normals, Polygon, Projected, Projection, ShadingMode, TRIANGLES,
     Transform, VertexColors, View,
 };
-use crate::frame::{Band, Counts, Frame, display_bits, display_bits_within, pack};
+use crate::frame::{Band, Counts, Frame};
 use crate::shading::gouraud::Gouraud;
 use crate::shading::patch::{Patch, Triangle};
 use crate::shading::phong::Phong;
-use crate::shading::polynomial::Rows;
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{
-    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileRow, polynomial,
-};
+use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE, polynomial};
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
@@ -290,31 +290,13 @@ fn draw_with(
                         let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
                         shader.shade(triangle, &patch, coverage, scratch, &mut store)
                     };
+                    store.mark(evaluations.kind);
                     counts += counted(evaluations, store.stored);
                 }
             }
         }
     }
     counts
-}
-
-/// Stores a block all of which is covered by one polynomial.
-struct WholeBlock<'a, 'b> {
-    band: &'a mut Band<'b>,
-    column: usize,
-    first: usize,
-}
-
-impl Rows<BLOCK> for WholeBlock<'_, '_> {
-    #[inline(always)]
-    fn take(&mut self, row: usize, levels: &[[f32; BLOCK]; 3]) {
-        let start = self.band.index(self.column, self.first + row);
-        let pixels = &mut self.band.pixels[start..start + BLOCK];
-        for lane in 0..BLOCK {
-            pixels[lane] =
-                pack([0, 1, 2].map(|channel| display_bits_within(levels[channel][lane])));
-        }
-    }
 }
 
 /// Two by two tiles.
@@ -366,122 +348,4 @@ fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {
     };
     counts.tiles[evaluations.kind as usize] = 1;
     counts
-}
-
-/// Stores the rows of one tile.
-struct Store<'a, 'b> {
-    band: &'a mut Band<'b>,
-    coverage: &'a Coverage,
-    id: u32,
-    /// The picture's row of the tile's first.
-    row: usize,
-    /// Where the tile's first pixel stands in the band's slices, had the band no first row.
-    first: usize,
-    /// Whether the band has all of the tile's rows.
-    whole: bool,
-    stored: u64,
-}
-
-impl<'a, 'b> Store<'a, 'b> {
-    #[inline(always)]
-    fn new(
-        band: &'a mut Band<'b>,
-        [column, row]: [usize; 2],
-        coverage: &'a Coverage,
-        id: u32,
-    ) -> Self {
-        let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
-        let whole = band.holds(row, TILE);
-        Store {
-            band,
-            coverage,
-            id,
-            row,
-            first,
-            whole,
-            stored: 0,
-        }
-    }
-
-    /// The place of the first lane of a row of the tile, if the band has that row.
-    #[inline(always)]
-    fn place(&self, row: usize) -> Option<usize> {
-        let held = self.whole || self.band.rows.contains(&(self.row + row));
-        held.then(|| self.first.wrapping_add(row * self.band.width))
-    }
-
-    /// Whether any pixel of the tile is drawn here: in this band, and not hidden.
-    #[inline(always)]
-    fn is_seen(&self) -> bool {
-        if self.whole && self.band.depths.is_empty() {
-            return true;
-        }
-        self.coverage
-            .spans
-            .iter()
-            .enumerate()
-            .any(|(row, &(from, to))| {
-                from < to
-                    && self.place(row).is_some_and(|first| {
-                        let covered = first + usize::from(from)..first + usize::from(to);
-                        self.band.depths.is_empty()
-                            || self.band.triangles[covered].contains(&self.id)
-                    })
-            })
-    }
-}
-
-impl Sink for Store<'_, '_> {
-    #[inline(always)]
-    fn take(&mut self, row: usize, levels: &TileRow) {
-        self.store(row, levels, display_bits);
-    }
-
-    #[inline(always)]
-    fn take_within(&mut self, row: usize, levels: &TileRow) {
-        self.store(row, levels, display_bits_within);
-    }
-}
-
-impl Store<'_, '_> {
-    /// Stores the covered lanes of a row; `step` is its display step.
-    #[inline(always)]
-    fn store(&mut self, row: usize, levels: &TileRow, step: impl Fn(f32) -> u32) {
-        let Some(first) = self.place(row) else { return };
-        let (from, to) = self.coverage.spans[row];
-        let lanes = usize::from(from)..usize::from(to);
-        let deep = !self.band.depths.is_empty();
-        if self.band.pixels.is_empty() {
-            for lane in lanes {
-                let pixel = first + lane;
-                if !deep {
-                    self.band.triangles[pixel] = self.id;
-                }
-                if self.band.triangles[pixel] == self.id {
-                    self.band.levels[pixel] = [levels[0][lane], levels[1][lane], levels[2][lane]];
-                    self.stored += 1;
-                }
-            }
-            return;
-        }
-        let mut bytes = [0_u32; TILE];
-        for lane in 0..TILE {
-            bytes[lane] = pack([0, 1, 2].map(|channel| step(levels[channel][lane])));
-        }
-        if deep {
-            for lane in lanes {
-                if self.band.triangles[first + lane] == self.id {
-                    self.band.pixels[first + lane] = bytes[lane];
-                    self.stored += 1;
-                }
-            }
-        } else if lanes.len() == TILE {
-            // A copy of known length: two or four stores instead of a call.
-            self.band.pixels[first..first + TILE].copy_from_slice(&bytes);
-            self.stored += TILE as u64;
-        } else {
-            self.band.pixels[first + lanes.start..first + lanes.end].copy_from_slice(&bytes[lanes]);
-            self.stored += u64::from(to - from);
-        }
-    }
 }

@@ -1,16 +1,21 @@
 //! Every pixel by itself: in f32 lanes where their rounding is bounded below the tolerance, in f64 elsewhere.
 //!
-//! Lanes normalise N, L and O, reflect, and take the power of 1 - o.r = |r - o|^2 / 2. Where a terminator crosses the
-//! tile, each pixel's gate comes from the sign of the exact quadratic N'.L' in f64.
+//! N, L and O are affine up to one positive factor a pixel, so their six dot products are quadratics, without loss, and
+//! ```text
+//!   n.l = N.L / sqrt(N.N L.L)      o.r = (2 N.L N.O / N.N - L.O) / sqrt(L.L O.O)
+//! ```
+//! A lane evaluates the products it needs. Where rho would make too much of the last bits of o.r, it normalises the three
+//! vectors instead, reflects, and takes 1 - o.r = |r - o|^2 / 2. Where a terminator crosses the tile, each pixel's gate is
+//! the sign of N.L in f64.
 
 use glam::DVec3;
 
-use super::{Outlook, Phong, Side, Vectors, side};
+use super::{Outlook, Phong, Side, Vectors};
 use crate::components::{PointLight, unit};
 use crate::shading::certificate::Quadratic;
-use crate::shading::patch::{Patch, Triangle};
+use crate::shading::patch::{Affine, Patch, Triangle};
 use crate::shading::specular::power;
-use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U};
+use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U, doubles, limit};
 
 /// The steepest slope of (1 - d^2/2)^rho as a function of d = |r - o|, taken at d^2 = 2 / (2 rho - 1) for rho >= 1; it
 /// has no bound for smaller rho, where s goes to 0.
@@ -36,41 +41,92 @@ fn direction_error(swing: f64) -> f64 {
     }
 }
 
+/// A bound on what f32 makes of a quadratic within `half` pixels of the middle: its coefficients are rounded once, and
+/// Horner's rule leaves two roundings of the constant and five of the other terms.
+#[inline(always)]
+fn evaluation_error(quadratic: &Quadratic, half: [f64; 2]) -> f64 {
+    U * (2.0 * quadratic.0[0].abs()
+        + 5.0 * (quadratic.linear_reach(half) + quadratic.quadratic_reach(half)))
+}
+
+/// The same for a square length, over the square of what the length is at least; the vector has length one at the
+/// middle.
+#[inline(always)]
+fn relative_error(square: &Quadratic, half: [f64; 2], swing: f64) -> f64 {
+    if swing < 1.0 {
+        evaluation_error(square, half) / ((1.0 - swing) * (1.0 - swing))
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// How a specular term is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reflection {
+    /// From the products.
+    Products,
+    /// From unit vectors.
+    Vectors,
+}
+
 impl Phong<'_> {
-    /// A bound, in levels, on what f32 costs on this tile; infinite where it cannot be given.
+    /// A bound on what f32 makes of n.l: the errors of its three products and three roundings.
+    #[inline(always)]
+    pub(super) fn cosine_error(vectors: &Vectors, outlook: &Outlook, patch: &Patch) -> f64 {
+        let least = (1.0 - vectors.swing_normal) * (1.0 - outlook.swing);
+        evaluation_error(&outlook.facing, patch.half) / least
+            + 0.5 * relative_error(&vectors.normal_square, patch.half, vectors.swing_normal)
+            + 0.5 * relative_error(&outlook.light_square, patch.half, outlook.swing)
+            + 3.0 * U
+    }
+
+    /// A bound, in levels, on what f32 costs a specular term of the given coefficient, and the cheapest way that keeps
+    /// it below `share` levels, or the truest if none does.
     ///
-    /// With direction errors a, b of n and l, n.l errs by a + b and nine roundings; the sum over lights by six roundings
-    /// of itself.
+    /// From the products, o.r errs by the sum of theirs and eight roundings, and s^rho by rho times that. From unit
+    /// vectors with direction errors a, b, c of n, l and o, |r - o| errs by 2 a + b + c and twenty roundings, and s^rho
+    /// by that times its steepest slope.
     #[inline(always)]
-    pub(super) fn rounding(&self, vectors: &Vectors, patch: &Patch) -> f64 {
-        let mut largest = self.surface.ambient().max_element();
-        let mut bound = 0.0;
-        for light in &self.surface.illumination.points {
-            let swing = self
-                .to_light(light, &vectors.position, patch)
-                .swing(patch.half);
-            let [diffuse, specular] = self.surface.coefficients(light).map(DVec3::max_element);
-            largest += diffuse + specular;
-            bound += diffuse
-                * (direction_error(vectors.swing_normal) + direction_error(swing) + 9.0 * U);
-            bound += self.specular_rounding(specular, vectors, swing);
+    pub(super) fn reflection(
+        &self,
+        coefficient: f64,
+        share: f64,
+        vectors: &Vectors,
+        outlook: &Outlook,
+        patch: &Patch,
+    ) -> (Reflection, f64) {
+        let half = patch.half;
+        let [normal, light, eye] = [vectors.swing_normal, outlook.swing, vectors.swing_eye];
+        let most = (1.0 + normal) * (1.0 + normal) * (1.0 + light) * (1.0 + eye);
+        let twice = evaluation_error(&outlook.facing, half) * (1.0 + normal) * (1.0 + eye)
+            + evaluation_error(&vectors.normal_eye, half) * (1.0 + normal) * (1.0 + light)
+            + most * (relative_error(&vectors.normal_square, half, normal) + 3.0 * U);
+        let numerator = 2.0 * twice / ((1.0 - normal) * (1.0 - normal))
+            + evaluation_error(&Quadratic::dot(&outlook.to_light, &vectors.to_eye), half)
+            + U;
+        let cosine = numerator / ((1.0 - light) * (1.0 - eye))
+            + 0.5 * relative_error(&outlook.light_square, half, light)
+            + 0.5 * relative_error(&vectors.eye_square, half, eye)
+            + 4.0 * U;
+        let shininess = self.surface.material.shininess;
+        let steepest = if shininess == 0.0 || shininess >= 1.0 {
+            shininess
+        } else {
+            f64::INFINITY
+        };
+        let products = coefficient * (steepest * cosine + 16.0 * U);
+        if products <= share {
+            return (Reflection::Products, products);
         }
-        let bound = bound + 6.0 * U * largest;
-        if bound.is_nan() { f64::INFINITY } else { bound }
+        let [a, b, c] = [normal, light, eye].map(direction_error);
+        (
+            Reflection::Vectors,
+            coefficient * (self.slope * (2.0 * a + b + c + 20.0 * U) + 16.0 * U),
+        )
     }
 
-    /// A bound, in levels, on what f32 costs a specular term of the given coefficient: with direction errors a, b, c of
-    /// n, l and o, |r - o| errs by 2 a + b + c and twenty roundings, and the power by two.
-    #[inline(always)]
-    pub(super) fn specular_rounding(&self, coefficient: f64, vectors: &Vectors, swing: f64) -> f64 {
-        if coefficient == 0.0 {
-            return 0.0;
-        }
-        let [a, b, c] = [vectors.swing_normal, swing, vectors.swing_eye].map(direction_error);
-        coefficient * (self.slope * (2.0 * a + b + c + 20.0 * U) + 16.0 * U)
-    }
-
-    /// The model in f32 at every covered pixel.
+    /// The model in f32 at every covered pixel, specular terms where they reach; `None`, and nothing drawn, where that
+    /// would err too much.
     #[inline(always)]
     pub(super) fn shade_lanes(
         &self,
@@ -79,100 +135,164 @@ impl Phong<'_> {
         coverage: &Coverage,
         scratch: &mut Scratch,
         sink: &mut impl Sink,
-    ) -> Evaluations {
-        let ambient = self.surface.ambient().as_vec3().to_array();
-        scratch.levels.fill(ambient.map(|level| [level; TILE]));
-        vectors.normalise(patch, coverage, &patch.lanes(), scratch);
-        let mut evaluations = Evaluations {
-            model: u64::from(coverage.pixels),
-            ..Evaluations::of(TileKind::Exact)
-        };
+    ) -> Option<Evaluations> {
+        let budget = limit(self.tolerance);
+        let mut largest = self.surface.ambient().max_element();
+        let mut error = self.dropped();
+        let mut highlights = 0;
+        let mut by_vectors = false;
         for light in &self.surface.illumination.points {
-            let to_light = self.to_light(light, &vectors.position, patch);
-            let facing = Quadratic::dot(&vectors.normal, &to_light);
-            let side = side(&facing, patch.half);
-            if side == Side::Dark {
+            let outlook = self.outlook(light, vectors, patch);
+            if outlook.side == Side::Dark {
                 continue;
             }
-            let shines = self.surface.coefficients(light)[1] != DVec3::ZERO;
-            evaluations.specular += if shines {
-                u64::from(coverage.pixels)
-            } else {
-                0
-            };
-            let outlook = Outlook {
-                to_light,
-                facing,
-                side,
-                cosine: Quadratic::default(),
-                remainder: 0.0,
-                shines,
-                swing: 0.0,
-            };
-            self.add_light(light, &outlook, true, patch, coverage, scratch);
+            let [diffuse, specular] = self.surface.coefficients(light).map(DVec3::max_element);
+            largest += diffuse + specular;
+            error += diffuse * Self::cosine_error(vectors, &outlook, patch);
+            if outlook.shines {
+                highlights += 1;
+                let (reflection, cost) =
+                    self.reflection(specular, self.share(), vectors, &outlook, patch);
+                by_vectors |= reflection == Reflection::Vectors;
+                error += cost;
+            }
+        }
+        let error = error + 6.0 * U * largest;
+        if error.is_nan() || error > budget {
+            return None;
+        }
+        let ambient = self.surface.ambient().as_vec3().to_array();
+        scratch.levels.fill(ambient.map(|level| [level; TILE]));
+        if by_vectors {
+            vectors.normalise(patch, coverage, scratch);
+        }
+        for light in &self.surface.illumination.points {
+            let outlook = self.outlook(light, vectors, patch);
+            if outlook.side == Side::Dark {
+                continue;
+            }
+            self.add_diffuse(light, vectors, &outlook, patch, coverage, scratch);
+            if outlook.shines {
+                self.add_specular(light, vectors, &outlook, patch, coverage, scratch);
+            }
         }
         flush(coverage, scratch, sink);
-        evaluations
+        let pixels = u64::from(coverage.pixels);
+        Some(Evaluations {
+            model: pixels,
+            specular: pixels * highlights,
+            ..Evaluations::of(TileKind::Exact)
+        })
     }
 
-    /// Adds a light's specular term, if it shines here, and with `diffuse` its diffuse term.
+    /// Adds a light's diffuse term.
     #[inline(always)]
-    pub(super) fn add_light(
+    fn add_diffuse(
         &self,
         light: &PointLight,
+        vectors: &Vectors,
         outlook: &Outlook,
-        diffuse: bool,
         patch: &Patch,
         coverage: &Coverage,
         scratch: &mut Scratch,
     ) {
+        let diffuse = self.surface.coefficients(light)[0];
+        if diffuse == DVec3::ZERO {
+            return;
+        }
         let lanes = patch.lanes();
-        let to_light = outlook.to_light.map(scaled_by(outlook.to_light.centre));
-        let [diffuse_levels, specular] = self
-            .surface
-            .coefficients(light)
-            .map(|levels| levels.as_vec3().to_array());
-        let shininess = self.surface.material.shininess as f32;
+        let diffuse = diffuse.as_vec3().to_array();
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
-                let gate = if outlook.side == Side::Lit {
-                    [1.0; TILE]
-                } else {
-                    gate(&outlook.facing, &lanes, y)
-                };
+                let gate = outlook.gate(&lanes, y);
+                let (nl, nn, ll) = (
+                    outlook.facing.ramp(y),
+                    vectors.normal_square.ramp(y),
+                    outlook.light_square.ramp(y),
+                );
                 let mut cosine = [0.0; TILE];
-                let mut lambda = [0.0; TILE];
-                let ramp = to_light.row(y);
                 for lane in 0..TILE {
-                    let v: [f32; 6] =
-                        [0, 1, 2, 3, 4, 5].map(|component| scratch.vectors[component][row][lane]);
-                    let l = normalised(ramp.at(lanes[lane]));
-                    let nl = v[0] * l[0] + v[1] * l[1] + v[2] * l[2];
-                    let q = [0, 1, 2].map(|axis| 2.0 * nl * v[axis] - l[axis] - v[axis + 3]);
-                    cosine[lane] = if nl > 0.0 { nl } else { 0.0 };
-                    lambda[lane] = 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+                    let x = lanes[lane];
+                    let value = at(nl, x) / (at(nn, x) * at(ll, x)).sqrt();
+                    cosine[lane] = if value > 0.0 { value * gate[lane] } else { 0.0 };
                 }
-                let levels = &mut scratch.levels[row];
-                if diffuse {
-                    for channel in 0..3 {
+                for channel in 0..3 {
+                    for lane in 0..TILE {
+                        scratch.levels[row][channel][lane] += diffuse[channel] * cosine[lane];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds a light's specular term; unit vectors must be in the scratch where that is the way.
+    #[inline(always)]
+    pub(super) fn add_specular(
+        &self,
+        light: &PointLight,
+        vectors: &Vectors,
+        outlook: &Outlook,
+        patch: &Patch,
+        coverage: &Coverage,
+        scratch: &mut Scratch,
+    ) {
+        let specular = self.surface.coefficients(light)[1];
+        let (reflection, _) = self.reflection(
+            specular.max_element(),
+            self.share(),
+            vectors,
+            outlook,
+            patch,
+        );
+        let specular = specular.as_vec3().to_array();
+        let shininess = self.surface.material.shininess as f32;
+        let lanes = patch.lanes();
+        let light_eye = Quadratic::dot(&outlook.to_light, &vectors.to_eye);
+        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+            if from < to {
+                let y = row as f64 - patch.row;
+                let mut strength = outlook.gate(&lanes, y);
+                let mut lambda = [0.0; TILE];
+                match reflection {
+                    Reflection::Products => {
+                        let (nl, no, lo) = (
+                            outlook.facing.ramp(y),
+                            vectors.normal_eye.ramp(y),
+                            light_eye.ramp(y),
+                        );
+                        let (nn, ll, oo) = (
+                            vectors.normal_square.ramp(y),
+                            outlook.light_square.ramp(y),
+                            vectors.eye_square.ramp(y),
+                        );
                         for lane in 0..TILE {
-                            levels[channel][lane] +=
-                                diffuse_levels[channel] * (cosine[lane] * gate[lane]);
+                            let x = lanes[lane];
+                            let along = 2.0 * at(nl, x) * at(no, x) / at(nn, x) - at(lo, x);
+                            lambda[lane] = 1.0 - along / (at(ll, x) * at(oo, x)).sqrt();
+                        }
+                    }
+                    Reflection::Vectors => {
+                        let ramp = outlook.to_light.row(y);
+                        for lane in 0..TILE {
+                            let v: [f32; 6] = [0, 1, 2, 3, 4, 5]
+                                .map(|component| scratch.vectors[component][row][lane]);
+                            let l = normalised(ramp.at(lanes[lane]));
+                            let nl = v[0] * l[0] + v[1] * l[1] + v[2] * l[2];
+                            let q =
+                                [0, 1, 2].map(|axis| 2.0 * nl * v[axis] - l[axis] - v[axis + 3]);
+                            lambda[lane] = 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
                         }
                     }
                 }
-                if outlook.shines {
-                    let mut strength = gate;
-                    if shininess > 0.0 {
-                        for lane in 0..TILE {
-                            strength[lane] *= power(shininess, lambda[lane]);
-                        }
+                if shininess > 0.0 {
+                    for lane in 0..TILE {
+                        strength[lane] *= power(shininess, lambda[lane]);
                     }
-                    for channel in 0..3 {
-                        for lane in 0..TILE {
-                            levels[channel][lane] += specular[channel] * strength[lane];
-                        }
+                }
+                for channel in 0..3 {
+                    for lane in 0..TILE {
+                        scratch.levels[row][channel][lane] += specular[channel] * strength[lane];
                     }
                 }
             }
@@ -187,52 +307,27 @@ impl Phong<'_> {
         coverage: &Coverage,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        let mut levels = [[0.0; TILE]; 3];
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                for lane in from..to {
-                    let weights =
-                        patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
-                    let offset = Triangle::blend(weights, &triangle.offsets);
-                    let normal = unit(Triangle::blend(weights, &triangle.normals));
-                    let to_eye = triangle
-                        .eye
-                        .map_or(triangle.backward, |eye| unit(eye - offset));
-                    let lane = usize::from(lane);
-                    [levels[0][lane], levels[1][lane], levels[2][lane]] = self
-                        .surface
-                        .levels(offset, normal, to_eye)
-                        .as_vec3()
-                        .to_array();
-                }
-                sink.take(row, &levels);
-            }
-        }
-        let pixels = u64::from(coverage.pixels);
-        Evaluations {
-            model: pixels,
-            specular: pixels * self.surface.powers() as u64,
-            ..Evaluations::of(TileKind::Double)
-        }
+        doubles::shade(patch, coverage, sink, |weights| {
+            let offset = Triangle::blend(weights, &triangle.offsets);
+            let normal = unit(Triangle::blend(weights, &triangle.normals));
+            let to_eye = triangle
+                .eye
+                .map_or(triangle.backward, |eye| unit(eye - offset));
+            self.surface.levels(offset, normal, to_eye)
+        });
+        Evaluations::of(TileKind::Double).of_every_pixel(coverage, &self.surface)
     }
 }
 
 impl Vectors {
     /// Fills the scratch with unit normals and unit vectors to the eye, for the covered rows.
     #[inline(always)]
-    pub(super) fn normalise(
-        &self,
-        patch: &Patch,
-        coverage: &Coverage,
-        lanes: &[f32; TILE],
-        scratch: &mut Scratch,
-    ) {
-        let normal = self.normal.map(scaled_by(self.normal.centre));
-        let to_eye = self.to_eye.map(scaled_by(self.to_eye.centre));
+    pub(super) fn normalise(&self, patch: &Patch, coverage: &Coverage, scratch: &mut Scratch) {
+        let lanes = patch.lanes();
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
-                for (component, ramp) in [(0, normal.row(y)), (3, to_eye.row(y))] {
+                for (component, ramp) in [(0, self.normal.row(y)), (3, self.to_eye.row(y))] {
                     let mut unit = [[0.0; TILE]; 3];
                     for lane in 0..TILE {
                         [unit[0][lane], unit[1][lane], unit[2][lane]] =
@@ -247,6 +342,26 @@ impl Vectors {
     }
 }
 
+impl Outlook {
+    /// One where n.l > 0, zero elsewhere, for each lane of the row `y` pixels below the middle.
+    #[inline(always)]
+    fn gate(&self, lanes: &[f32; TILE], y: f64) -> [f32; TILE] {
+        let mut gate = [1.0; TILE];
+        if self.side != Side::Lit {
+            let [middle, slope, curve] = self.facing.row(y);
+            for (open, lane) in gate.iter_mut().zip(lanes) {
+                let lane = f64::from(*lane);
+                *open = if middle + lane * (slope + lane * curve) > 0.0 {
+                    1.0
+                } else {
+                    0.0
+                };
+            }
+        }
+        gate
+    }
+}
+
 /// Hands the finished rows on.
 #[inline(always)]
 pub(super) fn flush(coverage: &Coverage, scratch: &Scratch, sink: &mut impl Sink) {
@@ -257,27 +372,17 @@ pub(super) fn flush(coverage: &Coverage, scratch: &Scratch, sink: &mut impl Sink
     }
 }
 
-/// One where n.l > 0, zero elsewhere, for each lane of the row `y` pixels below the middle.
+/// A row's quadratic at `x` pixels from the middle column.
 #[inline(always)]
-fn gate(facing: &Quadratic, lanes: &[f32; TILE], y: f64) -> [f32; TILE] {
-    let [middle, slope, curve] = facing.row(y);
-    let mut gate = [0.0; TILE];
-    for (open, lane) in gate.iter_mut().zip(lanes) {
-        let lane = f64::from(*lane);
-        *open = if middle + lane * (slope + lane * curve) > 0.0 {
-            1.0
-        } else {
-            0.0
-        };
-    }
-    gate
+fn at([middle, slope, curve]: [f32; 3], x: f32) -> f32 {
+    middle + x * (slope + x * curve)
 }
 
-/// Divides by the length of `middle`, so that f32 neither overflows nor loses small vectors.
+/// The vector at length one at the middle of its tile, so that f32 neither overflows nor loses it.
 #[inline(always)]
-fn scaled_by(middle: DVec3) -> impl Fn(DVec3) -> DVec3 {
-    let scale = 1.0 / middle.length();
-    move |v| v * scale
+pub(super) fn scaled(vector: &Affine) -> Affine {
+    let scale = 1.0 / vector.centre.length();
+    vector.map(|v| v * scale)
 }
 
 #[inline(always)]

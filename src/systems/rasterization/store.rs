@@ -1,0 +1,167 @@
+//! Rows of levels in, pixels of a band out: the display step fused into the store, or the levels themselves.
+//!
+//! Rule: only covered lanes of rows that the band holds are written, and where there is a depth buffer only pixels that
+//! show this triangle.
+
+use crate::frame::{Band, display_bits, display_bits_within, pack};
+use crate::shading::polynomial::Rows;
+use crate::shading::{BLOCK, Coverage, Sink, TILE, TileKind, TileRow};
+
+/// Stores a block all of which is covered by one polynomial.
+pub struct WholeBlock<'a, 'b> {
+    /// Which holds all of it, as bytes.
+    pub band: &'a mut Band<'b>,
+    /// Its first pixel in each row.
+    pub column: usize,
+    /// Its first row of the picture.
+    pub first: usize,
+}
+
+impl Rows<BLOCK> for WholeBlock<'_, '_> {
+    #[inline(always)]
+    fn take(&mut self, row: usize, levels: &[[f32; BLOCK]; 3]) {
+        let start = self.band.index(self.column, self.first + row);
+        let pixels = &mut self.band.pixels[start..start + BLOCK];
+        for lane in 0..BLOCK {
+            pixels[lane] =
+                pack([0, 1, 2].map(|channel| display_bits_within(levels[channel][lane])));
+        }
+    }
+}
+
+/// Stores the rows of one tile.
+pub struct Store<'a, 'b> {
+    band: &'a mut Band<'b>,
+    coverage: &'a Coverage,
+    id: u32,
+    /// The picture's row of the tile's first.
+    row: usize,
+    /// Where the tile's first pixel stands in the band's slices, had the band no first row.
+    first: usize,
+    /// Whether the band has all of the tile's rows.
+    whole: bool,
+    /// How many pixels were stored.
+    pub stored: u64,
+}
+
+impl<'a, 'b> Store<'a, 'b> {
+    #[inline(always)]
+    /// For the tile at `[column, row]` of the picture; `id` is its triangle's.
+    pub fn new(
+        band: &'a mut Band<'b>,
+        [column, row]: [usize; 2],
+        coverage: &'a Coverage,
+        id: u32,
+    ) -> Self {
+        let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
+        let whole = band.holds(row, TILE);
+        Store {
+            band,
+            coverage,
+            id,
+            row,
+            first,
+            whole,
+            stored: 0,
+        }
+    }
+
+    /// The place of the first lane of a row of the tile, if the band has that row.
+    #[inline(always)]
+    fn place(&self, row: usize) -> Option<usize> {
+        let held = self.whole || self.band.rows.contains(&(self.row + row));
+        held.then(|| self.first.wrapping_add(row * self.band.width))
+    }
+
+    /// Notes how the tile was drawn, where the frame keeps that.
+    pub fn mark(&mut self, kind: TileKind) {
+        if self.band.kinds.is_empty() {
+            return;
+        }
+        for (row, &(from, to)) in self.coverage.spans.iter().enumerate() {
+            let Some(first) = self.place(row) else {
+                continue;
+            };
+            for lane in usize::from(from)..usize::from(to) {
+                if self.band.triangles[first + lane] == self.id {
+                    self.band.kinds[first + lane] = kind as u8;
+                }
+            }
+        }
+    }
+
+    /// Whether any pixel of the tile is drawn here: in this band, and not hidden.
+    #[inline(always)]
+    pub fn is_seen(&self) -> bool {
+        if self.whole && self.band.depths.is_empty() {
+            return true;
+        }
+        self.coverage
+            .spans
+            .iter()
+            .enumerate()
+            .any(|(row, &(from, to))| {
+                from < to
+                    && self.place(row).is_some_and(|first| {
+                        let covered = first + usize::from(from)..first + usize::from(to);
+                        self.band.depths.is_empty()
+                            || self.band.triangles[covered].contains(&self.id)
+                    })
+            })
+    }
+}
+
+impl Sink for Store<'_, '_> {
+    #[inline(always)]
+    fn take(&mut self, row: usize, levels: &TileRow) {
+        self.store(row, levels, display_bits);
+    }
+
+    #[inline(always)]
+    fn take_within(&mut self, row: usize, levels: &TileRow) {
+        self.store(row, levels, display_bits_within);
+    }
+}
+
+impl Store<'_, '_> {
+    /// Stores the covered lanes of a row; `step` is its display step.
+    #[inline(always)]
+    fn store(&mut self, row: usize, levels: &TileRow, step: impl Fn(f32) -> u32) {
+        let Some(first) = self.place(row) else { return };
+        let (from, to) = self.coverage.spans[row];
+        let lanes = usize::from(from)..usize::from(to);
+        let deep = !self.band.depths.is_empty();
+        if self.band.pixels.is_empty() {
+            for lane in lanes {
+                let pixel = first + lane;
+                if !deep {
+                    self.band.triangles[pixel] = self.id;
+                }
+                if self.band.triangles[pixel] == self.id {
+                    self.band.levels[pixel] = [levels[0][lane], levels[1][lane], levels[2][lane]];
+                    self.stored += 1;
+                }
+            }
+            return;
+        }
+        let mut bytes = [0_u32; TILE];
+        for lane in 0..TILE {
+            bytes[lane] = pack([0, 1, 2].map(|channel| step(levels[channel][lane])));
+        }
+        if deep {
+            for lane in lanes {
+                if self.band.triangles[first + lane] == self.id {
+                    self.band.pixels[first + lane] = bytes[lane];
+                    self.stored += 1;
+                }
+            }
+        } else if lanes.len() == TILE {
+            // A copy of known length: two or four stores instead of a call.
+            self.band.pixels[first..first + TILE].copy_from_slice(&bytes);
+            self.stored += TILE as u64;
+        } else {
+            self.band.pixels[first + lanes.start..first + lanes.end].copy_from_slice(&bytes[lanes]);
+            self.stored += u64::from(to - from);
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! Every method's picture against the reference's.
+//!
+//! ```text
+//! method --draw--> levels, triangles --+-- exact Phong in f64 ------> error, FLIP, error map
+//!                                      +-- its own mode in f64 -----> own error
+//! specular lights alone: its bytes over those of exact Phong -------> share of the highlight that it keeps
+//! ```
+//!
+//! Rule: nothing here is timed, so all cores work; the figures are the same however many there are.
+
+use std::collections::{HashMap, HashSet};
+
+use glam::DVec3;
+
+use super::error_map::ErrorMap;
+use super::flip;
+use super::metrics::{self, Difference, Picture};
+use crate::components::{Light, LightKind, ShadingMode, View};
+use crate::frame::{Frame, Keep, OutOfMemory, Workers, display_step};
+use crate::reference::{self, Truth};
+use crate::scene::Scene;
+use crate::shading::{METHODS, Method};
+use crate::systems;
+
+/// How true a method's picture is.
+#[derive(Clone, Debug)]
+pub struct Accuracy {
+    /// Against exact Phong.
+    pub error: Difference,
+    /// Against the exact evaluation of its own mode.
+    pub own_error: Difference,
+    /// Mean FLIP, 0..=1, of the displayed bytes against those of exact Phong; `None` where nothing can be compared.
+    pub flip_mean: Option<f64>,
+    /// How much of the highlight is where it ought to be, 0..=1; `None` where exact Phong shows none.
+    pub highlight_kept: Option<f64>,
+    /// Where the error lies.
+    pub map: ErrorMap,
+}
+
+/// What a pixel takes at most while pictures are compared, in bytes: three truths of 28, a frame with depths of 24, two
+/// displayed pictures of 3, two lists of errors of 16, a highlight of 3, and a map of 1 for every method.
+const BYTES_PER_PIXEL: usize = 3 * 28 + 24 + 2 * 3 + 2 * 16 + 3 + METHODS.len();
+
+/// Whether there is room to compare pictures of this size.
+///
+/// # Errors
+/// When there is not.
+pub(super) fn check_memory([width, height]: [usize; 2]) -> Result<(), OutOfMemory> {
+    let mut room: Vec<u8> = Vec::new();
+    let reserved =
+        room.try_reserve_exact(width.saturating_mul(height).saturating_mul(BYTES_PER_PIXEL));
+    // Without it the compiler may leave out an allocation that nobody uses.
+    std::hint::black_box(&room);
+    reserved.map_err(|_| OutOfMemory { width, height })
+}
+
+/// The accuracy of all [`METHODS`], in their order; `progress` hears, from any thread, the share done, 0..=1.
+///
+/// The scene is left with its specular lights alone.
+///
+/// # Errors
+/// When the picture does not fit in memory.
+pub(super) fn of_methods(
+    scene: &mut Scene,
+    view: &View,
+    workers: Workers,
+    progress: &(dyn Fn(f64) + Sync),
+) -> Result<Vec<Accuracy>, OutOfMemory> {
+    let [width, height] = view.size;
+    let mut frame = Frame::new(Keep::Levels, workers);
+    let modes: HashSet<ShadingMode> = METHODS
+        .iter()
+        .map(|method| method.mode)
+        .chain([ShadingMode::Phong])
+        .collect();
+    let steps = modes.len() + METHODS.len();
+    let told = |done: usize, share: f64| progress((done as f64 + share) / steps as f64);
+    let truths: HashMap<ShadingMode, Truth> = modes
+        .iter()
+        .enumerate()
+        .map(|(done, &mode)| {
+            let row_done = |rows| told(done, rows as f64 / height as f64);
+            (mode, truth(scene, view, mode, &row_done))
+        })
+        .collect();
+    let exact = picture_of(&truths[&ShadingMode::Phong]);
+    let exact_bytes = bytes(exact.levels);
+    let mut accuracies = Vec::with_capacity(METHODS.len());
+    for (index, method) in METHODS.iter().enumerate() {
+        systems::draw(&mut scene.world, &drawn_by(method, view), &mut frame)?;
+        let drawn = picture(width, frame.levels(), frame.triangles());
+        let own = picture_of(&truths[&method.mode]);
+        accuracies.push(accuracy(drawn, exact, &exact_bytes, own));
+        told(modes.len() + index, 1.0);
+    }
+    let highlights = highlights_kept(scene, view, &mut frame)?;
+    for (accuracy, kept) in accuracies.iter_mut().zip(highlights) {
+        accuracy.highlight_kept = kept;
+    }
+    Ok(accuracies)
+}
+
+/// Everything but the highlight.
+fn accuracy(
+    drawn: Picture<f32>,
+    exact: Picture<f64>,
+    exact_bytes: &[[u8; 3]],
+    own: Picture<f64>,
+) -> Accuracy {
+    let flip = || {
+        let drawn_bytes = bytes(drawn.levels);
+        flip::mean(
+            picture(drawn.width, &drawn_bytes, drawn.triangles),
+            picture(exact.width, exact_bytes, exact.triangles),
+            flip::PIXELS_PER_DEGREE,
+        )
+    };
+    let compared_to = |truth| move || metrics::compare(drawn, truth);
+    let differences = || rayon::join(compared_to(exact), compared_to(own));
+    let map = || ErrorMap::between(drawn, exact);
+    let (flip_mean, ((error, own_error), map)) =
+        rayon::join(flip, || rayon::join(differences, map));
+    Accuracy {
+        error,
+        own_error,
+        flip_mean,
+        highlight_kept: None,
+        map,
+    }
+}
+
+/// `view` as `method` draws it.
+pub(super) fn drawn_by(method: &Method, view: &View) -> View {
+    View {
+        shading: Some(method.mode),
+        tolerance: method.tolerance,
+        ..view.clone()
+    }
+}
+
+fn truth(
+    scene: &Scene,
+    view: &View,
+    mode: ShadingMode,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Truth {
+    let view = View {
+        shading: Some(mode),
+        ..view.clone()
+    };
+    reference::picture(&scene.world, &view, 0..view.size[1], &|| false, progress)
+        .expect("nobody cancels it")
+}
+
+fn picture_of(truth: &Truth) -> Picture<'_, f64> {
+    picture(truth.width, &truth.levels, &truth.triangles)
+}
+
+fn picture<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [u32]) -> Picture<'a, T> {
+    Picture {
+        width,
+        levels,
+        triangles,
+    }
+}
+
+fn bytes<T: Into<f64> + Copy>(levels: &[[T; 3]]) -> Vec<[u8; 3]> {
+    let shown = |levels: &[T; 3]| levels.map(|level| display_step(level.into()));
+    levels.iter().map(shown).collect()
+}
+
+/// For each method the share of exact Phong's highlight that it shows where exact Phong shows it.
+fn highlights_kept(
+    scene: &mut Scene,
+    view: &View,
+    frame: &mut Frame,
+) -> Result<Vec<Option<f64>>, OutOfMemory> {
+    for light in scene.world.query_mut::<&mut Light>() {
+        light.on &= light.kind == LightKind::Specular;
+    }
+    let view = View {
+        background: DVec3::ZERO,
+        ..view.clone()
+    };
+    let mut highlight = |view: &View| {
+        systems::draw(&mut scene.world, view, frame)?;
+        Ok(bytes(frame.levels()))
+    };
+    let whole = highlight(&View {
+        shading: Some(ShadingMode::Phong),
+        tolerance: 0.0,
+        ..view.clone()
+    })?;
+    METHODS
+        .iter()
+        .map(|method| Ok(share_kept(&highlight(&drawn_by(method, &view))?, &whole)))
+        .collect()
+}
+
+/// The part of the light in `whole` that is in `kept` too, at the same pixel and channel; `None` where there is none.
+pub fn share_kept(kept: &[[u8; 3]], whole: &[[u8; 3]]) -> Option<f64> {
+    let sum = |bytes: &mut dyn Iterator<Item = u8>| -> u64 { bytes.map(u64::from).sum() };
+    let pairs = kept.as_flattened().iter().zip(whole.as_flattened());
+    let all = sum(&mut whole.as_flattened().iter().copied());
+    let common = sum(&mut pairs.map(|(kept, whole)| *kept.min(whole)));
+    (all > 0).then(|| common as f64 / all as f64)
+}

@@ -1,0 +1,85 @@
+//! A report in, the text of `trade.json` out.
+//!
+//! Rule: every key is there in every report; a quantity that does not exist is `null`.
+
+use serde_json::{Map, Value, json};
+
+use super::metrics::Error;
+use super::report::{mode_name, projection_name};
+use super::verdict::verdict;
+use super::{Measurement, Report, flip};
+use crate::shading::TileKind;
+
+/// The report as JSON text.
+pub fn json(report: &Report) -> String {
+    let machine = &report.machine;
+    let methods: Vec<Value> = report.methods.iter().map(method).collect();
+    let value = json!({
+        "verdict": verdict(report),
+        "machine": {
+            "cpu": machine.cpu,
+            "cores": machine.cores,
+            "lanes": machine.lanes,
+            "os": machine.os,
+            "rustc": machine.rustc,
+            "profile": machine.profile,
+        },
+        "command": report.command,
+        "scene": report.scene,
+        "camera": report.camera,
+        "projection": projection_name(report.projection),
+        "size": report.size,
+        "covered_pixels": report.covered_pixels,
+        "flip_pixels_per_degree": flip::PIXELS_PER_DEGREE,
+        "methods": methods,
+    });
+    format!("{value:#}\n")
+}
+
+fn method(one: &Measurement) -> Value {
+    let (timing, accuracy) = (&one.timing, &one.accuracy);
+    let of = |error: Option<Error>, figure: fn(&Error) -> f64| error.as_ref().map(figure);
+    let error = |figure| of(accuracy.error.error, figure);
+    let own_error = |figure| of(accuracy.own_error.error, figure);
+    let tiles: Map<String, Value> = TileKind::ALL
+        .iter()
+        .zip(one.counts.tiles)
+        .map(|(kind, tiles)| (kind.name().to_owned(), tiles.into()))
+        .collect();
+    json!({
+        "id": one.method.id,
+        "mode": mode_name(one.method.mode),
+        "tolerance": one.method.tolerance,
+        "threads": one.threads,
+        "ms": {
+            "samples": timing.samples,
+            "median": timing.median,
+            "mad": timing.mad,
+            "min": timing.min,
+            "p99": timing.p99,
+            "interval": timing.interval(),
+        },
+        "ns_per_covered_pixel": one.ns_per_covered_pixel(),
+        "counts": {
+            "model_evaluations": one.counts.model_evaluations,
+            "specular_evaluations": one.counts.specular_evaluations,
+            "tiles": tiles,
+        },
+        "error": {
+            "max": error(|error| error.max),
+            "max_pixel": accuracy.error.error.map(|error| error.max_pixel),
+            "mean": error(|error| error.mean),
+            "rmse": error(|error| error.rmse),
+            "p999": error(|error| error.p999),
+            "over_1_level": error(|error| error.over_1_level),
+            "flip_mean": accuracy.flip_mean,
+        },
+        "own_error": {
+            "max": own_error(|error| error.max),
+            "rmse": own_error(|error| error.rmse),
+        },
+        "highlight_kept": accuracy.highlight_kept,
+        "edge_pixels": accuracy.error.edge_pixels,
+        "on_front": one.on_front,
+    })
+}

@@ -1,0 +1,87 @@
+//! Where a measurement was made: what a reader must know before comparing times.
+
+use std::fs;
+
+use fearless_simd::Level;
+
+use crate::drawing::all_cores;
+use crate::simd;
+
+/// What the times depend on besides the program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Machine {
+    /// The processor's own name where the system tells it, else its architecture.
+    pub cpu: String,
+    /// Threads it runs at once.
+    pub cores: usize,
+    /// The SIMD level that drew.
+    pub lanes: &'static str,
+    /// The system and its architecture.
+    pub os: String,
+    /// The compiler.
+    pub rustc: &'static str,
+    /// `release`, or `debug` where assertions are on.
+    pub profile: &'static str,
+}
+
+impl Machine {
+    /// This one, drawing at `level`.
+    pub fn this(level: Level) -> Self {
+        let read = |path, key| {
+            fs::read_to_string(path)
+                .ok()
+                .and_then(|text| value_of(key, &text))
+        };
+        let system = read("/etc/os-release", "PRETTY_NAME");
+        Machine {
+            cpu: read("/proc/cpuinfo", "model name")
+                .unwrap_or_else(|| std::env::consts::ARCH.to_owned()),
+            cores: all_cores(),
+            lanes: simd::name(level),
+            os: format!(
+                "{} {}",
+                system.as_deref().unwrap_or(std::env::consts::OS),
+                std::env::consts::ARCH
+            ),
+            rustc: env!("SHADETRADE_RUSTC"),
+            profile: if cfg!(debug_assertions) {
+                "debug"
+            } else {
+                "release"
+            },
+        }
+    }
+}
+
+/// What stands after `key` and `=` or `:` in the first line that begins so, without quotes.
+fn value_of(key: &str, text: &str) -> Option<String> {
+    text.lines()
+        .find_map(|line| {
+            line.strip_prefix(key)?
+                .trim_start()
+                .strip_prefix(['=', ':'])
+        })
+        .map(|value| value.trim().trim_matches('"').to_owned())
+        .filter(|value| !value.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn facts_are_read_from_both_kinds_of_file() {
+        let cpuinfo = "processor\t: 0\nmodel\t\t: 17\nmodel name\t: Some CPU @ 2 GHz\n";
+        assert_eq!(
+            value_of("model name", cpuinfo).as_deref(),
+            Some("Some CPU @ 2 GHz")
+        );
+        let release = "NAME=\"Debian\"\nPRETTY_NAME=\"Debian GNU/Linux 12\"\n";
+        assert_eq!(
+            value_of("PRETTY_NAME", release).as_deref(),
+            Some("Debian GNU/Linux 12")
+        );
+        assert_eq!(value_of("model name", release), None);
+        assert_eq!(value_of("NAME", "NAME=\n"), None);
+    }
+}

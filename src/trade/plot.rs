@@ -1,0 +1,320 @@
+//! A report in, the text of `trade.svg` out: the largest error of each method against its time, and the front.
+//!
+//! ```text
+//!  levels |----o gouraud                 o  on the front, which is the line
+//!         |    |            x            x  beaten by another method
+//!         |    +------o phong-0.5
+//!  <=0.001+--------------------- ns per covered pixel
+//! ```
+//! Rule: both axes are logarithmic; what lies below [`FLOOR`], zero included, stands on the floor, whose tick says so.
+
+mod labels;
+
+use std::ops::Range;
+
+use plotters::coord::Shift;
+use plotters::coord::combinators::BindKeyPoints;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::report::{place, subject};
+use super::{Measurement, Report};
+use crate::components::ShadingMode;
+
+/// The least error that the plot tells from none, in levels.
+pub const FLOOR: f64 = 1e-3;
+/// A little below the floor and above 255 levels, so that no point lies on the edge.
+const BOTTOM: f64 = 5e-4;
+const CEILING: f64 = 500.0;
+/// Errors that get a tick, in levels.
+const ERRORS: [f64; 7] = [FLOOR, 0.01, 0.1, 1.0, 10.0, 100.0, 255.0];
+
+const SIZE: (u32, u32) = (960, 600);
+const INK: RGBColor = RGBColor(0x22, 0x26, 0x2b);
+const GRID: RGBColor = RGBColor(0xe4, 0xe6, 0xe9);
+const FRONT: RGBColor = RGBColor(0x6b, 0x72, 0x7a);
+
+/// The plotting library's font sizes are 1.24 times those it writes.
+const fn font(pixels: f64) -> f64 {
+    1.24 * pixels
+}
+
+/// One method as it is drawn.
+struct Point<'a> {
+    id: &'a str,
+    color: RGBColor,
+    on_front: bool,
+    /// ns per covered pixel: the median, and the interval around it.
+    time: f64,
+    interval: [f64; 2],
+    /// Levels, at least [`FLOOR`].
+    error: f64,
+}
+
+impl<'a> Point<'a> {
+    /// `None` where there is no error or no time to draw.
+    fn of(one: &'a Measurement) -> Option<Self> {
+        let time = one.ns_per_covered_pixel().filter(|time| *time > 0.0)?;
+        let scale = time / one.timing.median;
+        Some(Point {
+            id: one.method.id,
+            color: color(one.method.mode),
+            on_front: one.on_front,
+            time,
+            interval: one.timing.interval().map(|end| end * scale),
+            error: one.max_error()?.max(FLOOR),
+        })
+    }
+}
+
+impl Point<'_> {
+    /// The ends of the interval as far as they lie within the axis.
+    fn interval(&self, times: &Range<f64>) -> [(f64, f64); 2] {
+        self.interval
+            .map(|end| (end.clamp(times.start, times.end), self.error))
+    }
+}
+
+/// Colours that people who see few colours tell apart (Okabe and Ito 2008).
+fn color(mode: ShadingMode) -> RGBColor {
+    match mode {
+        ShadingMode::Gouraud => RGBColor(0x00, 0x72, 0xb2),
+        ShadingMode::Phong => RGBColor(0xd5, 0x5e, 0x00),
+        ShadingMode::UnitVectors => RGBColor(0x00, 0x9e, 0x73),
+    }
+}
+
+/// The plot as SVG.
+///
+/// # Errors
+/// When the plotting library gives one; it has no reason to.
+pub fn svg(report: &Report) -> anyhow::Result<String> {
+    let mut text = String::new();
+    let points: Vec<Point> = report.methods.iter().filter_map(Point::of).collect();
+    {
+        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        area.fill(&WHITE)?;
+        title(&area, report)?;
+        if points.is_empty() {
+            let style = text_style(16.0, INK).pos(Pos::new(HPos::Center, VPos::Center));
+            let middle = (SIZE.0 as i32 / 2, SIZE.1 as i32 / 2);
+            area.draw_text(
+                "No pixel of this view can be compared, so there is nothing to trade.",
+                &style,
+                middle,
+            )?;
+        } else {
+            draw(&area, &points)?;
+        }
+        area.present()?;
+    }
+    Ok(text)
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+fn text_style(pixels: f64, color: RGBColor) -> TextStyle<'static> {
+    ("sans-serif", font(pixels)).into_font().color(&color)
+}
+
+fn title(area: &Area, report: &Report) -> anyhow::Result<()> {
+    let clean = |text: String| text.replace(char::is_control, "\u{fffd}");
+    area.draw_text(
+        "What each shading method costs and errs",
+        &text_style(18.0, INK),
+        (24, 16),
+    )?;
+    area.draw_text(&clean(subject(report)), &text_style(12.0, FRONT), (24, 42))?;
+    area.draw_text(&clean(place(report)), &text_style(12.0, FRONT), (24, 60))?;
+    Ok(())
+}
+
+/// Axes, front, points and labels.
+fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
+    let times = axis(points);
+    let mut chart = ChartBuilder::on(area)
+        .margin_top(108)
+        .margin_right(24)
+        .margin_bottom(12)
+        .margin_left(12)
+        .x_label_area_size(52)
+        .y_label_area_size(72)
+        .build_cartesian_2d(
+            times.clone().log_scale().with_key_points(ticks(&times)),
+            (BOTTOM..CEILING)
+                .log_scale()
+                .with_key_points(ERRORS.to_vec()),
+        )?;
+    chart
+        .configure_mesh()
+        .bold_line_style(GRID)
+        .light_line_style(TRANSPARENT)
+        .axis_style(FRONT)
+        .label_style(text_style(12.0, INK))
+        .axis_desc_style(text_style(13.0, INK))
+        .x_desc("time: ns per covered pixel")
+        .y_desc("largest error against exact Phong: levels of 255")
+        .x_label_formatter(&|time| time.to_string())
+        .y_label_formatter(&|error| {
+            if *error == FLOOR {
+                format!("\u{2264} {FLOOR}")
+            } else {
+                error.to_string()
+            }
+        })
+        .draw()?;
+    let front = front(points, times.end);
+    chart.draw_series([PathElement::new(front.clone(), FRONT.stroke_width(2))])?;
+    let intervals: Vec<[(f64, f64); 2]> =
+        points.iter().map(|point| point.interval(&times)).collect();
+    for (point, interval) in points.iter().zip(&intervals) {
+        chart.draw_series([PathElement::new(
+            interval.to_vec(),
+            point.color.stroke_width(1),
+        )])?;
+    }
+    let plot = chart.plotting_area();
+    let pixel = |at: &(f64, f64)| <[i32; 2]>::from(plot.map_coordinate(at));
+    let steps = front.windows(2).map(|ends| [ends[0], ends[1]]);
+    let lines: Vec<labels::Rectangle> = steps
+        .chain(intervals)
+        .map(|ends| labels::around(ends.map(|end| pixel(&end))))
+        .collect();
+    let (columns, rows) = plot.get_pixel_range();
+    let places = labels::places(
+        &points
+            .iter()
+            .map(|point| pixel(&(point.time, point.error)))
+            .collect::<Vec<_>>(),
+        &points
+            .iter()
+            .map(|point| label_width(point.id))
+            .collect::<Vec<_>>(),
+        &lines,
+        [columns.start, rows.start, columns.end, rows.end],
+    );
+    for (point, [left, top, right, bottom]) in points.iter().zip(places) {
+        let (x, y) = plot.map_coordinate(&(point.time, point.error));
+        let middle = i32::midpoint(top, bottom);
+        if middle != y {
+            let end = if left > x { left } else { right };
+            area.draw(&PathElement::new(
+                [(x, y), (end, middle)],
+                FRONT.stroke_width(1),
+            ))?;
+        }
+        area.draw(&Rectangle::new(
+            [(left, top), (right, bottom)],
+            WHITE.mix(0.8).filled(),
+        ))?;
+        let style = ("monospace", font(LABEL)).into_font().color(&point.color);
+        area.draw_text(
+            point.id,
+            &style.pos(Pos::new(HPos::Left, VPos::Top)),
+            (left + 2, top + 2),
+        )?;
+    }
+    for point in points {
+        dot(
+            area,
+            plot.map_coordinate(&(point.time, point.error)),
+            point.color,
+            point.on_front,
+        )?;
+    }
+    key(area)
+}
+
+/// The size of a label's letters, in pixels.
+const LABEL: f64 = 12.0;
+
+/// Letters of a monospaced font are 0.6 times as wide as high.
+fn label_width(text: &str) -> i32 {
+    (0.6 * LABEL * text.len() as f64).ceil() as i32 + 4
+}
+
+fn dot(area: &Area, at: (i32, i32), color: RGBColor, filled: bool) -> anyhow::Result<()> {
+    area.draw(&Circle::new(
+        at,
+        5,
+        if filled { color } else { WHITE }.filled(),
+    ))?;
+    area.draw(&Circle::new(at, 5, color.stroke_width(2)))?;
+    Ok(())
+}
+
+/// What colours, dots and lines mean.
+fn key(area: &Area) -> anyhow::Result<()> {
+    let mut x = 30;
+    let mut explain = |meaning: &str, draw: &dyn Fn(i32) -> anyhow::Result<()>| {
+        draw(x)?;
+        area.draw_text(meaning, &text_style(12.0, INK), (x + 11, 84))?;
+        x += 38 + label_width(meaning) * 4 / 5;
+        anyhow::Ok(())
+    };
+    for (meaning, mode) in [
+        ("Gouraud", ShadingMode::Gouraud),
+        ("Phong", ShadingMode::Phong),
+        ("unit vectors, not renormalised", ShadingMode::UnitVectors),
+    ] {
+        explain(meaning, &|x| dot(area, (x, 90), color(mode), true))?;
+    }
+    explain("on the front", &|x| dot(area, (x, 90), FRONT, true))?;
+    explain("beaten by another", &|x| dot(area, (x, 90), FRONT, false))?;
+    explain("where the time may lie", &|x| {
+        let line = PathElement::new([(x - 8, 90), (x + 6, 90)], FRONT.stroke_width(1));
+        Ok(area.draw(&line)?)
+    })
+}
+
+/// The times shown: all of them, with room for labels.
+fn axis(points: &[Point]) -> Range<f64> {
+    let least = points
+        .iter()
+        .map(|point| point.time)
+        .fold(f64::INFINITY, f64::min);
+    let most = points.iter().map(|point| point.time).fold(0.0, f64::max);
+    least / 1.3..most * 1.5
+}
+
+/// Round times within the axis: 1, 2 and 5 times the powers of ten, or every digit where these are too few.
+fn ticks(axis: &Range<f64>) -> Vec<f64> {
+    let decades = axis.start.log10().floor() as i32..=axis.end.log10().floor() as i32;
+    let of = |digits: &[f64]| -> Vec<f64> {
+        let all = decades
+            .clone()
+            .flat_map(|decade| digits.iter().map(move |digit| scaled(*digit, decade)));
+        all.filter(|time| axis.contains(time)).collect()
+    };
+    let few = of(&[1.0, 2.0, 5.0]);
+    if few.len() < 3 {
+        of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
+    } else {
+        few
+    }
+}
+
+/// `digit` times a power of ten, rounded once, so that it prints as it is written.
+fn scaled(digit: f64, decade: i32) -> f64 {
+    if decade < 0 {
+        digit / 10_f64.powi(-decade)
+    } else {
+        digit * 10_f64.powi(decade)
+    }
+}
+
+/// The least error that is to be had for each time, as a line of steps from the top to the right `end`.
+fn front(points: &[Point], end: f64) -> Vec<(f64, f64)> {
+    let mut best: Vec<&Point> = points.iter().filter(|point| point.on_front).collect();
+    best.sort_by(|a, b| a.time.total_cmp(&b.time));
+    let mut error = CEILING;
+    let mut line = Vec::new();
+    for point in best.iter().filter(|point| point.error < CEILING) {
+        if point.error < error {
+            line.extend([(point.time, error), (point.time, point.error)]);
+            error = point.error;
+        }
+    }
+    line.push((end, error));
+    line
+}

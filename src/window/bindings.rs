@@ -1,0 +1,253 @@
+//! What the user can do, and the one table that says by which key: [`BINDINGS`].
+//!
+//! Key handling, the panel and the help overlay are generated from the table, so none of them can know a command that
+//! the others do not. A new command is one variant of [`Action`], one row of the table and one arm where it is applied.
+
+use minifb::Key;
+
+use super::views::ViewMode;
+use crate::components::{Projection, ShadingMode};
+
+/// What the user can have done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// Switches the light of this place in the file, counted from 0.
+    Light(usize),
+    /// Switches the light of this name.
+    LightNamed(&'static str),
+    /// Shades every cuboid so.
+    Shading(ShadingMode),
+    /// Shades more coarsely by so many steps of [`super::session::TOLERANCES`], or finer where negative.
+    Tolerance(i32),
+    /// The next coarser tolerance, after the coarsest the finest.
+    NextTolerance,
+    /// Projects so.
+    Projection(Projection),
+    /// The other projection.
+    NextProjection,
+    /// Looks from the camera of this place in the file, counted from 0.
+    Camera(usize),
+    /// Looks from the next camera of the file, after the last from the first.
+    NextCamera,
+    /// Shows the scene so.
+    Show(ViewMode),
+    /// The next view, after the last the first.
+    NextView,
+    /// Shows the reference, and hides it again.
+    Blink,
+    /// Moves the camera about its target.
+    Orbit {
+        /// To the right as seen from the camera, in degrees.
+        azimuth: f64,
+        /// Towards the camera's up, in degrees.
+        elevation: f64,
+    },
+    /// Goes closer by so many steps, or away where negative.
+    Zoom(i32),
+    /// Undoes orbit, zoom and turning.
+    ResetView,
+    /// Starts and stops turning the cuboids about their own x axes.
+    Turning,
+    /// Shows and hides the panel.
+    Panel,
+    /// Shows and hides the help.
+    Help,
+    /// Saves what the window shows.
+    Screenshot,
+    /// Closes what lies over the picture, or the program where nothing does.
+    Close,
+    /// Ends the program.
+    Quit,
+}
+
+/// The groups in which commands are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Section {
+    /// Which lights are on.
+    Lights,
+    /// How surfaces are shaded.
+    Shading,
+    /// How the picture is formed.
+    Projection,
+    /// Where it is seen from.
+    Camera,
+    /// What is shown of the scene.
+    View,
+    /// Moving about.
+    Motion,
+    /// The window itself.
+    Window,
+}
+
+impl Section {
+    /// Every section, in the order in which they are shown.
+    pub const ALL: [Section; 7] = [
+        Section::Lights,
+        Section::Shading,
+        Section::Projection,
+        Section::Camera,
+        Section::View,
+        Section::Motion,
+        Section::Window,
+    ];
+
+    /// What stands above the section's rows.
+    pub fn title(self) -> &'static str {
+        match self {
+            Section::Lights => "lights",
+            Section::Shading => "shading",
+            Section::Projection => "projection",
+            Section::Camera => "camera",
+            Section::View => "view",
+            Section::Motion => "move",
+            Section::Window => "window",
+        }
+    }
+}
+
+/// One command and how it is called up.
+#[derive(Debug)]
+pub struct Binding {
+    /// The group it belongs to.
+    pub section: Section,
+    /// The keys as they are written; the panel has room for the first one.
+    pub captions: &'static [&'static str],
+    /// The keys that call it up.
+    pub keys: &'static [Key],
+    /// The characters that do, on layouts that deliver these only as such; letters in either case.
+    pub characters: &'static [char],
+    /// What it does.
+    pub action: Action,
+    /// What it does, in words; lights, modes, tolerances, projections, cameras and views are called by their names
+    /// instead.
+    pub says: &'static str,
+    /// Whether the panel has it too; the help has all.
+    pub on_panel: bool,
+    /// What happens while its key is held.
+    pub hold: Hold,
+}
+
+/// What happens while a key is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// Nothing more.
+    Rests,
+    /// The command goes on.
+    Repeats,
+    /// What the command began lasts, and ends with it.
+    Lasts,
+}
+
+impl Binding {
+    /// A row that the help shows and a press calls up once.
+    const fn new(
+        section: Section,
+        captions: &'static [&'static str],
+        keys: &'static [Key],
+        characters: &'static [char],
+        action: Action,
+        says: &'static str,
+    ) -> Self {
+        Binding {
+            section,
+            captions,
+            keys,
+            characters,
+            action,
+            says,
+            on_panel: false,
+            hold: Hold::Rests,
+        }
+    }
+
+    /// The same row, on the panel too.
+    const fn on_panel(mut self) -> Self {
+        self.on_panel = true;
+        self
+    }
+
+    /// The same row, going on while its key is held.
+    const fn repeats(mut self) -> Self {
+        self.hold = Hold::Repeats;
+        self
+    }
+
+    /// The same row, lasting as long as its key is held.
+    const fn lasts(mut self) -> Self {
+        self.hold = Hold::Lasts;
+        self
+    }
+}
+
+/// How far one press of an arrow goes about the target, in degrees.
+const ORBIT_STEP: f64 = 2.0;
+const LEFT: Action = Action::Orbit {
+    azimuth: -ORBIT_STEP,
+    elevation: 0.0,
+};
+const RIGHT: Action = Action::Orbit {
+    azimuth: ORBIT_STEP,
+    elevation: 0.0,
+};
+const UP: Action = Action::Orbit {
+    azimuth: 0.0,
+    elevation: ORBIT_STEP,
+};
+const DOWN: Action = Action::Orbit {
+    azimuth: 0.0,
+    elevation: -ORBIT_STEP,
+};
+const GOURAUD: Action = Action::Shading(ShadingMode::Gouraud);
+const PHONG: Action = Action::Shading(ShadingMode::Phong);
+
+/// Every command, in the order in which they are shown.
+#[rustfmt::skip]
+pub const BINDINGS: &[Binding] = &[
+    Binding::new(Section::Lights, &["1"], &[Key::Key1, Key::NumPad1], &['1'], Action::Light(0), "").on_panel(),
+    Binding::new(Section::Lights, &["2"], &[Key::Key2, Key::NumPad2], &['2'], Action::Light(1), "").on_panel(),
+    Binding::new(Section::Lights, &["3"], &[Key::Key3, Key::NumPad3], &['3'], Action::Light(2), "").on_panel(),
+    Binding::new(Section::Lights, &["4"], &[Key::Key4, Key::NumPad4], &['4'], Action::Light(3), "").on_panel(),
+    Binding::new(Section::Lights, &["5"], &[Key::Key5, Key::NumPad5], &['5'], Action::Light(4), "").on_panel(),
+    Binding::new(Section::Lights, &["6"], &[Key::Key6, Key::NumPad6], &['6'], Action::Light(5), "").on_panel(),
+    Binding::new(Section::Lights, &["7"], &[Key::Key7, Key::NumPad7], &['7'], Action::Light(6), "").on_panel(),
+    Binding::new(Section::Lights, &["8"], &[Key::Key8, Key::NumPad8], &['8'], Action::Light(7), "").on_panel(),
+    Binding::new(Section::Lights, &["9"], &[Key::Key9, Key::NumPad9], &['9'], Action::Light(8), "").on_panel(),
+    Binding::new(Section::Lights, &["W"], &[Key::W], &['w'], Action::LightNamed("white"), "").on_panel(),
+    Binding::new(Section::Lights, &["R"], &[Key::R], &['r'], Action::LightNamed("red"), "").on_panel(),
+    Binding::new(Section::Lights, &["S"], &[Key::S], &['s'], Action::LightNamed("specular"), "").on_panel(),
+    Binding::new(Section::Lights, &["A"], &[Key::A], &['a'], Action::LightNamed("ambient"), "").on_panel(),
+    Binding::new(Section::Shading, &["G"], &[Key::G], &['g'], GOURAUD, "").on_panel(),
+    Binding::new(Section::Shading, &["P"], &[Key::P], &['p'], PHONG, "").on_panel(),
+    Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "").on_panel(),
+    Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "").on_panel(),
+    Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "").on_panel(),
+    Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "").on_panel(),
+    Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::NextView, "").on_panel(),
+    Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
+    Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit left, or drag").repeats(),
+    Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], RIGHT, "orbit right, or drag").repeats(),
+    Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], UP, "orbit up, or drag").repeats(),
+    Binding::new(Section::Motion, &["Down"], &[Key::Down], &[], DOWN, "orbit down, or drag").repeats(),
+    Binding::new(Section::Motion, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "closer, or wheel").repeats(),
+    Binding::new(Section::Motion, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "away, or wheel").repeats(),
+    Binding::new(Section::Motion, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),
+    Binding::new(Section::Motion, &["Space"], &[Key::Space], &[' '], Action::Turning, "turn cuboids").on_panel(),
+    Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
+    Binding::new(Section::Window, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
+    Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save a picture"),
+    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close, or quit"),
+    Binding::new(Section::Window, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
+];
+
+/// What a press of `key` calls up.
+pub fn bound_to_key(key: Key) -> Option<&'static Binding> {
+    BINDINGS.iter().find(|binding| binding.keys.contains(&key))
+}
+
+/// What `character` calls up where its press gave no bound key.
+pub fn bound_to_character(character: char) -> Option<&'static Binding> {
+    let character = character.to_ascii_lowercase();
+    BINDINGS
+        .iter()
+        .find(|binding| binding.characters.contains(&character))
+}

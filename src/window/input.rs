@@ -1,0 +1,231 @@
+//! What the system reports, an [`Event`] at a time -> what the user meant by it, a [`Gesture`].
+//!
+//! Rule: one press of a key is one gesture, whatever the system repeats and however often it reports the same press; a
+//! press of the mouse that moves less than [`DRAG_DISTANCE`] pixels is a click, any other a drag.
+
+use std::time::Duration;
+
+use minifb::Key;
+
+use super::bindings::{Action, Hold, bound_to_character, bound_to_key};
+use super::canvas::Point;
+
+/// From how many pixels on a press that moves is a drag.
+pub const DRAG_DISTANCE: i32 = 4;
+/// How long a key is held before what it does goes on.
+const REPEAT_DELAY: Duration = Duration::from_millis(300);
+/// The time from one repetition to the next.
+const REPEAT_INTERVAL: Duration = Duration::from_millis(16);
+/// The same character sooner than this is the system's repetition, for no finger is as fast.
+const CHARACTER_INTERVAL: Duration = Duration::from_millis(120);
+
+/// What the system reports.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// A key went down, or is held and reported again.
+    KeyDown(Key),
+    /// A key went up.
+    KeyUp(Key),
+    /// The character of a press; follows its [`Event::KeyDown`] where the system knows the key.
+    Character(char),
+    /// Keys are no longer reported, nor that they go up.
+    FocusLost,
+    /// The mouse is here now.
+    MouseAt(Point),
+    /// The left button went down.
+    MouseDown,
+    /// The left button went up.
+    MouseUp,
+    /// The wheel turned by so many notches; away from the user is positive.
+    Wheel(i32),
+}
+
+/// What the user meant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gesture {
+    /// A key called this up.
+    Command(Action),
+    /// The key that called this up, and that it lasts as long as, went up.
+    Released(Action),
+    /// The mouse moved to here, no button held.
+    Hover(Point),
+    /// A press and its release, here.
+    Click(Point),
+    /// The mouse went down at `from` and has moved on by `by` since it was last told.
+    Drag {
+        /// Where the button went down.
+        from: Point,
+        /// Right and down.
+        by: Point,
+    },
+    /// A drag ended.
+    Drop,
+    /// The wheel turned while the mouse was at `at`.
+    Wheel {
+        /// Where the mouse is.
+        at: Point,
+        /// Away from the user is positive.
+        notches: i32,
+    },
+}
+
+/// A key that is down, when what it does goes on, and what ends with it.
+#[derive(Clone, Copy)]
+struct Held {
+    key: Key,
+    repeat: Option<(Action, Duration)>,
+    /// What ends when it goes up.
+    lasting: Option<Action>,
+}
+
+/// A button that is down.
+#[derive(Clone, Copy)]
+struct Press {
+    from: Point,
+    /// Up to where drags have been told; `None` while the press may still be a click.
+    told: Option<Point>,
+}
+
+/// What is known of the press that the next character belongs to.
+#[derive(Clone, Copy, Default, PartialEq)]
+enum LastPress {
+    /// Nothing: the layout has a key there that the system cannot name.
+    #[default]
+    Unknown,
+    /// A key that is bound to nothing went down just now.
+    Unbound,
+    /// A bound key, or one that is reported again: its character says nothing new.
+    Answered,
+}
+
+/// What is down at the moment.
+#[derive(Default)]
+pub struct Input {
+    held: Vec<Held>,
+    last_press: LastPress,
+    last_character: Option<(char, Duration)>,
+    mouse: Point,
+    press: Option<Press>,
+}
+
+impl Input {
+    /// What `event` at the time `now` means, if anything.
+    pub fn handle(&mut self, event: Event, now: Duration) -> Option<Gesture> {
+        match event {
+            Event::KeyDown(key) => self.key_down(key, now),
+            Event::KeyUp(key) => {
+                let released = self.released(|held| held.key == key);
+                self.held.retain(|held| held.key != key);
+                self.last_press = LastPress::Unknown;
+                released
+            }
+            Event::Character(character) => self.character(character, now),
+            Event::FocusLost => {
+                let released = self.released(|_| true);
+                self.held.clear();
+                released
+            }
+            Event::MouseAt(point) => self.mouse_at(point),
+            Event::MouseDown => {
+                self.press = Some(Press {
+                    from: self.mouse,
+                    told: None,
+                });
+                None
+            }
+            Event::MouseUp => {
+                let press = self.press.take()?;
+                Some(match press.told {
+                    None => Gesture::Click(press.from),
+                    Some(_) => Gesture::Drop,
+                })
+            }
+            Event::Wheel(notches) => Some(Gesture::Wheel {
+                at: self.mouse,
+                notches,
+            }),
+        }
+    }
+
+    /// What goes on at the time `now` because its key is held; ask until there is nothing more.
+    pub fn repeated(&mut self, now: Duration) -> Option<Gesture> {
+        self.held.iter_mut().find_map(|held| {
+            let (action, due) = held.repeat.as_mut()?;
+            if now < *due {
+                return None;
+            }
+            // After a pause it goes on from now: what was missed is not made up for.
+            let next = *due + REPEAT_INTERVAL;
+            *due = if next > now {
+                next
+            } else {
+                now + REPEAT_INTERVAL
+            };
+            Some(Gesture::Command(*action))
+        })
+    }
+
+    /// Whether a key or the button is down.
+    pub fn is_busy(&self) -> bool {
+        self.press.is_some() || self.held.iter().any(|held| held.repeat.is_some())
+    }
+
+    /// What ends with those keys; there is one key of that kind, so it is one thing.
+    fn released(&self, of: impl Fn(&Held) -> bool) -> Option<Gesture> {
+        let mut keys = self.held.iter().filter(|held| of(held));
+        keys.find_map(|held| held.lasting).map(Gesture::Released)
+    }
+
+    fn key_down(&mut self, key: Key, now: Duration) -> Option<Gesture> {
+        let binding = bound_to_key(key);
+        let again = self.held.iter().any(|held| held.key == key);
+        self.last_press = if again || binding.is_some() {
+            LastPress::Answered
+        } else {
+            LastPress::Unbound
+        };
+        if again {
+            return None;
+        }
+        let held_as = |hold| binding.filter(|binding| binding.hold == hold);
+        self.held.push(Held {
+            key,
+            repeat: held_as(Hold::Repeats).map(|it| (it.action, now + REPEAT_DELAY)),
+            lasting: held_as(Hold::Lasts).map(|it| it.action),
+        });
+        binding.map(|binding| Gesture::Command(binding.action))
+    }
+
+    fn character(&mut self, character: char, now: Duration) -> Option<Gesture> {
+        let repeated = self
+            .last_character
+            .replace((character, now))
+            .is_some_and(|(last, time)| last == character && now < time + CHARACTER_INTERVAL);
+        match std::mem::take(&mut self.last_press) {
+            LastPress::Answered => return None,
+            LastPress::Unknown if repeated => return None,
+            LastPress::Unknown | LastPress::Unbound => {}
+        }
+        bound_to_character(character).map(|binding| Gesture::Command(binding.action))
+    }
+
+    fn mouse_at(&mut self, point: Point) -> Option<Gesture> {
+        if self.mouse == point {
+            return None;
+        }
+        self.mouse = point;
+        let Some(press) = &mut self.press else {
+            return Some(Gesture::Hover(point));
+        };
+        let told = press.told.unwrap_or(press.from);
+        let by = [point[0] - told[0], point[1] - told[1]];
+        if press.told.is_none() && by[0].pow(2) + by[1].pow(2) < DRAG_DISTANCE.pow(2) {
+            return None;
+        }
+        press.told = Some(point);
+        Some(Gesture::Drag {
+            from: press.from,
+            by,
+        })
+    }
+}

@@ -1,0 +1,376 @@
+//! The state behind the window: a [`Scene`], what the user has done to it ([`Action`]s), and the [`View`] that follows.
+//!
+//! Rule: nothing here knows pixels, keys or clocks; the time is told by [`Session::tick`], so that everything can be
+//! tested without a display.
+
+mod readings;
+
+use std::time::Duration;
+
+use fearless_simd::Level;
+
+use super::bindings::Action;
+use super::examination::Examination;
+use super::examiner::{Findings, Question};
+use super::looking::Looking;
+use super::orbit::{Limits, Orbit, moved_camera};
+use super::overlay::{Overlay, Pane};
+use super::probing::Probing;
+use super::statistics::Statistics;
+use super::turning::Turning;
+use crate::components::{Light, Projection, ShadingMode, View, Viewpoint};
+use crate::drawing::Drawing;
+use crate::frame::{Frame, OutOfMemory};
+use crate::scene::Scene;
+use crate::systems;
+
+/// The tolerances that keys step through, in levels.
+pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+
+/// What has to be done anew because something changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Redraw {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// What lies over the picture.
+    Overlay,
+    /// The picture, and what lies over it.
+    Picture,
+}
+
+/// What only the window itself can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Request {
+    /// Saves what is shown.
+    Screenshot,
+    /// Asks the reference about the picture.
+    Examine,
+    /// Ends the program.
+    Quit,
+}
+
+/// Everything that a key or a click can change.
+pub struct Session {
+    scene: Scene,
+    camera: usize,
+    orbit: Orbit,
+    projection: Projection,
+    shading: Option<ShadingMode>,
+    tolerance: f64,
+    turning: Turning,
+    overlay: Overlay,
+    statistics: Statistics,
+    looking: Looking,
+    probing: Probing,
+    examination: Examination,
+    now: Duration,
+    redraw: Redraw,
+    requests: Vec<Request>,
+}
+
+impl Session {
+    /// Starts with the panel shown and everything as `drawing` says.
+    pub fn new(drawing: Drawing) -> Self {
+        Session {
+            turning: Turning::new(&drawing.scene),
+            scene: drawing.scene,
+            camera: drawing.camera,
+            orbit: Orbit::default(),
+            projection: drawing.projection,
+            shading: drawing.shading,
+            tolerance: drawing.tolerance,
+            overlay: Overlay::default(),
+            statistics: Statistics::default(),
+            looking: Looking::default(),
+            probing: Probing::default(),
+            examination: Examination::default(),
+            now: Duration::ZERO,
+            redraw: Redraw::Picture,
+            requests: Vec::new(),
+        }
+    }
+
+    /// Does what the user wants; what cannot be done says so for two seconds.
+    pub fn apply(&mut self, action: Action) {
+        match action {
+            Action::Light(index) => self.switch_light(index),
+            Action::LightNamed(name) => match self.light_named(name) {
+                Some(index) => self.switch_light(index),
+                None => self.say(format!("no light is named {name}")),
+            },
+            Action::Shading(mode) => {
+                self.shading = Some(mode);
+                self.changed();
+            }
+            Action::Tolerance(steps) => self.step_tolerance(steps),
+            Action::NextTolerance if self.next_tolerance(1).is_none() => {
+                self.shade_within(TOLERANCES[0]);
+            }
+            Action::NextTolerance => self.step_tolerance(1),
+            Action::Projection(projection) => {
+                self.projection = projection;
+                self.changed();
+            }
+            Action::NextProjection => self.apply(Action::Projection(match self.projection {
+                Projection::Perspective => Projection::Orthographic,
+                Projection::Orthographic => Projection::Perspective,
+            })),
+            Action::Camera(index) => self.look_from(index),
+            Action::NextCamera if self.scene.cameras.len() == 1 => self.say("there is one camera"),
+            Action::NextCamera => self.look_from((self.camera + 1) % self.scene.cameras.len()),
+            Action::Orbit { azimuth, elevation } => {
+                let orbit = self.orbit.moved(&self.own_viewpoint(), azimuth, elevation);
+                self.move_camera(orbit, "the camera stops short of the pole");
+            }
+            Action::Zoom(steps) => {
+                let limits = Limits::of(&self.scene, &self.own_viewpoint());
+                let end = if steps > 0 {
+                    "no closer than this"
+                } else {
+                    "no further than this"
+                };
+                self.move_camera(self.orbit.zoomed(steps, &limits), end);
+            }
+            Action::ResetView => {
+                self.orbit = Orbit::default();
+                self.turning.turn_to(0, &mut self.scene);
+                self.changed();
+            }
+            Action::Show(mode) => {
+                self.looking.mode = mode;
+                self.wants(Redraw::Picture);
+            }
+            Action::NextView => self.apply(Action::Show(self.looking.mode.next())),
+            Action::Blink => {
+                self.looking.blinks ^= true;
+                self.wants(Redraw::Overlay);
+            }
+            Action::Turning => {
+                self.turning.switch(self.now);
+                self.wants(Redraw::Overlay);
+            }
+            Action::Panel => {
+                self.overlay.switch_panel();
+                self.wants(Redraw::Overlay);
+            }
+            Action::Help => {
+                self.overlay.switch_help();
+                self.wants(Redraw::Overlay);
+            }
+            Action::Close if self.overlay.shows_help() => self.apply(Action::Help),
+            Action::Close if self.probing.is_open() => self.probe(None),
+            Action::Close | Action::Quit => self.requests.push(Request::Quit),
+            Action::Screenshot => self.requests.push(Request::Screenshot),
+        }
+    }
+
+    /// The key of `action` went up, and what lasted as long ends.
+    pub fn release(&mut self, action: Action) {
+        if action == Action::Blink && self.looking.blinks {
+            self.apply(action);
+        }
+    }
+
+    /// Moves the divider by this share of the picture's width to the right.
+    pub fn drag_divider(&mut self, by: f64) {
+        self.looking.drag(by);
+        self.wants(Redraw::Overlay);
+    }
+
+    /// Lets the divider stand where it is.
+    pub fn drop_divider(&mut self) {
+        self.looking.let_go();
+    }
+
+    /// Looks at this pixel from now on, or no longer at any.
+    pub fn probe(&mut self, pixel: Option<[usize; 2]>) {
+        self.probing.look_at(pixel);
+        self.overlay.scroll_to(Pane::Probe, 0);
+        self.wants(Redraw::Picture);
+    }
+
+    /// Finds out anew what there is to know of the pixel that is looked at, in a picture of `size` pixels.
+    ///
+    /// # Errors
+    /// When a row of it does not fit in memory.
+    pub fn update_probe(&mut self, size: [usize; 2], level: Level) -> Result<(), OutOfMemory> {
+        let view = self.view(size);
+        self.probing.update(&mut self.scene, &view, level)
+    }
+
+    /// Takes what was found out, unless it is about a picture that has changed since.
+    pub fn answer(&mut self, findings: Findings) {
+        if self.examination.answer(findings) {
+            self.wants(Redraw::Overlay);
+        }
+    }
+
+    /// Tells the time since the start: turning goes on, and what has stood long enough goes.
+    pub fn tick(&mut self, now: Duration) {
+        self.now = now;
+        if self.overlay.tick(now) {
+            self.wants(Redraw::Overlay);
+        }
+        if self.turning.tick(now, &mut self.scene) {
+            self.changed();
+        }
+        if self.examination.is_due(now) {
+            self.requests.push(Request::Examine);
+        }
+    }
+
+    /// Puts words into the window for two seconds.
+    pub fn say(&mut self, text: impl Into<String>) {
+        self.overlay.say(text.into(), self.now);
+        self.wants(Redraw::Overlay);
+    }
+
+    /// The mouse moved, and is now over the row of this action or over none.
+    pub fn hover(&mut self, action: Option<Action>) {
+        if self.overlay.hover(action, self.now) {
+            self.wants(Redraw::Overlay);
+        }
+    }
+
+    /// Shows a pane from this row on.
+    pub fn scroll_to(&mut self, pane: Pane, row: usize) {
+        self.overlay.scroll_to(pane, row);
+        self.wants(Redraw::Overlay);
+    }
+
+    /// The window has another size.
+    pub fn resized(&mut self) {
+        self.changed();
+    }
+
+    /// How a picture of `size` pixels is to be drawn now.
+    pub fn view(&self, size: [usize; 2]) -> View {
+        View {
+            size,
+            viewpoint: moved_camera(&self.own_viewpoint(), &self.orbit),
+            projection: self.projection,
+            background: self.scene.background,
+            shading: self.shading,
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// Draws the picture of `size` pixels into `frame`.
+    ///
+    /// # Errors
+    /// When it does not fit in memory.
+    pub fn draw(&mut self, size: [usize; 2], frame: &mut Frame) -> Result<(), OutOfMemory> {
+        self.draw_as(self.shading, size, frame)
+    }
+
+    /// The same with all cuboids shaded so.
+    ///
+    /// # Errors
+    /// When it does not fit in memory.
+    pub fn draw_as(
+        &mut self,
+        shading: Option<ShadingMode>,
+        size: [usize; 2],
+        frame: &mut Frame,
+    ) -> Result<(), OutOfMemory> {
+        let view = View {
+            shading,
+            ..self.view(size)
+        };
+        systems::draw(&mut self.scene.world, &view, frame)
+    }
+
+    /// What the reference is to be asked about a picture of `size` pixels.
+    pub fn question(&self, size: [usize; 2]) -> Question {
+        Question {
+            scene: self.scene.snapshot(),
+            view: self.view(size),
+            revision: self.revision(),
+        }
+    }
+
+    /// Notes what drawing `frame` took.
+    pub fn record(&mut self, time: Duration, frame: &Frame) {
+        self.statistics.record(time, frame.counts(), frame.size());
+    }
+
+    /// The tolerances that keys step through, in levels.
+    pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+
+    /// What has to be done anew since this was last asked.
+    pub fn take_redraw(&mut self) -> Redraw {
+        std::mem::take(&mut self.redraw)
+    }
+
+    /// What the window itself is to do since this was last asked, in order.
+    pub fn take_requests(&mut self) -> Vec<Request> {
+        std::mem::take(&mut self.requests)
+    }
+
+    fn wants(&mut self, redraw: Redraw) {
+        self.redraw = self.redraw.max(redraw);
+    }
+
+    /// The picture is another one.
+    fn changed(&mut self) {
+        self.examination.restart(self.now);
+        self.requests.retain(|request| *request != Request::Examine);
+        self.wants(Redraw::Picture);
+    }
+
+    fn switch_light(&mut self, index: usize) {
+        let Some(&entity) = self.scene.lights.get(index) else {
+            return self.say(format!("there is no light {}", index + 1));
+        };
+        if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
+            light.on = !light.on;
+        }
+        self.changed();
+    }
+
+    /// The nearest of [`TOLERANCES`] in the direction of `steps`.
+    fn next_tolerance(&self, steps: i32) -> Option<f64> {
+        let mut tolerances = TOLERANCES.into_iter();
+        if steps > 0 {
+            tolerances.find(|next| *next > self.tolerance)
+        } else {
+            tolerances.rfind(|next| *next < self.tolerance)
+        }
+    }
+
+    fn step_tolerance(&mut self, steps: i32) {
+        for _ in 0..steps.abs() {
+            match self.next_tolerance(steps) {
+                Some(tolerance) => self.shade_within(tolerance),
+                None if steps > 0 => return self.say("no coarser than this"),
+                None => return self.say("no finer than exact"),
+            }
+        }
+    }
+
+    fn shade_within(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
+        self.changed();
+    }
+
+    fn look_from(&mut self, camera: usize) {
+        self.camera = camera;
+        self.orbit = Orbit::default();
+        self.changed();
+    }
+
+    /// Moves the camera, or says what keeps it from moving.
+    fn move_camera(&mut self, orbit: Orbit, end: &str) {
+        if orbit == self.orbit {
+            return self.say(end);
+        }
+        self.orbit = orbit;
+        self.changed();
+    }
+
+    /// Where the scene puts the camera.
+    fn own_viewpoint(&self) -> Viewpoint {
+        self.scene.viewpoint(self.camera)
+    }
+}

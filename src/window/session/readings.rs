@@ -1,0 +1,137 @@
+//! A [`Session`] -> what others may know of it.
+//!
+//! Rule: nothing here changes anything.
+
+use hecs::Entity;
+
+use super::Session;
+use crate::components::{Light, Name, Projection, ShadingMode};
+use crate::probe::Probe;
+use crate::scene::Scene;
+use crate::window::examiner::Findings;
+use crate::window::orbit::Orbit;
+use crate::window::overlay::Overlay;
+use crate::window::statistics::Statistics;
+use crate::window::turning::Turning;
+use crate::window::views::ViewMode;
+
+impl Session {
+    /// What is seen.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The light of this place in the file.
+    pub fn light(&self, index: usize) -> Option<Light> {
+        let entity = *self.scene.lights.get(index)?;
+        self.scene
+            .world
+            .get::<&Light>(entity)
+            .ok()
+            .map(|light| *light)
+    }
+
+    /// The place in the file of the light so named.
+    pub fn light_named(&self, name: &str) -> Option<usize> {
+        let mut lights = self.scene.lights.iter();
+        lights.position(|&entity| self.is_named(entity, name))
+    }
+
+    /// Whether the scene file calls an entity `name`.
+    pub fn is_named(&self, entity: Entity, name: &str) -> bool {
+        let own = self.scene.world.get::<&Name>(entity);
+        own.is_ok_and(|own| own.0 == name)
+    }
+
+    /// What the scene file calls an entity.
+    pub fn name(&self, entity: Entity) -> String {
+        let own = self.scene.world.get::<&Name>(entity);
+        own.map_or_else(|_| String::new(), |own| own.0.clone())
+    }
+
+    /// Which camera of the file the picture is seen from.
+    pub fn camera(&self) -> usize {
+        self.camera
+    }
+
+    /// How far the camera has been moved.
+    pub fn orbit(&self) -> Orbit {
+        self.orbit
+    }
+
+    /// How the picture is projected.
+    pub fn projection(&self) -> Projection {
+        self.projection
+    }
+
+    /// How all cuboids are shaded, where it is the same for all.
+    pub fn shading(&self) -> Option<ShadingMode> {
+        let own = |&entity: &Entity| {
+            self.scene
+                .world
+                .get::<&ShadingMode>(entity)
+                .ok()
+                .map(|it| *it)
+        };
+        self.shading.or_else(|| {
+            let mut modes = self.scene.cuboids.iter().filter_map(own);
+            let first = modes.next()?;
+            modes.all(|mode| mode == first).then_some(first)
+        })
+    }
+
+    /// How far the picture may stray from its own mode, in levels.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// What is shown of the scene.
+    pub fn view_mode(&self) -> ViewMode {
+        self.looking.mode
+    }
+
+    /// Whether the reference is to be seen.
+    pub fn blinks(&self) -> bool {
+        self.looking.blinks
+    }
+
+    /// What is known of the pixel that is looked at.
+    pub fn probed(&self) -> Option<&Probe> {
+        self.probing.found()
+    }
+
+    /// Whether the divider is being moved.
+    pub fn holds_divider(&self) -> bool {
+        self.looking.is_held()
+    }
+
+    /// The first column right of the divider in a picture of this width.
+    pub fn divider_column(&self, width: usize) -> usize {
+        self.looking.column(width)
+    }
+
+    /// The number of the present picture: every change makes it larger.
+    pub fn revision(&self) -> u64 {
+        self.examination.revision()
+    }
+
+    /// What was found out about the present picture.
+    pub fn findings(&self) -> Option<&Findings> {
+        self.examination.findings()
+    }
+
+    /// How far the cuboids have turned, and whether they do.
+    pub fn turning(&self) -> &Turning {
+        &self.turning
+    }
+
+    /// What lies over the picture.
+    pub fn overlay(&self) -> &Overlay {
+        &self.overlay
+    }
+
+    /// What drawing has cost.
+    pub fn statistics(&self) -> &Statistics {
+        &self.statistics
+    }
+}

@@ -1,0 +1,125 @@
+//! Pictures in, what a view makes of them out: a wipe between two, tiles tinted, a picture that waits.
+//!
+//! Rule: pure functions of pixels, 0x00RRGGBB, row by row from the top; what is written is what was there, mixed with
+//! nothing but the colours named here.
+
+use crate::components::ShadingMode;
+use crate::frame::NO_TRIANGLE;
+use crate::shading::TileKind;
+
+/// What the window shows of the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ViewMode {
+    /// The picture as it is shaded.
+    #[default]
+    Picture,
+    /// Gouraud left of a divider, Phong right of it.
+    GouraudPhong,
+    /// The picture left of a divider, the reference in its own mode right of it.
+    MethodReference,
+    /// How far the picture errs from exact Phong.
+    ErrorMap,
+    /// The picture, each tile tinted by how it was drawn.
+    Tiles,
+}
+
+impl ViewMode {
+    /// All of them, in the order in which a key steps through them.
+    pub const ALL: [ViewMode; 5] = [
+        ViewMode::Picture,
+        ViewMode::GouraudPhong,
+        ViewMode::MethodReference,
+        ViewMode::ErrorMap,
+        ViewMode::Tiles,
+    ];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            ViewMode::Picture => "picture",
+            ViewMode::GouraudPhong => "Gouraud | Phong",
+            ViewMode::MethodReference => "method | reference",
+            ViewMode::ErrorMap => "error map",
+            ViewMode::Tiles => "tiles",
+        }
+    }
+
+    /// The next one, after the last the first.
+    #[must_use]
+    pub fn next(self) -> Self {
+        let place = ViewMode::ALL.iter().position(|mode| *mode == self);
+        ViewMode::ALL[place.map_or(0, |place| (place + 1) % ViewMode::ALL.len())]
+    }
+
+    /// Whether a divider parts two pictures.
+    pub fn is_wipe(self) -> bool {
+        matches!(self, ViewMode::GouraudPhong | ViewMode::MethodReference)
+    }
+}
+
+/// What a mode is called.
+pub fn mode_label(mode: ShadingMode) -> &'static str {
+    match mode {
+        ShadingMode::Gouraud => "Gouraud",
+        ShadingMode::Phong => "Phong",
+        ShadingMode::UnitVectors => "unit vectors",
+    }
+}
+
+/// The tint of every tile kind in the order of [`TileKind::ALL`], from cool and cheap to hot and dear, 0x00RRGGBB.
+/// Okabe and Ito's colours (2008), which people who are colour-blind can tell apart, and white for the dearest.
+pub const TINTS: [u32; TileKind::ALL.len()] = [
+    0x0000_72b2,
+    0x0056_b4e9,
+    0x0000_9e73,
+    0x00f0_e442,
+    0x00e6_9f00,
+    0x00d5_5e00,
+    0x00ff_ffff,
+];
+
+/// How much of a tint covers the picture, of 256.
+const TINT_WEIGHT: u32 = 144;
+
+/// `left` up to column `divider`, from there on `right`; both have rows of `width`.
+pub fn wipe(pixels: &mut Vec<u32>, left: &[u32], right: &[u32], width: usize, divider: usize) {
+    pixels.clear();
+    pixels.extend_from_slice(left);
+    let divider = divider.min(width);
+    for (row, right) in pixels
+        .chunks_exact_mut(width)
+        .zip(right.chunks_exact(width))
+    {
+        row[divider..].copy_from_slice(&right[divider..]);
+    }
+}
+
+/// Tints every pixel that shows a triangle by how its tile was drawn; see [`crate::frame::Frame::kinds`].
+pub fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
+    for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
+        if *triangle != NO_TRIANGLE {
+            *pixel = mix(*pixel, TINTS[usize::from(*kind)], TINT_WEIGHT);
+        }
+    }
+}
+
+/// Takes colour and most of the light away: this is not yet what was asked for.
+pub fn dim(pixels: &mut [u32]) {
+    for pixel in pixels {
+        let [_, red, green, blue] = pixel.to_be_bytes().map(u32::from);
+        // Luma after ITU-R BT.601 in parts of 256, a third of it.
+        let grey = (77 * red + 150 * green + 29 * blue) / (3 * 256);
+        *pixel = grey << 16 | grey << 8 | grey;
+    }
+}
+
+/// `below` covered by `weight` / 256 of `above`.
+fn mix(below: u32, above: u32, weight: u32) -> u32 {
+    [16, 8, 0]
+        .map(|shift| {
+            let [below, above] = [below, above].map(|color| color >> shift & 0xff);
+            ((below * (256 - weight) + above * weight) / 256) << shift
+        })
+        .iter()
+        .sum()
+}

@@ -1,0 +1,146 @@
+//! Measurements that nobody made, with numbers that are easy to follow.
+
+use shadetrade::components::{Projection, ShadingMode};
+use shadetrade::frame::Counts;
+use shadetrade::shading::Method;
+use shadetrade::trade::accuracy::Accuracy;
+use shadetrade::trade::error_map::ErrorMap;
+use shadetrade::trade::machine::Machine;
+use shadetrade::trade::metrics::{Difference, Error, Picture};
+use shadetrade::trade::timing::Timing;
+use shadetrade::trade::{Measurement, Report};
+
+/// A timing of 300 samples whose interval is hardly more than its median.
+pub fn timing(median: f64) -> Timing {
+    Timing {
+        samples: 300,
+        median,
+        mad: 0.001 * median,
+        min: 0.5 * median,
+        p99: 2.0 * median,
+    }
+}
+
+/// Errors of which `max` is the largest.
+pub fn difference(max: f64) -> Difference {
+    Difference {
+        error: Some(Error {
+            max,
+            max_pixel: [1, 0],
+            mean: max / 8.0,
+            rmse: max / 4.0,
+            p999: max / 2.0,
+            over_1_level: if max > 1.0 { 0.25 } else { 0.0 },
+        }),
+        compared_pixels: 999,
+        edge_pixels: 1,
+    }
+}
+
+/// Of a thousand covered pixels.
+pub fn measurement(
+    (id, mode, tolerance): (&'static str, ShadingMode, f64),
+    median: f64,
+    [error, own_error]: [f64; 2],
+    highlight_kept: Option<f64>,
+    on_front: bool,
+) -> Measurement {
+    let pixel = Picture {
+        width: 1,
+        levels: &[[error; 3]],
+        triangles: &[0],
+    };
+    let black = Picture {
+        levels: &[[0.0; 3]],
+        ..pixel
+    };
+    Measurement {
+        method: Method {
+            id,
+            mode,
+            tolerance,
+            help: "",
+        },
+        threads: 1,
+        timing: timing(median),
+        counts: Counts {
+            covered_pixels: 1000,
+            model_evaluations: 8,
+            specular_evaluations: 4,
+            ..Counts::default()
+        },
+        accuracy: Accuracy {
+            error: difference(error),
+            own_error: difference(own_error),
+            flip_mean: Some(error / 512.0),
+            highlight_kept,
+            map: ErrorMap::between(pixel, black),
+        },
+        on_front,
+    }
+}
+
+/// Gouraud, the shortcut and two kinds of Phong: 2, 6, 3 and 8 ns per pixel.
+pub fn report() -> Report {
+    use ShadingMode::{Gouraud, Phong, UnitVectors};
+    Report {
+        machine: Machine {
+            cpu: "Some CPU".to_owned(),
+            cores: 4,
+            lanes: "avx2",
+            os: "Some OS".to_owned(),
+            rustc: "rustc 1.99.0 (0123abcd 2030-01-01)",
+            profile: "release",
+        },
+        command: "shadetrade trade".to_owned(),
+        scene: "cuboid".to_owned(),
+        camera: "1".to_owned(),
+        projection: Projection::Perspective,
+        size: [40, 30],
+        covered_pixels: 1000,
+        methods: vec![
+            measurement(
+                ("gouraud-0.5", Gouraud, 0.5),
+                0.002,
+                [163.0, 0.25],
+                Some(0.0),
+                true,
+            ),
+            measurement(
+                ("phong-unit-vectors", UnitVectors, 0.0),
+                0.006,
+                [171.0, 0.0],
+                Some(0.04),
+                false,
+            ),
+            measurement(
+                ("phong-0.5", Phong, 0.5),
+                0.003,
+                [0.4, 0.4],
+                Some(1.0),
+                true,
+            ),
+            measurement(("phong-0", Phong, 0.0), 0.008, [0.0, 0.0], Some(1.0), true),
+        ],
+    }
+}
+
+/// The same view with nothing in it.
+pub fn empty_report() -> Report {
+    let mut report = report();
+    report.covered_pixels = 0;
+    for measurement in &mut report.methods {
+        let nothing = Difference {
+            error: None,
+            compared_pixels: 0,
+            edge_pixels: 0,
+        };
+        measurement.counts = Counts::default();
+        measurement.accuracy.error = nothing;
+        measurement.accuracy.own_error = nothing;
+        measurement.accuracy.flip_mean = None;
+        measurement.accuracy.highlight_kept = None;
+        measurement.on_front = false;
+    }
+    report
+}

@@ -1,0 +1,243 @@
+//! Real measurements of small pictures: ordinary views, and those of which little or nothing can be measured.
+
+use std::fs;
+use std::sync::Mutex;
+use std::time::Duration;
+
+use fearless_simd::Level;
+use shadetrade::components::Projection;
+use shadetrade::drawing::Drawing;
+use shadetrade::scene::Scene;
+use shadetrade::shading::METHODS;
+use shadetrade::trade::{self, Progress, Report, Request, csv, json, plot, report};
+
+use shadetrade::trade::verdict::verdict;
+
+use crate::contract;
+
+/// A cuboid under three lights, with these lines in place of its material's and lights' own.
+fn scene(diffuse: &str, target: &str, lights: bool) -> Scene {
+    let mut text = format!(
+        "[[cuboid]]\nname = \"box\"\nsize = [4, 3, 2]\n\
+         [cuboid.material]\nambient = {diffuse}\ndiffuse = {diffuse}\nspecular = {diffuse}\nshininess = 20\n\
+         [[camera]]\nname = \"1\"\nposition = [7, 5, 8]\ntarget = {target}\nfov = 30\nheight = 6\n"
+    );
+    for (kind, position) in [
+        ("ambient", ""),
+        ("diffuse", "position = [10, 10, 10]"),
+        ("specular", "position = [10, 10, 10]"),
+    ] {
+        if lights {
+            text += "[[light]]\ncolor = [1, 1, 1]\nintensity = 100\n";
+            for line in ["name", "kind"].map(|key| format!("{key} = \"{kind}\"\n")) {
+                text += &line;
+            }
+            text += position;
+            text += "\n";
+        }
+    }
+    Scene::parse("test", &text).expect("it is a valid scene")
+}
+
+fn request(scene: Scene, size: [usize; 2], threads: usize) -> Request {
+    let drawing = Drawing {
+        scene,
+        camera: 0,
+        projection: Projection::Perspective,
+        shading: None,
+        tolerance: 0.5,
+        size,
+        threads,
+        level: Level::new(),
+    };
+    Request::new(drawing, Duration::ZERO, "shadetrade trade test".to_owned())
+}
+
+/// Measures, and holds every report against what holds for all.
+fn measured(request: Request) -> Report {
+    let report = trade::measure(request, &|_| ()).expect("it is measured");
+    let text = json::json(&report);
+    contract::assert_holds(&text);
+    let ids: Vec<_> = report.methods.iter().map(|one| one.method.id).collect();
+    assert_eq!(
+        ids,
+        METHODS.iter().map(|method| method.id).collect::<Vec<_>>()
+    );
+    let svg = plot::svg(&report).expect("it is drawn");
+    for text in [
+        text,
+        csv::csv(&report),
+        report::table(&report),
+        report::markdown(&report),
+        svg,
+    ] {
+        let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric()).collect();
+        assert!(!words.contains(&"NaN") && !words.contains(&"inf"), "{text}");
+    }
+    report
+}
+
+const GREEN: &str = "[0.3, 0.9, 0.3]";
+const CENTRE: &str = "[0, 0, 0]";
+
+#[test]
+fn an_ordinary_view_gives_a_report_within_the_contract() {
+    let report = measured(request(scene(GREEN, CENTRE, true), [80, 60], 1));
+    assert!(report.covered_pixels > 500);
+    for one in &report.methods {
+        let own = one.accuracy.own_error.error.expect("it is compared");
+        assert!(
+            own.max <= one.method.tolerance.max(0.05),
+            "{} errs by {}",
+            one.method.id,
+            own.max
+        );
+    }
+    let find = |id| {
+        report
+            .methods
+            .iter()
+            .find(|one| one.method.id == id)
+            .expect("it is measured")
+    };
+    let [exact, gouraud, shortcut] = ["phong-0", "gouraud-0", "phong-unit-vectors"].map(find);
+    assert!(exact.max_error() < Some(0.05));
+    assert!(gouraud.max_error() > Some(5.0));
+    assert!(shortcut.max_error() > Some(5.0));
+    assert_eq!(exact.accuracy.highlight_kept, Some(1.0));
+    assert!(shortcut.accuracy.highlight_kept < Some(0.5));
+    assert!(exact.accuracy.flip_mean < gouraud.accuracy.flip_mean);
+    assert_eq!(gouraud.counts.model_evaluations, 8);
+    assert_eq!(exact.counts.model_evaluations, report.covered_pixels);
+}
+
+#[test]
+fn more_threads_change_nothing_but_times() {
+    let [one, two] =
+        [1, 2].map(|threads| measured(request(scene(GREEN, CENTRE, true), [64, 48], threads)));
+    for (one, two) in one.methods.iter().zip(&two.methods) {
+        assert_eq!([one.threads, two.threads], [1, 2]);
+        assert_eq!(one.counts, two.counts);
+        assert_eq!(one.accuracy.error, two.accuracy.error);
+        assert_eq!(one.accuracy.own_error, two.accuracy.own_error);
+        assert_eq!(one.accuracy.flip_mean, two.accuracy.flip_mean);
+        assert_eq!(one.accuracy.map, two.accuracy.map);
+    }
+}
+
+#[test]
+fn a_view_past_everything_has_no_errors_and_no_front() {
+    let report = measured(request(scene(GREEN, "[14, 10, 16]", true), [32, 24], 1));
+    assert_eq!(report.covered_pixels, 0);
+    assert!(
+        report
+            .methods
+            .iter()
+            .all(|one| one.max_error().is_none() && !one.on_front)
+    );
+}
+
+#[test]
+fn one_pixel_is_a_picture() {
+    let report = measured(request(scene(GREEN, CENTRE, true), [1, 1], 1));
+    assert_eq!(report.covered_pixels, 1);
+}
+
+#[test]
+fn without_light_or_colour_all_methods_draw_the_same_black() {
+    for dark in [
+        scene(GREEN, CENTRE, false),
+        scene("[0, 0, 0]", CENTRE, true),
+    ] {
+        let report = measured(request(dark, [32, 24], 1));
+        assert!(report.covered_pixels > 0);
+        for one in &report.methods {
+            assert_eq!(one.max_error(), Some(0.0), "{}", one.method.id);
+            assert_eq!(one.accuracy.highlight_kept, None, "{}", one.method.id);
+        }
+        let verdict = verdict(&report);
+        assert!(
+            verdict.contains("; Gouraud draws the same picture."),
+            "{verdict}"
+        );
+    }
+}
+
+#[test]
+fn progress_goes_from_nothing_to_all_in_two_steps() {
+    let heard: Mutex<Vec<Progress>> = Mutex::default();
+    let hear = |progress| heard.lock().expect("nobody panics").push(progress);
+    trade::measure(request(scene(GREEN, CENTRE, true), [16, 12], 1), &hear)
+        .expect("it is measured");
+    let heard = heard.into_inner().expect("nobody panics");
+    assert!(
+        heard
+            .iter()
+            .all(|progress| (0.0..=1.0).contains(&progress.share))
+    );
+    let mut steps: Vec<_> = heard.iter().map(|progress| progress.step).collect();
+    steps.dedup();
+    assert_eq!(steps, ["timing frames", "comparing pictures"]);
+    assert_eq!(heard.last().map(|progress| progress.share), Some(1.0));
+}
+
+#[test]
+fn every_file_is_written_and_nothing_else() {
+    let parent = tempfile::tempdir().expect("there is room for a folder");
+    let folder = parent.path().join("out");
+    fs::create_dir(&folder).expect("a folder can be made in it");
+    let report = measured(request(scene(GREEN, CENTRE, true), [24, 18], 1));
+    for _ in 0..2 {
+        // What is there the second time is replaced.
+        trade::write_files(&report, &folder).expect("it is written");
+    }
+    let mut found: Vec<String> = fs::read_dir(&folder)
+        .expect("the folder was made")
+        .map(|entry| {
+            entry
+                .expect("it can be listed")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    let maps = METHODS
+        .iter()
+        .map(|method| format!("error-{}.png", method.id));
+    let mut expected: Vec<String> = ["csv", "json", "md", "svg"]
+        .map(|kind| format!("trade.{kind}"))
+        .into_iter()
+        .chain(maps)
+        .collect();
+    found.sort();
+    expected.sort();
+    assert_eq!(found, expected);
+    contract::assert_holds(&fs::read_to_string(folder.join("trade.json")).expect("it can be read"));
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_told_of_before_anything_is_measured() {
+    let parent = tempfile::tempdir().expect("there is room for a folder");
+    let folder = parent.path().join("missing").join("out");
+    // Were it measured first, this size would take long.
+    let result = trade::run(
+        request(scene(GREEN, CENTRE, true), [4000, 4000], 1),
+        Some(&folder),
+    );
+    let message = format!("{:#}", result.expect_err("there is no parent"));
+    assert!(message.contains("missing"), "{message}");
+}
+
+#[test]
+fn a_picture_beyond_all_memory_is_an_error_and_leaves_an_empty_folder() {
+    let parent = tempfile::tempdir().expect("there is room for a folder");
+    let folder = parent.path().join("out");
+    let huge = request(scene(GREEN, CENTRE, true), [1 << 24, 1 << 24], 1);
+    let error = trade::run(huge, Some(&folder)).expect_err("no machine holds it");
+    assert_eq!(
+        format!("{error:#}"),
+        "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in this machine's memory"
+    );
+    let left = fs::read_dir(&folder).expect("the folder was made");
+    assert_eq!(left.count(), 0);
+}

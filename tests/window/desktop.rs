@@ -1,0 +1,202 @@
+//! A display of its own for a test, and the program with its window open on it.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use image::RgbImage;
+use shadetrade::window::canvas::Point;
+use tempfile::TempDir;
+
+/// How long anything may take before it counts as failed.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// An X server without a screen to look at.
+struct Display {
+    server: Child,
+    name: String,
+}
+
+impl Display {
+    pub fn start() -> Self {
+        let mut server = Command::new("Xvfb")
+            .args([
+                "-displayfd",
+                "1",
+                "-screen",
+                "0",
+                "3840x2160x24",
+                "-nolisten",
+                "tcp",
+                "-noreset",
+            ])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("Xvfb is installed");
+        let mut number = String::new();
+        let stdout = server.stdout.take().expect("its output is piped");
+        BufReader::new(stdout)
+            .read_line(&mut number)
+            .expect("Xvfb says its number");
+        Display {
+            server,
+            name: format!(":{}", number.trim()),
+        }
+    }
+
+    pub fn run(&self, program: &str, arguments: &[&str]) -> Vec<u8> {
+        let output = Command::new(program)
+            .args(arguments)
+            .env("DISPLAY", &self.name)
+            .output();
+        output
+            .unwrap_or_else(|error| panic!("{program}: {error}"))
+            .stdout
+    }
+}
+
+impl Drop for Display {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+/// The program with its window open, in a folder of its own.
+pub struct Program {
+    display: Display,
+    pub child: Child,
+    pub window: String,
+    pub folder: TempDir,
+}
+
+impl Program {
+    pub fn open(arguments: &[&str], environment: &[(&str, &str)]) -> Self {
+        let display = Display::start();
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let child = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
+            .args(arguments)
+            .current_dir(folder.path())
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("XMODIFIERS")
+            .env("DISPLAY", &display.name)
+            .envs(environment.iter().copied())
+            .spawn()
+            .expect("the program starts");
+        let mut program = Program {
+            display,
+            child,
+            window: String::new(),
+            folder,
+        };
+        until("the window is there", || {
+            let found = program.display.run(
+                "xdotool",
+                &["search", "--onlyvisible", "--name", "^shadetrade"],
+            );
+            let found = String::from_utf8_lossy(&found);
+            found
+                .lines()
+                .next()
+                .unwrap_or_default()
+                .clone_into(&mut program.window);
+            !program.window.is_empty()
+        });
+        // No window manager runs: the window gets neither a place nor the keys by itself.
+        program.xdotool(&["windowmove", &program.window, "0", "0"]);
+        program.xdotool(&["windowfocus", "--sync", &program.window]);
+        until("a picture is there", || {
+            program.picture().pixels().any(|pixel| pixel.0[0] > 100)
+        });
+        program
+    }
+
+    pub fn xdotool(&self, arguments: &[&str]) -> String {
+        String::from_utf8_lossy(&self.display.run("xdotool", arguments))
+            .trim()
+            .to_owned()
+    }
+
+    pub fn press(&self, key: &str) {
+        self.xdotool(&["key", key]);
+    }
+
+    pub fn click(&self, [x, y]: Point) {
+        let [x, y] = [x, y].map(|place| place.to_string());
+        self.xdotool(&[
+            "mousemove",
+            "--window",
+            &self.window,
+            &x,
+            &y,
+            "mousedown",
+            "1",
+        ]);
+        // As long as the quickest of fingers.
+        sleep(Duration::from_millis(30));
+        self.xdotool(&["mouseup", "1"]);
+    }
+
+    pub fn resize(&self, [width, height]: [u32; 2]) {
+        self.xdotool(&[
+            "windowsize",
+            &self.window,
+            &width.to_string(),
+            &height.to_string(),
+        ]);
+    }
+
+    pub fn title(&self) -> String {
+        self.xdotool(&["getwindowname", &self.window])
+    }
+
+    /// What the window shows.
+    pub fn picture(&self) -> RgbImage {
+        let png = self
+            .display
+            .run("import", &["-window", &self.window, "png:-"]);
+        image::load_from_memory(&png)
+            .map(|picture| picture.to_rgb8())
+            .unwrap_or_default()
+    }
+
+    /// Waits until the window shows something else than `before`, and that it rests.
+    pub fn next_picture(&self, before: &RgbImage, what: &str) -> RgbImage {
+        let mut last = self.picture();
+        until(what, || {
+            let now = self.picture();
+            let rests = now == last && now != *before;
+            last = now;
+            rests
+        });
+        last
+    }
+
+    pub fn is_running(&mut self) -> bool {
+        self.child.try_wait().expect("its state is known").is_none()
+    }
+
+    /// Waits for the end, which must be a success.
+    pub fn end(mut self) {
+        until("the program ends", || !self.is_running());
+        let status = self.child.wait().expect("it has ended");
+        assert!(status.success(), "{status}");
+    }
+}
+
+impl Drop for Program {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+pub fn until(what: &str, mut holds: impl FnMut() -> bool) {
+    let start = Instant::now();
+    while !holds() {
+        assert!(start.elapsed() < PATIENCE, "waited in vain: {what}");
+        sleep(Duration::from_millis(20));
+    }
+}

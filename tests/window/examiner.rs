@@ -1,0 +1,168 @@
+//! What is found out about a picture that rests, and when.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use fearless_simd::Level;
+use minifb::Key;
+use shadetrade::frame::Workers;
+use shadetrade::trade::error_map;
+use shadetrade::window::examiner::{Errors, Examiner, Findings, Question, examine};
+use shadetrade::window::hud::{Hud, Shown};
+use shadetrade::window::lines::Line;
+use shadetrade::window::session::{Redraw, Request, Session};
+
+use super::{default_session, press};
+
+/// A small picture, higher than one band of rows.
+const SMALL: [usize; 2] = [96, 80];
+
+fn found(question: Question) -> Findings {
+    let workers = Workers::new(1, Level::new()).expect("no thread is needed");
+    examine(question, workers, &|| false).expect("nobody cancels it")
+}
+
+fn facts(session: &Session) -> Vec<String> {
+    let hud = Hud::new(session, super::SIZE, Shown::All);
+    let rows = hud.panel().expect("there is room").rows().iter();
+    rows.filter_map(|(line, _)| match line {
+        Line::Fact(_, value) => Some(value.clone()),
+        _ => None,
+    })
+    .collect()
+}
+
+#[test]
+fn a_picture_is_examined_once_when_it_has_rested_for_a_tenth_of_a_second() {
+    let mut session = default_session();
+    let mut requests = |milliseconds| {
+        session.tick(Duration::from_millis(milliseconds));
+        session.take_requests()
+    };
+    assert_eq!(requests(99), []);
+    assert_eq!(requests(100), [Request::Examine]);
+    assert_eq!(requests(5000), []);
+    press(&mut session, Key::R);
+    let mut requests = |milliseconds| {
+        session.tick(Duration::from_millis(milliseconds));
+        session.take_requests()
+    };
+    assert_eq!(requests(5099), []);
+    assert_eq!(requests(5100), [Request::Examine]);
+    press(&mut session, Key::Tab);
+    session.tick(Duration::from_secs(9));
+    assert_eq!(
+        session.take_requests(),
+        [],
+        "another view is no other picture"
+    );
+    press(&mut session, Key::Space);
+    for time in (9000..12_000).step_by(8) {
+        session.tick(Duration::from_millis(time));
+    }
+    assert_eq!(session.take_requests(), [], "what turns does not rest");
+}
+
+#[test]
+fn an_answer_about_another_picture_is_dropped() {
+    let mut session = default_session();
+    let findings = found(session.question(SMALL));
+    press(&mut session, Key::R);
+    session.take_redraw();
+    session.answer(findings);
+    assert!(session.findings().is_none());
+    assert_eq!(session.take_redraw(), Redraw::Nothing);
+    session.answer(found(session.question(SMALL)));
+    assert!(session.findings().is_some());
+    assert_eq!(session.take_redraw(), Redraw::Overlay);
+    press(&mut session, Key::P);
+    assert!(session.findings().is_none());
+}
+
+#[test]
+fn the_panel_tells_the_error_or_why_there_is_none() {
+    let mut session = default_session();
+    assert_eq!(facts(&session)[2..4], ["...", "..."]);
+    let mut findings = found(session.question(SMALL));
+    findings.errors = Some(Errors {
+        max: 163.4,
+        mean: 9.934,
+    });
+    findings.own_errors = None;
+    session.answer(findings);
+    assert_eq!(facts(&session)[2..4], ["163 / 9.93", "-"]);
+}
+
+#[test]
+fn phong_errs_by_its_tolerance_at_most_and_gouraud_by_more() {
+    let mut session = default_session();
+    let gouraud = found(session.question(SMALL));
+    let [errors, own] = [gouraud.errors, gouraud.own_errors].map(|it| it.expect("covered"));
+    assert!(errors.max > 10.0 && errors.mean > 1.0, "{errors:?}");
+    assert!(own.max <= 0.5 && own.mean <= own.max, "{own:?}");
+    press(&mut session, Key::P);
+    let phong = found(session.question(SMALL));
+    assert_eq!(phong.errors, phong.own_errors);
+    assert_ne!(phong.reference, gouraud.reference);
+    // Where nothing is drawn, in the picture's corner.
+    assert_eq!(phong.error_map[0], error_map::NOTHING);
+    assert_eq!(phong.error_map.len(), SMALL[0] * SMALL[1]);
+}
+
+#[test]
+fn the_reference_looks_like_the_picture() {
+    let mut session = default_session();
+    press(&mut session, Key::P);
+    let workers = Workers::new(1, Level::new()).expect("no thread is needed");
+    let mut frame = shadetrade::frame::Frame::new(shadetrade::frame::Keep::Display, workers);
+    session.draw(SMALL, &mut frame).expect("there is memory");
+    let reference = found(session.question(SMALL)).reference;
+    let far = |(drawn, exact): (&u32, &u32)| {
+        let [drawn, exact] = [drawn, exact].map(|it| it.to_be_bytes());
+        drawn.iter().zip(exact).any(|(a, b)| a.abs_diff(b) > 1)
+    };
+    let far = frame.pixels().iter().zip(&reference).filter(|it| far(*it));
+    assert!(far.count() < 20, "only edges differ");
+}
+
+#[test]
+fn where_nothing_is_drawn_there_is_no_error() {
+    let mut session = default_session();
+    let mut question = session.question([1, 1]);
+    question.view.viewpoint.camera.target = question.view.viewpoint.position * 2.0;
+    let findings = found(question);
+    assert_eq!((findings.errors, findings.own_errors), (None, None));
+    session.answer(findings);
+    assert_eq!(facts(&session)[2..4], ["-", "-"]);
+}
+
+#[test]
+fn an_examination_stops_as_soon_as_it_is_cancelled() {
+    let session = default_session();
+    let asked = AtomicUsize::new(0);
+    let workers = Workers::new(1, Level::new()).expect("no thread is needed");
+    let cancelled = || asked.fetch_add(1, Ordering::Relaxed) >= 3;
+    assert_eq!(examine(session.question(SMALL), workers, &cancelled), None);
+}
+
+#[test]
+fn the_newest_question_is_answered() {
+    let mut session = default_session();
+    let examiner = Examiner::start(Level::new()).expect("there are threads");
+    for _ in 0..20 {
+        press(&mut session, Key::R);
+        examiner.ask(session.question([400, 300]));
+    }
+    let start = Instant::now();
+    while session.findings().is_none() {
+        assert!(start.elapsed() < Duration::from_secs(60));
+        if let Some(findings) = examiner.answer() {
+            session.answer(findings);
+        }
+    }
+    // Asked and withdrawn: nothing comes.
+    press(&mut session, Key::R);
+    examiner.ask(session.question([4000, 3000]));
+    examiner.keep_to(session.revision() + 1);
+    drop(examiner);
+}

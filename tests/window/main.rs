@@ -1,0 +1,370 @@
+//! The window's state, tested without a display: what keys and clicks do to the scene and to what is seen.
+//! The real window is opened in `display.rs`.
+
+mod canvas;
+#[cfg(target_os = "linux")]
+mod desktop;
+#[cfg(target_os = "linux")]
+mod display;
+mod examiner;
+mod fit;
+mod hud;
+mod input;
+mod orbit;
+mod probing;
+mod screenshot;
+mod views;
+
+use std::time::Duration;
+
+use fearless_simd::Level;
+use minifb::Key;
+use shadetrade::components::{Projection, ShadingMode, Transform};
+use shadetrade::drawing::Drawing;
+use shadetrade::scene::Scene;
+use shadetrade::window::bindings::{Action, BINDINGS, Section};
+use shadetrade::window::hud::respond;
+use shadetrade::window::input::{Event, Input};
+use shadetrade::window::lines;
+use shadetrade::window::session::{Redraw, Request, Session};
+use shadetrade::window::statistics::Statistics;
+
+/// The size of the window in these tests, in pixels.
+const SIZE: [usize; 2] = [960, 720];
+
+/// Two cuboids of different modes, a light that no key is named after, one camera.
+const MIXED: &str = r#"
+[[cuboid]]
+name = "left"
+size = [1.0, 1.0, 1.0]
+position = [-2.0, 0.0, 0.0]
+rotation = [10.5, 20.0, 30.0]
+shading = "gouraud"
+material = { ambient = [1.0, 1.0, 1.0], diffuse = [1.0, 1.0, 1.0], specular = [1.0, 1.0, 1.0], shininess = 1.0 }
+[[cuboid]]
+name = "right"
+size = [1.0, 1.0, 1.0]
+position = [2.0, 0.0, 0.0]
+shading = "phong"
+material = { ambient = [1.0, 1.0, 1.0], diffuse = [1.0, 1.0, 1.0], specular = [1.0, 1.0, 1.0], shininess = 1.0 }
+[[light]]
+name = "lamp"
+kind = "ambient"
+color = [1.0, 1.0, 1.0]
+intensity = 10.0
+[[camera]]
+name = "only"
+position = [0.0, 0.0, 10.0]
+target = [0.0, 0.0, 0.0]
+fov = 30.0
+height = 6.0
+near = 0.5
+"#;
+
+/// The window as it opens on `scene`.
+fn session_of(scene: Scene) -> Session {
+    Session::new(Drawing {
+        scene,
+        camera: 0,
+        projection: Projection::Perspective,
+        shading: None,
+        tolerance: 0.5,
+        size: SIZE,
+        threads: 1,
+        level: Level::new(),
+    })
+}
+
+/// The window as it opens on the default scene.
+fn default_session() -> Session {
+    session_of(Scene::load(None).expect("the built-in scene is valid"))
+}
+
+/// The window as it opens on two cuboids of different modes.
+fn mixed_session() -> Session {
+    session_of(Scene::parse("mixed.toml", MIXED).expect("the scene above is valid"))
+}
+
+/// Presses and releases a key.
+fn press(session: &mut Session, key: Key) {
+    let mut input = Input::default();
+    if let Some(gesture) = input.handle(Event::KeyDown(key), Duration::ZERO) {
+        respond(session, gesture, SIZE);
+    }
+}
+
+fn lights_on(session: &Session) -> Vec<bool> {
+    (0..)
+        .map_while(|index| session.light(index))
+        .map(|light| light.on)
+        .collect()
+}
+
+#[test]
+fn the_window_opens_on_what_the_scene_says() {
+    let mut session = default_session();
+    assert_eq!(lights_on(&session), [true; 4]);
+    assert_eq!(session.shading(), Some(ShadingMode::Gouraud));
+    assert_eq!(session.view(SIZE).shading, None);
+    assert_eq!(session.projection(), Projection::Perspective);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
+    assert_eq!(session.view(SIZE).tolerance, 0.5);
+    assert!(session.overlay().shows_panel());
+    assert_eq!(session.take_redraw(), Redraw::Picture);
+    assert_eq!(session.take_redraw(), Redraw::Nothing);
+}
+
+#[test]
+fn digits_switch_lights_in_the_order_of_the_file_and_letters_by_name() {
+    let digits = [Key::Key1, Key::Key2, Key::Key3, Key::Key4];
+    let letters = [Key::W, Key::R, Key::S, Key::A];
+    for (index, keys) in digits.into_iter().zip(letters).enumerate() {
+        for key in <[Key; 2]>::from(keys) {
+            let mut session = default_session();
+            press(&mut session, key);
+            let expected: Vec<bool> = (0..4).map(|light| light != index).collect();
+            assert_eq!(lights_on(&session), expected, "{key:?}");
+            assert_eq!(session.take_redraw(), Redraw::Picture);
+            press(&mut session, key);
+            assert_eq!(lights_on(&session), [true; 4], "{key:?} twice");
+        }
+    }
+}
+
+#[test]
+fn a_light_that_does_not_exist_is_said_for_two_seconds() {
+    let mut session = mixed_session();
+    for (key, words) in [
+        (Key::W, "no light is named white"),
+        (Key::Key7, "there is no light 7"),
+    ] {
+        session.tick(Duration::from_secs(10));
+        press(&mut session, key);
+        assert_eq!(session.overlay().message(), Some(words));
+        session.take_redraw();
+        session.tick(Duration::from_millis(11_999));
+        assert_eq!(session.overlay().message(), Some(words));
+        assert_eq!(session.take_redraw(), Redraw::Nothing);
+        session.tick(Duration::from_secs(12));
+        assert_eq!(session.overlay().message(), None);
+        assert_eq!(session.take_redraw(), Redraw::Overlay);
+    }
+    assert_eq!(lights_on(&session), [true]);
+}
+
+#[test]
+fn g_and_p_shade_every_cuboid_whatever_the_scene_says() {
+    let mut session = mixed_session();
+    assert_eq!(session.shading(), None, "the cuboids differ");
+    press(&mut session, Key::P);
+    assert_eq!(session.view(SIZE).shading, Some(ShadingMode::Phong));
+    assert_eq!(session.shading(), Some(ShadingMode::Phong));
+    press(&mut session, Key::G);
+    assert_eq!(session.view(SIZE).shading, Some(ShadingMode::Gouraud));
+}
+
+#[test]
+fn brackets_and_page_keys_step_the_tolerance() {
+    for [finer, coarser] in [
+        [Key::LeftBracket, Key::RightBracket],
+        [Key::PageDown, Key::PageUp],
+    ] {
+        let mut session = default_session();
+        let mut steps = |key| {
+            let mut seen = Vec::new();
+            for _ in 0..7 {
+                press(&mut session, key);
+                seen.push(session.view(SIZE).tolerance);
+            }
+            (seen, session.overlay().message().map(str::to_owned))
+        };
+        let (seen, words) = steps(coarser);
+        assert_eq!(seen, [1.0, 2.0, 4.0, 8.0, 8.0, 8.0, 8.0]);
+        assert_eq!(words.as_deref(), Some("no coarser than this"));
+        let (seen, words) = steps(finer);
+        assert_eq!(seen, [4.0, 2.0, 1.0, 0.5, 0.25, 0.0, 0.0]);
+        assert_eq!(words.as_deref(), Some("no finer than exact"));
+    }
+}
+
+#[test]
+fn a_click_on_the_tolerance_goes_round() {
+    let mut session = default_session();
+    let mut seen = Vec::new();
+    for _ in 0..7 {
+        session.apply(Action::NextTolerance);
+        seen.push(session.tolerance());
+    }
+    assert_eq!(seen, [1.0, 2.0, 4.0, 8.0, 0.0, 0.25, 0.5]);
+}
+
+#[test]
+fn o_changes_the_projection_and_back() {
+    let mut session = default_session();
+    press(&mut session, Key::O);
+    assert_eq!(session.view(SIZE).projection, Projection::Orthographic);
+    press(&mut session, Key::O);
+    assert_eq!(session.view(SIZE).projection, Projection::Perspective);
+}
+
+#[test]
+fn c_goes_round_the_cameras_as_the_scene_has_them() {
+    let mut session = default_session();
+    press(&mut session, Key::Left);
+    press(&mut session, Key::C);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(1));
+    press(&mut session, Key::C);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
+    let mut lonely = mixed_session();
+    press(&mut lonely, Key::C);
+    assert_eq!(lonely.overlay().message(), Some("there is one camera"));
+}
+
+#[test]
+fn home_undoes_orbit_zoom_and_turning_bit_for_bit() {
+    let mut session = default_session();
+    for key in [Key::Left, Key::Up, Key::Equal, Key::Space] {
+        press(&mut session, key);
+    }
+    session.tick(Duration::from_millis(95));
+    assert_ne!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
+    assert_eq!(angles(&session), [3.0]);
+    press(&mut session, Key::Home);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
+    assert_eq!(angles(&session), [0.0]);
+}
+
+/// The cuboids' angles about x, in degrees.
+fn angles(session: &Session) -> Vec<f64> {
+    let scene = session.scene();
+    let angle = |&entity| {
+        scene
+            .world
+            .get::<&Transform>(entity)
+            .expect("a cuboid has one")
+            .rotation
+            .x
+    };
+    scene.cuboids.iter().map(angle).collect()
+}
+
+#[test]
+fn space_turns_one_degree_in_thirty_milliseconds_about_the_own_x_axis() {
+    let mut session = mixed_session();
+    session.tick(Duration::from_secs(1));
+    press(&mut session, Key::Space);
+    session.take_redraw();
+    session.tick(Duration::from_millis(1029));
+    assert_eq!(
+        (angles(&session), session.take_redraw()),
+        (vec![10.5, 0.0], Redraw::Nothing)
+    );
+    session.tick(Duration::from_millis(1030));
+    assert_eq!(
+        (angles(&session), session.take_redraw()),
+        (vec![11.5, 1.0], Redraw::Picture)
+    );
+    // However seldom the time is told, nothing is lost: 100 degrees in 3 s.
+    session.tick(Duration::from_secs(4));
+    assert_eq!(angles(&session), [110.5, 100.0]);
+    // A full turn ends where it began.
+    session.tick(Duration::from_millis(1000 + 360 * 30));
+    assert_eq!(angles(&session), [10.5, 0.0]);
+    press(&mut session, Key::Space);
+    session.tick(Duration::from_secs(100));
+    assert_eq!(angles(&session), [10.5, 0.0]);
+}
+
+#[test]
+fn escape_closes_the_help_first_and_quits_when_none_is_open() {
+    let mut session = default_session();
+    press(&mut session, Key::F1);
+    assert!(session.overlay().shows_help());
+    press(&mut session, Key::Escape);
+    assert!(!session.overlay().shows_help());
+    assert_eq!(session.take_requests(), []);
+    press(&mut session, Key::Escape);
+    assert_eq!(session.take_requests(), [Request::Quit]);
+    press(&mut session, Key::Q);
+    press(&mut session, Key::F12);
+    assert_eq!(
+        session.take_requests(),
+        [Request::Quit, Request::Screenshot]
+    );
+}
+
+#[test]
+fn every_key_and_every_character_calls_up_one_command() {
+    for (index, binding) in BINDINGS.iter().enumerate() {
+        for other in &BINDINGS[index + 1..] {
+            assert!(
+                binding.keys.iter().all(|key| !other.keys.contains(key)),
+                "{binding:?}"
+            );
+            assert!(
+                binding
+                    .characters
+                    .iter()
+                    .all(|it| !other.characters.contains(it)),
+                "{binding:?}"
+            );
+            assert_ne!(binding.action, other.action);
+        }
+        let named = matches!(
+            binding.section,
+            Section::Lights | Section::Shading | Section::Projection | Section::Camera
+        ) || binding.action == Action::NextView;
+        assert_eq!(binding.says.is_empty(), named, "{binding:?}");
+    }
+}
+
+#[test]
+fn the_frame_around_the_window_tells_the_state_and_where_to_find_help() {
+    let mut session = default_session();
+    assert_eq!(
+        lines::title(&session),
+        "shadetrade: cuboid, Gouraud, perspective, camera 1 - H for help"
+    );
+    for key in [Key::P, Key::O, Key::C] {
+        press(&mut session, key);
+    }
+    assert_eq!(
+        lines::title(&session),
+        "shadetrade: cuboid, Phong, orthographic, camera 2 - H for help"
+    );
+}
+
+#[test]
+fn the_frame_time_is_the_median_of_the_last_sixty() {
+    let mut statistics = Statistics::default();
+    assert_eq!(statistics.frame_time(), None);
+    let mut record = |milliseconds: u64| {
+        let counts = shadetrade::frame::Counts {
+            covered_pixels: 7,
+            ..Default::default()
+        };
+        statistics.record(Duration::from_millis(milliseconds), counts, [3, 2]);
+        statistics.frame_time().expect("a frame was recorded")
+    };
+    assert_eq!(record(9), Duration::from_millis(9));
+    assert_eq!(record(1), Duration::from_millis(5));
+    assert_eq!(record(2), Duration::from_millis(2));
+    // Sixty more push the first three out: 1, 2, .. 60.
+    assert_eq!(
+        (1..=60).map(record).last(),
+        Some(Duration::from_micros(30_500))
+    );
+    assert_eq!((statistics.shaded_pixels(), statistics.size()), (7, [3, 2]));
+}
+
+#[test]
+fn zooming_past_the_end_says_so() {
+    let mut session = default_session();
+    session.apply(Action::Zoom(1000));
+    assert_eq!(session.overlay().message(), None);
+    session.apply(Action::Zoom(1));
+    assert_eq!(session.overlay().message(), Some("no closer than this"));
+    session.apply(Action::Zoom(-10_000));
+    session.apply(Action::Zoom(-1));
+    assert_eq!(session.overlay().message(), Some("no further than this"));
+}
