@@ -51,8 +51,8 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         if !band.depths.is_empty() {
             for (index, projected) in world.query::<&Projected>().iter().enumerate() {
                 for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| polygon.len > 0) {
-                    let plane = depth_plane(projected, number, &lens);
-                    dispatch!(level, _simd => see(polygon, plane, index as u32 * 12 + number as u32, &lens, band));
+                    let nearness = Nearness::new(projected, number, &lens);
+                    dispatch!(level, _simd => see(polygon, &nearness, index as u32 * 12 + number as u32, &lens, band));
                 }
             }
         }
@@ -129,24 +129,44 @@ fn triangle(
     }
 }
 
-/// What grows towards the eye and is affine on the screen, as coefficients of (X, Y, 1): 1 / depth in perspective, minus
-/// the depth in orthographic projection.
-fn depth_plane(projected: &Projected, number: usize, lens: &Lens) -> DVec3 {
-    let seen = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)]);
-    let vertices = seen.map(|seen| lens.homogeneous(seen));
-    let planes = Triangle::planes(vertices);
-    let volume = vertices[0].dot(planes[0]);
-    match lens.projection {
-        Projection::Perspective => (planes[0] + planes[1] + planes[2]) / volume,
-        Projection::Orthographic => {
-            -(planes[0] * seen[0].z + planes[1] * seen[1].z + planes[2] * seen[2].z) / volume
+/// What grows towards the eye and is affine on the screen: 1 / depth in perspective, minus the depth in orthographic
+/// projection.
+struct Nearness {
+    /// Coefficients of (X, Y, 1).
+    plane: DVec3,
+    /// The least and the most of what is seen of the triangle. Samples are held to it: one that snapping put just outside
+    /// an edge-on face would else be as near or as far as the face is steep.
+    range: [f64; 2],
+}
+
+impl Nearness {
+    fn new(projected: &Projected, number: usize, lens: &Lens) -> Self {
+        let seen = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)]);
+        let vertices = seen.map(|seen| lens.homogeneous(seen));
+        let planes = Triangle::planes(vertices);
+        let volume = vertices[0].dot(planes[0]);
+        let [a, b, c] = seen.map(|seen| seen.z);
+        let (farthest, nearest) = (a.max(b).max(c), a.min(b).min(c).max(lens.near));
+        match lens.projection {
+            Projection::Perspective => Nearness {
+                plane: (planes[0] + planes[1] + planes[2]) / volume,
+                range: [1.0 / farthest, 1.0 / nearest],
+            },
+            Projection::Orthographic => Nearness {
+                plane: -(planes[0] * a + planes[1] * b + planes[2] * c) / volume,
+                range: [-farthest, -nearest],
+            },
         }
     }
 }
 
 /// Enters a polygon into the depth buffer wherever it is nearest.
 #[inline(always)]
-fn see(polygon: &Polygon, plane: DVec3, id: u32, lens: &Lens, band: &mut Band) {
+fn see(polygon: &Polygon, nearness: &Nearness, id: u32, lens: &Lens, band: &mut Band) {
+    let Nearness {
+        plane,
+        range: [least, most],
+    } = *nearness;
     let mut scan = Scan::new(polygon, band.rows.clone(), band.width);
     while let Some((row, from, to)) = scan.next_span() {
         let y = (lens.half[1] - row as f64 - 0.5) * lens.pitch;
@@ -156,7 +176,7 @@ fn see(polygon: &Polygon, plane: DVec3, id: u32, lens: &Lens, band: &mut Band) {
         let triangles = &mut band.triangles[first..first + to - from];
         for (offset, (old, triangle)) in depths.iter_mut().zip(triangles).enumerate() {
             let x = ((from + offset) as f64 + 0.5 - lens.half[0]) * lens.pitch;
-            let new = start + plane.x * x;
+            let new = (start + plane.x * x).max(least).min(most);
             if new - *old > DEPTH_TIE * old.abs() {
                 *old = new;
                 *triangle = id;
