@@ -2,14 +2,18 @@
 //!
 //! Rule: lambda_i = e_i w_i / sum(e_j w_j) are the coordinates that are linear on the screen; their sum is constant, so
 //! no pixel divides. A triangle with a vertex nearer than the near plane has no three screen positions: its vectors are
-//! interpolated perspective-correctly instead, as everything else is.
+//! interpolated perspective-correctly instead, as everything else is. In f32 where its rounding is bounded, pixel by
+//! pixel in f64 elsewhere and for slivers.
 
 use glam::DVec3;
 
 use super::certificate::Color;
 use super::patch::{Affine, Patch, Triangle};
 use super::specular::{power, power_exact};
-use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, doubles};
+use super::{
+    Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, doubles,
+};
+use crate::components::PointLight;
 
 /// Draws the shortcut; it has no tolerance to keep.
 pub struct UnitVectors<'a> {
@@ -32,14 +36,91 @@ impl Shader for UnitVectors<'_> {
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        let surface = &self.surface;
-        let Some(factors) = triangle.screen else {
-            return self.shade_clipped(triangle, patch, coverage, sink);
-        };
-        let to_eye = triangle.to_eye();
+        if patch.steady
+            && let Some(factors) = triangle.screen
+        {
+            let vectors = Vectors::new(triangle, factors, patch);
+            if self.rounding(&vectors, patch) <= EXACT {
+                return self.shade_lanes(&vectors, patch, coverage, scratch, sink);
+            }
+        }
+        self.shade_doubles(triangle, patch, coverage, sink)
+    }
+}
+
+/// What is interpolated: the weights that are linear on the screen, and the vectors all lights share.
+struct Vectors<'a> {
+    triangle: &'a Triangle,
+    weights: Affine,
+    normal: Affine,
+    to_eye: Affine,
+}
+
+impl<'a> Vectors<'a> {
+    #[inline(always)]
+    fn new(triangle: &'a Triangle, factors: [f64; 3], patch: &Patch) -> Self {
         let weights = screen_weights(factors, patch);
-        let blend = |values: &[DVec3; 3]| weights.map(|weights| Triangle::blend(weights, values));
-        let (normal, to_eye) = (blend(&triangle.normals), blend(&to_eye));
+        Vectors {
+            triangle,
+            weights,
+            normal: blend(&weights, &triangle.normals),
+            to_eye: blend(&weights, &triangle.to_eye()),
+        }
+    }
+
+    #[inline(always)]
+    fn to_light(&self, light: &PointLight, surface: &Surface) -> Affine {
+        let place = light.position - surface.centre;
+        blend(&self.weights, &self.triangle.to_light(place))
+    }
+}
+
+#[inline(always)]
+fn blend(weights: &Affine, values: &[DVec3; 3]) -> Affine {
+    weights.map(|weights| Triangle::blend(weights, values))
+}
+
+impl UnitVectors<'_> {
+    /// A bound, in levels, on what f32 costs on this tile; infinite where it cannot be given.
+    ///
+    /// A vector, no longer than one, errs by two roundings and three of what it moves; a dot product by its vectors'
+    /// errors and three more; so o.r errs by four, three and three times the errors of n, l and o and 21 roundings, and
+    /// s^rho by rho times that and sixteen.
+    #[inline(always)]
+    fn rounding(&self, vectors: &Vectors, patch: &Patch) -> f64 {
+        let error = |v: &Affine| {
+            let reach = v.dx.length() * patch.half[0] + v.dy.length() * patch.half[1];
+            U * (2.0 + 3.0 * reach)
+        };
+        let steepest = match self.surface.material.shininess {
+            shininess if shininess > 0.0 && shininess < 1.0 => f64::INFINITY,
+            shininess => shininess,
+        };
+        let [n, o] = [&vectors.normal, &vectors.to_eye].map(error);
+        let mut largest = self.surface.ambient().max_element();
+        let mut bound = 0.0;
+        for light in &self.surface.illumination.points {
+            let l = error(&vectors.to_light(light, &self.surface));
+            let [diffuse, specular] = self.surface.coefficients(light).map(DVec3::max_element);
+            largest += diffuse + specular;
+            bound += diffuse * (n + l + 3.0 * U);
+            if specular > 0.0 {
+                bound += specular * (steepest * (4.0 * n + 3.0 * (l + o) + 21.0 * U) + 16.0 * U);
+            }
+        }
+        bound + 6.0 * U * largest
+    }
+
+    #[inline(always)]
+    fn shade_lanes(
+        &self,
+        vectors: &Vectors,
+        patch: &Patch,
+        coverage: &Coverage,
+        scratch: &mut Scratch,
+        sink: &mut impl Sink,
+    ) -> Evaluations {
+        let surface = &self.surface;
         let shininess = surface.material.shininess as f32;
         let ambient = surface.ambient().as_vec3().to_array();
         let lanes = patch.lanes();
@@ -48,11 +129,15 @@ impl Shader for UnitVectors<'_> {
             let [diffuse, specular] = surface
                 .coefficients(light)
                 .map(|levels| levels.as_vec3().to_array());
-            let to_light = blend(&triangle.to_light(light.position - surface.centre));
+            let to_light = vectors.to_light(light, surface);
             for (row, &(from, to)) in coverage.spans.iter().enumerate() {
                 if from < to {
                     let y = row as f64 - patch.row;
-                    let (n, l, o) = (normal.row(y), to_light.row(y), to_eye.row(y));
+                    let (n, l, o) = (
+                        vectors.normal.row(y),
+                        to_light.row(y),
+                        vectors.to_eye.row(y),
+                    );
                     let mut cosine = [0.0; TILE];
                     let mut strength = [0.0; TILE];
                     for lane in 0..TILE {
@@ -84,11 +169,9 @@ impl Shader for UnitVectors<'_> {
         }
         Evaluations::of(TileKind::Exact).of_every_pixel(coverage, surface)
     }
-}
 
-impl UnitVectors<'_> {
-    /// Shades a triangle that has no three screen positions, in f64, pixel by pixel.
-    fn shade_clipped(
+    /// The same in f64 at every covered pixel.
+    fn shade_doubles(
         &self,
         triangle: &Triangle,
         patch: &Patch,
@@ -96,7 +179,10 @@ impl UnitVectors<'_> {
         sink: &mut impl Sink,
     ) -> Evaluations {
         let surface = &self.surface;
+        let factors = DVec3::from(triangle.screen.unwrap_or([1.0; 3]));
         doubles::shade(patch, coverage, sink, |weights| {
+            let weights = weights * factors;
+            let weights = weights / (weights.x + weights.y + weights.z);
             let n = Triangle::blend(weights, &triangle.normals);
             let o = Triangle::blend(weights, &triangle.to_eye());
             let mut levels = surface.ambient();

@@ -30,6 +30,12 @@ const MATERIAL: Material = Material {
 /// What every light here sends, in levels.
 const SENT: DVec3 = DVec3::new(200.0, 100.0, 40.0);
 
+const MODES: [ShadingMode; 3] = [
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::UnitVectors,
+];
+
 /// A light: its kind and its place.
 type Lamp = (LightKind, [f64; 3]);
 
@@ -96,11 +102,7 @@ fn assert_shares(lamp: Lamp, view: &View, mode: ShadingMode, shares: &[([i32; 2]
 
 #[test]
 fn ambient_light_is_the_same_wherever_the_cube_is_seen() {
-    for mode in [
-        ShadingMode::Gouraud,
-        ShadingMode::Phong,
-        ShadingMode::UnitVectors,
-    ] {
+    for mode in MODES {
         for view in [from_above(), from_an_eye()] {
             let picture = picture(MATERIAL, &[(LightKind::Ambient, [0.0; 3])], &view, mode);
             for (pixel, levels) in picture.iter().enumerate() {
@@ -213,7 +215,7 @@ fn gouraud_misses_a_light_over_the_middle_of_a_face() {
 }
 
 #[test]
-fn at_a_vertex_gouraud_and_phong_are_equal() {
+fn at_a_vertex_all_modes_are_equal() {
     let lamps = [
         (LightKind::Ambient, [0.0; 3]),
         (LightKind::Diffuse, [-1.0, 5.0, 6.0]),
@@ -223,9 +225,37 @@ fn at_a_vertex_gouraud_and_phong_are_equal() {
     for view in [from_above(), from_an_eye()] {
         for lamps in [&lamps[..1], &lamps[1..2], &lamps[2..3], &lamps[3..], &lamps] {
             let corner = |mode| picture(MATERIAL, lamps, &view, mode)[pixel(-2, 2)];
-            let [gouraud, phong] = [ShadingMode::Gouraud, ShadingMode::Phong].map(corner);
+            let [gouraud, phong, unit_vectors] = MODES.map(corner);
             assert!((gouraud - phong).length() < 1e-3, "{gouraud} {phong}");
+            assert!(
+                (gouraud - unit_vectors).length() < 1e-3,
+                "{gouraud} {unit_vectors}"
+            );
             assert!(gouraud.min_element() > 1.0, "{lamps:?} reach it: {gouraud}");
+        }
+    }
+}
+
+#[test]
+fn a_light_that_a_vertex_mirrors_to_the_eye_has_its_full_strength_there_whatever_the_mode() {
+    let vertex = DVec3::new(-2.0, 2.0, 2.0);
+    let (n, o) = (vertex.normalize(), (DVec3::Z * 12.0 - vertex).normalize());
+    let mirrored = 2.0 * n.dot(o) * n - o;
+    for shininess in [0.0, 0.5, 1.0, 76.8, 1e3, 1e4, 1e6] {
+        for reach in [0.7, 3.0, 11.0] {
+            let material = Material {
+                shininess,
+                ..MATERIAL
+            };
+            let lamp = (LightKind::Specular, (vertex + mirrored * reach).to_array());
+            for mode in MODES {
+                let found = picture(material, &[lamp], &from_an_eye(), mode)[pixel(-2, 2)];
+                let error = (found - MATERIAL.specular * SENT).abs().max_element();
+                assert!(
+                    error < 0.05,
+                    "{mode:?} errs by {error} at shininess {shininess}"
+                );
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use shadetrade::components::{Illumination, Material, PointLight};
 use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::patch::{Patch, Triangle};
 use shadetrade::shading::phong::Phong;
+use shadetrade::shading::unit_vectors::UnitVectors;
 use shadetrade::shading::{
     Coverage, EXACT, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow,
 };
@@ -86,50 +87,60 @@ fn compare(shader: &impl Shader, triangle: &Triangle) -> (TileKind, f64) {
     )
 }
 
-#[test]
-fn phong_in_lanes_is_phong_in_f64() {
+/// A shiny material under three lights.
+fn lit(random: &mut Random) -> (Material, Illumination) {
+    let mut between = |least: f64, most: f64| random.within(least, most);
+    let material = Material {
+        ambient: DVec3::splat(0.1),
+        diffuse: DVec3::new(0.2, 0.5, 0.8),
+        specular: DVec3::new(0.9, 0.6, 0.3),
+        shininess: 10.0_f64.powf(between(0.0, 4.0)),
+    };
+    let points = (0..3).map(|_| PointLight {
+        position: DVec3::new(between(-9.0, 9.0), between(-9.0, 9.0), between(-1.0, 9.0)),
+        diffuse: DVec3::splat(between(0.0, 900.0)),
+        specular: DVec3::splat(between(0.0, 300.0)),
+    });
+    let illumination = Illumination {
+        ambient: DVec3::splat(50.0),
+        points: points.collect(),
+    };
+    (material, illumination)
+}
+
+/// Compares a thousand random tiles; returns how many of them were shaded in f32.
+#[track_caller]
+fn compare_tiles(compare: impl Fn(Surface, &Triangle) -> (TileKind, f64)) -> usize {
     let mut random = Random(6);
-    let mut in_lanes = 0;
-    for _ in 0..1000 {
+    let mut one = || {
         let triangle = triangle(&mut random);
-        let mut between = |least: f64, most: f64| random.within(least, most);
-        let shininess = 10.0_f64.powf(between(0.0, 4.0));
-        let material = Material {
-            ambient: DVec3::splat(0.1),
-            diffuse: DVec3::new(0.2, 0.5, 0.8),
-            specular: DVec3::new(0.9, 0.6, 0.3),
-            shininess,
-        };
-        let points = (0..3).map(|_| PointLight {
-            position: DVec3::new(between(-9.0, 9.0), between(-9.0, 9.0), between(-1.0, 9.0)),
-            diffuse: DVec3::splat(between(0.0, 900.0)),
-            specular: DVec3::splat(between(0.0, 300.0)),
-        });
-        let illumination = Illumination {
-            ambient: DVec3::splat(50.0),
-            points: points.collect(),
-        };
+        let (material, illumination) = &lit(&mut random);
         let surface = Surface {
-            material: &material,
-            illumination: &illumination,
+            material,
+            illumination,
             centre: DVec3::ZERO,
         };
-        let (kind, difference) = compare(&Phong::new(surface, 0.0), &triangle);
-        assert!(
-            difference <= EXACT,
-            "{difference} levels at shininess {shininess}"
-        );
-        in_lanes += u32::from(kind == TileKind::Exact);
-    }
-    assert!(in_lanes > 800, "{in_lanes} tiles were shaded in f32");
+        let (kind, difference) = compare(surface, &triangle);
+        assert!(difference <= EXACT, "{difference} levels of {surface:?}");
+        kind
+    };
+    (0..1000).filter(|_| one() == TileKind::Exact).count()
+}
+
+#[test]
+fn phong_in_lanes_is_phong_in_f64() {
+    let lanes = compare_tiles(|surface, triangle| compare(&Phong::new(surface, 0.0), triangle));
+    assert!(lanes > 800, "{lanes} tiles");
+}
+
+#[test]
+fn unit_vectors_in_lanes_are_unit_vectors_in_f64() {
+    let lanes = compare_tiles(|surface, triangle| compare(&UnitVectors { surface }, triangle));
+    assert!(lanes > 200, "{lanes} tiles");
 }
 
 #[test]
 fn gouraud_in_lanes_is_gouraud_in_f64() {
-    let mut random = Random(7);
-    for _ in 0..1000 {
-        let (kind, difference) = compare(&Gouraud { tolerance: 0.0 }, &triangle(&mut random));
-        assert!(difference <= EXACT, "{difference} levels");
-        assert_eq!(kind, TileKind::Exact);
-    }
+    let lanes = compare_tiles(|_, triangle| compare(&Gouraud { tolerance: 0.0 }, triangle));
+    assert_eq!(lanes, 1000);
 }
