@@ -282,9 +282,11 @@ fn wrong(mut words: Vec<OsString>, error: clap::Error) -> Failure {
 }
 
 fn is_command(word: &OsStr) -> bool {
-    Arguments::command()
-        .get_subcommands()
-        .any(|command| command.get_name() == word)
+    // Clap adds `help` by itself, and only while parsing.
+    word == "help"
+        || Arguments::command()
+            .get_subcommands()
+            .any(|command| command.get_name() == word)
 }
 
 fn command_first(command: &str) -> String {

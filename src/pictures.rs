@@ -30,9 +30,9 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let [width, height] = frame.size();
     let name = output.name();
     say(&format!(
-        "wrote {name}: PNG, {width}x{height}, {} pixels shaded; a frame takes {:.3} ms \
+        "wrote {name}: PNG, {width}x{height}, {} shaded; a frame takes {:.3} ms \
          (median of {}, PNG apart; {}, {})",
-        frame.counts().covered_pixels,
+        count(frame.counts().covered_pixels as usize, "pixel"),
         time.as_secs_f64() * 1e3,
         count(frames, "warm frame"),
         count(frame.workers().threads(), "thread"),
@@ -79,8 +79,9 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let time = begin.elapsed();
     output.write_png(&pixels, view.size)?;
     say(&format!(
-        "wrote {}: PNG, {width}x{height}, {covered} pixels shaded by the reference in f64, in {:.3} s",
+        "wrote {}: PNG, {width}x{height}, {} shaded by the reference in f64, in {:.3} s",
         output.name(),
+        count(covered, "pixel"),
         time.as_secs_f64()
     ));
     Ok(())

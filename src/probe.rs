@@ -131,6 +131,17 @@ pub fn at(
         .map_or_else(|_| String::new(), |name| name.0.clone());
     let sample = reference::at_pixel(&scene.world, view, x, y)
         .filter(|sample| [sample.object, sample.triangle] == [object as usize, triangle as usize]);
+    // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
+    let finite = |levels: [f64; 3], exact: fn(&reference::Sample) -> DVec3| {
+        std::array::from_fn(|channel| match &sample {
+            Some(sample) if !levels[channel].is_finite() => exact(sample)[channel],
+            _ => levels[channel],
+        })
+    };
+    let (gouraud, phong) = (
+        finite(gouraud, |sample| sample.gouraud),
+        finite(phong, |sample| sample.phong),
+    );
     let shaded = |levels: [f64; 3], term: fn(&reference::LightSample) -> DVec3| Shaded {
         levels,
         terms: sample
