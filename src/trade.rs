@@ -153,6 +153,9 @@ pub enum TradeError {
     /// The system gives no threads.
     #[error("cannot start the threads that draw")]
     Threads(#[from] ThreadPoolBuildError),
+    /// Nobody wants to know any more.
+    #[error("the measurement was cancelled")]
+    Cancelled,
 }
 
 /// Measures all [`METHODS`]; `progress` hears from any thread how far it is.
@@ -160,16 +163,29 @@ pub enum TradeError {
 /// # Errors
 /// When memory or threads do not suffice.
 pub fn measure(
+    request: Request,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Report, TradeError> {
+    measure_unless(request, &|| false, progress)
+}
+
+/// The same; `cancelled` is asked before every frame and every row of the reference, and a yes ends it.
+///
+/// # Errors
+/// As [`measure`], and [`TradeError::Cancelled`].
+pub fn measure_unless(
     mut request: Request,
+    cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Report, TradeError> {
     accuracy::check_memory(request.view.size)?;
     let telling = |step| move |share| progress(Progress { step, share });
-    let timed = time_frames(&mut request, telling("timing frames"))?;
+    let timed = time_frames(&mut request, cancelled, telling("timing frames"))?;
     let accuracies = accuracy::of_methods(
         &mut request.scene,
         &request.view,
         Workers::new(all_cores(), request.level)?,
+        cancelled,
         &telling("comparing pictures"),
     )?;
     let candidates: Vec<Candidate> = timed
@@ -213,6 +229,7 @@ pub fn measure(
 /// All draw into one frame, as a window does, so that none has a better place in memory than another.
 fn time_frames(
     request: &mut Request,
+    cancelled: &(dyn Fn() -> bool + Sync),
     progress: impl Fn(f64),
 ) -> Result<Vec<(Timing, Counts)>, TradeError> {
     let workers = Workers::new(request.threads, request.level)?;
@@ -222,7 +239,10 @@ fn time_frames(
         .map(|method| accuracy::drawn_by(method, &request.view))
         .collect();
     let mut counts = vec![Counts::default(); METHODS.len()];
-    let draw = |method: usize| -> Result<(), OutOfMemory> {
+    let draw = |method: usize| -> Result<(), TradeError> {
+        if cancelled() {
+            return Err(TradeError::Cancelled);
+        }
         systems::draw(&mut request.scene.world, &views[method], &mut frame)?;
         counts[method] = frame.counts();
         Ok(())

@@ -20,6 +20,7 @@ pub mod input;
 pub mod legend;
 pub mod lines;
 pub mod looking;
+pub mod measuring;
 pub mod orbit;
 pub mod overlay;
 mod paint;
@@ -43,6 +44,7 @@ use display::Display;
 use examiner::Examiner;
 use hud::{Hud, Shown};
 use input::Input;
+use measuring::Measurement;
 use session::{Redraw, Request, Session};
 
 pub use display::restart_without_input_method;
@@ -110,6 +112,7 @@ pub fn run(drawing: Drawing) -> Result<Outcome, WindowError> {
         input: Input::default(),
         composition: Composition::new(workers()?, workers()?),
         examiner: Examiner::start(level)?,
+        measurement: None,
         shown: Vec::new(),
         title: String::new(),
         outcome: Outcome::default(),
@@ -124,6 +127,7 @@ struct Window {
     input: Input,
     composition: Composition,
     examiner: Examiner,
+    measurement: Option<Measurement>,
     /// The picture with everything over it, as it was last shown.
     shown: Vec<u32>,
     title: String,
@@ -143,6 +147,8 @@ impl Window {
             }
             size = self.react(now, size);
             self.examiner.keep_to(self.session.revision());
+            self.measurement
+                .take_if(|_| !self.session.measuring().is_running());
             let redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
                 self.draw(redraw, size)?;
@@ -150,6 +156,10 @@ impl Window {
             for request in self.session.take_requests() {
                 match request {
                     Request::Screenshot => self.save_screenshot(),
+                    Request::Measure => {
+                        let request = self.session.measurement(size);
+                        self.measurement = Some(Measurement::start(request));
+                    }
                     Request::Examine => self.examiner.ask(self.session.question(size)),
                     Request::Quit => return Ok(self.outcome),
                 }
@@ -181,6 +191,9 @@ impl Window {
             self.session.resized();
         }
         self.session.tick(now);
+        for news in self.measurement.iter().flat_map(Measurement::news) {
+            self.session.hear(news);
+        }
         if let Some(findings) = self.examiner.answer() {
             self.session.answer(findings);
         }

@@ -12,6 +12,7 @@ use std::collections::{HashMap, HashSet};
 
 use glam::DVec3;
 
+use super::TradeError;
 use super::error_map::ErrorMap;
 use super::flip;
 use super::metrics::{self, Difference, Picture};
@@ -59,13 +60,14 @@ pub(super) fn check_memory([width, height]: [usize; 2]) -> Result<(), OutOfMemor
 /// The scene is left with its specular lights alone.
 ///
 /// # Errors
-/// When the picture does not fit in memory.
+/// When the picture does not fit in memory, or `cancelled` says yes.
 pub(super) fn of_methods(
     scene: &mut Scene,
     view: &View,
     workers: Workers,
+    cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(f64) + Sync),
-) -> Result<Vec<Accuracy>, OutOfMemory> {
+) -> Result<Vec<Accuracy>, TradeError> {
     let [width, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
     let modes: HashSet<ShadingMode> = METHODS
@@ -80,13 +82,18 @@ pub(super) fn of_methods(
         .enumerate()
         .map(|(done, &mode)| {
             let row_done = |rows| told(done, rows as f64 / height as f64);
-            (mode, truth(scene, view, mode, &row_done))
+            truth(scene, view, mode, cancelled, &row_done)
+                .map(|truth| (mode, truth))
+                .ok_or(TradeError::Cancelled)
         })
-        .collect();
+        .collect::<Result<_, _>>()?;
     let exact = picture_of(&truths[&ShadingMode::Phong]);
     let exact_bytes = bytes(exact.levels);
     let mut accuracies = Vec::with_capacity(METHODS.len());
     for (index, method) in METHODS.iter().enumerate() {
+        if cancelled() {
+            return Err(TradeError::Cancelled);
+        }
         systems::draw(&mut scene.world, &drawn_by(method, view), &mut frame)?;
         let drawn = picture(width, frame.levels(), frame.triangles());
         let own = picture_of(&truths[&method.mode]);
@@ -142,14 +149,14 @@ fn truth(
     scene: &Scene,
     view: &View,
     mode: ShadingMode,
+    cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize) + Sync),
-) -> Truth {
+) -> Option<Truth> {
     let view = View {
         shading: Some(mode),
         ..view.clone()
     };
-    reference::picture(&scene.world, &view, 0..view.size[1], &|| false, progress)
-        .expect("nobody cancels it")
+    reference::picture(&scene.world, &view, 0..view.size[1], cancelled, progress)
 }
 
 fn picture_of(truth: &Truth) -> Picture<'_, f64> {

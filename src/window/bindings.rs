@@ -35,6 +35,8 @@ pub enum Action {
     NextView,
     /// Shows the reference, and hides it again.
     Blink,
+    /// Measures what every method costs and errs in this view, and ends or closes that.
+    Measure,
     /// Moves the camera about its target.
     Orbit {
         /// To the right as seen from the camera, in degrees.
@@ -224,6 +226,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "").on_panel(),
     Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::NextView, "").on_panel(),
     Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
+    Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
     Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit left, or drag").repeats(),
     Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], RIGHT, "orbit right, or drag").repeats(),
     Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], UP, "orbit up, or drag").repeats(),

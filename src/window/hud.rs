@@ -9,7 +9,7 @@ use super::board::{Board, Place};
 use super::canvas::{Canvas, FACES, Face, Ink, Point, Rect};
 use super::input::Gesture;
 use super::legend::Legend;
-use super::lines;
+use super::lines::{self, Line};
 use super::overlay::Pane;
 use super::probing;
 use super::session::Session;
@@ -39,6 +39,7 @@ pub struct Hud {
     size: [usize; 2],
     panel: Option<Board>,
     help: Option<Board>,
+    table: Option<Board>,
     probe: Option<Board>,
     cross: Option<Point>,
     legend: Option<Legend>,
@@ -62,10 +63,12 @@ impl Hud {
         let all = shown == Shown::All;
         let panel = panel(session, size, area, shown);
         let covered = panel.as_ref().map(Board::rect);
-        let legend = |face| Legend::new(session, size, face, area, covered);
+        let probe = probe(session, size, area, covered);
+        let free = beside(area, probe.as_ref());
+        let legend = |face| Legend::new(session, size, face, free, covered);
         Hud {
             size,
-            probe: probe(session, size, area, covered),
+            probe,
             cross: session
                 .probed()
                 .map(|probe| probe.pixel.map(|at| at as i32)),
@@ -78,6 +81,7 @@ impl Hud {
                 .filter(|_| all)
                 .and_then(|text| message(text, size, area)),
             hovered: session.overlay().hovered().filter(|_| all),
+            table: table(session, size, area),
             shades: session.overlay().shows_help(),
         }
     }
@@ -96,6 +100,9 @@ impl Hud {
         }
         if let Some(panel) = &self.panel {
             panel.draw(canvas, self.hovered.filter(|_| !self.shades));
+        }
+        if let Some(table) = &self.table {
+            table.draw(canvas, None);
         }
         if self.shades {
             canvas.fill(canvas.clip(), SHADE);
@@ -123,6 +130,11 @@ impl Hud {
         self.probe.as_ref()
     }
 
+    /// What is measured or was, where there is room for it.
+    pub fn table(&self) -> Option<&Board> {
+        self.table.as_ref()
+    }
+
     /// What explains the view.
     pub fn legend(&self) -> Option<&Legend> {
         self.legend.as_ref()
@@ -138,6 +150,7 @@ impl Hud {
     fn board_at(&self, point: Point) -> Option<(Pane, &Board)> {
         [
             (Pane::Help, &self.help),
+            (Pane::Table, &self.table),
             (Pane::Panel, &self.panel),
             (Pane::Probe, &self.probe),
         ]
@@ -161,6 +174,7 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
             }
             match hud.board_at(point) {
                 Some((Pane::Probe, _)) => session.probe(None),
+                Some((Pane::Table, _)) => session.apply(Action::Measure),
                 Some(_) => {}
                 None if session.overlay().shows_help() => session.apply(Action::Help),
                 None => session.probe(pixel_at(point, size)),
@@ -195,6 +209,37 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
     }
 }
 
+/// The measurement in letters as large as the area allows.
+fn table(session: &Session, size: [usize; 2], area: Rect) -> Option<Board> {
+    let first = session.overlay().scroll(Pane::Table);
+    let measuring = session.measuring();
+    let small = Style::new(FACES[0]).tight();
+    let sparing = [
+        (small, 60),
+        (small, 40),
+        (small.scrolled(), 40),
+        (small.cut(), 40),
+    ];
+    faces(size, HELP_ROWS)
+        .flat_map(|face| [(Style::new(face), 60), (Style::new(face), 40)])
+        .chain(sparing)
+        .filter(|_| measuring.is_open())
+        .find_map(|(style, letters)| {
+            Board::lay_out(measuring.lines(letters), style, area, Place::Middle, first)
+        })
+}
+
+/// What a board at the right edge of `area` leaves of it.
+fn beside(area: Rect, board: Option<&Board>) -> Rect {
+    match board.map(Board::rect) {
+        Some(rect) if rect.right() == area.right() => Rect {
+            width: rect.x - FACES[0].advance() - area.x,
+            ..area
+        },
+        _ => area,
+    }
+}
+
 /// The pixel at `point`, where it lies in the picture.
 fn pixel_at(point: Point, size: [usize; 2]) -> Option<[usize; 2]> {
     let [x, y] = point.map(|at| usize::try_from(at).ok());
@@ -219,32 +264,31 @@ fn probe(session: &Session, size: [usize; 2], area: Rect, panel: Option<Rect>) -
         (&narrow, small.cut(), area.width),
     ];
     let pixel = probe.pixel.map(|at| at as i32);
-    large.chain(sparing).find_map(|(lines, style, width)| {
-        let lay_out = |area, place| Board::lay_out(lines.clone(), style, area, place, first);
-        let left = area.right() - width;
-        let right = lay_out(
-            Rect {
-                x: left,
-                width,
-                ..area
-            },
-            Place::Side,
-        )?;
-        if !right.rect().contains(pixel) {
-            return Some(right);
-        }
-        let x = panel.map_or(area.x, |panel| panel.right() + style.gap());
-        let beside = Rect {
-            x,
-            width: width.min(area.right() - x),
-            ..area
-        };
-        lay_out(beside, Place::Corner).or(Some(right))
-    })
+    let at_right = |lines: &[Line], style, width| {
+        let x = area.right() - width;
+        let room = Rect { x, width, ..area };
+        Board::lay_out(lines.to_vec(), style, room, Place::Side, first)
+    };
+    let uncovering = large.clone().find_map(|(lines, style, width)| {
+        at_right(lines, style, width).filter(|board| !board.rect().contains(pixel))
+    });
+    let beside_panel = || {
+        let x = panel.map_or(area.x, |panel| panel.right() + FACES[0].advance());
+        large.clone().find_map(|(lines, style, width)| {
+            let width = width.min(area.right() - x);
+            let room = Rect { x, width, ..area };
+            Board::lay_out(lines.clone(), style, room, Place::Corner, first)
+        })
+    };
+    let anywhere = || {
+        let mut sparing = sparing.into_iter();
+        sparing.find_map(|(lines, style, width)| at_right(lines, style, width))
+    };
+    uncovering.or_else(beside_panel).or_else(anywhere)
 }
 
 /// The faces for a window, from the one of which it holds so many rows down to the smallest.
-fn faces(size: [usize; 2], rows: i32) -> impl Iterator<Item = Face> {
+fn faces(size: [usize; 2], rows: i32) -> impl Iterator<Item = Face> + Clone {
     let suits = move |face: &Face| *face == FACES[0] || face.height() * rows <= size[1] as i32;
     FACES.into_iter().rev().filter(suits)
 }
@@ -269,6 +313,7 @@ fn panel(session: &Session, size: [usize; 2], area: Rect, shown: Shown) -> Optio
     let narrow = small.without_states();
     let sparing = [
         (&full, small, part(45)),
+        (&full, small.close(), part(45)),
         (&full, small.tight(), part(45)),
         (&short, small.tight(), part(45)),
         (&short, small.tight().scrolled(), part(30)),
@@ -349,7 +394,7 @@ impl Message {
 }
 
 /// `text` in lines of at most `letters`, broken between words where that is possible.
-fn wrapped(text: &str, letters: usize) -> Vec<String> {
+pub(super) fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     let mut room = letters;
     for word in text.split_whitespace() {

@@ -168,7 +168,7 @@ fn choices(session: &Session, section: Section) -> Vec<Action> {
         Section::View => ViewMode::ALL
             .into_iter()
             .map(Action::Show)
-            .chain([Action::Blink])
+            .chain([Action::Blink, Action::Measure])
             .collect(),
         Section::Motion | Section::Window => BINDINGS
             .iter()
@@ -242,6 +242,7 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
         Action::Camera(index) => choice(session.camera() == index),
         Action::Show(mode) => choice(session.view_mode() == mode),
         Action::Blink => switch(session.blinks(), ON),
+        Action::Measure => switch(session.measuring().is_open(), ON),
         Action::Turning => switch(session.turning().is_on(), ON),
         Action::Panel => switch(session.overlay().shows_panel(), ON),
         Action::Help => switch(session.overlay().shows_help(), ON),

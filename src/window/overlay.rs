@@ -20,6 +20,8 @@ pub enum Pane {
     Help,
     /// What is known of a pixel.
     Probe,
+    /// What was measured.
+    Table,
 }
 
 /// Words that stand in the window for a while.
@@ -34,7 +36,7 @@ struct Message {
 pub struct Overlay {
     panel: bool,
     help: bool,
-    scroll: [usize; 3],
+    scroll: [usize; 4],
     hovered: Option<Action>,
     tab_until: Option<Duration>,
     message: Option<Message>,
@@ -46,7 +48,7 @@ impl Default for Overlay {
         Overlay {
             panel: true,
             help: false,
-            scroll: [0; 3],
+            scroll: [0; 4],
             hovered: None,
             tab_until: None,
             message: None,

@@ -71,8 +71,8 @@ pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
     let [x, y] = probe.pixel;
     let (Some(object), Some(surface)) = (&probe.object, &probe.surface) else {
         return vec![
-            Line::Title("pixel", format!("{x},{y}")),
-            Line::Text("background".to_owned()),
+            Line::Title("pixel", String::new()),
+            Line::Text(format!("{x},{y}: background")),
         ];
     };
     let mut lines = vec![
@@ -128,10 +128,10 @@ fn table(surface: &Surface, columns: &[Column]) -> Vec<Line> {
     let row = |name: &str, cell: &dyn Fn(&Column) -> String| {
         let cells: Vec<_> = columns
             .iter()
-            .map(|it| format!("{:>TRIPLE$}", cell(it)))
+            .map(|it| format!("{:>TRIPLE$}  ", cell(it)))
             .collect();
         let cells = cells.concat();
-        Line::Text(format!("{:<NAME$}{cells}", cut(name, NAME)))
+        Line::Text(format!("{:<NAME$}{}", cut(name, NAME), cells.trim_end()))
     };
     let mut lines = vec![row("", &|column| column.name.to_owned())];
     for (index, light) in surface.lights.iter().enumerate() {
@@ -146,7 +146,7 @@ fn table(surface: &Surface, columns: &[Column]) -> Vec<Line> {
     lines.push(row("reference", &|column| {
         or_none(truth(column).map(triple))
     }));
-    lines.push(row("byte", &|column| bytes(column.shaded.bytes)));
+    lines.push(row("bytes", &|column| bytes(column.shaded.bytes)));
     lines.push(row("reference", &|column| {
         or_none(truth(column).map(|levels| bytes(levels.map(display_step))))
     }));

@@ -13,6 +13,7 @@ use super::bindings::Action;
 use super::examination::Examination;
 use super::examiner::{Findings, Question};
 use super::looking::Looking;
+use super::measuring::{self, Measuring, News};
 use super::orbit::{Limits, Orbit, moved_camera};
 use super::overlay::{Overlay, Pane};
 use super::probing::Probing;
@@ -23,6 +24,7 @@ use crate::drawing::Drawing;
 use crate::frame::{Frame, OutOfMemory};
 use crate::scene::Scene;
 use crate::systems;
+use crate::trade;
 
 /// The tolerances that keys step through, in levels.
 pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -46,6 +48,8 @@ pub enum Request {
     Screenshot,
     /// Asks the reference about the picture.
     Examine,
+    /// Starts measuring.
+    Measure,
     /// Ends the program.
     Quit,
 }
@@ -64,6 +68,8 @@ pub struct Session {
     looking: Looking,
     probing: Probing,
     examination: Examination,
+    measuring: Measuring,
+    level: Level,
     now: Duration,
     redraw: Redraw,
     requests: Vec<Request>,
@@ -85,6 +91,8 @@ impl Session {
             looking: Looking::default(),
             probing: Probing::default(),
             examination: Examination::default(),
+            measuring: Measuring::default(),
+            level: drawing.level,
             now: Duration::ZERO,
             redraw: Redraw::Picture,
             requests: Vec::new(),
@@ -146,6 +154,15 @@ impl Session {
                 self.looking.blinks ^= true;
                 self.wants(Redraw::Overlay);
             }
+            Action::Measure if self.measuring.is_open() => self.stop_measuring(),
+            Action::Measure if self.turning.is_on() => {
+                self.say("what turns cannot be measured");
+            }
+            Action::Measure => {
+                self.measuring = Measuring::Running(None);
+                self.requests.push(Request::Measure);
+                self.wants(Redraw::Overlay);
+            }
             Action::Turning => {
                 self.turning.switch(self.now);
                 self.wants(Redraw::Overlay);
@@ -159,6 +176,7 @@ impl Session {
                 self.wants(Redraw::Overlay);
             }
             Action::Close if self.overlay.shows_help() => self.apply(Action::Help),
+            Action::Close if self.measuring.is_open() => self.stop_measuring(),
             Action::Close if self.probing.is_open() => self.probe(None),
             Action::Close | Action::Quit => self.requests.push(Request::Quit),
             Action::Screenshot => self.requests.push(Request::Screenshot),
@@ -204,6 +222,23 @@ impl Session {
         if self.examination.answer(findings) {
             self.wants(Redraw::Overlay);
         }
+    }
+
+    /// Takes what the measurement tells, unless it is no longer shown.
+    pub fn hear(&mut self, news: News) {
+        if !self.measuring.is_running() {
+            return;
+        }
+        self.measuring = match news {
+            News::Progress(progress) => Measuring::Running(Some(progress)),
+            News::Done(report) => Measuring::Done(report),
+            News::Failed(reason) => {
+                self.say(format!("not measured: {reason}"));
+                Measuring::Off
+            }
+        };
+        self.overlay.scroll_to(Pane::Table, 0);
+        self.wants(Redraw::Overlay);
     }
 
     /// Tells the time since the start: turning goes on, and what has stood long enough goes.
@@ -281,6 +316,20 @@ impl Session {
         systems::draw(&mut self.scene.world, &view, frame)
     }
 
+    /// What is to be measured of a picture of `size` pixels: every method, on one thread.
+    pub fn measurement(&self, size: [usize; 2]) -> trade::Request {
+        let mut cameras = self.scene.camera_names();
+        trade::Request {
+            scene: self.scene.snapshot(),
+            camera: cameras.swap_remove(self.camera),
+            view: self.view(size),
+            threads: 1,
+            level: self.level,
+            time: measuring::TIME,
+            command: String::new(),
+        }
+    }
+
     /// What the reference is to be asked about a picture of `size` pixels.
     pub fn question(&self, size: [usize; 2]) -> Question {
         Question {
@@ -312,10 +361,18 @@ impl Session {
         self.redraw = self.redraw.max(redraw);
     }
 
+    fn stop_measuring(&mut self) {
+        self.requests.retain(|request| *request != Request::Measure);
+        self.measuring = Measuring::Off;
+        self.wants(Redraw::Overlay);
+    }
+
     /// The picture is another one.
     fn changed(&mut self) {
         self.examination.restart(self.now);
-        self.requests.retain(|request| *request != Request::Examine);
+        self.requests
+            .retain(|request| !matches!(request, Request::Examine | Request::Measure));
+        self.measuring = Measuring::Off;
         self.wants(Redraw::Picture);
     }
 

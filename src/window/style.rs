@@ -10,6 +10,9 @@ const FEWEST_LETTERS: usize = 6;
 /// As many letters of a label as are shown; a name in a scene file can be of any length.
 const MOST_LETTERS: usize = 28;
 
+/// Between rows that need not be closer, in sixteenths of a letter's height.
+const USUAL_SPACING: i32 = 4;
+
 /// What becomes of that for which there is no room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Overflow {
@@ -24,7 +27,8 @@ pub struct Style {
     pub(super) face: Face,
     pub(super) states: bool,
     pub(super) columns: usize,
-    tight: bool,
+    /// Between two rows, in sixteenths of a letter's height.
+    spacing: i32,
     overflow: Overflow,
 }
 
@@ -35,18 +39,21 @@ impl Style {
             face,
             states: true,
             columns: 1,
-            tight: false,
+            spacing: USUAL_SPACING,
             overflow: Overflow::Fails,
         }
+    }
+
+    /// The same with rows closer to one another.
+    #[must_use]
+    pub const fn close(self) -> Self {
+        Style { spacing: 2, ..self }
     }
 
     /// The same with rows as close as they can be.
     #[must_use]
     pub const fn tight(self) -> Self {
-        Style {
-            tight: true,
-            ..self
-        }
+        Style { spacing: 0, ..self }
     }
 
     /// The same without states in words; the marks still tell them.
@@ -90,7 +97,7 @@ impl Style {
     /// From one row to the next.
     pub fn pitch(&self) -> i32 {
         let height = self.face.height();
-        height + if self.tight { height / 16 } else { height / 4 }
+        height + height * self.spacing / 16
     }
 
     /// Between the parts of a row; as wide as a letter.
@@ -101,7 +108,7 @@ impl Style {
     /// From a board's edge to its rows, across and down.
     pub fn padding(&self) -> [i32; 2] {
         let gap = self.gap();
-        if self.tight {
+        if self.spacing < USUAL_SPACING {
             [gap, gap / 2]
         } else {
             [gap * 3 / 2; 2]
@@ -132,7 +139,7 @@ impl Style {
     /// How high a line is, with what is left above it.
     pub fn line_height(&self, line: &Line) -> i32 {
         match line {
-            Line::Heading(_) if !self.tight => self.pitch() * 5 / 4,
+            Line::Heading(_) if self.spacing == USUAL_SPACING => self.pitch() * 5 / 4,
             Line::Rule => self.pitch() / 2,
             _ => self.pitch(),
         }

@@ -57,7 +57,7 @@ fn common_sizes_have_a_whole_panel() {
 pub(super) fn check_fit(session: &Session, size: [usize; 2]) {
     let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
     let hud = hud(session, size);
-    let boards: Vec<&Board> = [hud.panel(), hud.help(), hud.probe()]
+    let boards: Vec<&Board> = [hud.panel(), hud.help(), hud.probe(), hud.table()]
         .into_iter()
         .flatten()
         .collect();
@@ -74,7 +74,9 @@ pub(super) fn check_fit(session: &Session, size: [usize; 2]) {
     }
     let mut pixels = vec![UNTOUCHED; size[0] * size[1]];
     hud.draw(&mut pixels);
-    let plain = !session.overlay().shows_help() && session.probed().is_none();
+    let plain = !session.overlay().shows_help()
+        && session.probed().is_none()
+        && !session.measuring().is_open();
     if plain && session.overlay().message().is_none() {
         for (index, pixel) in pixels.iter().enumerate() {
             let point = [(index % size[0]) as i32, (index / size[0]) as i32];

@@ -124,6 +124,7 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
         "Tab . error map ",
         "Tab . tiles ",
         "B . hold: reference off",
+        "M . measure methods off",
         "Home   reset view ",
         "Space . turn cuboids off",
         "I # panel on",

@@ -10,6 +10,7 @@ mod examiner;
 mod fit;
 mod hud;
 mod input;
+mod measuring;
 mod orbit;
 mod probing;
 mod screenshot;

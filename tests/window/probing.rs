@@ -183,7 +183,7 @@ fn all_that_the_probe_knows_is_said() {
         "ambient",
         "drawn",
         "reference",
-        "byte",
+        "bytes",
         "reference",
     ];
     assert_eq!(names, expected);
@@ -196,6 +196,6 @@ fn all_that_the_probe_knows_is_said() {
     let background = session.probed().expect("looked at");
     assert_eq!(
         texts(&lines(background, true)),
-        ["pixel 950,10", "background"]
+        ["pixel ", "950,10: background"]
     );
 }

@@ -9,6 +9,7 @@ use crate::components::{Light, Name, Projection, ShadingMode};
 use crate::probe::Probe;
 use crate::scene::Scene;
 use crate::window::examiner::Findings;
+use crate::window::measuring::Measuring;
 use crate::window::orbit::Orbit;
 use crate::window::overlay::Overlay;
 use crate::window::statistics::Statistics;
@@ -98,6 +99,11 @@ impl Session {
     /// What is known of the pixel that is looked at.
     pub fn probed(&self) -> Option<&Probe> {
         self.probing.found()
+    }
+
+    /// What is measured, or was.
+    pub fn measuring(&self) -> &Measuring {
+        &self.measuring
     }
 
     /// Whether the divider is being moved.
