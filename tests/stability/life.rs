@@ -1,0 +1,140 @@
+//! A still life of three cuboids that cross each other, under five lights, and all ways to look at it.
+//!
+//! Its places and lengths are multiples of 1/8, so that moving it by an integer and scaling it by a power of two is exact.
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::frame::Frame;
+
+use crate::scene::{at, empty, shaded, spawn_cuboid, spawn_light, view};
+
+/// How the scene is moved: every place is scaled, then shifted.
+#[derive(Clone, Copy, Debug)]
+pub struct Move {
+    pub scale: f64,
+    pub shift: DVec3,
+}
+
+impl Move {
+    pub const NONE: Move = Move {
+        scale: 1.0,
+        shift: DVec3::ZERO,
+    };
+
+    fn place(self, x: f64, y: f64, z: f64) -> DVec3 {
+        DVec3::new(x, y, z) * self.scale + self.shift
+    }
+}
+
+/// As many of the cuboids as are asked for, one to three, and the lights.
+pub fn still_life(cuboids: usize, moved: Move) -> World {
+    let mut world = empty();
+    let material = |shininess: f64| Material {
+        ambient: DVec3::new(0.25, 0.125, 0.5),
+        diffuse: DVec3::new(0.75, 0.5, 0.25),
+        specular: DVec3::new(0.5, 0.75, 1.0),
+        shininess,
+    };
+    let turned = |x: f64, y: f64, z: f64, rotation: [f64; 3]| Transform {
+        rotation: rotation.into(),
+        ..at(moved.place(x, y, z))
+    };
+    let all = [
+        (
+            [4.0, 3.0, 2.0],
+            turned(0.0, 0.0, 0.0, [10.0, 20.0, 30.0]),
+            76.8,
+        ),
+        (
+            [0.5, 9.0, 0.5],
+            turned(1.0, 0.5, 0.5, [0.0, 0.0, -60.0]),
+            9.0,
+        ),
+        (
+            [3.0, 0.125, 3.0],
+            turned(-1.0, 1.0, 0.75, [45.0, 0.0, 0.0]),
+            1000.0,
+        ),
+    ];
+    for (size, transform, shininess) in &all[..cuboids] {
+        let size = DVec3::from(*size) * moved.scale;
+        spawn_cuboid(&mut world, size, *transform, material(*shininess));
+    }
+    let lights = [
+        (
+            LightKind::Ambient,
+            DVec3::splat(40.0),
+            moved.place(0.0, 0.0, 0.0),
+        ),
+        (
+            LightKind::Diffuse,
+            DVec3::new(90.0, 60.0, 200.0),
+            moved.place(4.0, 8.0, 6.0),
+        ),
+        (
+            LightKind::Specular,
+            DVec3::splat(200.0),
+            moved.place(4.0, 8.0, 6.0),
+        ),
+        (
+            LightKind::Diffuse,
+            DVec3::new(300.0, 0.0, 0.0),
+            moved.place(-6.0, 1.0, 2.0),
+        ),
+        (
+            LightKind::Specular,
+            DVec3::new(0.0, 90.0, 0.0),
+            moved.place(2.0, 2.0, 1.5),
+        ),
+    ];
+    for (kind, levels, position) in lights {
+        spawn_light(&mut world, kind, levels, position);
+    }
+    world
+}
+
+/// The whole of it in every projection and mode, exactly and within half a level and four.
+pub fn views(size: [usize; 2], moved: Move) -> Vec<View> {
+    let mut views = Vec::new();
+    for projection in [Projection::Perspective, Projection::Orthographic] {
+        let (eye, target) = (moved.place(4.0, 3.0, 9.0), moved.place(0.0, 0.125, 0.0));
+        let mut view = view(size, eye, target, projection);
+        view.viewpoint.camera.height *= moved.scale;
+        for mode in [
+            ShadingMode::Gouraud,
+            ShadingMode::Phong,
+            ShadingMode::UnitVectors,
+        ] {
+            for tolerance in [0.0, 0.5, 4.0] {
+                views.push(View {
+                    tolerance,
+                    ..shaded(mode, &view)
+                });
+            }
+        }
+    }
+    views
+}
+
+/// Everything a frame holds, floats as their bits.
+#[derive(PartialEq, Eq)]
+pub struct Bits {
+    pub pixels: Vec<u32>,
+    pub levels: Vec<[u32; 3]>,
+    pub triangles: Vec<u32>,
+}
+
+impl Bits {
+    pub fn of(frame: &Frame) -> Self {
+        Bits {
+            pixels: frame.pixels().to_vec(),
+            levels: frame
+                .levels()
+                .iter()
+                .map(|levels| levels.map(f32::to_bits))
+                .collect(),
+            triangles: frame.triangles().to_vec(),
+        }
+    }
+}

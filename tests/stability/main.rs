@@ -1,0 +1,11 @@
+//! What must not change a picture by one bit, and what must not break it.
+
+mod bits;
+mod depth;
+mod extremes;
+mod life;
+mod memory;
+#[path = "../support/random.rs"]
+mod random;
+#[path = "../support/scene.rs"]
+mod scene;
