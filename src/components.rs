@@ -183,7 +183,7 @@ pub struct VertexColors(pub [DVec3; 8]);
 pub struct Illumination {
     /// Sum over the ambient lights, in levels per unit of kappa A.
     pub ambient: DVec3,
-    /// The point lights, those at one position together, in the order of the first of each.
+    /// The point lights, those at one position together, ordered by position.
     pub points: Vec<PointLight>,
 }
 
