@@ -21,7 +21,7 @@
 //!    the model; with a tolerance above 0 a tile takes the cheapest evaluation that provably keeps it.
 //! 4. [`frame`] holds the pixels and applies the display step, once and last.
 //! 5. [`mod@reference`] draws the same picture in f64 by rays, written on its own; [`trade`] sets the two side by side, with
-//!    the time of each method; [`probe`] does so for one pixel; [`window`] shows all of it live.
+//!    the time of each method and what it grows with; [`probe`] does so for one pixel; [`window`] shows all of it live.
 //!
 //! # What to touch to add ...
 //!

@@ -5,6 +5,7 @@ mod errors;
 mod files;
 mod help;
 mod pictures;
+mod scale;
 
 use std::fs;
 use std::path::Path;
