@@ -133,15 +133,23 @@ pub struct Point {
     pub timings: Vec<Timing>,
 }
 
+impl Point {
+    /// The least time of a frame, in milliseconds: other work on the machine lengthens long frames more than short ones,
+    /// so that medians would grow faster than what is drawn.
+    pub fn ms(&self, method: usize) -> f64 {
+        self.timings[method].min
+    }
+}
+
 impl Series {
     /// What one of the quantity costs with a method: ns per covered pixel, µs per light or cuboid; for threads, how many
     /// times faster than the first setting's thread they are. `None` where that does not exist.
     pub fn cost(&self, point: &Point, method: usize) -> Option<f64> {
-        let ms = point.timings[method].median;
+        let ms = point.ms(method);
         let cost = match self.quantity {
             Quantity::Pixels => ms * 1e6 / point.covered_pixels as f64,
             Quantity::Lights | Quantity::Cuboids => ms * 1e3 / point.number as f64,
-            Quantity::Threads => self.points.first()?.timings[method].median / ms,
+            Quantity::Threads => self.points.first()?.ms(method) / ms,
         };
         cost.is_finite().then_some(cost)
     }

@@ -42,7 +42,7 @@ pub fn exponents(series: &Series, methods: usize) -> Vec<Option<f64>> {
     let of = |method: usize| {
         let points = upper_range(&series.points).iter();
         let points: Vec<[f64; 2]> = points
-            .map(|point| [point.number as f64, point.timings[method].median])
+            .map(|point| [point.number as f64, point.ms(method)])
             .collect();
         exponent(&points)
     };

@@ -70,7 +70,7 @@ fn title(area: &Area, scaling: &Scaling) -> anyhow::Result<()> {
 fn value(series: &Series, point: &Point, method: usize) -> (f64, f64) {
     let value = match series.quantity {
         Quantity::Threads => series.cost(point, method).unwrap_or(0.0),
-        _ => point.timings[method].median,
+        _ => point.ms(method),
     };
     (point.number as f64, value)
 }

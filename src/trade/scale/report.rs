@@ -41,7 +41,7 @@ pub fn markdown(scaling: &Scaling) -> String {
     )
 }
 
-const LEGEND: &str = "ms: the median time of a whole frame. ns/px: the same for each covered pixel. \u{b5}s each: the same \
+const LEGEND: &str = "ms: the least time of a whole frame. ns/px: the same for each covered pixel. \u{b5}s each: the same \
     for each light or cuboid. faster: times as fast as one thread. An exponent is fitted by least squares on logarithms to \
     the upper half of the range; up to 0.1 it may be chance. Lights: places, each with a diffuse and a specular light, round \
     one cuboid. Cuboids: alike, none before another. Pixels and threads: the scene named above. One thread where it is not \
@@ -98,8 +98,10 @@ fn head(scaling: &Scaling, series: &Series, [before_time, before_cost]: [&str; 2
 fn rows(scaling: &Scaling, series: &Series) -> Vec<Vec<String>> {
     let row = |point: &Point| {
         let cells = (0..scaling.methods.len()).flat_map(|method| {
-            let ms = point.timings[method].median;
-            [short(Some(ms)), short(series.cost(point, method))]
+            [
+                short(Some(point.ms(method))),
+                short(series.cost(point, method)),
+            ]
         });
         std::iter::once(number(series.quantity, point))
             .chain(cells)
