@@ -11,7 +11,7 @@
 pub mod bindings;
 pub mod board;
 pub mod canvas;
-mod composition;
+pub mod composition;
 pub mod display;
 pub mod examination;
 pub mod examiner;

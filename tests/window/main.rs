@@ -14,6 +14,7 @@ mod measuring;
 mod orbit;
 mod probing;
 mod screenshot;
+mod storms;
 mod views;
 
 use std::time::Duration;
