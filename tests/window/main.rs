@@ -7,6 +7,8 @@ mod desktop;
 #[cfg(target_os = "linux")]
 mod display;
 mod examiner;
+#[cfg(target_os = "linux")]
+mod faults;
 mod fit;
 mod hud;
 mod input;
