@@ -35,7 +35,8 @@ use rayon::prelude::*;
 
 use crate::components::{Projection, View};
 use crate::drawing::{Drawing, all_cores};
-use crate::frame::{Counts, Frame, Keep, OutOfMemory, Workers};
+use crate::frame::{Counts, Frame, Keep, Workers};
+use crate::memory::OutOfMemory;
 use crate::output::{self, Output};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};

@@ -11,7 +11,7 @@
 pub mod bindings;
 pub mod board;
 pub mod canvas;
-mod composition;
+pub mod composition;
 pub mod display;
 pub mod examination;
 pub mod examiner;
@@ -38,7 +38,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::drawing::Drawing;
-use crate::frame::{OutOfMemory, Workers};
+use crate::frame::Workers;
+use crate::memory::OutOfMemory;
 use composition::Composition;
 use display::Display;
 use examiner::Examiner;

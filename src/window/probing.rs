@@ -8,7 +8,8 @@ use glam::DVec3;
 use super::canvas::{Canvas, Ink, Point, Rect};
 use super::lines::Line;
 use crate::components::View;
-use crate::frame::{OutOfMemory, Workers, display_step};
+use crate::frame::{Workers, display_step};
+use crate::memory::OutOfMemory;
 use crate::probe::{self, Levels, Probe, Shaded, Surface};
 use crate::scene::Scene;
 

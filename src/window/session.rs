@@ -21,7 +21,8 @@ use super::statistics::Statistics;
 use super::turning::Turning;
 use crate::components::{Light, Projection, ShadingMode, View, Viewpoint};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, OutOfMemory};
+use crate::frame::Frame;
+use crate::memory::OutOfMemory;
 use crate::scene::Scene;
 use crate::systems;
 use crate::trade;
@@ -343,9 +344,6 @@ impl Session {
     pub fn record(&mut self, time: Duration, frame: &Frame) {
         self.statistics.record(time, frame.counts(), frame.size());
     }
-
-    /// The tolerances that keys step through, in levels.
-    pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
     /// What has to be done anew since this was last asked.
     pub fn take_redraw(&mut self) -> Redraw {

@@ -2,6 +2,8 @@
 //! files.
 
 mod errors;
+#[cfg(unix)]
+mod faults;
 mod files;
 mod help;
 mod pictures;
