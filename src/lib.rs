@@ -38,7 +38,7 @@
 //! components -> glam. shading -> components. frame -> shading's tiles. systems -> components, shading, frame. scene ->
 //! components. reference -> components: it shares no formula with the renderer. drawing -> scene, frame. probe ->
 //! systems, reference. trade -> drawing, systems, reference, [`shading::METHODS`]. window -> the same; only it names
-//! minifb. output, lettering and simd -> none of these. pictures -> drawing, systems, reference, output, lettering. cli ->
+//! minifb. output, canvas and simd -> none of these. pictures -> drawing, systems, reference, output, canvas. cli ->
 //! drawing, output, trade's request; main -> cli and the commands. Nothing points back up.
 //!
 //! # What is not modelled, and why
@@ -48,11 +48,11 @@
 //! assignment comes from), no far plane. A light that is off is not evaluated, and one convex body needs no depth buffer
 //! and gets none.
 
+pub mod canvas;
 pub mod cli;
 pub mod components;
 pub mod drawing;
 pub mod frame;
-pub mod lettering;
 pub mod output;
 pub mod pictures;
 pub mod probe;
