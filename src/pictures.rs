@@ -54,7 +54,7 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
         .try_reserve_exact(width * height)
         .map_err(out_of_memory)?;
     let progress = ProgressBar::new(height as u64).with_style(ProgressStyle::with_template(
-        "{wide_bar} {percent}%, {eta} left",
+        "drawing the reference {wide_bar} {percent:>3} %, {eta} left",
     )?);
     let begin = Instant::now();
     // In bands, since the reference holds seven times what the picture does.

@@ -9,7 +9,7 @@
 //! changes, and what the user does shows within a sixtieth of a second.
 
 pub mod bindings;
-mod composition;
+pub mod composition;
 pub mod display;
 pub mod examination;
 pub mod examiner;
