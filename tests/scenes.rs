@@ -10,28 +10,7 @@ use shadetrade::components::{
 use shadetrade::scene::{BUILT_IN, LightChoice, Scene, WrongChoice};
 
 /// Nothing but the keys that must be there.
-const LEAST: &str = r#"
-[[cuboid]]
-name = "box"
-size = [4.0, 3.0, 2.0]
-[cuboid.material]
-ambient = [0.1, 0.2, 0.3]
-diffuse = [0.4, 0.5, 0.6]
-specular = [0.7, 0.8, 0.9]
-shininess = 76.8
-[[light]]
-name = "white"
-kind = "diffuse"
-color = [1.0, 0.5, 0.0]
-intensity = 10.0
-position = [10.0, 11.0, 12.0]
-[[camera]]
-name = "1"
-position = [7.0, 5.0, 8.0]
-target = [0.0, 0.0, 0.0]
-fov = 30.0
-height = 6.3
-"#;
+const LEAST: &str = include_str!("support/least.toml");
 
 /// Every key, numbers written in every way, tables in every way, kinds in no order.
 const MOST: &str = r#"
