@@ -27,8 +27,6 @@ use options::{DrawingOptions, MOST_PIXELS};
     name = "shadetrade",
     version,
     about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files",
-    long_about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files.\n\n\
-                  Without a command it opens the window, as `shadetrade view` does, with the same options.",
     args_conflicts_with_subcommands = true,
     after_help = "\
 Examples:
@@ -37,7 +35,7 @@ Examples:
   shadetrade figures                          the assignment's figures, into shadetrade-figures
   shadetrade render -o cuboid.png             one picture, without a window
 
-A scene file whose name is that of a command is given as ./name."
+Without a command it does what `view` does. A scene file named like a command is given as ./name."
 )]
 pub struct Arguments {
     #[command(subcommand)]
@@ -256,8 +254,14 @@ fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
 /// # Errors
 /// When the command line is wrong, or help could not be printed.
 pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
-    let words: Vec<OsString> = words.into_iter().collect();
-    if let Some(error) = words.get(1).and_then(|word| misspelt_command(word)) {
+    let mut words: Vec<OsString> = words.into_iter().collect();
+    let asks_help = words.get(1).is_some_and(|word| word == "help");
+    if asks_help && words.get(2).is_some_and(|word| is_flag(word)) {
+        // To clap `help` has no options, not even this one.
+        words.remove(1);
+    }
+    let named = words.get(if asks_help { 2 } else { 1 });
+    if let Some(error) = named.and_then(|word| misspelt_command(word)) {
         return Err(Failure::of(&error, None));
     }
     match Arguments::try_parse_from(&words) {
@@ -308,6 +312,10 @@ fn is_command(word: &OsStr) -> bool {
         || Arguments::command()
             .get_subcommands()
             .any(|command| command.get_name() == word)
+}
+
+fn is_flag(word: &OsStr) -> bool {
+    word.to_string_lossy().starts_with('-')
 }
 
 fn command_first(command: &str) -> String {

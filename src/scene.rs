@@ -15,7 +15,6 @@ mod file;
 mod format;
 mod section;
 
-use std::convert::Infallible;
 use std::str::FromStr;
 
 use glam::DVec3;
@@ -245,16 +244,35 @@ pub enum LightChoice {
 }
 
 impl FromStr for LightChoice {
-    /// Any text is a choice; whether its names exist, [`Scene::switch_lights`] tells.
-    type Err = Infallible;
+    type Err = WrongChoice;
 
-    fn from_str(text: &str) -> Result<Self, Infallible> {
-        Ok(match text {
-            "all" => LightChoice::All,
-            "none" => LightChoice::None,
-            names => LightChoice::Names(names.split(',').map(str::to_owned).collect()),
-        })
+    /// Whether the names exist, [`Scene::switch_lights`] tells.
+    fn from_str(text: &str) -> Result<Self, WrongChoice> {
+        let names: Vec<String> = text.split(',').map(str::to_owned).collect();
+        match names
+            .iter()
+            .find(|name| ["", "all", "none"].contains(&name.as_str()))
+        {
+            Some(name) if name.is_empty() => Err(WrongChoice::NoName),
+            Some(name) if names.len() > 1 => Err(WrongChoice::NotAlone(name.clone())),
+            Some(name) if name == "all" => Ok(LightChoice::All),
+            Some(_) => Ok(LightChoice::None),
+            None => Ok(LightChoice::Names(names)),
+        }
     }
+}
+
+/// A choice of lights that no scene could understand.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum WrongChoice {
+    /// Nothing stands where a name should.
+    #[error(
+        "a name is missing; it is `all`, `none`, or names with commas between them, such as white,ambient"
+    )]
+    NoName,
+    /// One of the two words for a choice by themselves stands beside others.
+    #[error("`{0}` stands by itself")]
+    NotAlone(String),
 }
 
 /// A light was chosen that the scene does not have.
