@@ -25,7 +25,7 @@ impl Shader for Gouraud {
             return None;
         }
         let (color, bound) = quotient(
-            &patch.blend(&triangle.colors),
+            &patch.colors(triangle),
             &patch.constant(DVec3::ONE),
             patch.half,
         );
@@ -45,7 +45,7 @@ impl Shader for Gouraud {
             polynomial::shade(&color, kind, patch.first(), coverage, sink);
             return Evaluations::of(kind);
         }
-        let colors = patch.blend(&triangle.colors);
+        let colors = patch.colors(triangle);
         // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
         // colour, over the smallest sum (at least half the middle's on a steady patch).
         let largest =
@@ -55,8 +55,8 @@ impl Shader for Gouraud {
             shade_lanes(&colors, &patch.constant(DVec3::ONE), patch, coverage, sink);
             Evaluations::of(TileKind::Exact)
         } else {
-            doubles::shade(patch, coverage, sink, |weights| {
-                Triangle::blend(weights, &triangle.colors)
+            doubles::shade(triangle, patch, coverage, sink, |point| {
+                Triangle::blend(point.weights, &triangle.levels)
             });
             Evaluations::of(TileKind::Double)
         }

@@ -321,12 +321,9 @@ impl Shader for Phong<'_> {
 impl Vectors {
     #[inline(always)]
     fn new(triangle: &Triangle, patch: &Patch) -> Self {
-        let normal = exact::scaled(&patch.blend(&triangle.normals));
-        let position = patch.blend(&triangle.offsets);
-        let to_eye = exact::scaled(&match triangle.eye {
-            Some(eye) => patch.constant(eye).minus(&position),
-            None => patch.constant(triangle.backward),
-        });
+        let normal = exact::scaled(&patch.normal(triangle));
+        let to_eye = exact::scaled(&patch.to_eye(triangle));
+        let position = patch.position(triangle);
         Vectors {
             swing_normal: normal.swing(patch.half),
             swing_eye: to_eye.swing(patch.half),

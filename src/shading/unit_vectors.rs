@@ -59,7 +59,7 @@ struct Vectors<'a> {
 impl<'a> Vectors<'a> {
     #[inline(always)]
     fn new(triangle: &'a Triangle, factors: [f64; 3], patch: &Patch) -> Self {
-        let weights = screen_weights(factors, patch);
+        let weights = screen_weights(factors, &patch.weights(triangle));
         Vectors {
             triangle,
             weights,
@@ -180,8 +180,8 @@ impl UnitVectors<'_> {
     ) -> Evaluations {
         let surface = &self.surface;
         let factors = DVec3::from(triangle.screen.unwrap_or([1.0; 3]));
-        doubles::shade(patch, coverage, sink, |weights| {
-            let weights = weights * factors;
+        doubles::shade(triangle, patch, coverage, sink, |point| {
+            let weights = point.weights * factors;
             let weights = weights / (weights.x + weights.y + weights.z);
             let n = Triangle::blend(weights, &triangle.normals);
             let o = Triangle::blend(weights, &triangle.to_eye());
@@ -204,10 +204,8 @@ impl UnitVectors<'_> {
 }
 
 /// The three coordinates that are linear on the screen: the weights times the vertices' w.
-fn screen_weights(factors: [f64; 3], patch: &Patch) -> Affine {
-    let linear = patch
-        .weights
-        .map(|weights| weights * DVec3::from_array(factors));
+fn screen_weights(factors: [f64; 3], weights: &Affine) -> Affine {
+    let linear = weights.map(|weights| weights * DVec3::from_array(factors));
     let total = linear.centre.x + linear.centre.y + linear.centre.z;
     linear.map(|weights| weights / total)
 }

@@ -307,13 +307,12 @@ impl Phong<'_> {
         coverage: &Coverage,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        doubles::shade(patch, coverage, sink, |weights| {
-            let offset = Triangle::blend(weights, &triangle.offsets);
-            let normal = unit(Triangle::blend(weights, &triangle.normals));
+        doubles::shade(triangle, patch, coverage, sink, |point| {
+            let normal = unit(Triangle::blend(point.weights, &triangle.normals));
             let to_eye = triangle
                 .eye
-                .map_or(triangle.backward, |eye| unit(eye - offset));
-            self.surface.levels(offset, normal, to_eye)
+                .map_or(triangle.backward, |eye| unit(eye - point.offset));
+            self.surface.levels(point.offset, normal, to_eye)
         });
         Evaluations::of(TileKind::Double).of_every_pixel(coverage, &self.surface)
     }
