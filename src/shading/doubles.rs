@@ -4,6 +4,7 @@
 
 use glam::DVec3;
 
+use super::display::Exact;
 use super::patch::{Patch, Point, Triangle};
 use super::{Coverage, Sink, TILE};
 
@@ -25,7 +26,7 @@ pub fn shade(
                     line[usize::from(lane)] = level;
                 }
             }
-            sink.take(row, &line);
+            sink.take(row, &Exact(&line));
         }
     }
 }

@@ -6,8 +6,10 @@
 
 use glam::DVec3;
 
-use super::certificate::{Color, quotient};
+use super::certificate::quotient;
+use super::display::Exact;
 use super::patch::{Affine, Patch, Triangle};
+use super::polynomial::Polynomial;
 use super::{
     Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit, polynomial,
 };
@@ -20,7 +22,7 @@ pub struct Gouraud {
 
 impl Shader for Gouraud {
     #[inline(always)]
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<(Color, TileKind)> {
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
         if self.tolerance == 0.0 || !patch.steady {
             return None;
         }
@@ -41,9 +43,9 @@ impl Shader for Gouraud {
         _scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        if let Some((color, kind)) = self.polynomial(triangle, patch) {
-            polynomial::shade(&color, kind, patch.first(), coverage, sink);
-            return Evaluations::of(kind);
+        if let Some(polynomial) = self.polynomial(triangle, patch) {
+            polynomial.shade(patch.first(), coverage, sink);
+            return Evaluations::of(polynomial.kind);
         }
         let colors = patch.colors(triangle);
         // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
@@ -84,7 +86,7 @@ fn shade_lanes(
                 levels[1][lane] = green * inverse;
                 levels[2][lane] = blue * inverse;
             }
-            sink.take(row, &levels);
+            sink.take(row, &Exact(&levels));
         }
     }
 }

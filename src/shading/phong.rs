@@ -13,6 +13,7 @@ use glam::DVec3;
 
 use super::certificate::{Color, Quadratic, angle, cosine_remainder, least_lambda, rate};
 use super::patch::{Affine, Patch, Triangle};
+use super::polynomial::Polynomial;
 use super::{
     Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, limit, polynomial,
 };
@@ -163,9 +164,9 @@ impl<'a> Phong<'a> {
     ) -> Option<Evaluations> {
         let survey = self.survey(vectors, patch);
         if survey.terminators == 0 && survey.highlights == 0 {
-            let (color, kind) = polynomial::cheapest(survey.color, patch.half, survey.budget)?;
-            polynomial::shade(&color, kind, patch.first(), coverage, sink);
-            return Some(Evaluations::of(kind));
+            let polynomial = polynomial::cheapest(survey.color, patch.half, survey.budget)?;
+            polynomial.shade(patch.first(), coverage, sink);
+            return Some(Evaluations::of(polynomial.kind));
         }
         let budget = survey.budget - polynomial::rounding(&survey.color, patch.half);
         if budget.is_nan() || budget < 0.0 {
@@ -281,7 +282,7 @@ impl Outlook {
 
 impl Shader for Phong<'_> {
     #[inline(always)]
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<(Color, TileKind)> {
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
         if self.tolerance == 0.0 || !patch.steady {
             return None;
         }

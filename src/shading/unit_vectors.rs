@@ -7,8 +7,9 @@
 
 use glam::DVec3;
 
-use super::certificate::Color;
+use super::display::Exact;
 use super::patch::{Affine, Patch, Triangle};
+use super::polynomial::Polynomial;
 use super::specular::{power, power_exact};
 use super::{
     Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, doubles,
@@ -23,7 +24,7 @@ pub struct UnitVectors<'a> {
 
 impl Shader for UnitVectors<'_> {
     #[inline(always)]
-    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch) -> Option<(Color, TileKind)> {
+    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch) -> Option<Polynomial> {
         None
     }
 
@@ -164,7 +165,7 @@ impl UnitVectors<'_> {
         }
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
-                sink.take(row, &scratch.levels[row]);
+                sink.take(row, &Exact(&scratch.levels[row]));
             }
         }
         Evaluations::of(TileKind::Exact).of_every_pixel(coverage, surface)

@@ -25,7 +25,7 @@ use crate::shading::gouraud::Gouraud;
 use crate::shading::patch::{self, Patch, Rays, Scalar, Solid, Triangle};
 use crate::shading::phong::Phong;
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE, polynomial};
+use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE};
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
@@ -277,12 +277,12 @@ fn draw_with(
                     .map(|tiles| [tiles.coverage(column), tiles.coverage(column + TILE)]),
             };
             let patch = block.patch(triangle, corner);
-            let polynomial = patch.as_ref().and_then(|patch| {
-                shader
-                    .polynomial(triangle, patch)
-                    .map(|(color, kind)| (patch, color, kind))
-            });
-            if let Some((patch, color, kind)) = &polynomial
+            // Not by `and_then`: a closure would not have the SIMD level of what it is called from.
+            let polynomial = match &patch {
+                Some(patch) => shader.polynomial(triangle, patch),
+                None => None,
+            };
+            if let (Some(patch), Some(polynomial)) = (&patch, &polynomial)
                 && block.is_whole()
                 && band.takes_whole(first, BLOCK)
             {
@@ -291,9 +291,9 @@ fn draw_with(
                     column,
                     first,
                 };
-                polynomial::for_rows(color, *kind, patch.first(), 0..BLOCK, target);
+                polynomial.for_rows::<BLOCK>(patch.first(), 0..BLOCK, target);
                 counts.covered_pixels += (BLOCK * BLOCK) as u64;
-                counts.tiles[*kind as usize] += 4;
+                counts.tiles[polynomial.kind as usize] += 4;
                 continue;
             }
             for (down, tiles) in rows.iter().enumerate() {
@@ -304,10 +304,10 @@ fn draw_with(
                         continue;
                     }
                     let shift = [(right * TILE) as f64, (down * TILE) as f64];
-                    let evaluations = if let Some((patch, color, kind)) = &polynomial {
+                    let evaluations = if let (Some(patch), Some(polynomial)) = (&patch, &polynomial) {
                         let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
-                        polynomial::shade(color, *kind, first, coverage, &mut store);
-                        Evaluations::of(*kind)
+                        polynomial.shade(first, coverage, &mut store);
+                        Evaluations::of(polynomial.kind)
                     } else {
                         let origin = [corner[0] + shift[0], corner[1] + shift[1]];
                         let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);

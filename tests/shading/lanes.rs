@@ -4,6 +4,7 @@ use glam::DVec3;
 use shadetrade::components::{
     Illumination, Material, Mesh, PointLight, Projection, TRIANGLES, Transform,
 };
+use shadetrade::shading::display::Row;
 use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::patch::{Patch, Rays, Solid, Triangle};
 use shadetrade::shading::phong::Phong;
@@ -19,13 +20,15 @@ use crate::random::Random;
 struct Tile(Vec<TileRow>);
 
 impl Sink for Tile {
-    fn take(&mut self, row: usize, levels: &TileRow) {
+    fn take(&mut self, row: usize, levels: &impl Row) {
         assert_eq!(row, self.0.len(), "rows come in order");
-        self.0.push(*levels);
-    }
-
-    fn take_within(&mut self, _row: usize, _levels: &TileRow) {
-        panic!("an exact tile is not an approximation");
+        let mut line = [[0.0; TILE]; 3];
+        for lane in 0..TILE {
+            for (channel, level) in line.iter_mut().zip(levels.levels(lane)) {
+                channel[lane] = level;
+            }
+        }
+        self.0.push(line);
     }
 }
 

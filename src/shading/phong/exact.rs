@@ -13,6 +13,7 @@ use glam::DVec3;
 use super::{Outlook, Phong, Side, Vectors};
 use crate::components::{PointLight, unit};
 use crate::shading::certificate::Quadratic;
+use crate::shading::display::Exact;
 use crate::shading::patch::{Affine, Patch, Triangle};
 use crate::shading::specular::power;
 use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U, doubles, limit};
@@ -366,7 +367,7 @@ impl Outlook {
 pub(super) fn flush(coverage: &Coverage, scratch: &Scratch, sink: &mut impl Sink) {
     for (row, &(from, to)) in coverage.spans.iter().enumerate() {
         if from < to {
-            sink.take(row, &scratch.levels[row]);
+            sink.take(row, &Exact(&scratch.levels[row]));
         }
     }
 }

@@ -3,9 +3,10 @@
 //! Rule: only covered lanes of rows that the band holds are written, and where there is a depth buffer only pixels that
 //! show this triangle.
 
-use crate::frame::{Band, display_bits, display_bits_within, pack};
+use crate::frame::Band;
+use crate::shading::display::Row;
 use crate::shading::polynomial::Rows;
-use crate::shading::{BLOCK, Coverage, Sink, TILE, TileKind, TileRow};
+use crate::shading::{BLOCK, Coverage, Sink, TILE, TileKind};
 
 /// Stores a block all of which is covered by one polynomial.
 pub struct WholeBlock<'a, 'b> {
@@ -17,14 +18,13 @@ pub struct WholeBlock<'a, 'b> {
     pub first: usize,
 }
 
-impl Rows<BLOCK> for WholeBlock<'_, '_> {
+impl Rows for WholeBlock<'_, '_> {
     #[inline(always)]
-    fn take(&mut self, row: usize, levels: &[[f32; BLOCK]; 3]) {
+    fn take(&mut self, row: usize, levels: &impl Row) {
         let start = self.band.index(self.column, self.first + row);
         let pixels = &mut self.band.pixels[start..start + BLOCK];
         for lane in 0..BLOCK {
-            pixels[lane] =
-                pack([0, 1, 2].map(|channel| display_bits_within(levels[channel][lane])));
+            pixels[lane] = levels.pixel(lane);
         }
     }
 }
@@ -113,20 +113,7 @@ impl<'a, 'b> Store<'a, 'b> {
 
 impl Sink for Store<'_, '_> {
     #[inline(always)]
-    fn take(&mut self, row: usize, levels: &TileRow) {
-        self.store(row, levels, display_bits);
-    }
-
-    #[inline(always)]
-    fn take_within(&mut self, row: usize, levels: &TileRow) {
-        self.store(row, levels, display_bits_within);
-    }
-}
-
-impl Store<'_, '_> {
-    /// Stores the covered lanes of a row; `step` is its display step.
-    #[inline(always)]
-    fn store(&mut self, row: usize, levels: &TileRow, step: impl Fn(f32) -> u32) {
+    fn take(&mut self, row: usize, levels: &impl Row) {
         let Some(first) = self.place(row) else { return };
         let (from, to) = self.coverage.spans[row];
         let lanes = usize::from(from)..usize::from(to);
@@ -138,29 +125,34 @@ impl Store<'_, '_> {
                     self.band.triangles[pixel] = self.id;
                 }
                 if self.band.triangles[pixel] == self.id {
-                    self.band.levels[pixel] = [levels[0][lane], levels[1][lane], levels[2][lane]];
+                    self.band.levels[pixel] = levels.levels(lane);
                     self.stored += 1;
                 }
             }
             return;
         }
-        let mut bytes = [0_u32; TILE];
+        if !deep && lanes.len() == TILE {
+            let pixels = &mut self.band.pixels[first..first + TILE];
+            for lane in 0..TILE {
+                pixels[lane] = levels.pixel(lane);
+            }
+            self.stored += TILE as u64;
+            return;
+        }
+        let mut pixels = [0_u32; TILE];
         for lane in 0..TILE {
-            bytes[lane] = pack([0, 1, 2].map(|channel| step(levels[channel][lane])));
+            pixels[lane] = levels.pixel(lane);
         }
         if deep {
             for lane in lanes {
                 if self.band.triangles[first + lane] == self.id {
-                    self.band.pixels[first + lane] = bytes[lane];
+                    self.band.pixels[first + lane] = pixels[lane];
                     self.stored += 1;
                 }
             }
-        } else if lanes.len() == TILE {
-            // A copy of known length: two or four stores instead of a call.
-            self.band.pixels[first..first + TILE].copy_from_slice(&bytes);
-            self.stored += TILE as u64;
         } else {
-            self.band.pixels[first + lanes.start..first + lanes.end].copy_from_slice(&bytes[lanes]);
+            self.band.pixels[first + lanes.start..first + lanes.end]
+                .copy_from_slice(&pixels[lanes]);
             self.stored += u64::from(to - from);
         }
     }
