@@ -12,7 +12,7 @@
 //! clipping changes no value and a face a billion times longer than wide is as exact where it is seen as any other.
 //!
 //! Rule: directions need no division at all: N, L - P and O - P are the true vectors times one positive factor a pixel,
-//! and the shader normalises them; [`Patch::of`] scales so that w is one at the middle of the tile.
+//! and the shader normalises them.
 
 use glam::{DMat3, DVec3};
 
@@ -376,10 +376,8 @@ pub struct Patch {
     pub half: [f64; 2],
     /// The middle, in pixels right and down of the picture's.
     pub middle: [f64; 2],
-    /// What makes w one at the middle.
-    pub scale: f64,
-    /// What w then gains from a pixel to the next, right and down.
-    pub slant: [f64; 2],
+    /// w there.
+    pub share: f64,
     /// Whether the weights are positive in sum and unclamped all over the tile; where not, each pixel asks
     /// [`Patch::point`] for its own.
     pub steady: bool,
@@ -403,18 +401,16 @@ impl Patch {
         let (lane, row) = (middle(lanes), middle(rows));
         let half = [f64::from(lanes[1]) - lane, f64::from(rows[1]) - row];
         let [x, y] = [origin[0] + lane + 0.5, origin[1] + row + 0.5];
-        let share = &triangle.share;
-        let total = share.centre + share.dx * x + share.dy * y;
-        let sway = share.dx.abs() * half[0] + share.dy.abs() * half[1];
-        let steady = total > 0.0 && sway < 0.5 * total && triangle.pace < 512.0 * OVERSHOOT * total;
-        let scale = 1.0 / total;
+        let Scalar { centre, dx, dy } = triangle.share;
+        let share = centre + dx * x + dy * y;
+        let sway = dx.abs() * half[0] + dy.abs() * half[1];
+        let steady = share > 0.0 && sway < 0.5 * share && triangle.pace < 512.0 * OVERSHOOT * share;
         Patch {
             lane,
             row,
             half,
             middle: [x, y],
-            scale,
-            slant: [share.dx * scale, share.dy * scale],
+            share,
             steady,
         }
     }
@@ -444,50 +440,53 @@ impl Patch {
     /// The barycentric coordinates times w.
     #[inline(always)]
     pub fn weights(&self, triangle: &Triangle) -> Affine {
-        self.of(&triangle.weights)
+        self.at(&triangle.weights)
     }
 
     /// The normal times w.
     #[inline(always)]
     pub fn normal(&self, triangle: &Triangle) -> Affine {
-        self.of(&triangle.normal)
-    }
-
-    /// The point seen times w, from the cuboid's centre, in world units.
-    #[inline(always)]
-    pub fn position(&self, triangle: &Triangle) -> Affine {
-        self.of(&triangle.position)
+        self.at(&triangle.normal)
     }
 
     /// A vector towards the eye.
     #[inline(always)]
     pub fn to_eye(&self, triangle: &Triangle) -> Affine {
-        self.of(&triangle.to_eye)
+        self.at(&triangle.to_eye)
     }
 
-    /// The levels at the vertices, interpolated, times w.
+    /// The vector to a light, whose place is given from the cuboid's centre, times w.
     #[inline(always)]
-    pub fn colors(&self, triangle: &Triangle) -> Affine {
-        self.of(&triangle.colors)
-    }
-
-    /// A constant vector times w.
-    #[inline(always)]
-    pub fn constant(&self, value: DVec3) -> Affine {
+    pub fn to_light(&self, triangle: &Triangle, light: DVec3) -> Affine {
+        let position = self.at(&triangle.position);
         Affine {
-            centre: value,
-            dx: value * self.slant[0],
-            dy: value * self.slant[1],
+            centre: light * self.share - position.centre,
+            dx: light * triangle.share.dx - position.dx,
+            dy: light * triangle.share.dy - position.dy,
         }
+    }
+
+    /// The interpolated levels times w, and w, both over w at the middle.
+    #[inline(always)]
+    pub fn colors(&self, triangle: &Triangle) -> (Affine, Scalar) {
+        let scale = 1.0 / self.share;
+        let share = Scalar {
+            centre: 1.0,
+            dx: triangle.share.dx * scale,
+            dy: triangle.share.dy * scale,
+        };
+        (
+            self.at(&triangle.colors).map(|levels| levels * scale),
+            share,
+        )
     }
 
     /// Anchors a function at the tile's middle.
     #[inline(always)]
-    fn of(&self, whole: &Affine) -> Affine {
+    fn at(&self, whole: &Affine) -> Affine {
         Affine {
-            centre: whole.at(self.middle[0], self.middle[1]) * self.scale,
-            dx: whole.dx * self.scale,
-            dy: whole.dy * self.scale,
+            centre: whole.at(self.middle[0], self.middle[1]),
+            ..*whole
         }
     }
 

@@ -293,14 +293,3 @@ impl<const SIDE: usize> Row for Places<'_, SIDE> {
         self.0.at(lane).map(|level| level - PLACES - 0.5)
     }
 }
-
-/// One row, `y` pixels below the middle, with all terms, in levels.
-#[inline(always)]
-pub fn row_of(color: &Color, y: f64, lanes: &[f32; TILE], levels: &mut [[f32; TILE]; 3]) {
-    for (levels, channel) in levels.iter_mut().zip(&color.0) {
-        let [middle, slope, curve] = channel.row(y).map(|coefficient| coefficient as f32);
-        for lane in 0..TILE {
-            levels[lane] = middle + lanes[lane] * (slope + lanes[lane] * curve);
-        }
-    }
-}

@@ -3,6 +3,8 @@
 //! Rule: every function here takes lambda = 1 - s, formed without cancellation as |r - o|^2 / 2 (Lyon 1993: for unit
 //! vectors o.r = 1 - |r - o|^2 / 2), because near the highlight s itself has too few digits for a large rho.
 
+use super::U;
+
 /// s^rho for s = 1 - lambda, in f64: `max(0, s)^rho`, and 0^0 = 1.
 pub fn power_exact(shininess: f64, lambda: f64) -> f64 {
     if shininess == 0.0 {
@@ -55,6 +57,78 @@ pub fn power(shininess: f32, lambda: f32) -> f32 {
                     + g * (0.009_618_129 + g * (0.001_333_355_8 + g * 0.000_154_035_3)))));
     let scale = f32::from_bits((rounded.to_bits() << 23).wrapping_add(0x3f80_0000));
     if s > 0.0 { mantissa * scale } else { 0.0 }
+}
+
+/// s^rho in few steps, for one rho: a quadratic in 1 - s stands for s^(rho / 2^j) with 1 <= rho / 2^j < 2, and is squared
+/// j times ("polynomial, then square"). Where s is below a bound the result is 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Squarings {
+    coefficients: [f32; 3],
+    squarings: u32,
+    /// 1 - s up to which the quadratic stands.
+    end: f32,
+    /// A bound on the error of s^rho where s is at least the bound it was made for, f32 included.
+    pub error: f64,
+}
+
+impl Squarings {
+    /// For s in `least`..=1; none where rho is below 1, or the error above `most`.
+    ///
+    /// The quadratic interpolates g = (1 - x)^e on 0..=h at Chebyshev's nodes, so it errs by |g^(3)| / 3 (h / 4)^3 at
+    /// most; m = 2^j such factors make m times that (times what m errors in a row can add, which the exponential bounds),
+    /// and rounding five units for each of them.
+    pub fn new(shininess: f64, least: f64, most: f64) -> Option<Self> {
+        if !(1.0..1e4).contains(&shininess) || !(least > 0.0 && least < 1.0) {
+            return None;
+        }
+        let squarings = shininess.log2().floor();
+        let factors = squarings.exp2();
+        let exponent = shininess / factors;
+        let end = 1.0 - least;
+        let third = (exponent * (exponent - 1.0) * (exponent - 2.0)).abs()
+            * least.powf((exponent - 3.0).min(0.0));
+        let factor_error = third / 3.0 * (end / 4.0).powi(3) + 5.0 * U;
+        let error = factors * factor_error * (factors * factor_error).exp();
+        if error.is_nan() || error > most {
+            return None;
+        }
+        // Newton's interpolation at the nodes h / 2 (1 + cos((2 i + 1) pi / 6)).
+        let reach = 3.0_f64.sqrt() / 2.0;
+        let [a, b, c] = [1.0 - reach, 1.0, 1.0 + reach].map(|node| node * end / 2.0);
+        let [first, second, third] = [a, b, c].map(|node| (1.0 - node).powf(exponent));
+        let rise = (second - first) / (b - a);
+        let bend = ((third - second) / (c - b) - rise) / (c - a);
+        let coefficients = [first - rise * a + bend * a * b, rise - bend * (a + b), bend];
+        Some(Squarings {
+            coefficients: coefficients.map(|coefficient| coefficient as f32),
+            squarings: squarings as u32,
+            end: end as f32,
+            error,
+        })
+    }
+
+    /// Multiplies each `strength` with s^rho for s = 1 - `lambda`.
+    #[inline(always)]
+    pub fn raise<const SIDE: usize>(&self, lambda: &[f32; SIDE], strength: &mut [f32; SIDE]) {
+        let [constant, slope, curve] = self.coefficients;
+        let mut power = [0.0; SIDE];
+        for lane in 0..SIDE {
+            let x = lambda[lane];
+            power[lane] = constant + x * (slope + x * curve);
+        }
+        for _ in 0..self.squarings {
+            for power in &mut power {
+                *power *= *power;
+            }
+        }
+        for lane in 0..SIDE {
+            strength[lane] *= if lambda[lane] < self.end {
+                power[lane]
+            } else {
+                0.0
+            };
+        }
+    }
 }
 
 #[cfg(test)]

@@ -45,7 +45,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         .sum();
     let level = frame.workers().level();
     frame.paint(view.background, area < WORTH_SHARING, |band| {
-        band.clear();
+        dispatch!(level, _simd => band.clear());
         let mut counts = Counts::default();
         if !band.depths.is_empty() {
             let mut cuboids = world.query::<(&Transform, &Mesh, &Normals, &VertexColors, &Projected)>();
@@ -270,32 +270,40 @@ fn draw_with(
         };
         for column in (from / BLOCK * BLOCK..upper.end.max(lower.end)).step_by(BLOCK) {
             let corner = [column as f64 - lens.half[0], first as f64 - lens.half[1]];
+            let whole = band.takes_whole(first, BLOCK)
+                && rows[0].cover(column..column + BLOCK)
+                && rows[1].cover(column..column + BLOCK);
+            if whole {
+                let patch = Patch::new(triangle, corner, WHOLE, WHOLE);
+                if let Some(polynomial) = shader.polynomial(triangle, &patch) {
+                    let target = &mut WholeBlock {
+                        band,
+                        column,
+                        first,
+                    };
+                    polynomial.for_rows::<BLOCK>(patch.first(), 0..BLOCK, target);
+                    counts.covered_pixels += (BLOCK * BLOCK) as u64;
+                    counts.tiles[polynomial.kind as usize] += 4;
+                    continue;
+                }
+            }
             let block = Block {
                 columns: [column, column + TILE],
-                coverage: rows
-                    .each_ref()
-                    .map(|tiles| [tiles.coverage(column), tiles.coverage(column + TILE)]),
+                coverage: [
+                    [rows[0].coverage(column), rows[0].coverage(column + TILE)],
+                    [rows[1].coverage(column), rows[1].coverage(column + TILE)],
+                ],
             };
-            let patch = block.patch(triangle, corner);
+            let patch = if whole {
+                None
+            } else {
+                block.patch(triangle, corner)
+            };
             // Not by `and_then`: a closure would not have the SIMD level of what it is called from.
             let polynomial = match &patch {
                 Some(patch) => shader.polynomial(triangle, patch),
                 None => None,
             };
-            if let (Some(patch), Some(polynomial)) = (&patch, &polynomial)
-                && block.is_whole()
-                && band.takes_whole(first, BLOCK)
-            {
-                let target = &mut WholeBlock {
-                    band,
-                    column,
-                    first,
-                };
-                polynomial.for_rows::<BLOCK>(patch.first(), 0..BLOCK, target);
-                counts.covered_pixels += (BLOCK * BLOCK) as u64;
-                counts.tiles[polynomial.kind as usize] += 4;
-                continue;
-            }
             for (down, tiles) in rows.iter().enumerate() {
                 for (right, &column) in block.columns.iter().enumerate() {
                     let coverage = &block.coverage[down][right];
@@ -304,7 +312,8 @@ fn draw_with(
                         continue;
                     }
                     let shift = [(right * TILE) as f64, (down * TILE) as f64];
-                    let evaluations = if let (Some(patch), Some(polynomial)) = (&patch, &polynomial) {
+                    let evaluations = if let (Some(patch), Some(polynomial)) = (&patch, &polynomial)
+                    {
                         let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
                         polynomial.shade(first, coverage, &mut store);
                         Evaluations::of(polynomial.kind)
@@ -322,6 +331,9 @@ fn draw_with(
     counts
 }
 
+/// The lanes, and the rows, of a block.
+const WHOLE: [u8; 2] = [0, BLOCK as u8 - 1];
+
 /// Two by two tiles.
 struct Block {
     columns: [usize; 2],
@@ -329,13 +341,6 @@ struct Block {
 }
 
 impl Block {
-    fn is_whole(&self) -> bool {
-        self.coverage
-            .iter()
-            .flatten()
-            .all(|coverage| coverage.pixels == Coverage::WHOLE.pixels)
-    }
-
     /// The block as one patch, where more than one of its tiles is covered.
     #[inline(always)]
     fn patch(&self, triangle: &Triangle, corner: [f64; 2]) -> Option<Patch> {

@@ -40,6 +40,8 @@ pub struct Store<'a, 'b> {
     first: usize,
     /// Whether the band has all of the tile's rows.
     whole: bool,
+    /// Whether, besides, it takes bytes and nothing hides them.
+    plain: bool,
     /// How many pixels were stored.
     pub stored: u64,
 }
@@ -55,6 +57,7 @@ impl<'a, 'b> Store<'a, 'b> {
     ) -> Self {
         let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
         let whole = band.holds(row, TILE);
+        let plain = band.takes_whole(row, TILE);
         Store {
             band,
             coverage,
@@ -62,6 +65,7 @@ impl<'a, 'b> Store<'a, 'b> {
             row,
             first,
             whole,
+            plain,
             stored: 0,
         }
     }
@@ -114,12 +118,38 @@ impl<'a, 'b> Store<'a, 'b> {
 impl Sink for Store<'_, '_> {
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &impl Row) {
-        let Some(first) = self.place(row) else { return };
         let (from, to) = self.coverage.spans[row];
-        let lanes = usize::from(from)..usize::from(to);
+        if !self.plain {
+            return self.take_seen(row, levels);
+        }
+        self.stored += u64::from(to - from);
+        let first = self.first.wrapping_add(row * self.band.width);
+        if to - from == TILE as u8 {
+            let pixels = &mut self.band.pixels[first..first + TILE];
+            for lane in 0..TILE {
+                pixels[lane] = levels.pixel(lane);
+            }
+        } else {
+            let lanes = usize::from(from)..usize::from(to);
+            let mut pixels = [0_u32; TILE];
+            for lane in 0..TILE {
+                pixels[lane] = levels.pixel(lane);
+            }
+            self.band.pixels[first + lanes.start..first + lanes.end]
+                .copy_from_slice(&pixels[lanes]);
+        }
+    }
+}
+
+impl Store<'_, '_> {
+    /// Stores what of a row is in the band and seen.
+    #[inline(always)]
+    fn take_seen(&mut self, row: usize, levels: &impl Row) {
+        let (from, to) = self.coverage.spans[row];
+        let Some(first) = self.place(row) else { return };
         let deep = !self.band.depths.is_empty();
         if self.band.pixels.is_empty() {
-            for lane in lanes {
+            for lane in usize::from(from)..usize::from(to) {
                 let pixel = first + lane;
                 if !deep {
                     self.band.triangles[pixel] = self.id;
@@ -131,29 +161,15 @@ impl Sink for Store<'_, '_> {
             }
             return;
         }
-        if !deep && lanes.len() == TILE {
-            let pixels = &mut self.band.pixels[first..first + TILE];
-            for lane in 0..TILE {
-                pixels[lane] = levels.pixel(lane);
-            }
-            self.stored += TILE as u64;
-            return;
-        }
         let mut pixels = [0_u32; TILE];
         for lane in 0..TILE {
             pixels[lane] = levels.pixel(lane);
         }
-        if deep {
-            for lane in lanes {
-                if self.band.triangles[first + lane] == self.id {
-                    self.band.pixels[first + lane] = pixels[lane];
-                    self.stored += 1;
-                }
+        for lane in usize::from(from)..usize::from(to) {
+            if !deep || self.band.triangles[first + lane] == self.id {
+                self.band.pixels[first + lane] = pixels[lane];
+                self.stored += 1;
             }
-        } else {
-            self.band.pixels[first + lanes.start..first + lanes.end]
-                .copy_from_slice(&pixels[lanes]);
-            self.stored += u64::from(to - from);
         }
     }
 }
