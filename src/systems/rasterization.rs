@@ -10,6 +10,8 @@
 
 mod store;
 
+use std::ops::Range;
+
 use fearless_simd::dispatch;
 use hecs::World;
 
@@ -45,13 +47,14 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         .sum();
     let level = frame.workers().level();
     frame.paint(view.background, area < WORTH_SHARING, |band| {
+        let rows = band.rows.clone();
         dispatch!(level, _simd => band.clear());
         let mut counts = Counts::default();
         if !band.depths.is_empty() {
             let mut cuboids = world.query::<(&Transform, &Mesh, &Normals, &VertexColors, &Projected)>();
             for (index, (transform, mesh, normals, colors, projected)) in cuboids.iter().enumerate() {
                 let (solid, rays) = before(transform, mesh, normals, colors, projected, &lens);
-                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| polygon.len > 0) {
+                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| touches(polygon, &rows)) {
                     let nearness = Nearness::new(number, &solid, projected, &lens, &rays);
                     dispatch!(level, _simd => see(polygon, &nearness, index as u32 * 12 + number as u32, &lens, band));
                 }
@@ -67,7 +70,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
                     tolerance: view.tolerance,
                 };
                 let (solid, rays) = before(transform, mesh, normals, colors, projected, &lens);
-                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| polygon.len > 0) {
+                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| touches(polygon, &rows)) {
                     let triangle = triangle(number, &solid, projected, &lens, &rays);
                     let id = index as u32 * 12 + number as u32;
                     counts += dispatch!(level, _simd => draw(polygon, &triangle, id, &object, &lens, band, &mut scratch));
@@ -76,6 +79,15 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         }
         counts
     });
+}
+
+/// Whether a polygon may cover anything in these rows of the picture.
+fn touches(polygon: &Polygon, rows: &Range<usize>) -> bool {
+    let [mut upper, mut lower] = [i32::MAX, i32::MIN];
+    for &[_, y] in polygon.vertices() {
+        (upper, lower) = (upper.min(y), lower.max(y));
+    }
+    upper < 256 * rows.end as i32 && lower > 256 * rows.start as i32
 }
 
 /// An upper bound of the pixels a polygon covers.
