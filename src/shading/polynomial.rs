@@ -293,3 +293,112 @@ impl<const SIDE: usize> Row for Places<'_, SIDE> {
         self.0.at(lane).map(|level| level - PLACES - 0.5)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::display::display_step;
+    use super::*;
+    use crate::shading::certificate::Quadratic;
+
+    /// What is far from the middle of a tile.
+    const HALF: [f64; 2] = [7.5, 7.5];
+
+    /// Holds every pixel to the polynomial.
+    struct Judge {
+        color: Color,
+        budget: f64,
+        worst: f64,
+        shown: [u32; 2],
+    }
+
+    impl Rows for Judge {
+        fn take(&mut self, row: usize, levels: &impl Row) {
+            let y = row as f64 - HALF[1];
+            for lane in 0..TILE {
+                let x = lane as f64 - HALF[0];
+                let found = levels.levels(lane);
+                for (channel, found) in self.color.0.iter().zip(found) {
+                    let [middle, slope, curve] = channel.row(y);
+                    let error = (f64::from(found) - (middle + x * (slope + x * curve))).abs();
+                    self.worst = self.worst.max(error);
+                }
+                let [red, green, blue] = found.map(|level| display_step(f64::from(level)));
+                // Where a step of 1/256 or an ulp falls on a half, the byte may be the one above.
+                let expected = u32::from_be_bytes([0, red, green, blue]);
+                self.shown[usize::from(levels.pixel(lane) == expected)] += 1;
+            }
+        }
+    }
+
+    fn judge(coefficients: [[f64; 6]; 3], budget: f64) -> (Option<Polynomial>, Judge) {
+        let color = Color(coefficients.map(Quadratic));
+        let mut judge = Judge {
+            color,
+            budget,
+            worst: 0.0,
+            shown: [0, 0],
+        };
+        let polynomial = cheapest(color, HALF, budget);
+        if let Some(polynomial) = &polynomial {
+            polynomial.for_rows::<TILE>([-HALF[0], -HALF[1]], 0..TILE, &mut judge);
+        }
+        (polynomial, judge)
+    }
+
+    #[test]
+    fn every_way_to_draw_a_polynomial_stays_within_its_budget_and_shows_the_levels_it_has() {
+        let mut ways = std::collections::HashSet::new();
+        let mut seed = 1_u64;
+        let mut random = move |size: f64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            ((seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * size
+        };
+        for _ in 0..4000 {
+            let [slope, curve] =
+                [random(1.0), random(1.0)].map(|size| 10.0_f64.powf(3.0 * size - 2.0));
+            let budget = 10.0_f64.powf(random(2.0) - 1.0);
+            let coefficients = [0, 1, 2].map(|_| {
+                let middle = 128.0 + random(140.0);
+                let [x, y] = [random(slope), random(slope)];
+                [middle, x, y, random(curve), random(curve), random(curve)]
+            });
+            let (polynomial, judge) = judge(coefficients, budget);
+            let Some(polynomial) = polynomial else {
+                continue;
+            };
+            ways.insert((polynomial.kind, polynomial.fixed));
+            assert!(
+                judge.worst <= judge.budget,
+                "{} levels of {budget}: {polynomial:?}",
+                judge.worst
+            );
+            assert_eq!(
+                judge.shown[0] > 4,
+                false,
+                "{:?} bytes differ: {polynomial:?}",
+                judge.shown
+            );
+        }
+        assert_eq!(ways.len(), 6, "three kinds, in steps or not: {ways:?}");
+    }
+
+    #[test]
+    fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
+        let fixed = |middle: f64, slope: f64, budget: f64| {
+            let channel = [middle, slope, 0.0, 0.0, 0.0, 0.0];
+            judge([channel; 3], budget)
+                .0
+                .map(|polynomial| polynomial.fixed)
+        };
+        assert_eq!(fixed(100.0, 1.0, 0.5), Some(true));
+        assert_eq!(
+            fixed(100.0, 1.0, 1e-3),
+            Some(false),
+            "too coarse for the budget"
+        );
+        assert_eq!(fixed(7.0, 1.0, 0.5), Some(false), "black on one side");
+        assert_eq!(fixed(250.0, 1.0, 0.5), Some(false), "white on the other");
+        assert_eq!(fixed(100.0, 1.0, 1e-6), None, "f32 itself errs more");
+        assert_eq!(fixed(f64::NAN, 1.0, 0.5), None);
+    }
+}

@@ -89,7 +89,7 @@ impl Squarings {
             * least.powf((exponent - 3.0).min(0.0));
         let factor_error = third / 3.0 * (end / 4.0).powi(3) + 5.0 * U;
         let error = factors * factor_error * (factors * factor_error).exp();
-        if error.is_nan() || error > most {
+        if error.is_nan() || most.is_nan() || error > most {
             return None;
         }
         // Newton's interpolation at the nodes h / 2 (1 + cos((2 i + 1) pi / 6)).
@@ -176,6 +176,59 @@ mod tests {
             assert_eq!(power_exact(shininess, 1.0), 0.0);
         }
         assert_eq!(power_exact(0.0, 1.5), 1.0, "max(0, x)^0 is 1");
+    }
+
+    #[test]
+    fn squarings_err_no_more_than_they_say() {
+        let mut made = 0;
+        for shininess in SHININESSES
+            .into_iter()
+            .chain([3.0, 7.9, 32.0, 47.3, 130.0, 999.0])
+        {
+            for faint in [0.2_f64, 1e-2, 1e-3, 1e-4] {
+                let least = faint.powf(1.0 / shininess);
+                let Some(squarings) = Squarings::new(shininess, least, 1e-3) else {
+                    continue;
+                };
+                made += 1;
+                let mut worst = 0.0_f64;
+                for step in 0..=20_000 {
+                    let lambda = (2.0 * (f64::from(step) / 20_000.0).powi(3)) as f32;
+                    let mut strength = [1.0, 0.0];
+                    squarings.raise(&[lambda; 2], &mut strength);
+                    let expected = power_exact(shininess, f64::from(lambda));
+                    let error = (f64::from(strength[0]) - expected).abs();
+                    if f64::from(lambda) < 1.0 - least {
+                        worst = worst.max(error);
+                    } else {
+                        assert!(
+                            error <= faint * (1.0 + 1e-3),
+                            "rho {shininess}, 1 - s {lambda}"
+                        );
+                    }
+                    assert_eq!(strength[1], 0.0);
+                }
+                assert!(
+                    worst <= squarings.error,
+                    "rho {shininess}, {faint}: {worst} above {}",
+                    squarings.error
+                );
+            }
+        }
+        assert!(made > 10, "{made} powers could be squared");
+    }
+
+    #[test]
+    fn squarings_are_refused_where_they_would_err_or_have_no_meaning() {
+        let made = |shininess: f64, least: f64, most: f64| Squarings::new(shininess, least, most);
+        assert!(made(76.8, 0.9, 1e-3).is_some());
+        assert_eq!(made(76.8, 0.9, 1e-9), None, "f32 alone errs more");
+        assert_eq!(made(0.5, 0.9, 1.0), None, "no bound below rho = 1");
+        assert_eq!(made(5.0, 0.1, 1e-3), None, "too wide for a quadratic");
+        for least in [0.0, 1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(made(76.8, least, 1.0), None, "s from {least}");
+        }
+        assert_eq!(made(76.8, 0.9, f64::NAN), None);
     }
 
     #[test]
