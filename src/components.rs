@@ -201,6 +201,8 @@ pub struct PointLight {
 /// Where a cuboid's corners fall, and the screen polygons of its triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Projected {
+    /// The cuboid's own axes in world space: see [`Transform::axes`].
+    pub axes: DMat3,
     /// The corners relative to the cuboid's centre, along the world's axes, in world units.
     pub offsets: [DVec3; 8],
     /// The corners relative to the eye, along right, up and forward, in world units.
