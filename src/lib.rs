@@ -51,6 +51,7 @@
 pub mod cli;
 pub mod components;
 pub mod drawing;
+pub mod extremes;
 pub mod frame;
 pub mod lettering;
 pub mod output;
