@@ -77,6 +77,7 @@ pub fn run(world: &mut World, view: &View, _frame: &mut Frame) {
 pub fn project(transform: &Transform, mesh: &Mesh, lens: &Lens, projected: &mut Projected) {
     let axes = transform.axes();
     let centre = transform.position - lens.eye;
+    projected.axes = axes;
     projected.offsets = mesh.corners.map(|corner| axes * corner);
     projected.seen = projected.offsets.map(|offset| {
         let from_eye = centre + offset;
