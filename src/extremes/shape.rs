@@ -69,6 +69,18 @@ pub const CASES: &[Case] = &[
         rule: Rule::Reference(|| long(1e6)),
     },
     Case {
+        name: "edges as 1 to 1e9",
+        rule: Rule::Reference(|| long(1e9)),
+    },
+    Case {
+        name: "edges as 1 to 1e12",
+        rule: Rule::Reference(|| long(1e12)),
+    },
+    Case {
+        name: "edges as 1 to 1e100",
+        rule: Rule::Reference(|| long(1e100)),
+    },
+    Case {
         name: "the far end of a cuboid a million times longer than wide",
         rule: Rule::Reference(|| {
             let end = |rotation: DVec3| {
@@ -91,6 +103,13 @@ pub const CASES: &[Case] = &[
                 })
             };
             vec![end(DVec3::ZERO), end(DVec3::new(20.0, 30.0, 40.0))]
+        }),
+    },
+    Case {
+        name: "edges a million and a billion times longer look endless",
+        rule: Rule::SamePicture(1.0, || {
+            let endless = |length: f64| long(length).swap_remove(0);
+            vec![endless(1e6), endless(1e9), endless(1e12)]
         }),
     },
     Case {
