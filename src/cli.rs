@@ -19,7 +19,7 @@ use clap_complete::Shell;
 
 use crate::output::{Output, say};
 use crate::{scene, trade};
-use options::DrawingOptions;
+use options::{DrawingOptions, MOST_PIXELS};
 
 /// The command line: a command, or the options of `view` without its name.
 #[derive(Debug, Parser)]
@@ -80,7 +80,7 @@ a sheet of the six.")]
     /// Measures what every shading method costs and how far it errs, and which of them are worth their time
     #[command(
         mut_arg("size", |argument| argument.default_value("1920x1080")),
-        mut_arg("threads", |argument| argument.default_value("1").help("How many threads draw the frames that are timed, 1 to 1024")),
+        mut_arg("threads", |argument| argument.help("How many threads draw the frames that are timed, 1 to 1024 [default: 1; with --scale the most, all cores]")),
         mut_arg("shading", |argument| argument.hide(true)),
         mut_arg("tolerance", |argument| argument.hide(true)),
         after_help = "\
@@ -88,9 +88,14 @@ Examples:
   shadetrade trade --quick
   shadetrade trade bench-close -o close
   shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
+  shadetrade trade --scale --quick
 
 Prints a verdict and a table; with -o also writes trade.json, trade.csv, trade.md, trade.svg (error
-against time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
+against time) and an error map of each method. Errors are against exact Phong in f64, in levels.
+
+With --scale it times frames instead: of 480p to 8K (--size times 4/9 to 4), under 1 to 64 lights,
+with 1 to 10,000 cuboids, by 1 to all threads. Pixels and threads show the scene. With -o it writes
+scale.json, scale.csv, scale.md and scale.svg.")]
     Trade(TradeOptions),
     /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
     #[command(after_help = "\
@@ -138,16 +143,20 @@ pub struct TradeOptions {
     /// As few samples as a median needs; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
     pub quick: bool,
-    /// How long to time frames in all, the reference apart; no less than 30 of each method [default: 20]
+    /// How long to time frames in all, the reference apart; no less than 30 of each method, with --scale 9 [default: 20]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<Duration>,
+    /// Measures time against pixels, lights, cuboids and threads instead
+    #[arg(long)]
+    pub scale: bool,
 }
 
 impl TradeOptions {
     /// What is to be measured.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, or a shading or tolerance is asked for.
+    /// [`Failure::Usage`] when the scene is wrong, a shading or tolerance is asked for, or a size too large to
+    /// scale.
     pub fn request(&self) -> Result<trade::Request, Failure> {
         let given = [
             ("--shading", self.drawing.shading.is_some()),
@@ -157,6 +166,18 @@ impl TradeOptions {
             return Err(Failure::Usage(anyhow!(
                 "{option} does not go with `trade`, which measures every shading at its own tolerance"
             )));
+        }
+        let mut drawing = self.drawing.open()?;
+        if self.scale {
+            let most = MOST_PIXELS / trade::scale::LARGEST;
+            if drawing.size.iter().any(|side| *side > most) {
+                return Err(Failure::Usage(anyhow!(
+                    "--scale draws pictures up to {} times as wide and high as --size, which is {most}x{most} at most then",
+                    trade::scale::LARGEST
+                )));
+            }
+        } else if self.drawing.threads.is_none() {
+            drawing.threads = 1;
         }
         let time = if self.quick {
             trade::QUICK_TIME
@@ -168,7 +189,7 @@ impl TradeOptions {
             .map(|word| word.to_string_lossy().into_owned())
             .collect();
         Ok(trade::Request::new(
-            self.drawing.open()?,
+            drawing,
             time,
             format!("shadetrade {}", words.join(" ")),
         ))

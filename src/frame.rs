@@ -4,7 +4,6 @@
 //! bits however many threads drew it.
 
 mod band;
-mod display;
 
 use std::collections::TryReserveError;
 use std::ops::{AddAssign, Range};
@@ -14,8 +13,8 @@ use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 pub(crate) use self::band::Band;
-pub use self::display::display_step;
-pub(crate) use self::display::{display_bits, display_bits_within, pack};
+use crate::memory::{self, OutOfMemory};
+pub use crate::shading::display::display_step;
 use crate::shading::{BLOCK, TileKind};
 
 /// Who draws: the SIMD level and the threads.
@@ -93,16 +92,6 @@ impl AddAssign for Counts {
             *tiles += more;
         }
     }
-}
-
-/// The picture does not fit in memory.
-#[derive(Debug, thiserror::Error)]
-#[error("a picture of {width}x{height} pixels does not fit in this machine's memory")]
-pub struct OutOfMemory {
-    /// Pixels.
-    pub width: usize,
-    /// Pixels.
-    pub height: usize,
 }
 
 /// A picture being drawn, and what the systems keep between frames.
@@ -213,18 +202,31 @@ impl Frame {
         let Range { start, end } = rows;
         // Where memory does not suffice, nothing of the old picture may be taken for the new one.
         (self.size, self.rows) = ([0, 0], 0..0);
+        self.release();
+        let needed = wanted(display) * size_of::<u32>()
+            + wanted(!display) * (size_of::<[f32; 3]>() + size_of::<u8>())
+            + wanted(deep || !display) * size_of::<u32>()
+            + wanted(deep) * size_of::<f64>();
+        memory::check(size, needed)?;
         renew(&mut self.pixels, wanted(display), 0)
             .and_then(|()| renew(&mut self.levels, wanted(!display), [0.0; 3]))
             .and_then(|()| renew(&mut self.triangles, wanted(deep || !display), NO_TRIANGLE))
             .and_then(|()| renew(&mut self.kinds, wanted(!display), 0))
             .and_then(|()| renew(&mut self.depths, wanted(deep), FARTHEST))
             .and_then(|()| renew(&mut self.touched, end - start, [0, size[0] as u32]))
-            .map_err(|_| OutOfMemory {
-                width: size[0],
-                height: size[1],
-            })?;
+            .map_err(memory::refused(size, needed))?;
         (self.size, self.rows) = (size, start..end);
         Ok(())
+    }
+
+    /// Gives back the memory of the picture held.
+    fn release(&mut self) {
+        self.pixels = Vec::new();
+        self.levels = Vec::new();
+        self.triangles = Vec::new();
+        self.kinds = Vec::new();
+        self.depths = Vec::new();
+        self.touched = Vec::new();
     }
 
     /// Has `draw` fill the frame, band by band, and adds up what it counts. `alone`: on the calling thread.
@@ -264,9 +266,8 @@ impl Frame {
     }
 }
 
-/// Fills a vector anew; a smaller one gives its memory back.
+/// Fills an empty vector.
 fn renew<T: Clone>(vector: &mut Vec<T>, len: usize, value: T) -> Result<(), TryReserveError> {
-    *vector = Vec::new();
     vector.try_reserve_exact(len)?;
     vector.resize(len, value);
     Ok(())

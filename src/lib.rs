@@ -146,7 +146,7 @@
 //! components -> glam. shading -> components. frame -> shading's tiles. systems -> components, shading, frame. scene ->
 //! components. reference -> components: it shares no formula with the renderer. drawing -> scene, frame. probe ->
 //! systems, reference. trade -> drawing, systems, reference, output, canvas, [`shading::METHODS`]. window -> the same; only it names
-//! minifb. output, canvas and simd -> none of these. pictures -> drawing, systems, reference, output, canvas. cli ->
+//! minifb. output, canvas, memory and simd -> none of these; whoever allocates pictures -> memory. pictures -> drawing, systems, reference, output, canvas. cli ->
 //! drawing, output, trade's request; main -> cli and the commands. Nothing points back up.
 //!
 //! # What is not modelled, and why
@@ -161,6 +161,7 @@ pub mod cli;
 pub mod components;
 pub mod drawing;
 pub mod frame;
+pub mod memory;
 pub mod output;
 pub mod pictures;
 pub mod probe;

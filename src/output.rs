@@ -13,6 +13,8 @@ use anyhow::{Context, bail, ensure};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
 
+use crate::memory;
+
 /// Where one file's content goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Output {
@@ -211,13 +213,18 @@ pub(crate) fn encode_png(
     pixels: &[u32],
     [width, height]: [usize; 2],
 ) -> io::Result<()> {
-    let mut bytes = Vec::new();
-    bytes.try_reserve_exact(3 * pixels.len())?;
-    for pixel in pixels {
-        bytes.extend_from_slice(&pixel.to_be_bytes()[1..]);
-    }
+    let mut bytes = memory::room_for_pixels([width, height]).map_err(io::Error::other)?;
+    bytes.extend(pixels.iter().map(|pixel| {
+        let [_, red, green, blue] = pixel.to_be_bytes();
+        [red, green, blue]
+    }));
     PngEncoder::new(writer)
-        .write_image(&bytes, width as u32, height as u32, ExtendedColorType::Rgb8)
+        .write_image(
+            bytes.as_flattened(),
+            width as u32,
+            height as u32,
+            ExtendedColorType::Rgb8,
+        )
         .map_err(|error| match error {
             ImageError::IoError(error) => error,
             other => io::Error::other(other),

@@ -12,7 +12,8 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, NO_TRIANGLE, OutOfMemory, display_step};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, display_step};
+use crate::memory::{self, OutOfMemory};
 use crate::output::{Output, say};
 use crate::{reference, simd, systems};
 
@@ -48,18 +49,15 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
 pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let view = drawing.view();
     let [width, height] = view.size;
-    let out_of_memory = |_| OutOfMemory { width, height };
-    let (mut pixels, mut covered) = (Vec::new(), 0);
-    pixels
-        .try_reserve_exact(width * height)
-        .map_err(out_of_memory)?;
+    let (mut pixels, mut covered) = (memory::room_for_pixels(view.size)?, 0);
     let progress = ProgressBar::new(height as u64).with_style(ProgressStyle::with_template(
         "drawing the reference {wide_bar} {percent:>3} %, {eta} left",
     )?);
     let begin = Instant::now();
     // In bands, since the reference holds seven times what the picture does.
-    for first in (0..height).step_by(ROWS_AT_ONCE) {
-        let rows = first..height.min(first + ROWS_AT_ONCE);
+    let rows_at_once = (PIXELS_AT_ONCE / width).max(1);
+    for first in (0..height).step_by(rows_at_once) {
+        let rows = first..height.min(first + rows_at_once);
         let done = |rows: usize| progress.set_position((first + rows) as u64);
         let Some(truth) = reference::picture(&drawing.scene.world, &view, rows, &|| false, &done)
         else {
@@ -87,8 +85,8 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     Ok(())
 }
 
-/// How many rows the reference draws before they become bytes.
-const ROWS_AT_ONCE: usize = 256;
+/// How many pixels, at 28 bytes each, the reference draws before they become bytes.
+const PIXELS_AT_ONCE: usize = 1 << 20;
 
 fn count(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })

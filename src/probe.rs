@@ -8,7 +8,8 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::components::{LightKind, Name, ShadingMode, View};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, OutOfMemory, Workers, display_step};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step};
+use crate::memory::OutOfMemory;
 use crate::reference;
 use crate::scene::Scene;
 use crate::systems;

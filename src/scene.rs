@@ -57,16 +57,19 @@ pub struct Scene {
 }
 
 /// What a scene says, as components and in its order: what a file gives and what a [`Scene`] is spawned from.
-struct Records {
-    background: DVec3,
-    cuboids: Vec<CuboidRecord>,
-    lights: Vec<LightRecord>,
-    cameras: Vec<CameraRecord>,
+pub(crate) struct Records {
+    /// Levels where nothing is drawn.
+    pub background: DVec3,
+    /// At least one.
+    pub cuboids: Vec<CuboidRecord>,
+    pub lights: Vec<LightRecord>,
+    /// At least one.
+    pub cameras: Vec<CameraRecord>,
 }
 
-type CuboidRecord = (Name, Transform, Mesh, Material, ShadingMode);
-type LightRecord = (Name, Transform, Light);
-type CameraRecord = (Name, Transform, Camera);
+pub(crate) type CuboidRecord = (Name, Transform, Mesh, Material, ShadingMode);
+pub(crate) type LightRecord = (Name, Transform, Light);
+pub(crate) type CameraRecord = (Name, Transform, Camera);
 
 impl Scene {
     /// The scene that `argument` names: a built-in one or else the file at that path; the default when there is none.
@@ -94,7 +97,8 @@ impl Scene {
         }
     }
 
-    fn spawn(name: String, records: Records) -> Scene {
+    /// The scene of what `records` say, which must be within the ranges of the format.
+    pub(crate) fn spawn(name: String, records: Records) -> Scene {
         let mut world = World::new();
         world.spawn((Illumination::default(),));
         Scene {

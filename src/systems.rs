@@ -11,7 +11,8 @@ use std::ops::Range;
 use hecs::World;
 
 use crate::components::{Mesh, View};
-use crate::frame::{Frame, OutOfMemory};
+use crate::frame::Frame;
+use crate::memory::OutOfMemory;
 
 /// One step of a frame: a system and the name people see.
 #[derive(Clone, Copy)]

@@ -33,7 +33,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::drawing::Drawing;
-use crate::frame::{OutOfMemory, Workers};
+use crate::frame::Workers;
+use crate::memory::OutOfMemory;
 use composition::Composition;
 use display::Display;
 use examiner::Examiner;

@@ -17,7 +17,8 @@ use super::error_map::ErrorMap;
 use super::flip;
 use super::metrics::{self, Difference, Picture};
 use crate::components::{Light, LightKind, ShadingMode, View};
-use crate::frame::{Frame, Keep, OutOfMemory, Workers, display_step};
+use crate::frame::{Frame, Keep, Workers, display_step};
+use crate::memory::{self, OutOfMemory};
 use crate::reference::{self, Truth};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
@@ -46,13 +47,11 @@ const BYTES_PER_PIXEL: usize = 3 * 28 + 24 + 2 * 3 + 2 * 16 + 3 + METHODS.len();
 ///
 /// # Errors
 /// When there is not.
-pub(super) fn check_memory([width, height]: [usize; 2]) -> Result<(), OutOfMemory> {
-    let mut room: Vec<u8> = Vec::new();
-    let reserved =
-        room.try_reserve_exact(width.saturating_mul(height).saturating_mul(BYTES_PER_PIXEL));
+pub(super) fn check_memory(size: [usize; 2]) -> Result<(), OutOfMemory> {
+    let room: Vec<[u8; BYTES_PER_PIXEL]> = memory::room_for_pixels(size)?;
     // Without it the compiler may leave out an allocation that nobody uses.
     std::hint::black_box(&room);
-    reserved.map_err(|_| OutOfMemory { width, height })
+    Ok(())
 }
 
 /// The accuracy of all [`METHODS`], in their order; `progress` hears, from any thread, the share done, 0..=1.

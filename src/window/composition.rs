@@ -13,7 +13,8 @@ use std::time::Instant;
 use super::session::Session;
 use super::views::{self, ViewMode};
 use crate::components::ShadingMode;
-use crate::frame::{Frame, Keep, OutOfMemory, Workers};
+use crate::frame::{Frame, Keep, Workers};
+use crate::memory::OutOfMemory;
 
 /// The pictures that views are made of.
 pub struct Composition {

@@ -15,6 +15,7 @@ use super::WindowError;
 use crate::components::{ShadingMode, View};
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers, display_step};
+use crate::memory;
 use crate::reference::{self, Truth};
 use crate::scene::Scene;
 use crate::systems;
@@ -72,8 +73,8 @@ pub fn examine(
         ..view.clone()
     };
     let is_phong = view.shading == phong.shading;
-    let mut reference = with_room(width * height)?;
-    let mut error_map = with_room(width * height)?;
+    let mut reference = memory::room_for_pixels(view.size).ok()?;
+    let mut error_map = memory::room_for_pixels(view.size).ok()?;
     let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
     for start in (0..height).step_by(BAND) {
         let rows = start..(start + BAND).min(height);
@@ -105,12 +106,6 @@ pub fn examine(
         errors: errors.statistics(),
         own_errors: own_errors.statistics(),
     })
-}
-
-fn with_room(pixels: usize) -> Option<Vec<u32>> {
-    let mut room = Vec::new();
-    room.try_reserve_exact(pixels).ok()?;
-    Some(room)
 }
 
 fn picture_of(truth: &Truth) -> Picture<'_, f64> {

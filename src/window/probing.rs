@@ -5,7 +5,8 @@
 use fearless_simd::Level;
 
 use crate::components::View;
-use crate::frame::{OutOfMemory, Workers};
+use crate::frame::Workers;
+use crate::memory::OutOfMemory;
 use crate::probe::{self, Probe};
 use crate::scene::Scene;
 

@@ -2,9 +2,12 @@
 //! files.
 
 mod errors;
+#[cfg(unix)]
+mod faults;
 mod files;
 mod help;
 mod pictures;
+mod scale;
 
 use std::fs;
 use std::path::Path;

@@ -2,9 +2,8 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Stdio;
 
-use crate::{assert_fails, assert_works, decode, folder, listing, run, said, shadetrade};
+use crate::{assert_fails, assert_works, decode, folder, listing, run, said};
 
 const FIGURES: [&str; 8] = [
     "components.png",
@@ -124,19 +123,6 @@ fn every_built_in_scene_can_be_drawn() {
 }
 
 #[test]
-fn a_reader_that_leaves_early_is_no_error() {
-    let folder = folder();
-    let (reader, writer) = std::io::pipe().unwrap();
-    drop(reader);
-    let output = shadetrade(folder.path())
-        .args(["render", "-o", "-"])
-        .stdout(writer)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
-}
-
-#[test]
 fn figures_are_all_there_of_the_right_size_and_the_same_every_time() {
     let folder = folder();
     let output = run(folder.path(), "figures");
@@ -211,30 +197,6 @@ fn without_a_display_another_scene_is_for_render() {
         "bench-far",
         1,
         &["no display", "shadetrade render bench-far -o"],
-    );
-    assert_eq!(listing(folder.path()), [""; 0]);
-}
-
-#[test]
-#[cfg(target_os = "linux")]
-fn memory_that_does_not_suffice_is_an_error_and_no_crash() {
-    let folder = folder();
-    // 16384 x 16384 pixels of four bytes are a gigabyte; the limit is in kibibytes.
-    let script = format!(
-        "ulimit -v 600000; exec {} render -o a.png --size 16384x16384",
-        env!("CARGO_BIN_EXE_shadetrade")
-    );
-    let output = std::process::Command::new("sh")
-        .args(["-c", &script])
-        .current_dir(folder.path())
-        .stdin(Stdio::null())
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
-    assert!(
-        said(&output).starts_with("error: ") && said(&output).contains("16384x16384"),
-        "{}",
-        said(&output)
     );
     assert_eq!(listing(folder.path()), [""; 0]);
 }

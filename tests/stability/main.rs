@@ -9,3 +9,4 @@ mod memory;
 mod random;
 #[path = "../support/scene.rs"]
 mod scene;
+mod symmetries;

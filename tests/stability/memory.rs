@@ -1,9 +1,11 @@
-//! A frame that has been drawn once takes no more memory, whatever is drawn next at that size.
+//! A frame that has been drawn once takes no more memory, whatever is drawn next at that size; and what is saved of it is
+//! not held a second time.
 
 use allocation_counter::measure;
 use fearless_simd::Level;
 use shadetrade::components::Light;
 use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::output::Output;
 use shadetrade::systems;
 
 use crate::life::{Move, still_life, views};
@@ -34,4 +36,22 @@ fn a_warm_frame_on_one_thread_allocates_nothing() {
             }
         }
     }
+}
+
+#[test]
+fn a_picture_is_saved_without_being_held_a_second_time() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let output = Output::File(folder.path().join("a.png"));
+    let size = [1000, 2000];
+    // Noise: what is compressed is as large as the picture.
+    let pixels: Vec<u32> = (0..2_000_000_u32)
+        .map(|pixel| pixel.wrapping_mul(0x9e37_79b9) >> 8)
+        .collect();
+    let taken = measure(|| output.write_png(&pixels, size).expect("written"));
+    assert!(taken.bytes_max < 500_000, "{} bytes", taken.bytes_max);
+    let saved = image::open(folder.path().join("a.png")).expect("a picture");
+    let saved = saved.into_rgb8();
+    assert_eq!(saved.dimensions(), (1000, 2000));
+    let same = |(pixel, saved): (&u32, &image::Rgb<u8>)| pixel.to_be_bytes()[1..] == saved.0;
+    assert!(pixels.iter().zip(saved.pixels()).all(same));
 }

@@ -1,7 +1,7 @@
 //! A display of its own for a test, and the program with its window open on it.
 
 use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -172,6 +172,28 @@ impl Program {
             rests
         });
         last
+    }
+
+    /// Gives the keys to no window.
+    pub fn focus_elsewhere(&self) {
+        let root = self.xdotool(&["search", "--maxdepth", "0", ""]);
+        self.xdotool(&["windowfocus", root.lines().next().expect("a root window")]);
+    }
+
+    /// Waits until the window shows something else than `before`, moving or not.
+    pub fn next_while_moving(&self, before: &RgbImage) {
+        until("the picture moves", || self.picture() != *before);
+    }
+
+    /// Ends the server under the window.
+    pub fn kill_display(&mut self) {
+        self.display.server.kill().expect("it was running");
+        self.display.server.wait().expect("it has ended");
+    }
+
+    /// How it ended.
+    pub fn status(&mut self) -> ExitStatus {
+        self.child.wait().expect("it has ended")
     }
 
     pub fn is_running(&mut self) -> bool {

@@ -17,7 +17,7 @@ use super::hud::row_of;
 use super::{SIZE, default_session};
 
 /// The part of a picture right of the panel, of a window of 960 x 720.
-fn right_part(picture: &RgbImage) -> RgbImage {
+pub(super) fn right_part(picture: &RgbImage) -> RgbImage {
     image::imageops::crop_imm(picture, 260, 0, 700, 600).to_image()
 }
 

@@ -6,6 +6,8 @@ mod desktop;
 #[cfg(target_os = "linux")]
 mod display;
 mod examiner;
+#[cfg(target_os = "linux")]
+mod faults;
 mod fit;
 mod hud;
 mod input;
@@ -13,6 +15,7 @@ mod measuring;
 mod orbit;
 mod probing;
 mod screenshot;
+mod storms;
 mod views;
 
 use std::time::Duration;

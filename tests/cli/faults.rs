@@ -1,0 +1,171 @@
+//! What goes wrong around the program: readers that leave, disks that fill up, signals, memory that does not suffice.
+//! Whatever it is, a file under its own name is whole.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use crate::{decode, folder, listing, said, shadetrade};
+
+/// Commands that write files, shortened to a second; the folder is `out`.
+const WRITERS: [&str; 2] = [
+    "trade --size 480x360 --seconds 0.1 -o out",
+    "figures -o out",
+];
+
+/// Runs the program with the words of `line` in a shell that has done `first`.
+fn run_after(first: &str, folder: &Path, line: &str) -> Output {
+    let script = format!("{first}; exec {} {line}", env!("CARGO_BIN_EXE_shadetrade"));
+    Command::new("sh")
+        .args(["-c", &script])
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .stdin(Stdio::null())
+        .output()
+        .expect("a shell starts")
+}
+
+/// Asserts that every file of `folder` is whole or, where that is allowed, hidden; gives the names of the whole ones.
+#[track_caller]
+fn whole_files(folder: &Path, hidden_allowed: bool) -> Vec<String> {
+    let mut names = listing(folder);
+    names.retain(|name| {
+        let hidden = name.starts_with(".shadetrade-");
+        assert!(!hidden || hidden_allowed, "{name} is left");
+        !hidden
+    });
+    for name in &names {
+        let bytes = fs::read(folder.join(name)).expect("a file");
+        let text = || str::from_utf8(&bytes).expect("text");
+        match name.rsplit_once('.').map(|(_, extension)| extension) {
+            Some("png") => drop(decode(&bytes)),
+            Some("json") => drop(serde_json::from_str::<serde_json::Value>(text()).expect(name)),
+            Some("csv") => assert_eq!(text().lines().count(), 10, "a head and nine methods"),
+            Some("md") => assert!(text().ends_with(".\n"), "{name} ends with a sentence"),
+            Some("svg") => assert!(text().trim_end().ends_with("</svg>"), "{name}"),
+            _ => panic!("{name} is none of ours"),
+        }
+    }
+    names
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error_of_any_command() {
+    for line in [
+        "render --size 64x48 -o -",
+        "render --size 64x48 --reference -o -",
+        "figures",
+        "probe --pixel 5,5",
+        "probe --pixel 480,300 --json",
+        "trade --size 64x48 --seconds 0.05",
+        "trade --size 64x48 --seconds 0.05 -o out",
+        "completions zsh",
+        "--version",
+        "--help",
+        "help trade",
+    ] {
+        let folder = folder();
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let output = shadetrade(folder.path())
+            .args(line.split(' '))
+            .stdout(writer)
+            .output()
+            .expect("the program starts");
+        assert_eq!(output.status.code(), Some(0), "{line}: {}", said(&output));
+        assert!(
+            !said(&output).contains("error: "),
+            "{line}: {}",
+            said(&output)
+        );
+    }
+}
+
+#[test]
+fn a_closed_standard_output_or_error_breaks_nothing() {
+    for (closed, line) in [
+        (">&-", "render --size 64x48 -o a.png"),
+        ("2>&-", "render --size 64x48 -o a.png"),
+        (">&- 2>&- <&-", "render --size 64x48 -o a.png"),
+    ] {
+        let folder = folder();
+        let output = run_after(&format!("exec {closed}"), folder.path(), line);
+        assert_eq!(output.status.code(), Some(0), "{closed}: {}", said(&output));
+        assert_eq!(whole_files(folder.path(), false), ["a.png"]);
+    }
+}
+
+#[test]
+fn a_disk_that_fills_up_is_an_error_and_every_file_is_whole() {
+    // A limit on the size of a file stands in for a full disk; the signal that comes with it is ignored.
+    for (limit, line) in [
+        (1, WRITERS[0]),
+        (8, WRITERS[0]),
+        (8, WRITERS[1]),
+        (64, WRITERS[1]),
+    ] {
+        let folder = folder();
+        let full = format!("trap '' XFSZ; ulimit -f {limit}");
+        let output = run_after(&full, folder.path(), line);
+        assert_eq!(output.status.code(), Some(1), "{line}: {}", said(&output));
+        assert!(
+            said(&output).contains("error: cannot write out/"),
+            "{line}: {}",
+            said(&output)
+        );
+        whole_files(&folder.path().join("out"), false);
+    }
+}
+
+#[test]
+fn a_signal_at_any_time_leaves_whole_files() {
+    for line in WRITERS {
+        for (signal, files) in [
+            ("KILL", 1),
+            ("INT", 1),
+            ("TERM", 2),
+            ("KILL", 4),
+            ("INT", 6),
+        ] {
+            let folder = folder();
+            let out = folder.path().join("out");
+            let mut child = shadetrade(folder.path())
+                .args(line.split(' '))
+                .stdout(Stdio::null())
+                .stderr(Stdio::null())
+                .spawn()
+                .expect("the program starts");
+            // Hidden ones count: then one is being written.
+            while !(out.exists() && listing(&out).len() >= files)
+                && child.try_wait().expect("its state is known").is_none()
+            {
+                std::thread::yield_now();
+            }
+            let id = child.id().to_string();
+            let _ = Command::new("kill").args(["-s", signal, &id]).status();
+            let ended = child.wait().expect("it ends");
+            whole_files(&out, !ended.success());
+        }
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_that_does_not_suffice_is_an_error_of_every_command_that_draws() {
+    // 16384 x 16384 pixels of four bytes are 1074 MB; the limit is in kibibytes.
+    for line in [
+        "render --size 16384x16384 -o a.png",
+        "render --size 16384x16384 --threads 8 -o a.png",
+        "render --size 16384x16384 --reference -o a.png",
+        "trade --size 16384x16384 --threads 3",
+    ] {
+        let folder = folder();
+        let output = run_after("ulimit -v 600000", folder.path(), line);
+        assert_eq!(output.status.code(), Some(1), "{line}: {}", said(&output));
+        for words in ["error: ", "16384x16384", "does not fit in memory", " MB"] {
+            assert!(said(&output).contains(words), "{line}: {}", said(&output));
+        }
+        assert_eq!(listing(folder.path()), [""; 0]);
+    }
+}

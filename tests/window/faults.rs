@@ -1,0 +1,124 @@
+//! What goes wrong around the real window: it is destroyed, its server dies, signals come, keys are held as the focus
+//! goes. A screenshot under its own name is whole, and the program ends or goes on as ever.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::thread::sleep;
+use std::time::Duration;
+
+use super::desktop::{Program, until};
+use super::display::right_part;
+
+/// Asserts that every screenshot in `folder` is whole and everything else hidden; returns how many there are.
+#[track_caller]
+fn whole_screenshots(folder: &Path) -> usize {
+    let entries = fs::read_dir(folder).expect("listed");
+    let paths: Vec<_> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    let (whole, hidden): (Vec<_>, Vec<_>) = paths
+        .into_iter()
+        .partition(|path| path.extension().is_some_and(|it| it == "png"));
+    for path in &whole {
+        image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    }
+    for path in hidden {
+        let name = path.file_name().expect("a name").to_string_lossy();
+        assert!(name.starts_with(".shadetrade-"), "{name}");
+    }
+    whole.len()
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+fn a_window_destroyed_from_outside_ends_the_program_and_leaves_whole_files() {
+    // The connection is cut, or the window alone is gone.
+    for way in ["windowkill", "windowclose"] {
+        let mut program = Program::open(&["--size", "1600x1200"], &[]);
+        program.xdotool(&["key", "--repeat", "5", "--delay", "5", "F12"]);
+        program.xdotool(&[way, &program.window]);
+        until("the program ends", || !program.is_running());
+        assert_eq!(program.status().code(), Some(1), "{way}: Xlib ends it");
+        whole_screenshots(program.folder.path());
+    }
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+fn a_server_that_dies_ends_the_program_and_leaves_whole_files() {
+    let mut program = Program::open(&["--size", "1600x1200"], &[]);
+    program.xdotool(&["key", "--repeat", "5", "--delay", "5", "F12"]);
+    program.kill_display();
+    until("the program ends", || !program.is_running());
+    assert_eq!(program.status().code(), Some(1), "Xlib ends it");
+    whole_screenshots(program.folder.path());
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+fn a_signal_in_the_middle_of_a_screenshot_leaves_whole_files() {
+    for signal in ["KILL", "INT", "TERM"] {
+        let mut program = Program::open(&["--size", "3840x2160"], &[]);
+        program.xdotool(&["key", "--repeat", "6", "--delay", "5", "F12"]);
+        let folder = program.folder.path().to_owned();
+        // A hidden file is one that is being written.
+        until("a screenshot is being written", || {
+            fs::read_dir(&folder).expect("listed").count() > 1
+        });
+        let id = program.child.id().to_string();
+        let sent = Command::new("kill").args(["-s", signal, &id]).status();
+        assert!(sent.expect("kill is there").success());
+        until("the program ends", || !program.is_running());
+        assert!(!program.status().success(), "{signal}");
+        assert!(whole_screenshots(&folder) > 0, "{signal}");
+    }
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+fn a_key_held_as_the_focus_goes_is_up_when_it_comes_back() {
+    let program = Program::open(&[], &[]);
+    let start = program.picture();
+    program.xdotool(&["keydown", "Left"]);
+    program.next_while_moving(&start);
+    program.focus_elsewhere();
+    let rests = program.next_picture(&start, "the camera comes to rest");
+    // The panel tells the error as soon as it is known.
+    let is_at_rest = || right_part(&program.picture()) == right_part(&rests);
+    sleep(Duration::from_millis(500));
+    assert!(is_at_rest(), "it moves without the focus");
+    program.xdotool(&["keyup", "Left"]);
+    program.xdotool(&["windowfocus", "--sync", &program.window]);
+    sleep(Duration::from_millis(500));
+    assert!(is_at_rest(), "it moves with the key up");
+    program.press("Right");
+    until("keys come again", || !is_at_rest());
+    program.press("q");
+    program.end();
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+fn a_storm_of_keys_and_sizes_leaves_a_window_that_answers() {
+    let mut program = Program::open(&[], &[]);
+    let start = program.picture();
+    // Every key an even number of times, or undone by Home.
+    let keys = [
+        "1", "2", "3", "4", "o", "i", "c", "h", "space", "Left", "Up", "plus", "space", "Home",
+    ];
+    for round in 0..40_u32 {
+        program.resize([1 + round * 197 % 1500, 1 + round * 71 % 1100]);
+        let mut storm = vec!["key", "--delay", "0"];
+        storm.extend(keys);
+        program.xdotool(&storm);
+    }
+    program.resize([960, 720]);
+    program.press("Home");
+    until("the picture is as it was", || {
+        right_part(&program.picture()) == right_part(&start)
+    });
+    assert!(program.is_running());
+    program.press("q");
+    program.end();
+}

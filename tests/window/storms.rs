@@ -1,0 +1,371 @@
+//! Whatever the user does, and in whatever order, the window stays one that can be drawn; and what is undone is as it was.
+//!
+//! `SHADETRADE_CASES` sets how many storms of a hundred happenings there are (40 if unset); 1000 of them are 10^5.
+
+use std::time::Duration;
+
+use fearless_simd::Level;
+use minifb::Key;
+use proptest::prelude::*;
+use shadetrade::canvas::Point;
+use shadetrade::components::{Projection, ShadingMode};
+use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::scene::Scene;
+use shadetrade::trade::{self, Progress};
+use shadetrade::window::bindings::{Action, BINDINGS};
+use shadetrade::window::composition::Composition;
+use shadetrade::window::examiner::{Question, examine};
+use shadetrade::window::hud::{Hud, Shown, lines};
+use shadetrade::window::input::{Event, Input};
+use shadetrade::window::measuring::News;
+use shadetrade::window::response::respond;
+use shadetrade::window::session::{Redraw, Request, Session};
+use shadetrade::window::views::ViewMode;
+
+use super::{MIXED, default_session, session_of};
+
+/// What may happen to a window.
+#[derive(Clone, Debug)]
+enum Happening {
+    /// A key is pressed and let go.
+    Tap(Key),
+    /// The mouse clicks.
+    Click(Point),
+    /// Something is reported.
+    Report(Event),
+    /// A row is clicked, or the mouse drags: what no key does.
+    Do(Action),
+    /// The window gets another size.
+    Resize([usize; 2]),
+    /// Time passes, in milliseconds.
+    Wait(u64),
+    /// The reference answers what it was last asked, however long ago.
+    Answer,
+    /// The measurement tells how far it is, and what came of it.
+    Measured(bool),
+}
+
+fn any_key() -> impl Strategy<Value = Key> {
+    let bound: Vec<Key> = BINDINGS
+        .iter()
+        .flat_map(|binding| binding.keys)
+        .copied()
+        .collect();
+    let unbound = [Key::X, Key::LeftShift, Key::Slash, Key::Enter, Key::Unknown];
+    prop_oneof![8 => prop::sample::select(bound), 1 => prop::sample::select(unbound.to_vec())]
+}
+
+fn any_event() -> impl Strategy<Value = Event> {
+    let point = [-300..3000_i32, -300..3000_i32].prop_map(Point::from);
+    let near = [0..400_i32, 0..300_i32].prop_map(Point::from);
+    prop_oneof![
+        3 => any_key().prop_map(Event::KeyDown),
+        3 => any_key().prop_map(Event::KeyUp),
+        1 => any::<char>().prop_map(Event::Character),
+        1 => prop::sample::select(vec!['w', '?', '+', '9', 'Q']).prop_map(Event::Character),
+        1 => Just(Event::FocusLost),
+        4 => near.prop_map(Event::MouseAt),
+        1 => point.prop_map(Event::MouseAt),
+        4 => Just(Event::MouseDown),
+        4 => Just(Event::MouseUp),
+        2 => (-5..=5_i32).prop_map(Event::Wheel),
+    ]
+}
+
+fn any_action() -> impl Strategy<Value = Action> {
+    let angle = || prop_oneof![-10.0..10.0, -1e9..1e9];
+    prop_oneof![
+        any::<usize>().prop_map(Action::Light),
+        (-1000..1000_i32).prop_map(Action::Tolerance),
+        (-1000..1000_i32).prop_map(Action::Zoom),
+        Just(Action::NextTolerance),
+        [angle(), angle()].prop_map(|[azimuth, elevation]| Action::Orbit { azimuth, elevation }),
+        prop::sample::select(ViewMode::ALL.to_vec()).prop_map(Action::Show),
+        prop::sample::select(vec![Projection::Perspective, Projection::Orthographic])
+            .prop_map(Action::Projection),
+    ]
+}
+
+fn any_happening() -> impl Strategy<Value = Happening> {
+    let size = prop_oneof![
+        4 => [1..400_usize, 1..300_usize],
+        1 => [1..4_usize, 1..4_usize],
+        1 => [300..1000_usize, 1..20_usize],
+    ];
+    prop_oneof![
+        12 => any_key().prop_map(Happening::Tap),
+        6 => [0..400_i32, 0..300_i32].prop_map(Happening::Click),
+        10 => any_event().prop_map(Happening::Report),
+        4 => any_action().prop_map(Happening::Do),
+        2 => size.prop_map(Happening::Resize),
+        4 => prop_oneof![0..200_u64, 0..5000_u64].prop_map(Happening::Wait),
+        2 => Just(Happening::Answer),
+        1 => any::<bool>().prop_map(Happening::Measured),
+    ]
+}
+
+/// The second scene of these tests with every length multiplied.
+fn scaled(factor: &str) -> String {
+    let mut text = MIXED.to_owned();
+    for (plain, large) in [
+        (
+            "size = [1.0, 1.0, 1.0]",
+            format!("size = [1{factor}, 1{factor}, 1{factor}]"),
+        ),
+        (
+            "position = [-2.0, 0.0, 0.0]",
+            format!("position = [-2{factor}, 0, 0]"),
+        ),
+        (
+            "position = [2.0, 0.0, 0.0]",
+            format!("position = [2{factor}, 0, 0]"),
+        ),
+        (
+            "position = [0.0, 0.0, 10.0]",
+            format!("position = [0, 0, 10{factor}]"),
+        ),
+        ("height = 6.0", format!("height = 6{factor}")),
+        ("near = 0.5", format!("near = 0.5{factor}")),
+    ] {
+        assert!(text.contains(plain), "{plain}");
+        text = text.replace(plain, &large);
+    }
+    text
+}
+
+fn any_scene() -> impl Strategy<Value = String> {
+    let dark_and_inside = MIXED[..MIXED.find("[[light]]").expect("it has one")].to_owned()
+        + "[[camera]]\nname = \"inside\"\nposition = [2.1, 0, 0]\ntarget = [2, 0, 0]\nfov = 179\nheight = 1e-100\n";
+    let mut texts = vec![
+        MIXED.to_owned(),
+        scaled("e97"),
+        scaled("e-97"),
+        dark_and_inside,
+    ];
+    texts.extend(shadetrade::scene::BUILT_IN.map(|(_, text)| text.to_owned()));
+    prop::sample::select(texts)
+}
+
+/// The window without its display: the same code in the same order.
+struct Window {
+    session: Session,
+    input: Input,
+    composition: Composition,
+    size: [usize; 2],
+    now: Duration,
+    asked: Option<Question>,
+    shown: Vec<u32>,
+}
+
+impl Window {
+    fn open(text: &str) -> Self {
+        let scene = Scene::parse("storm.toml", text).unwrap_or_else(|error| panic!("{error}"));
+        let workers = || Workers::alone(Level::new());
+        Window {
+            session: session_of(scene),
+            input: Input::default(),
+            composition: Composition::new(workers(), workers()),
+            size: [120, 90],
+            now: Duration::ZERO,
+            asked: None,
+            shown: Vec::new(),
+        }
+    }
+
+    fn happen(&mut self, happening: &Happening) {
+        match happening {
+            Happening::Tap(key) => {
+                self.report(Event::KeyDown(*key));
+                self.report(Event::KeyUp(*key));
+            }
+            Happening::Click(point) => {
+                self.report(Event::MouseAt(*point));
+                self.report(Event::MouseDown);
+                self.report(Event::MouseUp);
+            }
+            Happening::Report(event) => self.report(*event),
+            Happening::Do(action) => self.session.apply(*action),
+            Happening::Resize(size) => {
+                self.size = *size;
+                self.session.resized();
+            }
+            Happening::Wait(milliseconds) => self.now += Duration::from_millis(*milliseconds),
+            Happening::Answer => {
+                let question = self.asked.take();
+                let workers = Workers::alone(Level::new());
+                if let Some(findings) =
+                    question.and_then(|asked| examine(asked, workers, &|| false))
+                {
+                    self.session.answer(findings);
+                }
+            }
+            Happening::Measured(done) => self.session.hear(if *done {
+                let request = trade::Request {
+                    time: Duration::ZERO,
+                    ..self.session.measurement([8, 6])
+                };
+                let report = trade::measure(request, &|_| ()).expect("there is memory");
+                News::Done(Box::new(report))
+            } else {
+                News::Progress(Progress {
+                    step: "timing frames",
+                    share: 0.5,
+                })
+            }),
+        }
+        self.session.tick(self.now);
+        while let Some(gesture) = self.input.repeated(self.now) {
+            respond(&mut self.session, gesture, self.size);
+        }
+        self.draw();
+    }
+
+    fn report(&mut self, event: Event) {
+        if let Some(gesture) = self.input.handle(event, self.now) {
+            respond(&mut self.session, gesture, self.size);
+        }
+    }
+
+    fn draw(&mut self) {
+        let redraw = self.session.take_redraw();
+        if redraw == Redraw::Picture {
+            let drawn = self.composition.draw(&mut self.session, self.size);
+            drawn.expect("a small picture fits");
+        }
+        if redraw > Redraw::Nothing {
+            self.composition.compose(&self.session, &mut self.shown);
+            Hud::new(&self.session, self.size, Shown::All).draw(&mut self.shown);
+            assert!(lines::title(&self.session).starts_with("shadetrade: "));
+        }
+        for request in self.session.take_requests() {
+            match request {
+                Request::Examine => self.asked = Some(self.session.question(self.size)),
+                Request::Screenshot => {
+                    let mut pixels = Vec::new();
+                    self.composition.compose(&self.session, &mut pixels);
+                    Hud::new(&self.session, self.size, Shown::Lasting).draw(&mut pixels);
+                }
+                // Who quits sees no more; here it goes on, for nothing may depend on it.
+                Request::Measure | Request::Quit => {}
+            }
+        }
+    }
+
+    /// Everything a window may be.
+    fn check(&self) {
+        let Window { session, size, .. } = self;
+        assert_eq!(self.shown.len(), size[0] * size[1]);
+        assert_eq!(self.composition.size(), *size);
+        assert!((0.0..=255.0).contains(&session.tolerance()));
+        assert!(session.camera() < session.scene().cameras.len());
+        assert!(session.divider_column(size[0]) <= size[0]);
+        assert!(session.turning().degrees() < 360);
+        assert!(session.orbit().azimuth.abs() <= 180.0);
+        if let Some(probe) = session.probed() {
+            assert!(probe.pixel[0] < size[0] && probe.pixel[1] < size[1]);
+        }
+        let view = session.view(*size);
+        let viewpoint = view.viewpoint;
+        assert!(viewpoint.position.is_finite(), "{viewpoint:?}");
+        assert!(viewpoint.camera.height > 0.0 && viewpoint.camera.height.is_finite());
+        assert!(viewpoint.near() > 0.0 && viewpoint.near().is_finite());
+        for axis in viewpoint.axes() {
+            assert!((axis.length() - 1.0).abs() < 1e-6, "{viewpoint:?}");
+        }
+        if let Some(findings) = session.findings() {
+            assert_eq!(findings.revision, session.revision());
+            assert_eq!(findings.reference.len(), size[0] * size[1]);
+        }
+    }
+}
+
+fn storms() -> ProptestConfig {
+    let cases = std::env::var("SHADETRADE_CASES").map_or(40, |cases| {
+        cases.parse().expect("SHADETRADE_CASES is a number")
+    });
+    ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(cases)
+    }
+}
+
+proptest! {
+    #![proptest_config(storms())]
+
+    #[test]
+    fn no_storm_leaves_the_states_a_window_can_be_in(
+        text in any_scene(),
+        happenings in prop::collection::vec(any_happening(), 100),
+    ) {
+        let mut window = Window::open(&text);
+        window.happen(&Happening::Wait(0));
+        for happening in &happenings {
+            window.happen(happening);
+            window.check();
+        }
+    }
+
+    #[test]
+    fn what_is_done_and_undone_leaves_the_same_bits(
+        deeds in prop::collection::vec(prop::sample::select(undoable()), 1..12),
+    ) {
+        let mut session = default_session();
+        session.apply(Action::Shading(ShadingMode::Gouraud));
+        session.apply(Action::Projection(Projection::Perspective));
+        let before = picture(&mut session);
+        prop_assert!(before.iter().any(|level| *level != before[0]), "something is seen");
+        for (action, _) in &deeds {
+            session.apply(*action);
+        }
+        for (_, undo) in deeds.iter().rev() {
+            for action in undo {
+                session.apply(*action);
+            }
+        }
+        prop_assert!(picture(&mut session) == before);
+    }
+}
+
+/// What can be done, and what undoes it bit for bit wherever it is done.
+fn undoable() -> Vec<(Action, Vec<Action>)> {
+    let orbit = |azimuth, elevation| Action::Orbit { azimuth, elevation };
+    let twice = |action| (action, vec![action]);
+    let mut all: Vec<_> = (0..4).map(|light| twice(Action::Light(light))).collect();
+    all.extend(["white", "red", "specular", "ambient"].map(|name| twice(Action::LightNamed(name))));
+    all.extend(
+        [
+            Action::Panel,
+            Action::Help,
+            Action::Blink,
+            Action::NextProjection,
+        ]
+        .map(twice),
+    );
+    all.extend([
+        (Action::Zoom(1), vec![Action::Zoom(-1)]),
+        (Action::Zoom(-3), vec![Action::Zoom(3)]),
+        (orbit(2.0, 0.0), vec![orbit(-2.0, 0.0)]),
+        (orbit(0.0, 2.0), vec![orbit(0.0, -2.0)]),
+        (orbit(0.0, -4.0), vec![orbit(0.0, 4.0)]),
+        (
+            Action::NextView,
+            vec![Action::NextView; ViewMode::ALL.len() - 1],
+        ),
+        (Action::NextTolerance, vec![Action::NextTolerance; 6]),
+    ]);
+    all
+}
+
+/// The levels of a small picture as bits, and the triangles seen.
+fn picture(session: &mut Session) -> Vec<u32> {
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
+    session
+        .draw([96, 72], &mut frame)
+        .expect("a small picture fits");
+    let levels = frame
+        .levels()
+        .as_flattened()
+        .iter()
+        .map(|level| level.to_bits());
+    levels.chain(frame.triangles().iter().copied()).collect()
+}
