@@ -19,7 +19,7 @@ use clap_complete::Shell;
 
 use crate::output::{Output, say};
 use crate::{scene, trade};
-use options::DrawingOptions;
+use options::{DrawingOptions, MOST_PIXELS};
 
 /// The command line: a command, or the options of `view` without its name.
 #[derive(Debug, Parser)]
@@ -27,8 +27,6 @@ use options::DrawingOptions;
     name = "shadetrade",
     version,
     about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files",
-    long_about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files.\n\n\
-                  Without a command it opens the window, as `shadetrade view` does, with the same options.",
     args_conflicts_with_subcommands = true,
     after_help = "\
 Examples:
@@ -37,7 +35,7 @@ Examples:
   shadetrade figures                          the assignment's figures, into shadetrade-figures
   shadetrade render -o cuboid.png             one picture, without a window
 
-A scene file whose name is that of a command is given as ./name."
+Without a command it does what `view` does. A scene file named like a command is given as ./name."
 )]
 pub struct Arguments {
     #[command(subcommand)]
@@ -82,7 +80,7 @@ a sheet of the six.")]
     /// Measures what every shading method costs and how far it errs, and which of them are worth their time
     #[command(
         mut_arg("size", |argument| argument.default_value("1920x1080")),
-        mut_arg("threads", |argument| argument.default_value("1").help("How many threads draw the frames that are timed, 1 to 1024")),
+        mut_arg("threads", |argument| argument.help("How many threads draw the frames that are timed, 1 to 1024 [default: 1; with --scale the most, all cores]")),
         mut_arg("shading", |argument| argument.hide(true)),
         mut_arg("tolerance", |argument| argument.hide(true)),
         after_help = "\
@@ -90,9 +88,14 @@ Examples:
   shadetrade trade --quick
   shadetrade trade bench-close -o close
   shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
+  shadetrade trade --scale --quick
 
 Prints a verdict and a table; with -o also writes trade.json, trade.csv, trade.md, trade.svg (error
-against time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
+against time) and an error map of each method. Errors are against exact Phong in f64, in levels.
+
+With --scale it times frames instead: of 480p to 8K (--size times 4/9 to 4), under 1 to 64 lights,
+with 1 to 10,000 cuboids, by 1 to all threads. Pixels and threads show the scene. With -o it writes
+scale.json, scale.csv, scale.md and scale.svg.")]
     Trade(TradeOptions),
     /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
     #[command(after_help = "\
@@ -140,16 +143,20 @@ pub struct TradeOptions {
     /// As few samples as a median needs; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
     pub quick: bool,
-    /// How long to time frames in all, the reference apart; no less than 30 of each method [default: 20]
+    /// How long to time frames in all, the reference apart; no less than 30 of each method, with --scale 9 [default: 20]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<Duration>,
+    /// Measures time against pixels, lights, cuboids and threads instead
+    #[arg(long)]
+    pub scale: bool,
 }
 
 impl TradeOptions {
     /// What is to be measured.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, or a shading or tolerance is asked for.
+    /// [`Failure::Usage`] when the scene is wrong, a shading or tolerance is asked for, or a size too large to
+    /// scale.
     pub fn request(&self) -> Result<trade::Request, Failure> {
         let given = [
             ("--shading", self.drawing.shading.is_some()),
@@ -159,6 +166,18 @@ impl TradeOptions {
             return Err(Failure::Usage(anyhow!(
                 "{option} does not go with `trade`, which measures every shading at its own tolerance"
             )));
+        }
+        let mut drawing = self.drawing.open()?;
+        if self.scale {
+            let most = MOST_PIXELS / trade::scale::LARGEST;
+            if drawing.size.iter().any(|side| *side > most) {
+                return Err(Failure::Usage(anyhow!(
+                    "--scale draws pictures up to {} times as wide and high as --size, which is {most}x{most} at most then",
+                    trade::scale::LARGEST
+                )));
+            }
+        } else if self.drawing.threads.is_none() {
+            drawing.threads = 1;
         }
         let time = if self.quick {
             trade::QUICK_TIME
@@ -170,7 +189,7 @@ impl TradeOptions {
             .map(|word| word.to_string_lossy().into_owned())
             .collect();
         Ok(trade::Request::new(
-            self.drawing.open()?,
+            drawing,
             time,
             format!("shadetrade {}", words.join(" ")),
         ))
@@ -235,8 +254,14 @@ fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
 /// # Errors
 /// When the command line is wrong, or help could not be printed.
 pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
-    let words: Vec<OsString> = words.into_iter().collect();
-    if let Some(error) = words.get(1).and_then(|word| misspelt_command(word)) {
+    let mut words: Vec<OsString> = words.into_iter().collect();
+    let asks_help = words.get(1).is_some_and(|word| word == "help");
+    if asks_help && words.get(2).is_some_and(|word| is_flag(word)) {
+        // To clap `help` has no options, not even this one.
+        words.remove(1);
+    }
+    let named = words.get(if asks_help { 2 } else { 1 });
+    if let Some(error) = named.and_then(|word| misspelt_command(word)) {
         return Err(Failure::of(&error, None));
     }
     match Arguments::try_parse_from(&words) {
@@ -287,6 +312,10 @@ fn is_command(word: &OsStr) -> bool {
         || Arguments::command()
             .get_subcommands()
             .any(|command| command.get_name() == word)
+}
+
+fn is_flag(word: &OsStr) -> bool {
+    word.to_string_lossy().starts_with('-')
 }
 
 fn command_first(command: &str) -> String {

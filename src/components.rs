@@ -183,7 +183,7 @@ pub struct VertexColors(pub [DVec3; 8]);
 pub struct Illumination {
     /// Sum over the ambient lights, in levels per unit of kappa A.
     pub ambient: DVec3,
-    /// The point lights, those at one position together, in the order of the first of each.
+    /// The point lights, those at one position together, ordered by position.
     pub points: Vec<PointLight>,
 }
 
@@ -201,6 +201,8 @@ pub struct PointLight {
 /// Where a cuboid's corners fall, and the screen polygons of its triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Projected {
+    /// The cuboid's own axes in world space: see [`Transform::axes`].
+    pub axes: DMat3,
     /// The corners relative to the cuboid's centre, along the world's axes, in world units.
     pub offsets: [DVec3; 8],
     /// The corners relative to the eye, along right, up and forward, in world units.

@@ -4,7 +4,6 @@
 //! bits however many threads drew it.
 
 mod band;
-mod display;
 
 use std::collections::TryReserveError;
 use std::ops::{AddAssign, Range};
@@ -14,9 +13,8 @@ use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 pub(crate) use self::band::Band;
-pub use self::display::display_step;
-pub(crate) use self::display::{display_bits, display_bits_within, pack};
 use crate::memory::{self, OutOfMemory};
+pub use crate::shading::display::display_step;
 use crate::shading::{BLOCK, TileKind};
 
 /// Who draws: the SIMD level and the threads.

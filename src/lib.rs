@@ -1,7 +1,5 @@
 //! shadetrade draws lit cuboids with Gouraud and Phong shading and measures what every shortcut costs.
 //!
-//! # From scene to pixel
-//!
 //! ```text
 //! assets/scenes/x.toml --scene--> World --FRAME--> Frame
 //!                                   |  normals -> projection -> lighting -> rasterization(mode, tolerance)
@@ -10,35 +8,145 @@
 //!                                   '--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
 //! ```
 //!
-//! 1. [`scene`] turns a TOML file into a [`hecs::World`]: cuboids, lights and cameras are entities with the plain
-//!    [`components`].
-//! 2. [`systems::FRAME`] names the stages of a frame in order. [`systems::normals`] averages face normals at the corners;
-//!    [`systems::projection`] subtracts the eye, turns, clips at the near plane, divides and snaps to 1/256 pixel;
-//!    [`systems::lighting`] gathers the lights that are on and evaluates the model at the vertices;
-//!    [`systems::rasterization`] finds the pixels ([`systems::coverage`]) and hands tiles of 16 x 16 to a shader.
-//! 3. [`shading`] is the model ([`shading::Surface::levels`]) and the ways to draw it: [`shading::gouraud`],
-//!    [`shading::phong`], [`shading::unit_vectors`]. [`shading::certificate`] bounds what a polynomial costs in place of
-//!    the model; with a tolerance above 0 a tile takes the cheapest evaluation that provably keeps it.
-//! 4. [`frame`] holds the pixels and applies the display step, once and last.
-//! 5. [`mod@reference`] draws the same picture in f64 by rays, written on its own; [`trade`] sets the two side by side, with
-//!    the time of each method; [`probe`] does so for one pixel; [`window`] shows all of it live.
+//! # From scene to pixel
+//!
+//! **A scene is data.** [`scene`] turns a TOML file into a [`hecs::World`]: cuboids, lights and cameras are entities with
+//! the plain [`components`]. A [`components::View`] says from where, how large and how precisely it is to be drawn.
+//!
+//! **A frame is four stages**, named in order in [`systems::FRAME`]; each is a query loop over a pure function.
+//!
+//! 1. [`systems::normals`]: a vertex normal is the normalised sum of the unit normals of the faces that meet there
+//!    (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). The corner of every
+//!    cuboid that stands upright has (±1, ±1, ±1) / √3.
+//! 2. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
+//!    by depth and snapped to 1/256 pixel.
+//! 3. [`systems::lighting`]: the lights that are on, and the model at the vertices of what Gouraud will interpolate.
+//! 4. [`systems::rasterization`]: [`systems::coverage`] finds the pixels, each once, in integers, after the top-left rule;
+//!    tiles of 16 x 16 of them go to a shader, and [`frame`] applies the display step, once and last:
+//!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
+//!
+//! ```
+//! use shadetrade::components::{Projection, ShadingMode, View};
+//! use shadetrade::frame::{Frame, Keep, Workers};
+//! use shadetrade::{scene::Scene, systems};
+//!
+//! let mut scene = Scene::load(None)?; // the built-in cuboid
+//! let view = View {
+//!     size: [320, 240],
+//!     viewpoint: scene.viewpoint(0),
+//!     projection: Projection::Perspective,
+//!     background: scene.background,
+//!     shading: Some(ShadingMode::Phong),
+//!     tolerance: 0.5, // levels of 255
+//! };
+//! let mut frame = Frame::new(Keep::Display, Workers::new(1, fearless_simd::Level::new())?);
+//! systems::draw(&mut scene.world, &view, &mut frame)?;
+//! assert_eq!(frame.pixels().len(), 320 * 240); // 0x00RRGGBB, row by row from the top
+//! assert!(frame.counts().covered_pixels > 20_000);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The model, and two ways to spread it
+//!
+//! At a point P with unit normal n, in levels a channel (Phong 1975, "Illumination for Computer Generated Pictures",
+//! Communications of the ACM 18(6)); [`shading::Surface::levels`] is this formula and nothing else:
+//!
+//! ```text
+//! I = sum over ambient lights   kA color intensity gain
+//!   + sum over diffuse lights   kD color intensity gain max(0, n.l)
+//!   + sum over specular lights  kE color intensity gain max(0, o.r)^rho    where n.l > 0
+//!
+//! r = 2 (n.l) n - l      l = unit(L - P)      o = unit(O - P)
+//! ```
+//!
+//! Over a triangle everything is interpolated with the weights e_i / (e_0 + e_1 + e_2), each e_i affine in the pixel
+//! ([`shading::patch`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in what "everything" is:
+//!
+//! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = sum(e_i I_i) / sum(e_i)`;
+//! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
+//!   sum(e_i n_i) is the true normal times one positive factor, and so are L - P and O - P;
+//! - [`shading::unit_vectors`], the assignment's shortcut, interpolates n, l and o and does not normalise them.
+//!
+//! Ask one pixel what happened there: [`probe`] evaluates every light's term, and both modes beside the reference.
+//!
+//! ```
+//! # use shadetrade::components::{Projection, View};
+//! # use shadetrade::frame::Workers;
+//! # use shadetrade::{probe, scene::Scene};
+//! # let mut scene = Scene::load(None)?;
+//! # let view = View {
+//! #     size: [960, 720],
+//! #     viewpoint: scene.viewpoint(0),
+//! #     projection: Projection::Perspective,
+//! #     background: scene.background,
+//! #     shading: None,
+//! #     tolerance: 0.0,
+//! # };
+//! // In the middle of the highlight that Gouraud misses, no vertex being in it.
+//! let workers = Workers::alone(fearless_simd::Level::new());
+//! let found = probe::at(&mut scene, &view, [565, 327], workers)?.surface.expect("a cuboid is there");
+//! assert_eq!(found.gouraud.bytes[2], 46);
+//! assert!(found.phong.bytes[2] > 190);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What a tolerance buys
+//!
+//! Most tiles do not need the formula. On a tile every vector is affine up to a factor, so Taylor's theorem bounds how far
+//! n.l and o.r stray from a polynomial ([`shading::certificate`] derives it), and a specular light whose (o.r)^rho stays
+//! below its share of the tolerance is left out. A tile takes the cheapest evaluation that provably keeps the tolerance,
+//! rounding included; [`shading::TileKind`] lists them, and the window's tiles view shows them. At tolerance 0 nothing is
+//! approximated, and 1 - o.r is taken as |r - o|² / 2 where f32 would cancel (Lyon 1993; [`shading::specular`]).
+//!
+//! Whether that is true is not for the renderer to say. [`mod@reference`] draws the same picture in f64 by rays through the
+//! pixels (Woop, Benthin and Wald 2013), sharing no formula with it; [`trade::metrics`] compares the two, [`trade::flip`]
+//! as a person would (Andersson et al. 2020), and [`trade`] adds what each method costs.
+//!
+//! ```
+//! # use shadetrade::components::{Projection, ShadingMode, View};
+//! # use shadetrade::frame::{Frame, Keep, Workers};
+//! # use shadetrade::{scene::Scene, systems};
+//! use shadetrade::reference;
+//! use shadetrade::trade::metrics::{Picture, compare};
+//! # let mut scene = Scene::load(None)?;
+//! # let view = View {
+//! #     size: [320, 240],
+//! #     viewpoint: scene.viewpoint(0),
+//! #     projection: Projection::Perspective,
+//! #     background: scene.background,
+//! #     shading: Some(ShadingMode::Phong),
+//! #     tolerance: 0.5,
+//! # };
+//! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
+//! # systems::draw(&mut scene.world, &view, &mut frame)?;
+//! // `view` as above: Phong within half a level; `frame` keeps its levels.
+//! let truth = reference::picture(&scene.world, &view, 0..240, &|| false, &|_| ()).expect("not cancelled");
+//! let drawn = Picture { width: 320, levels: frame.levels(), triangles: frame.triangles() };
+//! let exact = Picture { width: 320, levels: &truth.levels, triangles: &truth.triangles };
+//! let error = compare(drawn, exact).error.expect("a cuboid is there");
+//! assert!(error.max <= 0.5 && error.mean < 0.05);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! # What to touch to add ...
 //!
 //! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of the one `match` in
-//!   [`systems::rasterization`], a row of [`shading::METHODS`];
-//! - a light kind: a variant of [`components::LightKind`], its sum in [`systems::lighting::gather`], its term in
-//!   [`shading::Surface::levels`] and, written anew, in the reference;
+//!   [`systems::rasterization`], a row of [`shading::METHODS`]; its own definition in the reference; what it is called
+//!   in the window and how it is marked in the plot, which the compiler asks for;
+//! - a light kind: a variant of [`components::LightKind`] and its name in `scene/format.rs`, its sum in
+//!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a row of [`systems::FRAME`];
 //! - a metric: a pure function in [`trade::metrics`], its column in [`trade::report`];
-//! - a key: a row of [`window::bindings::BINDINGS`], and an arm where [`window::session`] applies actions.
+//! - a key: a row of [`window::bindings::BINDINGS`], and an arm of [`window::session::Session::apply`]; panel and help
+//!   show it by themselves;
+//! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`.
 //!
 //! # Who may import whom
 //!
 //! components -> glam. shading -> components. frame -> shading's tiles. systems -> components, shading, frame. scene ->
 //! components. reference -> components: it shares no formula with the renderer. drawing -> scene, frame. probe ->
-//! systems, reference. trade -> drawing, systems, reference, [`shading::METHODS`]. window -> the same; only it names
-//! minifb. output, lettering, memory and simd -> none of these; whoever allocates pictures -> memory. pictures -> drawing, systems, reference, output, lettering. cli ->
+//! systems, reference. trade -> drawing, systems, reference, output, canvas, [`shading::METHODS`]. window -> the same; only it names
+//! minifb. output, canvas, memory and simd -> none of these; whoever allocates pictures -> memory. pictures -> drawing, systems, reference, output, canvas. cli ->
 //! drawing, output, trade's request; main -> cli and the commands. Nothing points back up.
 //!
 //! # What is not modelled, and why
@@ -48,11 +156,11 @@
 //! assignment comes from), no far plane. A light that is off is not evaluated, and one convex body needs no depth buffer
 //! and gets none.
 
+pub mod canvas;
 pub mod cli;
 pub mod components;
 pub mod drawing;
 pub mod frame;
-pub mod lettering;
 pub mod memory;
 pub mod output;
 pub mod pictures;

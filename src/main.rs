@@ -33,7 +33,11 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             Ok(draw(&mut drawing, &options.output)?)
         }
         Some(Command::Trade(options)) => {
-            Ok(trade::run(options.request()?, options.output.as_deref())?)
+            let (request, folder) = (options.request()?, options.output.as_deref());
+            if options.scale {
+                return Ok(trade::scale::run(&request, folder)?);
+            }
+            Ok(trade::run(request, folder)?)
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),

@@ -51,7 +51,7 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let [width, height] = view.size;
     let (mut pixels, mut covered) = (memory::room_for_pixels(view.size)?, 0);
     let progress = ProgressBar::new(height as u64).with_style(ProgressStyle::with_template(
-        "{wide_bar} {percent}%, {eta} left",
+        "drawing the reference {wide_bar} {percent:>3} %, {eta} left",
     )?);
     let begin = Instant::now();
     // In bands, since the reference holds seven times what the picture does.

@@ -1,18 +1,18 @@
 //! The truth: the picture evaluated in f64, one line of sight per pixel.
 //!
-//! A ray through every pixel centre is met with the cuboids' triangles (`intersection`) and the model is evaluated
-//! where it arrives (`illumination`). Nothing is rasterised, snapped or approximated.
+//! A ray through every pixel centre is met with the cuboids' faces (`intersection`) and the model is evaluated where it
+//! arrives (`illumination`). Nothing is rasterised, snapped or approximated.
 //!
 //! ```text
 //!        eye . . . . . . +---------.          near plane: what is met before it is not there
 //!           ` . pixel .  |          \
-//!               ` . . .  * hit       \        weights of the three corners at the hit -> position, normal, colour
+//!               ` . . .  * hit       \        place on the face -> normal, weights of three corners -> colour
 //!                        +------------+
 //! ```
 //!
 //! Rule: this shares the renderer's data (`components`) and not one of its formulas. Positions are differences first
-//! (cuboid - eye, light - cuboid), so a scene a billion units from the origin loses nothing, and each cuboid is met in
-//! units of its own size, so neither tiny nor huge scenes under- or overflow. Any number of threads gives the same bits.
+//! (cuboid - eye, light - cuboid), so a scene a billion units from the origin loses nothing, and each cuboid is met and
+//! lit in its own coordinates, so its proportions do not matter. Any number of threads gives the same bits.
 
 mod illumination;
 mod intersection;
@@ -20,7 +20,7 @@ mod intersection;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use hecs::World;
 use rayon::prelude::*;
 
@@ -135,10 +135,13 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
     }
     let (object, hit) = nearest?;
     let Subject {
-        surface, position, ..
+        surface,
+        position,
+        axes,
+        ..
     } = &subjects.list[object];
     let corners = TRIANGLES[hit.triangle].map(usize::from);
-    let point = surface.point(corners, hit.weights);
+    let point = surface.point(hit.place, hit.to_eye);
     let lights =
         surface
             .lamps
@@ -146,13 +149,13 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
             .zip(&subjects.names)
             .enumerate()
             .map(|(index, (lamp, name))| {
-                let to_light = lamp.from(point.offset);
+                let to_light = lamp.from(point.place);
                 let exists = to_light != DVec3::ZERO;
                 LightSample {
                     name: name.clone(),
                     kind: lamp.kind,
-                    to_light: exists.then_some(to_light),
-                    reflected: exists.then(|| reflection(point.normal, to_light)),
+                    to_light: exists.then(|| *axes * to_light),
+                    reflected: exists.then(|| *axes * reflection(point.normal, to_light)),
                     gouraud: blend(
                         corners.map(|corner| surface.corner_terms[index][corner]),
                         hit.weights,
@@ -163,12 +166,12 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
     Some(Sample {
         object,
         triangle: hit.triangle,
-        position: *position + point.offset,
-        normal: point.normal,
-        to_eye: point.to_eye,
+        position: *position + *axes * point.place,
+        normal: *axes * point.normal,
+        to_eye: *axes * point.to_eye,
         lights: lights.collect(),
         gouraud: surface.gouraud(corners, hit.weights),
-        phong: surface.phong(corners, hit.weights),
+        phong: surface.phong(&point),
     })
 }
 
@@ -177,6 +180,7 @@ struct Subject {
     solid: Solid,
     surface: Surface,
     position: DVec3,
+    axes: DMat3,
     mode: ShadingMode,
 }
 
@@ -201,19 +205,22 @@ impl Subjects {
             .query::<(&Transform, &Mesh, &Material, &ShadingMode)>()
             .iter()
             .map(|(transform, mesh, material, mode)| {
+                let axes = transform.axes();
+                let along_own = |vector: DVec3| axes.transpose() * vector;
                 let eye = match view.projection {
-                    Projection::Perspective => Eye::At(rays.eye - transform.position),
-                    Projection::Orthographic => Eye::Towards(-rays.forward()),
+                    Projection::Perspective => Eye::At(along_own(rays.eye - transform.position)),
+                    Projection::Orthographic => Eye::Towards(along_own(-rays.forward())),
                 };
                 let lamps = lights.iter().map(|(position, light)| Lamp {
                     kind: light.kind,
                     levels: light.color * light.intensity * light.gain,
-                    position: *position - transform.position,
+                    position: along_own(*position - transform.position),
                 });
                 Subject {
                     solid: Solid::new(&rays, transform, mesh),
-                    surface: Surface::new(transform, mesh, *material, eye, lamps.collect()),
+                    surface: Surface::new(mesh, *material, &eye, lamps.collect()),
                     position: transform.position,
+                    axes,
                     mode: view.shading.unwrap_or(*mode),
                 }
             })
@@ -267,7 +274,9 @@ impl Subject {
         let corners = TRIANGLES[hit.triangle].map(usize::from);
         let levels = match self.mode {
             ShadingMode::Gouraud => self.surface.gouraud(corners, hit.weights),
-            ShadingMode::Phong => self.surface.phong(corners, hit.weights),
+            ShadingMode::Phong => self
+                .surface
+                .phong(&self.surface.point(hit.place, hit.to_eye)),
             ShadingMode::UnitVectors => self
                 .surface
                 .unit_vectors(corners, self.solid.screen_weights(hit)),

@@ -15,7 +15,6 @@ mod file;
 mod format;
 mod section;
 
-use std::convert::Infallible;
 use std::str::FromStr;
 
 use glam::DVec3;
@@ -58,16 +57,19 @@ pub struct Scene {
 }
 
 /// What a scene says, as components and in its order: what a file gives and what a [`Scene`] is spawned from.
-struct Records {
-    background: DVec3,
-    cuboids: Vec<CuboidRecord>,
-    lights: Vec<LightRecord>,
-    cameras: Vec<CameraRecord>,
+pub(crate) struct Records {
+    /// Levels where nothing is drawn.
+    pub background: DVec3,
+    /// At least one.
+    pub cuboids: Vec<CuboidRecord>,
+    pub lights: Vec<LightRecord>,
+    /// At least one.
+    pub cameras: Vec<CameraRecord>,
 }
 
-type CuboidRecord = (Name, Transform, Mesh, Material, ShadingMode);
-type LightRecord = (Name, Transform, Light);
-type CameraRecord = (Name, Transform, Camera);
+pub(crate) type CuboidRecord = (Name, Transform, Mesh, Material, ShadingMode);
+pub(crate) type LightRecord = (Name, Transform, Light);
+pub(crate) type CameraRecord = (Name, Transform, Camera);
 
 impl Scene {
     /// The scene that `argument` names: a built-in one or else the file at that path; the default when there is none.
@@ -95,7 +97,8 @@ impl Scene {
         }
     }
 
-    fn spawn(name: String, records: Records) -> Scene {
+    /// The scene of what `records` say, which must be within the ranges of the format.
+    pub(crate) fn spawn(name: String, records: Records) -> Scene {
         let mut world = World::new();
         world.spawn((Illumination::default(),));
         Scene {
@@ -241,16 +244,35 @@ pub enum LightChoice {
 }
 
 impl FromStr for LightChoice {
-    /// Any text is a choice; whether its names exist, [`Scene::switch_lights`] tells.
-    type Err = Infallible;
+    type Err = WrongChoice;
 
-    fn from_str(text: &str) -> Result<Self, Infallible> {
-        Ok(match text {
-            "all" => LightChoice::All,
-            "none" => LightChoice::None,
-            names => LightChoice::Names(names.split(',').map(str::to_owned).collect()),
-        })
+    /// Whether the names exist, [`Scene::switch_lights`] tells.
+    fn from_str(text: &str) -> Result<Self, WrongChoice> {
+        let names: Vec<String> = text.split(',').map(str::to_owned).collect();
+        match names
+            .iter()
+            .find(|name| ["", "all", "none"].contains(&name.as_str()))
+        {
+            Some(name) if name.is_empty() => Err(WrongChoice::NoName),
+            Some(name) if names.len() > 1 => Err(WrongChoice::NotAlone(name.clone())),
+            Some(name) if name == "all" => Ok(LightChoice::All),
+            Some(_) => Ok(LightChoice::None),
+            None => Ok(LightChoice::Names(names)),
+        }
     }
+}
+
+/// A choice of lights that no scene could understand.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum WrongChoice {
+    /// Nothing stands where a name should.
+    #[error(
+        "a name is missing; it is `all`, `none`, or names with commas between them, such as white,ambient"
+    )]
+    NoName,
+    /// One of the two words for a choice by themselves stands beside others.
+    #[error("`{0}` stands by itself")]
+    NotAlone(String),
 }
 
 /// A light was chosen that the scene does not have.

@@ -7,6 +7,7 @@
 //! shader does in f32 it may do only where its rounding error is bounded below the tolerance, and in f64 elsewhere.
 
 pub mod certificate;
+pub mod display;
 mod doubles;
 pub mod gouraud;
 pub mod patch;
@@ -17,8 +18,9 @@ pub mod unit_vectors;
 
 use glam::DVec3;
 
-use self::certificate::Color;
+use self::display::Row;
 use self::patch::{Patch, Triangle};
+use self::polynomial::Polynomial;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
 
 /// A way to draw: what the picture means, and how far it may stray from that.
@@ -210,20 +212,17 @@ impl Coverage {
     }
 }
 
-/// Takes the shaded rows of a tile: converts and stores the lanes that are covered.
+/// Takes the shaded rows of a tile and stores the lanes that are covered.
 pub trait Sink {
-    /// Takes row `row` (0..[`TILE`]) of the tile, in levels, unclamped.
-    fn take(&mut self, row: usize, levels: &TileRow);
-
-    /// Takes a row of approximations: its display step may round the last bit of a float away first.
-    fn take_within(&mut self, row: usize, levels: &TileRow);
+    /// Takes row `row` (0..[`TILE`]) of the tile.
+    fn take(&mut self, row: usize, levels: &impl Row);
 }
 
 /// Draws the tiles of triangles.
 pub trait Shader {
     /// A colour that is certified to stay within the tolerance all over the patch, of the cheapest kind that does; none
     /// where there is none, or where every pixel is to be exact.
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<(Color, TileKind)>;
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial>;
 
     /// Shades the covered pixels of a tile.
     fn shade(

@@ -5,6 +5,7 @@
 //! Request ---+                                                   +-- front --> Report --> report, json, csv, plot, error_map
 //!            +-- accuracy: pictures against the reference -------+
 //! ```
+//! What time grows with is measured apart: [`scale`].
 //!
 //! Rule: measuring and reporting are apart: a [`Report`] is data, what is made of it is a pure function of it, and a
 //! quantity that does not exist is `None`, never a number that is none.
@@ -18,7 +19,9 @@ pub mod json;
 pub mod machine;
 pub mod metrics;
 pub mod plot;
+mod progress;
 pub mod report;
+pub mod scale;
 pub mod timing;
 pub mod verdict;
 
@@ -27,7 +30,6 @@ use std::time::Duration;
 
 use anyhow::Context;
 use fearless_simd::Level;
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuildError;
 use rayon::prelude::*;
 
@@ -42,6 +44,7 @@ use crate::systems;
 use accuracy::Accuracy;
 use front::Candidate;
 use machine::Machine;
+pub use progress::Progress;
 use timing::Timing;
 
 /// How long all frames are timed together unless asked otherwise.
@@ -49,6 +52,9 @@ pub const USUAL_TIME: Duration = Duration::from_secs(20);
 
 /// The same for those in a hurry: no more than the least number of samples.
 pub const QUICK_TIME: Duration = Duration::ZERO;
+
+/// Samples of each method however little time there is: below that a median says little.
+pub const LEAST_SAMPLES: usize = 30;
 
 /// What to measure.
 pub struct Request {
@@ -62,7 +68,7 @@ pub struct Request {
     pub threads: usize,
     /// The SIMD level that draws.
     pub level: Level,
-    /// How long all frames are timed together; every method gets [`timing::LEAST_SAMPLES`] even of no time at all.
+    /// How long all frames are timed together; every method gets [`LEAST_SAMPLES`] even of no time at all.
     pub time: Duration,
     /// The command line, for those who want to repeat it.
     pub command: String,
@@ -134,15 +140,6 @@ impl Measurement {
     pub fn max_error(&self) -> Option<f64> {
         self.accuracy.error.error.map(|error| error.max)
     }
-}
-
-/// How far a measurement has come.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress {
-    /// What is being done.
-    pub step: &'static str,
-    /// How much of it is done, 0..=1.
-    pub share: f64,
 }
 
 /// Why a measurement could not be made.
@@ -248,7 +245,7 @@ fn time_frames(
         counts[method] = frame.counts();
         Ok(())
     };
-    let timings = timing::in_turns(METHODS.len(), request.time, draw, progress)?;
+    let timings = timing::in_turns(METHODS.len(), LEAST_SAMPLES, request.time, draw, progress)?;
     Ok(timings.into_iter().zip(counts).collect())
 }
 
@@ -258,23 +255,9 @@ fn time_frames(
 /// When it could not be measured or written.
 pub fn run(request: Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
-        output::make_folder(folder)?;
-        // Better to hear now than after the measurement that nothing can be written there.
-        tempfile::tempfile_in(folder)
-            .with_context(|| format!("cannot write into {}", folder.display()))?;
+        make_writable(folder)?;
     }
-    let bar = ProgressBar::new(1000).with_style(
-        ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %, {eta} left")
-            .context("the progress bar's template is wrong")?,
-    );
-    let report = measure(request, &|progress| {
-        if bar.message() != progress.step {
-            bar.set_message(progress.step);
-            bar.reset();
-        }
-        bar.set_position((1000.0 * progress.share) as u64);
-    })?;
-    bar.finish_and_clear();
+    let report = progress::with_bar(|progress| measure(request, progress))?;
     Output::Stdout.write(|writer| writer.write_all(report::table(&report).as_bytes()))?;
     if let Some(folder) = out {
         write_files(&report, folder)?;
@@ -284,6 +267,14 @@ pub fn run(request: Request, out: Option<&Path>) -> anyhow::Result<()> {
             folder.display()
         ));
     }
+    Ok(())
+}
+
+/// Makes the folder unless it is there: better to hear now than after the measurement that nothing can be written there.
+fn make_writable(folder: &Path) -> anyhow::Result<()> {
+    output::make_folder(folder)?;
+    tempfile::tempfile_in(folder)
+        .with_context(|| format!("cannot write into {}", folder.display()))?;
     Ok(())
 }
 

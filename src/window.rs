@@ -1,34 +1,29 @@
 //! A scene in, a window that shows it until the user closes it.
 //!
 //! ```text
-//! display --Event--> input --Gesture--> hud --Action--> session --View--> picture
-//!    ^                (keys: bindings)   (lines, board)   (orbit)             |
-//!    '------------------------------ canvas <---------------------------------'
+//! display --Event--> input --Gesture--> response --Action--> session --View--> composition
+//!    ^             (bindings)          (hud: which row)     (actions)                |
+//!    '---------------------- hud, over it <-- pixels -------------------------------'
 //! ```
 //! Everything but [`display`] and [`run`] is pure and tested without a display. Rule: nothing is drawn while nothing
 //! changes, and what the user does shows within a sixtieth of a second.
 
 pub mod bindings;
-pub mod board;
-pub mod canvas;
 pub mod composition;
 pub mod display;
 pub mod examination;
 pub mod examiner;
 pub mod hud;
 pub mod input;
-pub mod legend;
-pub mod lines;
 pub mod looking;
 pub mod measuring;
 pub mod orbit;
 pub mod overlay;
-mod paint;
 pub mod probing;
+pub mod response;
 pub mod screenshot;
 pub mod session;
 pub mod statistics;
-pub mod style;
 pub mod turning;
 pub mod views;
 
@@ -105,7 +100,7 @@ pub fn run(drawing: Drawing) -> Result<Outcome, WindowError> {
     restart_without_input_method()?;
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
     let session = Session::new(drawing);
-    let display = Display::open(&lines::title(&session), size)?;
+    let display = Display::open(&hud::lines::title(&session), size)?;
     let workers = || Workers::new(threads, level);
     let window = Window {
         session,
@@ -200,11 +195,11 @@ impl Window {
         }
         for event in self.display.take_events() {
             if let Some(gesture) = self.input.handle(event, now) {
-                hud::respond(&mut self.session, gesture, size);
+                response::respond(&mut self.session, gesture, size);
             }
         }
         while let Some(gesture) = self.input.repeated(now) {
-            hud::respond(&mut self.session, gesture, size);
+            response::respond(&mut self.session, gesture, size);
         }
         size
     }
@@ -216,7 +211,7 @@ impl Window {
         }
         self.composition.compose(&self.session, &mut self.shown);
         Hud::new(&self.session, size, Shown::All).draw(&mut self.shown);
-        let title = lines::title(&self.session);
+        let title = hud::lines::title(&self.session);
         if title != self.title {
             self.display.set_title(&title);
             self.title = title;

@@ -4,28 +4,7 @@ use proptest::prelude::*;
 use shadetrade::scene::{BUILT_IN, Scene, SceneError};
 
 /// A scene with nothing but the keys that must be there; each line's number is the one [`REFUSED`] gives.
-const LEAST: &str = r#"
-[[cuboid]]
-name = "box"
-size = [4.0, 3.0, 2.0]
-[cuboid.material]
-ambient = [0.1, 0.2, 0.3]
-diffuse = [0.4, 0.5, 0.6]
-specular = [0.7, 0.8, 0.9]
-shininess = 76.8
-[[light]]
-name = "white"
-kind = "diffuse"
-color = [1.0, 0.5, 0.0]
-intensity = 10.0
-position = [10.0, 11.0, 12.0]
-[[camera]]
-name = "1"
-position = [7.0, 5.0, 8.0]
-target = [0.0, 0.0, 0.0]
-fov = 30.0
-height = 6.3
-"#;
+const LEAST: &str = include_str!("support/least.toml");
 
 /// A line of [`LEAST`], what is written there instead (`⏎` breaks the line), where the complaint is, and what is in it.
 const REFUSED: &str = r#"

@@ -7,31 +7,10 @@ use glam::DVec3;
 use shadetrade::components::{
     Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, Transform, VertexColors,
 };
-use shadetrade::scene::{BUILT_IN, LightChoice, Scene};
+use shadetrade::scene::{BUILT_IN, LightChoice, Scene, WrongChoice};
 
 /// Nothing but the keys that must be there.
-const LEAST: &str = r#"
-[[cuboid]]
-name = "box"
-size = [4.0, 3.0, 2.0]
-[cuboid.material]
-ambient = [0.1, 0.2, 0.3]
-diffuse = [0.4, 0.5, 0.6]
-specular = [0.7, 0.8, 0.9]
-shininess = 76.8
-[[light]]
-name = "white"
-kind = "diffuse"
-color = [1.0, 0.5, 0.0]
-intensity = 10.0
-position = [10.0, 11.0, 12.0]
-[[camera]]
-name = "1"
-position = [7.0, 5.0, 8.0]
-target = [0.0, 0.0, 0.0]
-fov = 30.0
-height = 6.3
-"#;
+const LEAST: &str = include_str!("support/least.toml");
 
 /// Every key, numbers written in every way, tables in every way, kinds in no order.
 const MOST: &str = r#"
@@ -345,13 +324,7 @@ fn lights_are_switched_by_name_all_or_none() {
     assert_eq!(switch("white,white"), Ok(vec![true, false, false, false]));
 
     let lights = "the scene's lights are \"white\", \"red\", \"specular\", \"ambient\"";
-    for (choice, unknown) in [
-        ("red,blue", "blue"),
-        ("", ""),
-        ("red,", ""),
-        ("red,all", "all"),
-        ("Red", "Red"),
-    ] {
+    for (choice, unknown) in [("red,blue", "blue"), ("Red", "Red")] {
         let message = format!("no light is named {unknown:?}; {lights}");
         assert_eq!(switch(choice), Err(message));
     }
@@ -359,6 +332,20 @@ fn lights_are_switched_by_name_all_or_none() {
     // A refused choice switches nothing.
     switch("white,blue").unwrap_err();
     assert_eq!(on(&scene), [false, true, false, false]);
+}
+
+#[test]
+fn a_choice_of_lights_lacks_no_name_and_has_all_and_none_by_themselves() {
+    for (choice, wrong) in [
+        ("", WrongChoice::NoName),
+        (",", WrongChoice::NoName),
+        ("red,", WrongChoice::NoName),
+        ("white,,red", WrongChoice::NoName),
+        ("red,all", WrongChoice::NotAlone("all".to_owned())),
+        ("none,red", WrongChoice::NotAlone("none".to_owned())),
+    ] {
+        assert_eq!(choice.parse::<LightChoice>(), Err(wrong), "{choice}");
+    }
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::scene::{LightChoice, Scene};
 use crate::simd;
 
 /// The longest side of a picture, in pixels.
-const MOST_PIXELS: usize = 16_384;
+pub(super) const MOST_PIXELS: usize = 16_384;
 /// The error allowed where none is named, in levels: no picture differs by more than one from its exact twin.
 const DEFAULT_TOLERANCE: f64 = 0.5;
 

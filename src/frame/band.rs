@@ -86,6 +86,7 @@ impl Band<'_> {
     }
 
     /// Puts the background back wherever the last frame drew.
+    #[inline(always)]
     pub fn clear(&mut self) {
         let [red, green, blue] = self.background.to_array().map(display_step);
         let pixel = u32::from_be_bytes([0, red, green, blue]);
@@ -137,6 +138,7 @@ fn split<T>(slice: &mut [T], index: usize) -> (&mut [T], &mut [T]) {
     slice.split_at_mut(index)
 }
 
+#[inline(always)]
 fn fill<T: Copy>(slice: &mut [T], range: Range<usize>, value: T) {
     if !slice.is_empty() {
         slice[range].fill(value);

@@ -10,12 +10,12 @@
 //! heading remark  heading remark
 //! ```
 
-use crate::lettering::{RasterHeight, measure, text};
+use crate::canvas::{Canvas, FACES, Face, Ink};
 
 const PAPER: u32 = 0x0024_2429;
 const FRAME: u32 = 0x003c_3c44;
-const BRIGHT: u32 = 0x00f0_f0f2;
-const DIM: u32 = 0x00a0_a0aa;
+const BRIGHT: Ink = Ink::solid(0x00f0_f0f2);
+const DIM: Ink = Ink::solid(0x00a0_a0aa);
 
 /// The empty border of a sheet, in pixels.
 const MARGIN: usize = 40;
@@ -25,9 +25,11 @@ const JOINED_GAP: usize = 72;
 /// From a picture to its label, and from the title to the pictures.
 const LABEL_GAP: usize = 10;
 const TITLE_GAP: usize = 24;
+/// From a label's first words to the rest.
+const WORD_GAP: usize = 12;
 
-const TITLE: RasterHeight = RasterHeight::Size32;
-const LABEL: RasterHeight = RasterHeight::Size24;
+const TITLE: Face = FACES[3];
+const LABEL: Face = FACES[2];
 
 /// Pixels, 0x00RRGGBB row by row from the top.
 pub struct Picture {
@@ -85,8 +87,8 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
     } else {
         GAP
     };
-    let top = MARGIN + TITLE.val() + TITLE_GAP;
-    let row_height = cell_height + LABEL_GAP + LABEL.val();
+    let top = MARGIN + height_of(TITLE) + TITLE_GAP;
+    let row_height = cell_height + LABEL_GAP + height_of(LABEL);
     let rows = cells.len().div_ceil(columns);
     let width = 2 * MARGIN + columns * cell_width + (columns - 1) * gap;
     let height = top + rows * row_height + rows.saturating_sub(1) * GAP + MARGIN;
@@ -95,28 +97,30 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
         size: [width, height],
         pixels: vec![PAPER; width * height],
     };
-    sheet.letter([MARGIN, MARGIN], title, TITLE, BRIGHT);
+    sheet.letter([MARGIN, MARGIN], TITLE, BRIGHT, title);
     for (index, cell) in cells.iter().enumerate() {
         let x = MARGIN + index % columns * (cell_width + gap);
         let y = top + index / columns * (row_height + GAP);
         sheet.paste([x, y], &cell.picture);
         let label = y + cell_height + LABEL_GAP;
-        sheet.letter([x, label], cell.heading, LABEL, BRIGHT);
-        sheet.letter(
-            [x + measure(cell.heading, LABEL)[0] + 12, label],
-            cell.remark,
-            LABEL,
-            DIM,
-        );
-        let joiner = x + cell_width + (gap - measure(cell.joiner, TITLE)[0].min(gap)) / 2;
-        sheet.letter(
-            [joiner, y + (cell_height - TITLE.val().min(cell_height)) / 2],
-            cell.joiner,
-            TITLE,
-            BRIGHT,
-        );
+        sheet.letter([x, label], LABEL, BRIGHT, cell.heading);
+        let remark = x + width_of(LABEL, cell.heading) + WORD_GAP;
+        sheet.letter([remark, label], LABEL, DIM, cell.remark);
+        let joiner = [
+            x + cell_width + (gap - width_of(TITLE, cell.joiner).min(gap)) / 2,
+            y + (cell_height - height_of(TITLE).min(cell_height)) / 2,
+        ];
+        sheet.letter(joiner, TITLE, BRIGHT, cell.joiner);
     }
     sheet
+}
+
+fn height_of(face: Face) -> usize {
+    face.height() as usize
+}
+
+fn width_of(face: Face, words: &str) -> usize {
+    face.width(words.chars().count()) as usize
 }
 
 impl Picture {
@@ -135,15 +139,9 @@ impl Picture {
         &mut self.pixels[row * self.size[0]..][..self.size[0]]
     }
 
-    fn letter(&mut self, at: [usize; 2], string: &str, height: RasterHeight, color: u32) {
-        text(
-            &mut self.pixels,
-            self.size[0],
-            at.map(|coordinate| coordinate as i64),
-            string,
-            height,
-            color,
-        );
+    fn letter(&mut self, at: [usize; 2], face: Face, ink: Ink, words: &str) {
+        let at = at.map(|coordinate| coordinate as i32);
+        Canvas::new(&mut self.pixels, self.size).text(face, at, ink, words);
     }
 }
 
@@ -193,8 +191,8 @@ mod tests {
         }
         let [width, height] = sheet.size;
         assert_eq!(sheet.pixels.len(), width * height);
-        let title = &sheet.pixels[..(MARGIN + TITLE.val()) * width];
-        assert!(title.contains(&BRIGHT) && !title.iter().any(|pixel| colors.contains(pixel)));
+        let title = &sheet.pixels[..(MARGIN + height_of(TITLE)) * width];
+        assert!(title.contains(&BRIGHT.color) && !title.iter().any(|pixel| colors.contains(pixel)));
         for (index, &pixel) in sheet.pixels.iter().enumerate() {
             let [x, y] = [index % width, index / width];
             let inside = (MARGIN - 1..=width - MARGIN).contains(&x)

@@ -6,12 +6,13 @@
 //! specular  kE * levels * max(0, o.r)^rho  if n.l > 0    o  to the eye
 //! ```
 //!
-//! Rule: places are relative to the cuboid's centre and become directions before anything is multiplied. Two choices:
-//! a light at the very point has no direction and adds nothing, and 0^0 is 1 where n.l > 0.
+//! Rule: everything is seen from the cuboid: places are relative to its centre, along its axes, and become directions
+//! before anything is multiplied. Two choices: a light at the very point has no direction and adds nothing, and 0^0 is 1
+//! where n.l > 0.
 
 use glam::DVec3;
 
-use crate::components::{LightKind, Material, Mesh, Transform, unit};
+use crate::components::{LightKind, Material, Mesh, unit};
 
 /// A light that is on.
 pub struct Lamp {
@@ -19,22 +20,22 @@ pub struct Lamp {
     pub kind: LightKind,
     /// What it sends, per channel.
     pub levels: DVec3,
-    /// From the cuboid's centre, in world units; of no meaning for an ambient light.
+    /// From the cuboid's centre along its axes, in world units; of no meaning for an ambient light.
     pub position: DVec3,
 }
 
 /// Where o points.
 pub enum Eye {
-    /// To here, from the cuboid's centre, in world units.
+    /// To here, from the cuboid's centre along its axes, in world units.
     At(DVec3),
-    /// This way from everywhere.
+    /// This way from everywhere, along the cuboid's axes.
     Towards(DVec3),
 }
 
-/// What the model needs to know of a point besides the lights.
+/// What the model needs to know of a point besides the lights; along the cuboid's axes.
 pub struct Point {
     /// From the cuboid's centre, in world units.
-    pub offset: DVec3,
+    pub place: DVec3,
     /// n.
     pub normal: DVec3,
     /// o.
@@ -43,8 +44,8 @@ pub struct Point {
 
 /// A cuboid's surface under its lights.
 pub struct Surface {
+    half: DVec3,
     material: Material,
-    eye: Eye,
     /// Every light, in file order.
     pub lamps: Vec<Lamp>,
     /// For each lamp the levels of its term at each corner.
@@ -54,37 +55,27 @@ pub struct Surface {
 }
 
 impl Lamp {
-    /// l at a point this far from the cuboid's centre; zero where there is none.
-    pub fn from(&self, offset: DVec3) -> DVec3 {
+    /// l at a place from the cuboid's centre; zero where there is none.
+    pub fn from(&self, place: DVec3) -> DVec3 {
         match self.kind {
             LightKind::Ambient => DVec3::ZERO,
-            LightKind::Diffuse | LightKind::Specular => unit(self.position - offset),
+            LightKind::Diffuse | LightKind::Specular => unit(self.position - place),
         }
     }
 }
 
 impl Surface {
-    /// The surface of a cuboid of this place, shape and material.
-    pub fn new(
-        transform: &Transform,
-        mesh: &Mesh,
-        material: Material,
-        eye: Eye,
-        lamps: Vec<Lamp>,
-    ) -> Self {
-        let axes = transform.axes();
-        let corners = mesh.corners.map(|corner| {
-            let offset = axes * corner;
+    /// The surface of a cuboid of this shape and material.
+    pub fn new(mesh: &Mesh, material: Material, eye: &Eye, lamps: Vec<Lamp>) -> Self {
+        let corners = mesh.corners.map(|place| Point {
+            place,
             // The three faces that meet at a corner face the way it lies: along +x or -x, +y or -y, +z or -z.
-            Point {
-                offset,
-                normal: axes * unit(corner.signum()),
-                to_eye: eye.from(offset),
-            }
+            normal: unit(place.signum()),
+            to_eye: eye.from(place),
         });
         let mut surface = Surface {
+            half: mesh.corners[7],
             material,
-            eye,
             lamps,
             corner_terms: Vec::new(),
             corners,
@@ -108,7 +99,7 @@ impl Surface {
     fn terms_at_corners(&self, lamp: &Lamp) -> [DVec3; 8] {
         self.corners
             .each_ref()
-            .map(|corner| self.term(lamp, corner.normal, lamp.from(corner.offset), corner.to_eye))
+            .map(|corner| self.term(lamp, corner.normal, lamp.from(corner.place), corner.to_eye))
     }
 
     /// One light's term of the model, in levels.
@@ -126,17 +117,15 @@ impl Surface {
         }
     }
 
-    /// The point with these weights between these corners, its normal normalised.
-    pub fn point(&self, corners: [usize; 3], weights: [f64; 3]) -> Point {
-        let offset = blend(corners.map(|corner| self.corners[corner].offset), weights);
-        let normal = unit(blend(
-            corners.map(|corner| self.corners[corner].normal),
-            weights,
-        ));
+    /// The point met at `place`, its normal interpolated between the corners' and normalised.
+    ///
+    /// Linear interpolation of (+-1, +-1, +-1) / sqrt(3) over a face, or either half of it, is (x / h_x, y / h_y, z / h_z)
+    /// / sqrt(3).
+    pub fn point(&self, place: DVec3, to_eye: DVec3) -> Point {
         Point {
-            offset,
-            normal,
-            to_eye: self.eye.from(offset),
+            place,
+            normal: unit(place / self.half),
+            to_eye,
         }
     }
 
@@ -145,16 +134,11 @@ impl Surface {
         blend(corners.map(|corner| self.corner_levels[corner]), weights)
     }
 
-    /// Phong (1975): the model at the interpolated point.
-    pub fn phong(&self, corners: [usize; 3], weights: [f64; 3]) -> DVec3 {
-        let Point {
-            offset,
-            normal,
-            to_eye,
-        } = self.point(corners, weights);
+    /// Phong (1975): the model at the point.
+    pub fn phong(&self, point: &Point) -> DVec3 {
         self.lamps
             .iter()
-            .map(|lamp| self.term(lamp, normal, lamp.from(offset), to_eye))
+            .map(|lamp| self.term(lamp, point.normal, lamp.from(point.place), point.to_eye))
             .sum()
     }
 
@@ -174,7 +158,7 @@ impl Surface {
                 self.term(
                     lamp,
                     normal,
-                    between(&|corner| lamp.from(corner.offset)),
+                    between(&|corner| lamp.from(corner.place)),
                     to_eye,
                 )
             })
@@ -183,9 +167,9 @@ impl Surface {
 }
 
 impl Eye {
-    fn from(&self, offset: DVec3) -> DVec3 {
+    fn from(&self, place: DVec3) -> DVec3 {
         match self {
-            Eye::At(position) => unit(*position - offset),
+            Eye::At(position) => unit(*position - place),
             Eye::Towards(direction) => *direction,
         }
     }

@@ -1,26 +1,28 @@
 //! Lines of sight through pixel centres in; the triangle each meets, where on it and how far away, out.
 //!
-//! All of it happens in the camera's coordinates (right, up, depth). The ray of a pixel passes
-//! `(offset + slope * depth, depth)`, so taking `offset + slope * depth` from every corner turns the ray into the axis
-//! of depth, and whether the axis passes a triangle is a question in two dimensions (Woop, Benthin and Wald 2013,
-//! "Watertight Ray/Triangle Intersection"):
+//! A ray is carried into the cuboid's own coordinates, where the six faces are planes across the axes (Kay and Kajiya
+//! 1986, "Ray tracing complex scenes", section 3). It enters through the face whose four edges it passes on the inner
+//! side; on which side of an edge it passes is a difference of two products, and so is where on the face it arrives:
 //!
 //! ```text
-//!          c
-//!         / \           areas  bc = b x c,  ca = c x a,  ab = a x b  of the triangles with the ray's point *
-//!        / *  \         all >= 0: met, from the front;  bc : ca : ab are the weights of a, b, c at the hit
-//!       a------b
+//!     (-, +)-----------(+, +)      k: the axis across the face, which is at K      ray: p + t d
+//!        |            .'  |        i, j: the axes along it, halves h_i and h_j
+//!        |     *   .'     |        t = (K - p_k) / d_k,   i = p_i + t d_i,   j = p_j + t d_j
+//!        |      .'        |
+//!        |   .'           |        u = i / h_i, v = j / h_j: between the ends of the diagonal and the third corner
+//!     (-, -)-----------(+, -)      the weights are (1 - max(u, v)) / 2, (1 + min(u, v)) / 2 and |u - v| / 2
 //! ```
 //!
-//! Rule: two triangles compute the area at their common edge from the same numbers, with opposite sign, so a ray
-//! passes between them nowhere and never meets both: one exactly on the edge belongs to the triangle to its right, or
-//! below it if the edge is level (the top-left rule).
+//! Rule: two faces compute the side of their common edge from the same numbers, with opposite sign, so a ray passes
+//! between them nowhere and never enters both: one exactly on the edge belongs to what is to the right of it, or below
+//! it if the edge is level (the top-left rule). A length counts only where a ray meets its end, so a cuboid a billion
+//! times longer than it is wide is met as exactly as a cube.
 
 use std::ops::Range;
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::components::{Mesh, Projection, TRIANGLES, Transform, View};
+use crate::components::{Mesh, Projection, TRIANGLES, Transform, View, unit};
 
 /// The lines of sight of a whole picture.
 pub struct Rays {
@@ -52,23 +54,45 @@ pub struct Hit {
     pub triangle: usize,
     /// The weights of its corners at the point met: each 0..=1, together 1.
     pub weights: [f64; 3],
+    /// The point met: from the cuboid's centre along the cuboid's axes, in world units.
+    pub place: DVec3,
+    /// The unit vector against the ray, along the cuboid's axes.
+    pub to_eye: DVec3,
     /// Distance along the view direction, in world units.
     pub depth: f64,
 }
 
 /// A cuboid as rays meet it.
 pub struct Solid {
-    /// (right, up, depth) from the eye, in multiples of `scale`.
-    corners: [DVec3; 8],
-    /// A power of two near the cuboid's size, in world units; scaling by it is exact.
-    scale: f64,
-    /// Distance of the near plane, in multiples of `scale`.
+    /// Half the lengths of its edges, in world units.
+    half: DVec3,
+    /// From camera coordinates to the cuboid's axes.
+    to_own: DMat3,
+    /// The eye from the cuboid's centre, along the cuboid's axes.
+    eye: DVec3,
+    /// Distances of the corners along the view direction.
+    depths: [f64; 8],
+    /// Distance of the near plane, in world units.
     near: f64,
     projection: Projection,
     /// The only columns of the picture it can be met in.
     pub columns: Range<usize>,
     /// The only rows of the picture it can be met in.
     pub rows: Range<usize>,
+}
+
+/// A line of sight from a cuboid's centre, along the cuboid's axes: the points `from + along * depth`.
+struct Line {
+    from: DVec3,
+    along: DVec3,
+}
+
+/// A face: the axis across it, whether it looks along that axis or against it, and where it crosses it.
+#[derive(Clone, Copy)]
+struct Face {
+    axis: usize,
+    outwards: f64,
+    at: f64,
 }
 
 impl Rays {
@@ -135,9 +159,22 @@ impl Rays {
         let pixels = corners.map(|corner| self.pixel(corner));
         let least = pixels.iter().copied().fold(DVec2::INFINITY, DVec2::min);
         let most = pixels.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
-        // One pixel more on each side is beyond any rounding; the conversion to integers saturates.
+        // A coordinate errs by a rounding of the largest one, which moves a corner on the screen by up to this much.
+        let largest = corners.iter().map(|corner| corner.abs().max_element());
+        let largest = largest.fold(0.0, f64::max);
+        let error = 8.0 * f64::EPSILON * largest;
+        let moved = match self.projection {
+            Projection::Perspective => {
+                let nearest = corners.iter().map(|corner| corner.z);
+                let nearest = nearest.fold(f64::INFINITY, f64::min);
+                error / nearest * (1.0 + largest / nearest)
+            }
+            Projection::Orthographic => error,
+        };
+        let slack = 1.0 + moved / self.half_height * height as f64;
+        // The conversion to integers saturates.
         let range = |least: f64, most: f64, end: usize| {
-            (least - 1.0) as usize..((most + 2.0) as usize).min(end)
+            (least - slack) as usize..((most + slack + 1.0) as usize).min(end)
         };
         [
             range(least.x, most.x, width),
@@ -155,11 +192,12 @@ impl Solid {
             .corners
             .map(|corner| rays.to_camera * (centre + axes * corner));
         let [columns, rows] = rays.bounds(&corners);
-        let scale = power_of_two(mesh.corners[0].abs().max_element());
         Solid {
-            corners: corners.map(|corner| corner / scale),
-            scale,
-            near: rays.near / scale,
+            half: mesh.corners[7],
+            to_own: axes.transpose() * rays.to_camera.transpose(),
+            eye: axes.transpose() * -centre,
+            depths: corners.map(|corner| corner.z),
+            near: rays.near,
             projection: rays.projection,
             columns,
             rows,
@@ -168,48 +206,98 @@ impl Solid {
 
     /// Where the ray enters the cuboid, unless that is before the near plane.
     pub fn hit(&self, ray: &Ray) -> Option<Hit> {
-        let offset = ray.offset / self.scale;
-        let around = self
-            .corners
-            .map(|corner| corner.truncate() - offset - ray.slope * corner.z);
-        TRIANGLES
-            .iter()
-            .enumerate()
-            .find_map(|(triangle, corners)| {
-                let [a, b, c] = corners.map(usize::from);
-                let opposite = [[b, c], [c, a], [a, b]];
-                let areas = opposite.map(|[from, to]| around[from].perp_dot(around[to]));
-                let inside = |(area, edge): (&f64, _)| {
-                    *area > 0.0 || *area == 0.0 && self.keeps_edge(&around, edge)
-                };
-                if !areas.iter().zip(opposite).all(inside) {
-                    return None;
+        let line = Line {
+            from: self.eye + self.to_own * ray.offset.extend(0.0),
+            along: self.to_own * ray.slope.extend(1.0),
+        };
+        let (number, face) = (0..6)
+            .map(|number| (number, self.face(number)))
+            .find(|(_, face)| self.enters(&line, face))?;
+        let depth = (face.at - line.from[face.axis]) / line.along[face.axis];
+        if depth < self.near {
+            return None;
+        }
+        let mut place = (line.from + line.along * depth).clamp(-self.half, self.half);
+        place[face.axis] = face.at;
+        let [u, v] = face.along().map(|axis| place[axis] / self.half[axis]);
+        let first = (face.outwards > 0.0) == self.is_right_of_diagonal(&line, &face);
+        let [low, aside, high] = [1.0 - u.max(v), (u - v).abs(), 1.0 + u.min(v)];
+        // The corners of the two triangles: low, aside, high and low, high, aside.
+        let weights = if first {
+            [low, aside, high]
+        } else {
+            [low, high, aside]
+        };
+        Some(Hit {
+            triangle: 2 * number + usize::from(!first),
+            weights: weights.map(|weight| weight / 2.0),
+            place,
+            to_eye: -unit(line.along),
+            depth,
+        })
+    }
+
+    /// Face `number` in the order of [`crate::components::FACES`].
+    fn face(&self, number: usize) -> Face {
+        let axis = number / 2;
+        let outwards = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
+        Face {
+            axis,
+            outwards,
+            at: outwards * self.half[axis],
+        }
+    }
+
+    /// Whether the line comes from outside of this face and passes within its four edges.
+    fn enters(&self, line: &Line, face: &Face) -> bool {
+        let from_outside = face.outwards * line.along[face.axis] < 0.0
+            && match self.projection {
+                Projection::Perspective => {
+                    face.outwards * self.eye[face.axis] > self.half[face.axis]
                 }
-                let whole: f64 = areas.iter().sum();
-                let weights = areas.map(|area| area / whole);
-                let depth = weights[0] * self.corners[a].z
-                    + weights[1] * self.corners[b].z
-                    + weights[2] * self.corners[c].z;
-                // An area of nothing has no weights, and its depth is not a number: not met.
-                (depth >= self.near).then_some(Hit {
-                    triangle,
-                    weights,
-                    depth: depth * self.scale,
-                })
+                // It comes from infinitely far.
+                Projection::Orthographic => true,
+            };
+        from_outside
+            && face.along().iter().all(|&axis| {
+                self.is_beyond(line, face, axis, -self.half[axis])
+                    && !self.is_beyond(line, face, axis, self.half[axis])
             })
     }
 
-    /// Whether a ray exactly on this edge meets the triangle: it does if a ray a little to the right of it would, or,
-    /// where that makes no difference, one a little below.
-    fn keeps_edge(&self, around: &[DVec2; 8], [from, to]: [usize; 2]) -> bool {
-        // How fast a corner moves, seen from the ray, while the ray moves; nearer corners move less.
-        let [from_speed, to_speed] = match self.projection {
-            Projection::Perspective => [self.corners[from].z, self.corners[to].z],
-            Projection::Orthographic => [1.0, 1.0],
+    /// Whether the line passes the plane of a face beyond the edge at `edge` on `axis`.
+    fn is_beyond(&self, line: &Line, face: &Face, axis: usize, edge: f64) -> bool {
+        let mut on_edge = face.middle();
+        on_edge[axis] = edge;
+        self.is_positive(line, on_edge, |to, along| face.passing(to, along, axis))
+    }
+
+    /// Whether the line passes the plane of a face where i / h_i is larger than j / h_j.
+    fn is_right_of_diagonal(&self, line: &Line, face: &Face) -> bool {
+        let [i, j] = face.along();
+        self.is_positive(line, face.middle(), |to, along| {
+            face.passing(to, along, i) * self.half[j] - face.passing(to, along, j) * self.half[i]
+        })
+    }
+
+    /// Whether `of` is positive for the line or, where it is zero, would be for one a little to the right of it or,
+    /// where that makes no difference, for one a little below.
+    ///
+    /// `of` is linear both in the way from the line's start to `point` and in the line's direction.
+    fn is_positive(&self, line: &Line, point: DVec3, of: impl Fn(DVec3, DVec3) -> f64) -> bool {
+        let change = |towards: DVec3| {
+            let step = self.to_own * towards;
+            match self.projection {
+                Projection::Perspective => of(point - line.from, step),
+                Projection::Orthographic => of(-step, line.along),
+            }
         };
-        let rightward = around[from].y * to_speed - from_speed * around[to].y;
-        let downward = around[from].x * to_speed - from_speed * around[to].x;
-        rightward > 0.0 || rightward == 0.0 && downward > 0.0
+        let value = of(point - line.from, line.along);
+        if value != 0.0 {
+            return value > 0.0;
+        }
+        let (right, down) = (change(DVec3::X), change(DVec3::NEG_Y));
+        right > 0.0 || right == 0.0 && down > 0.0
     }
 
     /// The corners' weights in linear interpolation on the screen instead of on the triangle.
@@ -217,7 +305,7 @@ impl Solid {
     /// A triangle with a corner nearer than the near plane has no three places on the screen: its weights stay as they
     /// are on the triangle.
     pub fn screen_weights(&self, hit: &Hit) -> [f64; 3] {
-        let depths = TRIANGLES[hit.triangle].map(|corner| self.corners[usize::from(corner)].z);
+        let depths = TRIANGLES[hit.triangle].map(|corner| self.depths[usize::from(corner)]);
         if self.projection == Projection::Orthographic
             || depths.iter().any(|depth| *depth < self.near)
         {
@@ -229,7 +317,22 @@ impl Solid {
     }
 }
 
-/// The largest power of two that is not above `value`, a positive normal number.
-fn power_of_two(value: f64) -> f64 {
-    f64::from_bits(value.to_bits() & f64::INFINITY.to_bits())
+impl Face {
+    /// The axes along the face.
+    fn along(&self) -> [usize; 2] {
+        [(self.axis + 1) % 3, (self.axis + 2) % 3]
+    }
+
+    /// Its middle, from the cuboid's centre.
+    fn middle(&self) -> DVec3 {
+        let mut middle = DVec3::ZERO;
+        middle[self.axis] = self.at;
+        middle
+    }
+
+    /// How far along `axis` a line passes a point of the face, times the line's pace towards the face; `to` is the way
+    /// from the line's start to that point.
+    fn passing(&self, to: DVec3, along: DVec3, axis: usize) -> f64 {
+        self.outwards * (along[self.axis] * to[axis] - along[axis] * to[self.axis])
+    }
 }

@@ -19,7 +19,8 @@
 
 use glam::DVec3;
 
-use super::patch::Affine;
+use super::TILE;
+use super::patch::{Affine, Scalar};
 
 /// Beyond this swing nothing is certified: the series would converge too slowly to be of use.
 pub const MOST_SWING: f64 = 0.5;
@@ -42,20 +43,26 @@ impl Quadratic {
         ])
     }
 
-    /// One over the square root, to second order: (1 + e)^(-1/2) = 1 - e / 2 + 3 e^2 / 8 - ...
+    /// A multiple.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Quadratic(self.0.map(|coefficient| coefficient * factor))
+    }
+
+    /// One over the square root, to second order, of a quadratic that is one at the middle:
+    /// (1 + e)^(-1/2) = 1 - e / 2 + 3 e^2 / 8 - ...
     #[inline(always)]
     #[must_use]
     pub fn inverse_root(&self) -> Self {
-        let inverse = 1.0 / self.0[0];
-        let [_, x, y, xx, xy, yy] = self.0.map(|coefficient| coefficient * inverse);
-        let root = inverse.sqrt();
+        let [_, x, y, xx, xy, yy] = self.0;
         Quadratic([
-            root,
-            root * (-0.5 * x),
-            root * (-0.5 * y),
-            root * (-0.5 * xx + 0.375 * x * x),
-            root * (-0.5 * xy + 0.75 * x * y),
-            root * (-0.5 * yy + 0.375 * y * y),
+            1.0,
+            -0.5 * x,
+            -0.5 * y,
+            -0.5 * xx + 0.375 * x * x,
+            -0.5 * xy + 0.75 * x * y,
+            -0.5 * yy + 0.375 * y * y,
         ])
     }
 
@@ -97,10 +104,21 @@ impl Quadratic {
             + self.0[5].abs() * down * down
     }
 
-    /// One row, `y` pixels below the middle, as a polynomial in x in f32.
+    /// The rows of a tile whose first lies `first` pixels below the middle, as polynomials in x in f32.
     #[inline(always)]
-    pub fn ramp(&self, y: f64) -> [f32; 3] {
-        self.row(y).map(|coefficient| coefficient as f32)
+    pub fn ramps(&self, first: f64) -> Ramps {
+        let [middle, x, down, xx, xy, yy] = self.0;
+        let mut ramps = Ramps {
+            middles: [0.0; TILE],
+            slopes: [0.0; TILE],
+            curve: xx as f32,
+        };
+        for row in 0..TILE {
+            let y = first + row as f64;
+            ramps.middles[row] = (middle + y * (down + y * yy)) as f32;
+            ramps.slopes[row] = (x + y * xy) as f32;
+        }
+        ramps
     }
 
     /// One row, `y` pixels below the middle, as a polynomial in x.
@@ -108,6 +126,22 @@ impl Quadratic {
     pub fn row(&self, y: f64) -> [f64; 3] {
         let [middle, x, down, xx, xy, yy] = self.0;
         [middle + y * (down + y * yy), x + y * xy, xx]
+    }
+}
+
+/// The rows of a [`Quadratic`] in f32.
+#[derive(Clone, Copy, Debug)]
+pub struct Ramps {
+    middles: [f32; TILE],
+    slopes: [f32; TILE],
+    curve: f32,
+}
+
+impl Ramps {
+    /// The coefficients of a row.
+    #[inline(always)]
+    pub fn row(&self, row: usize) -> [f32; 3] {
+        [self.middles[row], self.slopes[row], self.curve]
     }
 }
 
@@ -186,8 +220,8 @@ pub fn least_lambda(chord: f64, turns: f64) -> f64 {
 /// middle and e how far the denominator strays from 1, C(d) = C + kappa.d / (1 + e.d) exactly, so the quadratic
 /// kappa.d (1 - e.d) errs by |kappa.d| e^2 / (1 - e) at most. Returns that bound in levels.
 #[inline(always)]
-pub fn quotient(colors: &Affine, total: &Affine, half: [f64; 2]) -> (Color, f64) {
-    let [x, y] = [total.dx.x, total.dy.x];
+pub fn quotient(colors: &Affine, total: &Scalar, half: [f64; 2]) -> (Color, f64) {
+    let [x, y] = [total.dx, total.dy];
     let stray = x.abs() * half[0] + y.abs() * half[1];
     let mut reach = 0.0_f64;
     let color = [0, 1, 2].map(|channel| {
@@ -245,7 +279,7 @@ mod tests {
 
     #[test]
     fn series_agree_with_the_functions_to_third_order() {
-        let q = Quadratic([2.0, 0.3, -0.2, 0.05, 0.01, -0.04]);
+        let q = Quadratic([1.0, 0.15, -0.1, 0.025, 0.005, -0.02]);
         let at = |q: &Quadratic, x: f64, y: f64| {
             let [middle, slope, curve] = q.row(y);
             middle + x * (slope + x * curve)

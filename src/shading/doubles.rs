@@ -4,28 +4,29 @@
 
 use glam::DVec3;
 
-use super::patch::Patch;
+use super::display::Exact;
+use super::patch::{Patch, Point, Triangle};
 use super::{Coverage, Sink, TILE};
 
-/// Shades the covered pixels of a tile; `levels` makes a colour of a pixel's barycentric weights.
+/// Shades the covered pixels of a tile; `levels` makes a colour of the point a pixel shows.
 pub fn shade(
+    triangle: &Triangle,
     patch: &Patch,
     coverage: &Coverage,
     sink: &mut impl Sink,
-    levels: impl Fn(DVec3) -> DVec3,
+    levels: impl Fn(&Point) -> DVec3,
 ) {
     let mut line = [[0.0; TILE]; 3];
     for (row, &(from, to)) in coverage.spans.iter().enumerate() {
         if from < to {
             for lane in from..to {
-                let weights =
-                    patch.weights_at(f64::from(lane) - patch.lane, row as f64 - patch.row);
-                let color = levels(weights).as_vec3().to_array();
+                let (x, y) = (f64::from(lane) - patch.lane, row as f64 - patch.row);
+                let color = levels(&patch.point(triangle, x, y)).as_vec3().to_array();
                 for (line, level) in line.iter_mut().zip(color) {
                     line[usize::from(lane)] = level;
                 }
             }
-            sink.take(row, &line);
+            sink.take(row, &Exact(&line));
         }
     }
 }

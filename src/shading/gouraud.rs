@@ -4,10 +4,10 @@
 //! that quotient is drawn as a certified polynomial; otherwise with one division a pixel, in f32 where its rounding stays
 //! below the tolerance and in f64 elsewhere.
 
-use glam::DVec3;
-
-use super::certificate::{Color, quotient};
-use super::patch::{Affine, Patch, Triangle};
+use super::certificate::quotient;
+use super::display::Exact;
+use super::patch::{Affine, Patch, Scalar, Triangle};
+use super::polynomial::Polynomial;
 use super::{
     Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit, polynomial,
 };
@@ -20,15 +20,12 @@ pub struct Gouraud {
 
 impl Shader for Gouraud {
     #[inline(always)]
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<(Color, TileKind)> {
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
         if self.tolerance == 0.0 || !patch.steady {
             return None;
         }
-        let (color, bound) = quotient(
-            &patch.blend(&triangle.colors),
-            &patch.constant(DVec3::ONE),
-            patch.half,
-        );
+        let (colors, share) = patch.colors(triangle);
+        let (color, bound) = quotient(&colors, &share, patch.half);
         polynomial::cheapest(color, patch.half, self.tolerance - bound)
     }
 
@@ -41,22 +38,22 @@ impl Shader for Gouraud {
         _scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        if let Some((color, kind)) = self.polynomial(triangle, patch) {
-            polynomial::shade(&color, kind, patch.first(), coverage, sink);
-            return Evaluations::of(kind);
+        if let Some(polynomial) = self.polynomial(triangle, patch) {
+            polynomial.shade(patch.first(), coverage, sink);
+            return Evaluations::of(polynomial.kind);
         }
-        let colors = patch.blend(&triangle.colors);
+        let (colors, share) = patch.colors(triangle);
         // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
         // colour, over the smallest sum (at least half the middle's on a steady patch).
         let largest =
             colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
         let rounding = 20.0 * U * largest.max_element();
         if patch.steady && rounding <= limit(self.tolerance) {
-            shade_lanes(&colors, &patch.constant(DVec3::ONE), patch, coverage, sink);
+            shade_lanes(&colors, &share, patch, coverage, sink);
             Evaluations::of(TileKind::Exact)
         } else {
-            doubles::shade(patch, coverage, sink, |weights| {
-                Triangle::blend(weights, &triangle.colors)
+            doubles::shade(triangle, patch, coverage, sink, |point| {
+                Triangle::blend(point.weights, &triangle.levels)
             });
             Evaluations::of(TileKind::Double)
         }
@@ -66,7 +63,7 @@ impl Shader for Gouraud {
 #[inline(always)]
 fn shade_lanes(
     colors: &Affine,
-    total: &Affine,
+    share: &Scalar,
     patch: &Patch,
     coverage: &Coverage,
     sink: &mut impl Sink,
@@ -76,15 +73,16 @@ fn shade_lanes(
     for (row, &(from, to)) in coverage.spans.iter().enumerate() {
         if from < to {
             let y = row as f64 - patch.row;
-            let (color, total) = (colors.row(y), total.row(y));
+            let color = colors.row(y);
+            let (middle, step) = ((share.centre + share.dy * y) as f32, share.dx as f32);
             for lane in 0..TILE {
-                let inverse = 1.0 / total.at(lanes[lane])[0];
+                let inverse = 1.0 / (middle + step * lanes[lane]);
                 let [red, green, blue] = color.at(lanes[lane]);
                 levels[0][lane] = red * inverse;
                 levels[1][lane] = green * inverse;
                 levels[2][lane] = blue * inverse;
             }
-            sink.take(row, &levels);
+            sink.take(row, &Exact(&levels));
         }
     }
 }

@@ -3,6 +3,8 @@
 //! Rule: every function here takes lambda = 1 - s, formed without cancellation as |r - o|^2 / 2 (Lyon 1993: for unit
 //! vectors o.r = 1 - |r - o|^2 / 2), because near the highlight s itself has too few digits for a large rho.
 
+use super::U;
+
 /// s^rho for s = 1 - lambda, in f64: `max(0, s)^rho`, and 0^0 = 1.
 pub fn power_exact(shininess: f64, lambda: f64) -> f64 {
     if shininess == 0.0 {
@@ -57,6 +59,78 @@ pub fn power(shininess: f32, lambda: f32) -> f32 {
     if s > 0.0 { mantissa * scale } else { 0.0 }
 }
 
+/// s^rho in few steps, for one rho: a quadratic in 1 - s stands for s^(rho / 2^j) with 1 <= rho / 2^j < 2, and is squared
+/// j times ("polynomial, then square"). Where s is below a bound the result is 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Squarings {
+    coefficients: [f32; 3],
+    squarings: u32,
+    /// 1 - s up to which the quadratic stands.
+    end: f32,
+    /// A bound on the error of s^rho where s is at least the bound it was made for, f32 included.
+    pub error: f64,
+}
+
+impl Squarings {
+    /// For s in `least`..=1; none where rho is below 1, or the error above `most`.
+    ///
+    /// The quadratic interpolates g = (1 - x)^e on 0..=h at Chebyshev's nodes, so it errs by |g^(3)| / 3 (h / 4)^3 at
+    /// most; m = 2^j such factors make m times that (times what m errors in a row can add, which the exponential bounds),
+    /// and rounding five units for each of them.
+    pub fn new(shininess: f64, least: f64, most: f64) -> Option<Self> {
+        if !(1.0..1e4).contains(&shininess) || !(least > 0.0 && least < 1.0) {
+            return None;
+        }
+        let squarings = shininess.log2().floor();
+        let factors = squarings.exp2();
+        let exponent = shininess / factors;
+        let end = 1.0 - least;
+        let third = (exponent * (exponent - 1.0) * (exponent - 2.0)).abs()
+            * least.powf((exponent - 3.0).min(0.0));
+        let factor_error = third / 3.0 * (end / 4.0).powi(3) + 5.0 * U;
+        let error = factors * factor_error * (factors * factor_error).exp();
+        if error.is_nan() || most.is_nan() || error > most {
+            return None;
+        }
+        // Newton's interpolation at the nodes h / 2 (1 + cos((2 i + 1) pi / 6)).
+        let reach = 3.0_f64.sqrt() / 2.0;
+        let [a, b, c] = [1.0 - reach, 1.0, 1.0 + reach].map(|node| node * end / 2.0);
+        let [first, second, third] = [a, b, c].map(|node| (1.0 - node).powf(exponent));
+        let rise = (second - first) / (b - a);
+        let bend = ((third - second) / (c - b) - rise) / (c - a);
+        let coefficients = [first - rise * a + bend * a * b, rise - bend * (a + b), bend];
+        Some(Squarings {
+            coefficients: coefficients.map(|coefficient| coefficient as f32),
+            squarings: squarings as u32,
+            end: end as f32,
+            error,
+        })
+    }
+
+    /// Multiplies each `strength` with s^rho for s = 1 - `lambda`.
+    #[inline(always)]
+    pub fn raise<const SIDE: usize>(&self, lambda: &[f32; SIDE], strength: &mut [f32; SIDE]) {
+        let [constant, slope, curve] = self.coefficients;
+        let mut power = [0.0; SIDE];
+        for lane in 0..SIDE {
+            let x = lambda[lane];
+            power[lane] = constant + x * (slope + x * curve);
+        }
+        for _ in 0..self.squarings {
+            for power in &mut power {
+                *power *= *power;
+            }
+        }
+        for lane in 0..SIDE {
+            strength[lane] *= if lambda[lane] < self.end {
+                power[lane]
+            } else {
+                0.0
+            };
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -102,6 +176,59 @@ mod tests {
             assert_eq!(power_exact(shininess, 1.0), 0.0);
         }
         assert_eq!(power_exact(0.0, 1.5), 1.0, "max(0, x)^0 is 1");
+    }
+
+    #[test]
+    fn squarings_err_no_more_than_they_say() {
+        let mut made = 0;
+        for shininess in SHININESSES
+            .into_iter()
+            .chain([3.0, 7.9, 32.0, 47.3, 130.0, 999.0])
+        {
+            for faint in [0.2_f64, 1e-2, 1e-3, 1e-4] {
+                let least = faint.powf(1.0 / shininess);
+                let Some(squarings) = Squarings::new(shininess, least, 1e-3) else {
+                    continue;
+                };
+                made += 1;
+                let mut worst = 0.0_f64;
+                for step in 0..=20_000 {
+                    let lambda = (2.0 * (f64::from(step) / 20_000.0).powi(3)) as f32;
+                    let mut strength = [1.0, 0.0];
+                    squarings.raise(&[lambda; 2], &mut strength);
+                    let expected = power_exact(shininess, f64::from(lambda));
+                    let error = (f64::from(strength[0]) - expected).abs();
+                    if f64::from(lambda) < 1.0 - least {
+                        worst = worst.max(error);
+                    } else {
+                        assert!(
+                            error <= faint * (1.0 + 1e-3),
+                            "rho {shininess}, 1 - s {lambda}"
+                        );
+                    }
+                    assert_eq!(strength[1], 0.0);
+                }
+                assert!(
+                    worst <= squarings.error,
+                    "rho {shininess}, {faint}: {worst} above {}",
+                    squarings.error
+                );
+            }
+        }
+        assert!(made > 10, "{made} powers could be squared");
+    }
+
+    #[test]
+    fn squarings_are_refused_where_they_would_err_or_have_no_meaning() {
+        let made = |shininess: f64, least: f64, most: f64| Squarings::new(shininess, least, most);
+        assert!(made(76.8, 0.9, 1e-3).is_some());
+        assert_eq!(made(76.8, 0.9, 1e-9), None, "f32 alone errs more");
+        assert_eq!(made(0.5, 0.9, 1.0), None, "no bound below rho = 1");
+        assert_eq!(made(5.0, 0.1, 1e-3), None, "too wide for a quadratic");
+        for least in [0.0, 1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(made(76.8, least, 1.0), None, "s from {least}");
+        }
+        assert_eq!(made(76.8, 0.9, f64::NAN), None);
     }
 
     #[test]

@@ -7,8 +7,9 @@
 
 use glam::DVec3;
 
-use super::certificate::Color;
+use super::display::Exact;
 use super::patch::{Affine, Patch, Triangle};
+use super::polynomial::Polynomial;
 use super::specular::{power, power_exact};
 use super::{
     Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, doubles,
@@ -23,7 +24,7 @@ pub struct UnitVectors<'a> {
 
 impl Shader for UnitVectors<'_> {
     #[inline(always)]
-    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch) -> Option<(Color, TileKind)> {
+    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch) -> Option<Polynomial> {
         None
     }
 
@@ -59,7 +60,7 @@ struct Vectors<'a> {
 impl<'a> Vectors<'a> {
     #[inline(always)]
     fn new(triangle: &'a Triangle, factors: [f64; 3], patch: &Patch) -> Self {
-        let weights = screen_weights(factors, patch);
+        let weights = screen_weights(factors, &patch.weights(triangle));
         Vectors {
             triangle,
             weights,
@@ -164,7 +165,7 @@ impl UnitVectors<'_> {
         }
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
-                sink.take(row, &scratch.levels[row]);
+                sink.take(row, &Exact(&scratch.levels[row]));
             }
         }
         Evaluations::of(TileKind::Exact).of_every_pixel(coverage, surface)
@@ -180,8 +181,8 @@ impl UnitVectors<'_> {
     ) -> Evaluations {
         let surface = &self.surface;
         let factors = DVec3::from(triangle.screen.unwrap_or([1.0; 3]));
-        doubles::shade(patch, coverage, sink, |weights| {
-            let weights = weights * factors;
+        doubles::shade(triangle, patch, coverage, sink, |point| {
+            let weights = point.weights * factors;
             let weights = weights / (weights.x + weights.y + weights.z);
             let n = Triangle::blend(weights, &triangle.normals);
             let o = Triangle::blend(weights, &triangle.to_eye());
@@ -204,10 +205,8 @@ impl UnitVectors<'_> {
 }
 
 /// The three coordinates that are linear on the screen: the weights times the vertices' w.
-fn screen_weights(factors: [f64; 3], patch: &Patch) -> Affine {
-    let linear = patch
-        .weights
-        .map(|weights| weights * DVec3::from_array(factors));
+fn screen_weights(factors: [f64; 3], weights: &Affine) -> Affine {
+    let linear = weights.map(|weights| weights * DVec3::from_array(factors));
     let total = linear.centre.x + linear.centre.y + linear.centre.z;
     linear.map(|weights| weights / total)
 }

@@ -219,13 +219,23 @@ impl TileSpans {
         self.outer[0].min(self.outer[1])..self.outer[1]
     }
 
+    /// Whether all of these pixels are covered in every row.
+    #[inline(always)]
+    pub fn cover(&self, columns: Range<usize>) -> bool {
+        self.inner[0] <= columns.start && columns.end <= self.inner[1]
+    }
+
     /// What is covered of the tile that begins at pixel `column`.
     #[inline(always)]
     pub fn coverage(&self, column: usize) -> Coverage {
-        if self.inner[0] <= column && column + TILE <= self.inner[1] {
+        if self.cover(column..column + TILE) {
             return Coverage::WHOLE;
         }
-        let lane = |pixel: u32| (i64::from(pixel) - column as i64).clamp(0, TILE as i64) as u8;
-        Coverage::new(self.spans.map(|(from, to)| (lane(from), lane(to))))
+        let mut spans = [(0, 0); TILE];
+        for (lanes, &(from, to)) in spans.iter_mut().zip(&self.spans) {
+            let lane = |pixel: u32| (pixel as i32 - column as i32).clamp(0, TILE as i32) as u8;
+            *lanes = (lane(from), lane(to));
+        }
+        Coverage::new(spans)
     }
 }

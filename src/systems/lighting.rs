@@ -3,6 +3,8 @@
 //! Rule: a light that is off appears nowhere; lights at one position are summed, since they share l and r; vertex
 //! colours are computed for the cuboids that will interpolate them and for no others.
 
+use std::cmp::Ordering::Equal;
+
 use glam::DVec3;
 use hecs::World;
 
@@ -47,7 +49,10 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     }
 }
 
-/// Sums the lights that are on, in file order.
+/// Sums the lights that are on: the ambient ones in file order, the others by position.
+///
+/// Sorting brings lights at one position together without a search among all the others for each. What would tell two
+/// of them apart is sorted too, so that the sums do not depend on how the sort treats equals.
 pub fn gather<'a>(
     lights: impl Iterator<Item = (&'a Transform, &'a Light)>,
     illumination: &mut Illumination,
@@ -63,23 +68,26 @@ pub fn gather<'a>(
             LightKind::Diffuse => (light.levels(), DVec3::ZERO),
             LightKind::Specular => (DVec3::ZERO, light.levels()),
         };
-        let position = transform.position;
-        match illumination
-            .points
-            .iter_mut()
-            .find(|point| point.position == position)
-        {
-            Some(point) => {
-                point.diffuse += diffuse;
-                point.specular += specular;
-            }
-            None => illumination.points.push(PointLight {
-                position,
-                diffuse,
-                specular,
-            }),
-        }
+        illumination.points.push(PointLight {
+            position: transform.position,
+            diffuse,
+            specular,
+        });
     }
+    let key = |point: &PointLight| {
+        [point.position, point.diffuse, point.specular].map(|vector| vector.to_array())
+    };
+    let points = &mut illumination.points;
+    // Scenes hold finite numbers alone, and those all compare.
+    points.sort_unstable_by(|one, other| key(one).partial_cmp(&key(other)).unwrap_or(Equal));
+    points.dedup_by(|later, first| {
+        let together = later.position == first.position;
+        if together {
+            first.diffuse += later.diffuse;
+            first.specular += later.specular;
+        }
+        together
+    });
 }
 
 /// The model at eight corners (`offsets` from the cuboid's centre), in levels, unclamped.
@@ -146,6 +154,29 @@ mod tests {
                 },
             ]
         );
+    }
+
+    #[test]
+    fn lights_are_the_same_in_whatever_order_they_come() {
+        // Sums of these three depend on their order: (1e16 + 1) + 1 is not 1e16 + (1 + 1).
+        let lights = [1.0, 1e16, 1.0].map(|intensity| light(LightKind::Diffuse, intensity, true));
+        let places = [at(3.0), at(-2.0), at(3.0), at(3.0), at(-0.0), at(0.0)];
+        let gathered = |order: [usize; 6]| {
+            let mut illumination = Illumination::default();
+            let pairs = order.map(|index| (&places[index], &lights[index % 3]));
+            gather(pairs.into_iter(), &mut illumination);
+            illumination
+        };
+        let expected = gathered([0, 1, 2, 3, 4, 5]);
+        let positions: Vec<f64> = expected
+            .points
+            .iter()
+            .map(|point| point.position.x)
+            .collect();
+        assert_eq!(positions, [-2.0, 0.0, 3.0]);
+        for order in [[5, 4, 3, 2, 1, 0], [2, 0, 4, 1, 5, 3], [3, 5, 1, 0, 2, 4]] {
+            assert_eq!(gathered(order), expected);
+        }
     }
 
     #[test]

@@ -10,23 +10,24 @@
 
 mod store;
 
+use std::ops::Range;
+
 use fearless_simd::dispatch;
-use glam::DVec3;
 use hecs::World;
 
 use self::store::{Store, WholeBlock};
 use super::coverage::Scan;
 use super::projection::Lens;
 use crate::components::{
-    Illumination, Material, Normals, Polygon, Projected, Projection, ShadingMode, TRIANGLES,
+    Illumination, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode, TRIANGLES,
     Transform, VertexColors, View,
 };
 use crate::frame::{Band, Counts, Frame};
 use crate::shading::gouraud::Gouraud;
-use crate::shading::patch::{Patch, Triangle};
+use crate::shading::patch::{self, Patch, Rays, Scalar, Solid, Triangle};
 use crate::shading::phong::Phong;
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE, polynomial};
+use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE};
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
@@ -46,27 +47,31 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         .sum();
     let level = frame.workers().level();
     frame.paint(view.background, area < WORTH_SHARING, |band| {
-        band.clear();
+        let rows = band.rows.clone();
+        dispatch!(level, _simd => band.clear());
         let mut counts = Counts::default();
         if !band.depths.is_empty() {
-            for (index, projected) in world.query::<&Projected>().iter().enumerate() {
-                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| polygon.len > 0) {
-                    let nearness = Nearness::new(projected, number, &lens);
+            let mut cuboids = world.query::<(&Transform, &Mesh, &Normals, &VertexColors, &Projected)>();
+            for (index, (transform, mesh, normals, colors, projected)) in cuboids.iter().enumerate() {
+                let (solid, rays) = before(transform, mesh, normals, colors, projected, &lens);
+                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| touches(polygon, &rows)) {
+                    let nearness = Nearness::new(number, &solid, projected, &lens, &rays);
                     dispatch!(level, _simd => see(polygon, &nearness, index as u32 * 12 + number as u32, &lens, band));
                 }
             }
         }
         let mut scratch = Scratch::default();
         for illumination in world.query::<&Illumination>().iter() {
-            let mut cuboids = world.query::<(&Transform, &Material, &ShadingMode, &Normals, &VertexColors, &Projected)>();
-            for (index, (transform, material, own, normals, colors, projected)) in cuboids.iter().enumerate() {
+            let mut cuboids = world.query::<(&Transform, &Mesh, &Material, &ShadingMode, &Normals, &VertexColors, &Projected)>();
+            for (index, (transform, mesh, material, own, normals, colors, projected)) in cuboids.iter().enumerate() {
                 let object = Object {
                     surface: Surface { material, illumination, centre: transform.position },
                     mode: view.shading.unwrap_or(*own),
                     tolerance: view.tolerance,
                 };
-                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| polygon.len > 0) {
-                    let triangle = triangle(projected, number, normals, colors, &object.surface, &lens);
+                let (solid, rays) = before(transform, mesh, normals, colors, projected, &lens);
+                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| touches(polygon, &rows)) {
+                    let triangle = triangle(number, &solid, projected, &lens, &rays);
                     let id = index as u32 * 12 + number as u32;
                     counts += dispatch!(level, _simd => draw(polygon, &triangle, id, &object, &lens, band, &mut scratch));
                 }
@@ -74,6 +79,15 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         }
         counts
     });
+}
+
+/// Whether a polygon may cover anything in these rows of the picture.
+fn touches(polygon: &Polygon, rows: &Range<usize>) -> bool {
+    let [mut upper, mut lower] = [i32::MAX, i32::MIN];
+    for &[_, y] in polygon.vertices() {
+        (upper, lower) = (upper.min(y), lower.max(y));
+    }
+    upper < 256 * rows.end as i32 && lower > 256 * rows.start as i32
 }
 
 /// An upper bound of the pixels a polygon covers.
@@ -98,63 +112,65 @@ struct Object<'a> {
     tolerance: f64,
 }
 
-/// Gathers what is interpolated over triangle `number`.
-fn triangle(
-    projected: &Projected,
-    number: usize,
-    normals: &Normals,
-    colors: &VertexColors,
-    surface: &Surface,
+/// A cuboid as rays meet it, and the rays as the cuboid meets them.
+fn before<'a>(
+    transform: &Transform,
+    mesh: &Mesh,
+    normals: &'a Normals,
+    colors: &'a VertexColors,
+    projected: &'a Projected,
     lens: &Lens,
-) -> Triangle {
-    let corners = TRIANGLES[number].map(usize::from);
-    let seen = corners.map(|corner| projected.seen[corner]);
-    let vertices = seen.map(|seen| lens.homogeneous(seen));
-    let eye = match lens.projection {
-        Projection::Perspective => Some(lens.eye - surface.centre),
-        Projection::Orthographic => None,
+) -> (Solid<'a>, Rays) {
+    let solid = Solid {
+        axes: projected.axes,
+        half: mesh.corners[7],
+        offsets: &projected.offsets,
+        normals: &normals.0,
+        colors: &colors.0,
     };
-    Triangle {
-        planes: Triangle::planes(vertices),
+    let rays = Rays {
+        eye: lens.eye - transform.position,
+        axes: lens.axes,
         pitch: lens.pitch,
-        offsets: corners.map(|corner| projected.offsets[corner]),
-        normals: corners.map(|corner| normals.0[corner]),
-        colors: corners.map(|corner| colors.0[corner]),
-        screen: seen
-            .iter()
-            .all(|seen| seen.z >= lens.near)
-            .then(|| vertices.map(|vertex| vertex.z)),
-        eye,
-        backward: -lens.axes[2],
-    }
+        projection: lens.projection,
+    };
+    (solid, rays)
 }
 
-/// What grows towards the eye and is affine on the screen: 1 / depth in perspective, minus the depth in orthographic
-/// projection.
+/// Gathers what is interpolated over triangle `number`.
+fn triangle(
+    number: usize,
+    solid: &Solid,
+    projected: &Projected,
+    lens: &Lens,
+    rays: &Rays,
+) -> Triangle {
+    let seen = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)]);
+    let screen = seen
+        .iter()
+        .all(|seen| seen.z >= lens.near)
+        .then(|| seen.map(|seen| lens.homogeneous(seen).z));
+    Triangle::new(number, solid, rays, screen)
+}
+
+/// How near a triangle is, for the depth buffer.
 struct Nearness {
-    /// Coefficients of (X, Y, 1).
-    plane: DVec3,
+    /// See [`patch::nearness`].
+    plane: Scalar,
     /// The least and the most of what is seen of the triangle. Samples are held to it: one that snapping put just outside
     /// an edge-on face would else be as near or as far as the face is steep.
     range: [f64; 2],
 }
 
 impl Nearness {
-    fn new(projected: &Projected, number: usize, lens: &Lens) -> Self {
-        let seen = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)]);
-        let vertices = seen.map(|seen| lens.homogeneous(seen));
-        let planes = Triangle::planes(vertices);
-        let volume = vertices[0].dot(planes[0]);
-        let [a, b, c] = seen.map(|seen| seen.z);
+    fn new(number: usize, solid: &Solid, projected: &Projected, lens: &Lens, rays: &Rays) -> Self {
+        let [a, b, c] = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)].z);
         let (farthest, nearest) = (a.max(b).max(c), a.min(b).min(c).max(lens.near));
-        match lens.projection {
-            Projection::Perspective => Nearness {
-                plane: (planes[0] + planes[1] + planes[2]) / volume,
-                range: [1.0 / farthest, 1.0 / nearest],
-            },
-            Projection::Orthographic => Nearness {
-                plane: -(planes[0] * a + planes[1] * b + planes[2] * c) / volume,
-                range: [-farthest, -nearest],
+        Nearness {
+            plane: patch::nearness(number, solid, rays),
+            range: match lens.projection {
+                Projection::Perspective => [1.0 / farthest, 1.0 / nearest],
+                Projection::Orthographic => [-farthest, -nearest],
             },
         }
     }
@@ -169,14 +185,13 @@ fn see(polygon: &Polygon, nearness: &Nearness, id: u32, lens: &Lens, band: &mut 
     } = *nearness;
     let mut scan = Scan::new(polygon, band.rows.clone(), band.width);
     while let Some((row, from, to)) = scan.next_span() {
-        let y = (lens.half[1] - row as f64 - 0.5) * lens.pitch;
-        let start = plane.y * y + plane.z;
+        let start = plane.centre + plane.dy * (row as f64 + 0.5 - lens.half[1]);
         let first = band.index(from, row);
         let depths = &mut band.depths[first..first + to - from];
         let triangles = &mut band.triangles[first..first + to - from];
         for (offset, (old, triangle)) in depths.iter_mut().zip(triangles).enumerate() {
-            let x = ((from + offset) as f64 + 0.5 - lens.half[0]) * lens.pitch;
-            let new = (start + plane.x * x).max(least).min(most);
+            let x = (from + offset) as f64 + 0.5 - lens.half[0];
+            let new = (start + plane.dx * x).max(least).min(most);
             if new - *old > DEPTH_TIE * old.abs() {
                 *old = new;
                 *triangle = id;
@@ -267,32 +282,40 @@ fn draw_with(
         };
         for column in (from / BLOCK * BLOCK..upper.end.max(lower.end)).step_by(BLOCK) {
             let corner = [column as f64 - lens.half[0], first as f64 - lens.half[1]];
+            let whole = band.takes_whole(first, BLOCK)
+                && rows[0].cover(column..column + BLOCK)
+                && rows[1].cover(column..column + BLOCK);
+            if whole {
+                let patch = Patch::new(triangle, corner, WHOLE, WHOLE);
+                if let Some(polynomial) = shader.polynomial(triangle, &patch) {
+                    let target = &mut WholeBlock {
+                        band,
+                        column,
+                        first,
+                    };
+                    polynomial.for_rows::<BLOCK>(patch.first(), 0..BLOCK, target);
+                    counts.covered_pixels += (BLOCK * BLOCK) as u64;
+                    counts.tiles[polynomial.kind as usize] += 4;
+                    continue;
+                }
+            }
             let block = Block {
                 columns: [column, column + TILE],
-                coverage: rows
-                    .each_ref()
-                    .map(|tiles| [tiles.coverage(column), tiles.coverage(column + TILE)]),
+                coverage: [
+                    [rows[0].coverage(column), rows[0].coverage(column + TILE)],
+                    [rows[1].coverage(column), rows[1].coverage(column + TILE)],
+                ],
             };
-            let patch = block.patch(triangle, corner);
-            let polynomial = patch.as_ref().and_then(|patch| {
-                shader
-                    .polynomial(triangle, patch)
-                    .map(|(color, kind)| (patch, color, kind))
-            });
-            if let Some((patch, color, kind)) = &polynomial
-                && block.is_whole()
-                && band.takes_whole(first, BLOCK)
-            {
-                let target = &mut WholeBlock {
-                    band,
-                    column,
-                    first,
-                };
-                polynomial::for_rows(color, *kind, patch.first(), 0..BLOCK, target);
-                counts.covered_pixels += (BLOCK * BLOCK) as u64;
-                counts.tiles[*kind as usize] += 4;
-                continue;
-            }
+            let patch = if whole {
+                None
+            } else {
+                block.patch(triangle, corner)
+            };
+            // Not by `and_then`: a closure would not have the SIMD level of what it is called from.
+            let polynomial = match &patch {
+                Some(patch) => shader.polynomial(triangle, patch),
+                None => None,
+            };
             for (down, tiles) in rows.iter().enumerate() {
                 for (right, &column) in block.columns.iter().enumerate() {
                     let coverage = &block.coverage[down][right];
@@ -301,10 +324,11 @@ fn draw_with(
                         continue;
                     }
                     let shift = [(right * TILE) as f64, (down * TILE) as f64];
-                    let evaluations = if let Some((patch, color, kind)) = &polynomial {
+                    let evaluations = if let (Some(patch), Some(polynomial)) = (&patch, &polynomial)
+                    {
                         let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
-                        polynomial::shade(color, *kind, first, coverage, &mut store);
-                        Evaluations::of(*kind)
+                        polynomial.shade(first, coverage, &mut store);
+                        Evaluations::of(polynomial.kind)
                     } else {
                         let origin = [corner[0] + shift[0], corner[1] + shift[1]];
                         let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
@@ -319,6 +343,9 @@ fn draw_with(
     counts
 }
 
+/// The lanes, and the rows, of a block.
+const WHOLE: [u8; 2] = [0, BLOCK as u8 - 1];
+
 /// Two by two tiles.
 struct Block {
     columns: [usize; 2],
@@ -326,13 +353,6 @@ struct Block {
 }
 
 impl Block {
-    fn is_whole(&self) -> bool {
-        self.coverage
-            .iter()
-            .flatten()
-            .all(|coverage| coverage.pixels == Coverage::WHOLE.pixels)
-    }
-
     /// The block as one patch, where more than one of its tiles is covered.
     #[inline(always)]
     fn patch(&self, triangle: &Triangle, corner: [f64; 2]) -> Option<Patch> {

@@ -52,7 +52,8 @@ pub fn csv(report: &Report) -> String {
     text
 }
 
-fn quoted(text: &str) -> String {
+/// A cell as it must be written to be read as this text.
+pub(super) fn quoted(text: &str) -> String {
     if text.contains(['"', ',', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {

@@ -4,26 +4,20 @@
 
 use serde_json::{Map, Value, json};
 
+use super::machine::Machine;
 use super::metrics::Error;
 use super::report::{mode_name, projection_name};
+use super::timing::Timing;
 use super::verdict::verdict;
 use super::{Measurement, Report, flip};
 use crate::shading::TileKind;
 
 /// The report as JSON text.
 pub fn json(report: &Report) -> String {
-    let machine = &report.machine;
     let methods: Vec<Value> = report.methods.iter().map(method).collect();
     let value = json!({
         "verdict": verdict(report),
-        "machine": {
-            "cpu": machine.cpu,
-            "cores": machine.cores,
-            "lanes": machine.lanes,
-            "os": machine.os,
-            "rustc": machine.rustc,
-            "profile": machine.profile,
-        },
+        "machine": machine(&report.machine),
         "command": report.command,
         "scene": report.scene,
         "camera": report.camera,
@@ -34,6 +28,30 @@ pub fn json(report: &Report) -> String {
         "methods": methods,
     });
     format!("{value:#}\n")
+}
+
+/// Where times were measured.
+pub(super) fn machine(machine: &Machine) -> Value {
+    json!({
+        "cpu": machine.cpu,
+        "cores": machine.cores,
+        "lanes": machine.lanes,
+        "os": machine.os,
+        "rustc": machine.rustc,
+        "profile": machine.profile,
+    })
+}
+
+/// The statistics of times.
+pub(super) fn milliseconds(timing: &Timing) -> Value {
+    json!({
+        "samples": timing.samples,
+        "median": timing.median,
+        "mad": timing.mad,
+        "min": timing.min,
+        "p99": timing.p99,
+        "interval": timing.interval(),
+    })
 }
 
 fn method(one: &Measurement) -> Value {
@@ -51,14 +69,7 @@ fn method(one: &Measurement) -> Value {
         "mode": mode_name(one.method.mode),
         "tolerance": one.method.tolerance,
         "threads": one.threads,
-        "ms": {
-            "samples": timing.samples,
-            "median": timing.median,
-            "mad": timing.mad,
-            "min": timing.min,
-            "p99": timing.p99,
-            "interval": timing.interval(),
-        },
+        "ms": milliseconds(timing),
         "ns_per_covered_pixel": one.ns_per_covered_pixel(),
         "counts": {
             "model_evaluations": one.counts.model_evaluations,

@@ -30,9 +30,9 @@ const CEILING: f64 = 500.0;
 const ERRORS: [f64; 7] = [FLOOR, 0.01, 0.1, 1.0, 10.0, 100.0, 255.0];
 
 const SIZE: (u32, u32) = (960, 600);
-const INK: RGBColor = RGBColor(0x22, 0x26, 0x2b);
-const GRID: RGBColor = RGBColor(0xe4, 0xe6, 0xe9);
-const FRONT: RGBColor = RGBColor(0x6b, 0x72, 0x7a);
+pub(super) const INK: RGBColor = RGBColor(0x22, 0x26, 0x2b);
+pub(super) const GRID: RGBColor = RGBColor(0xe4, 0xe6, 0xe9);
+pub(super) const FAINT: RGBColor = RGBColor(0x6b, 0x72, 0x7a);
 
 /// The plotting library's font sizes are 1.24 times those it writes.
 const fn font(pixels: f64) -> f64 {
@@ -111,21 +111,33 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
     Ok(text)
 }
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-fn text_style(pixels: f64, color: RGBColor) -> TextStyle<'static> {
+pub(super) fn text_style(pixels: f64, color: RGBColor) -> TextStyle<'static> {
     ("sans-serif", font(pixels)).into_font().color(&color)
 }
 
+/// A text that may hold names out of files, fit for SVG.
+pub(super) fn printable(text: &str) -> String {
+    text.replace(char::is_control, "\u{fffd}")
+}
+
 fn title(area: &Area, report: &Report) -> anyhow::Result<()> {
-    let clean = |text: String| text.replace(char::is_control, "\u{fffd}");
     area.draw_text(
         "What each shading method costs and errs",
         &text_style(18.0, INK),
         (24, 16),
     )?;
-    area.draw_text(&clean(subject(report)), &text_style(12.0, FRONT), (24, 42))?;
-    area.draw_text(&clean(place(report)), &text_style(12.0, FRONT), (24, 60))?;
+    area.draw_text(
+        &printable(&subject(report)),
+        &text_style(12.0, FAINT),
+        (24, 42),
+    )?;
+    area.draw_text(
+        &printable(&place(report)),
+        &text_style(12.0, FAINT),
+        (24, 60),
+    )?;
     Ok(())
 }
 
@@ -149,7 +161,7 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
         .configure_mesh()
         .bold_line_style(GRID)
         .light_line_style(TRANSPARENT)
-        .axis_style(FRONT)
+        .axis_style(FAINT)
         .label_style(text_style(12.0, INK))
         .axis_desc_style(text_style(13.0, INK))
         .x_desc("time: ns per covered pixel")
@@ -164,7 +176,7 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
         })
         .draw()?;
     let front = front(points, times.end);
-    chart.draw_series([PathElement::new(front.clone(), FRONT.stroke_width(2))])?;
+    chart.draw_series([PathElement::new(front.clone(), FAINT.stroke_width(2))])?;
     let intervals: Vec<[(f64, f64); 2]> =
         points.iter().map(|point| point.interval(&times)).collect();
     for (point, interval) in points.iter().zip(&intervals) {
@@ -200,7 +212,7 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
             let end = if left > x { left } else { right };
             area.draw(&PathElement::new(
                 [(x, y), (end, middle)],
-                FRONT.stroke_width(1),
+                FAINT.stroke_width(1),
             ))?;
         }
         area.draw(&Rectangle::new(
@@ -259,10 +271,10 @@ fn key(area: &Area) -> anyhow::Result<()> {
     ] {
         explain(meaning, &|x| dot(area, (x, 90), color(mode), true))?;
     }
-    explain("on the front", &|x| dot(area, (x, 90), FRONT, true))?;
-    explain("beaten by another", &|x| dot(area, (x, 90), FRONT, false))?;
+    explain("on the front", &|x| dot(area, (x, 90), FAINT, true))?;
+    explain("beaten by another", &|x| dot(area, (x, 90), FAINT, false))?;
     explain("where the time may lie", &|x| {
-        let line = PathElement::new([(x - 8, 90), (x + 6, 90)], FRONT.stroke_width(1));
+        let line = PathElement::new([(x - 8, 90), (x + 6, 90)], FAINT.stroke_width(1));
         Ok(area.draw(&line)?)
     })
 }
@@ -278,7 +290,7 @@ fn axis(points: &[Point]) -> Range<f64> {
 }
 
 /// Round times within the axis: 1, 2 and 5 times the powers of ten, or every digit where these are too few.
-fn ticks(axis: &Range<f64>) -> Vec<f64> {
+pub(super) fn ticks(axis: &Range<f64>) -> Vec<f64> {
     let decades = axis.start.log10().floor() as i32..=axis.end.log10().floor() as i32;
     let of = |digits: &[f64]| -> Vec<f64> {
         let all = decades

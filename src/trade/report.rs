@@ -4,6 +4,7 @@
 
 use comfy_table::{CellAlignment, Table, TableComponent, presets};
 
+use super::machine::Machine;
 use super::timing::Timing;
 use super::verdict::verdict;
 use super::{Measurement, Report, flip, front};
@@ -66,25 +67,10 @@ const COLUMNS: [Column; 10] = [
 
 /// What a terminal shows: verdict, what was measured and where, the table, and what its columns mean.
 pub fn table(report: &Report) -> String {
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
-    table.set_style(TableComponent::HeaderLines, '\u{2500}');
-    table.set_style(TableComponent::MiddleHeaderIntersections, '\u{2500}');
-    table.set_header(COLUMNS.map(|column| column.head));
-    for measurement in &report.methods {
-        table.add_row(COLUMNS.map(|column| (column.cell)(measurement)));
-    }
-    for (index, column) in table.column_iter_mut().enumerate() {
-        let gap = if index == 0 { 0 } else { GAP };
-        column.set_padding((gap, 0));
-        if index > 0 {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
     let paragraphs = [
         wrapped(&verdict(report)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
-        table.trim_fmt(),
+        aligned(&head(), &rows(report)),
         wrapped(&differences(report)),
         wrapped(&legend()),
     ];
@@ -93,23 +79,51 @@ pub fn table(report: &Report) -> String {
 
 /// The same for a README.
 pub fn markdown(report: &Report) -> String {
-    let row = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let mut table = row(&COLUMNS.map(|column| column.head.to_owned()));
-    table += "|---";
-    table += &"|---:".repeat(COLUMNS.len() - 1);
-    table += "|\n";
-    for measurement in &report.methods {
-        table += &row(&COLUMNS.map(|column| (column.cell)(measurement)));
-    }
     format!(
-        "{}\n\n{}  \n{}  \n`{}`\n\n{table}\n{}\n\n{}\n",
+        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}\n\n{}\n",
         verdict(report),
         subject(report),
         place(report),
         report.command,
+        markdown_table(&head(), &rows(report)),
         differences(report),
         legend()
     )
+}
+
+fn head() -> Vec<String> {
+    COLUMNS.map(|column| column.head.to_owned()).to_vec()
+}
+
+fn rows(report: &Report) -> Vec<Vec<String>> {
+    let row = |one| COLUMNS.map(|column| (column.cell)(one)).to_vec();
+    report.methods.iter().map(row).collect()
+}
+
+/// A table for a terminal, its first column to the left and the others to the right.
+pub(super) fn aligned(head: &[String], rows: &[Vec<String>]) -> String {
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING);
+    table.set_style(TableComponent::HeaderLines, '\u{2500}');
+    table.set_style(TableComponent::MiddleHeaderIntersections, '\u{2500}');
+    table.set_header(head);
+    table.add_rows(rows);
+    for (index, column) in table.column_iter_mut().enumerate() {
+        let gap = if index == 0 { 0 } else { GAP };
+        column.set_padding((gap, 0));
+        if index > 0 {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table.trim_fmt()
+}
+
+/// The same in Markdown.
+pub(super) fn markdown_table(head: &[String], rows: &[Vec<String>]) -> String {
+    let row = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let rule = format!("|---{}|\n", "|---:".repeat(head.len() - 1));
+    let rows: Vec<String> = rows.iter().map(|cells| row(cells)).collect();
+    row(head) + &rule + &rows.concat()
 }
 
 /// What was measured.
@@ -130,23 +144,27 @@ pub(super) fn subject(report: &Report) -> String {
 
 /// Where it was measured.
 pub(super) fn place(report: &Report) -> String {
-    let machine = &report.machine;
+    let threads = report.methods.first().map_or(1, |one| one.threads);
+    machine(&report.machine, &counted(threads, "thread", "threads"))
+}
+
+/// The machine, and how many of its threads drew.
+pub(super) fn machine(machine: &Machine, threads: &str) -> String {
     // The name and the number; what follows is a commit.
     let rustc: Vec<&str> = machine.rustc.split(' ').take(2).collect();
-    let threads = report.methods.first().map_or(1, |one| one.threads);
     format!(
-        "{}, {}, {}, {}, {}, {}, {} build",
+        "{}, {}, {}, {threads}, {}, {}, {} build",
         machine.cpu,
         counted(machine.cores, "core", "cores"),
         machine.lanes,
-        counted(threads, "thread", "threads"),
         machine.os,
         rustc.join(" "),
         machine.profile
     )
 }
 
-fn counted(number: usize, one: &str, many: &str) -> String {
+/// A number with its noun.
+pub(super) fn counted(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
@@ -231,6 +249,14 @@ pub(super) fn levels(error: f64) -> String {
     format!("{number} levels")
 }
 
+/// "a", "a and b", "a, b and c".
+pub(super) fn listed(clauses: &[String]) -> String {
+    match clauses {
+        [start @ .., last] if !start.is_empty() => format!("{} and {last}", start.join(", ")),
+        _ => clauses.concat(),
+    }
+}
+
 /// How many times `base` goes into `value`, as text; `None` where it has no end.
 pub(super) fn ratio(value: f64, base: f64) -> Option<String> {
     let ratio = value / base;
@@ -244,7 +270,7 @@ pub(super) fn ratio(value: f64, base: f64) -> Option<String> {
 }
 
 /// The same words in lines of at most [`WIDTH`] columns, but for longer words.
-fn wrapped(text: &str) -> String {
+pub(super) fn wrapped(text: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
         match lines.last_mut() {

@@ -15,9 +15,6 @@ use std::time::{Duration, Instant};
 /// Frames on the clock each time a method's turn comes.
 pub const FRAMES_PER_TURN: usize = 3;
 
-/// Samples of each method however little time there is: below that a median says little.
-pub const LEAST_SAMPLES: usize = 30;
-
 /// Samples of each method however much time there is: more would say nothing new.
 pub const MOST_SAMPLES: usize = 9_999;
 
@@ -86,19 +83,20 @@ fn median(times: &[f64]) -> f64 {
     }
 }
 
-/// Times `draw(0)` to `draw(methods - 1)` in turns, as many rounds as fit into `time`, but at least [`LEAST_SAMPLES`]
-/// and at most [`MOST_SAMPLES`] each; `progress` hears the share done, 0..=1.
+/// Times `draw(0)` to `draw(methods - 1)` in turns, as many rounds as fit into `time`, but at least `least` samples and
+/// at most [`MOST_SAMPLES`] of each; `progress` hears the share done, 0..=1.
 ///
 /// # Errors
 /// The first that `draw` gives.
 pub fn in_turns<E>(
     methods: usize,
+    least: usize,
     time: Duration,
     mut draw: impl FnMut(usize) -> Result<(), E>,
     progress: impl Fn(f64),
 ) -> Result<Vec<Timing>, E> {
-    const LEAST_ROUNDS: usize = LEAST_SAMPLES.div_ceil(FRAMES_PER_TURN);
     const MOST_ROUNDS: usize = MOST_SAMPLES / FRAMES_PER_TURN;
+    let least_rounds = least.div_ceil(FRAMES_PER_TURN);
     for method in 0..methods {
         for _ in 0..=FRAMES_PER_TURN {
             draw(method)?;
@@ -120,11 +118,11 @@ pub fn in_turns<E>(
         }
         let spent = begin.elapsed();
         let next = spent + spent / round as u32;
-        if round >= LEAST_ROUNDS && next > time {
+        if round >= least_rounds && next > time {
             break;
         }
         let share_of_time = spent.as_secs_f64() / time.as_secs_f64().max(f64::MIN_POSITIVE);
-        let rounds = [LEAST_ROUNDS, MOST_ROUNDS].map(|rounds| round as f64 / rounds as f64);
+        let rounds = [least_rounds, MOST_ROUNDS].map(|rounds| round as f64 / rounds as f64);
         progress(share_of_time.max(rounds[1]).min(rounds[0]).min(1.0));
     }
     Ok(times.into_iter().map(Timing::of).collect())
@@ -164,11 +162,11 @@ mod tests {
             drawn.borrow_mut().push(method);
             Ok::<_, Infallible>(())
         };
-        let Ok(timings) = in_turns(3, Duration::ZERO, draw, |share| {
+        let Ok(timings) = in_turns(3, 30, Duration::ZERO, draw, |share| {
             shares.borrow_mut().push(share);
         });
         assert_eq!(timings.len(), 3);
-        assert!(timings.iter().all(|timing| timing.samples == LEAST_SAMPLES));
+        assert!(timings.iter().all(|timing| timing.samples == 30));
 
         let drawn = drawn.into_inner();
         let turns: Vec<_> = drawn.chunks(FRAMES_PER_TURN + 1).collect();
@@ -188,10 +186,10 @@ mod tests {
 
     #[test]
     fn there_are_only_so_many_samples_and_the_first_error_ends_it() {
-        let Ok(timings) = in_turns(1, Duration::MAX, |_| Ok::<_, Infallible>(()), |_| ());
+        let Ok(timings) = in_turns(1, 30, Duration::MAX, |_| Ok::<_, Infallible>(()), |_| ());
         assert_eq!(timings[0].samples, MOST_SAMPLES);
         assert_eq!(
-            in_turns(2, Duration::ZERO, |_| Err("no"), |_| ()),
+            in_turns(2, 30, Duration::ZERO, |_| Err("no"), |_| ()),
             Err("no")
         );
     }

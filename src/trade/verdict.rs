@@ -2,7 +2,7 @@
 //!
 //! Rule: every word follows from a measured number; what was not measured or cannot be told apart is not claimed.
 
-use super::report::{levels, ratio, short};
+use super::report::{levels, listed, ratio, short};
 use super::{Measurement, Report};
 use crate::components::ShadingMode;
 
@@ -89,14 +89,6 @@ fn errs_and_misses(error: f64, of: &Measurement) -> Vec<String> {
         _ => None,
     };
     std::iter::once(errs).chain(misses).collect()
-}
-
-/// "a", "a and b", "a, b and c".
-fn listed(clauses: &[String]) -> String {
-    match clauses {
-        [start @ .., last] if !start.is_empty() => format!("{} and {last}", start.join(", ")),
-        _ => clauses.concat(),
-    }
 }
 
 /// What `one` costs next to `gouraud`, followed by the place.

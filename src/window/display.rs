@@ -10,8 +10,8 @@ use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOption
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
 use super::WindowError;
-use super::canvas::Point;
 use super::input::Event;
+use crate::canvas::Point;
 
 /// Wayland tells the wheel in a length of its own; this much is a notch.
 const WAYLAND_NOTCH: f32 = 10.0;

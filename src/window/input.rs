@@ -8,7 +8,7 @@ use std::time::Duration;
 use minifb::Key;
 
 use super::bindings::{Action, Hold, bound_to_character, bound_to_key};
-use super::canvas::Point;
+use crate::canvas::Point;
 
 /// From how many pixels on a press that moves is a drag.
 pub const DRAG_DISTANCE: i32 = 4;

@@ -10,10 +10,7 @@ use std::time::Duration;
 
 use rayon::ThreadPoolBuilder;
 
-use super::lines::Line;
 use crate::drawing::all_cores;
-use crate::trade::report::short;
-use crate::trade::verdict::verdict;
 use crate::trade::{self, Progress, Report, Request};
 
 /// How long frames are timed, the comparison with the reference apart.
@@ -52,57 +49,6 @@ impl Measuring {
     pub fn is_running(&self) -> bool {
         matches!(self, Measuring::Running(_))
     }
-
-    /// What is shown, in lines of at most `letters`; empty where nothing is.
-    pub fn lines(&self, letters: usize) -> Vec<Line> {
-        match self {
-            Measuring::Off => Vec::new(),
-            Measuring::Running(progress) => {
-                let (step, share) =
-                    progress.map_or(("starting", 0.0), |told| (told.step, told.share));
-                vec![
-                    Line::Title("measuring ...", String::new()),
-                    Line::Text(format!("{step:<20}{:>4.0} %", 100.0 * share)),
-                    Line::Text("Esc or M ends it".to_owned()),
-                ]
-            }
-            Measuring::Done(report) => table(report, letters),
-        }
-    }
-}
-
-/// The verdict, and a row for every method.
-fn table(report: &Report, letters: usize) -> Vec<Line> {
-    let [width, height] = report.size;
-    let mut lines = vec![Line::Title("measured", format!("{width}\u{d7}{height}"))];
-    lines.extend(
-        super::hud::wrapped(&verdict(report), letters)
-            .into_iter()
-            .map(Line::Text),
-    );
-    lines.push(Line::Heading("methods"));
-    let row = |cells: [&str; 4]| {
-        let [method, time, error, front] = cells;
-        Line::Text(format!("{method:<18}{time:>8}{error:>8}{front:>6}"))
-    };
-    lines.push(row(["", "ms", "max", "front"]));
-    lines.extend(report.methods.iter().map(|one| {
-        row([
-            one.method.id,
-            &short(Some(one.timing.median)),
-            &short(one.max_error()),
-            if one.on_front { "*" } else { "" },
-        ])
-    }));
-    let notes = "max: largest error in levels against exact Phong. front *: nothing beats it in error and time both. \
-                 Times are of one thread.";
-    lines.push(Line::Heading("what it says"));
-    lines.extend(
-        super::hud::wrapped(notes, letters)
-            .into_iter()
-            .map(Line::Text),
-    );
-    lines
 }
 
 /// A measurement that goes on.

@@ -3,7 +3,10 @@
 //! Rule: nothing here knows pixels, keys or clocks; the time is told by [`Session::tick`], so that everything can be
 //! tested without a display.
 
+mod actions;
 mod readings;
+
+pub use actions::TOLERANCES;
 
 use std::time::Duration;
 
@@ -14,21 +17,18 @@ use super::examination::Examination;
 use super::examiner::{Findings, Question};
 use super::looking::Looking;
 use super::measuring::{self, Measuring, News};
-use super::orbit::{Limits, Orbit, moved_camera};
+use super::orbit::{Orbit, moved_camera};
 use super::overlay::{Overlay, Pane};
 use super::probing::Probing;
 use super::statistics::Statistics;
 use super::turning::Turning;
-use crate::components::{Light, Projection, ShadingMode, View, Viewpoint};
+use crate::components::{Projection, ShadingMode, View, Viewpoint};
 use crate::drawing::Drawing;
 use crate::frame::Frame;
 use crate::memory::OutOfMemory;
 use crate::scene::Scene;
 use crate::systems;
 use crate::trade;
-
-/// The tolerances that keys step through, in levels.
-pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
 /// What has to be done anew because something changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -98,115 +98,6 @@ impl Session {
             redraw: Redraw::Picture,
             requests: Vec::new(),
         }
-    }
-
-    /// Does what the user wants; what cannot be done says so for two seconds.
-    pub fn apply(&mut self, action: Action) {
-        match action {
-            Action::Light(index) => self.switch_light(index),
-            Action::LightNamed(name) => match self.light_named(name) {
-                Some(index) => self.switch_light(index),
-                None => self.say(format!("no light is named {name}")),
-            },
-            Action::Shading(mode) => {
-                self.shading = Some(mode);
-                self.changed();
-            }
-            Action::Tolerance(steps) => self.step_tolerance(steps),
-            Action::NextTolerance if self.next_tolerance(1).is_none() => {
-                self.shade_within(TOLERANCES[0]);
-            }
-            Action::NextTolerance => self.step_tolerance(1),
-            Action::Projection(projection) => {
-                self.projection = projection;
-                self.changed();
-            }
-            Action::NextProjection => self.apply(Action::Projection(match self.projection {
-                Projection::Perspective => Projection::Orthographic,
-                Projection::Orthographic => Projection::Perspective,
-            })),
-            Action::Camera(index) => self.look_from(index),
-            Action::NextCamera if self.scene.cameras.len() == 1 => self.say("there is one camera"),
-            Action::NextCamera => self.look_from((self.camera + 1) % self.scene.cameras.len()),
-            Action::Orbit { azimuth, elevation } => {
-                let orbit = self.orbit.moved(&self.own_viewpoint(), azimuth, elevation);
-                self.move_camera(orbit, "the camera stops short of the pole");
-            }
-            Action::Zoom(steps) => {
-                let limits = Limits::of(&self.scene, &self.own_viewpoint());
-                let end = if steps > 0 {
-                    "no closer than this"
-                } else {
-                    "no further than this"
-                };
-                self.move_camera(self.orbit.zoomed(steps, &limits), end);
-            }
-            Action::ResetView => {
-                self.orbit = Orbit::default();
-                self.turning.turn_to(0, &mut self.scene);
-                self.changed();
-            }
-            Action::Show(mode) => {
-                self.looking.mode = mode;
-                self.wants(Redraw::Picture);
-            }
-            Action::NextView => self.apply(Action::Show(self.looking.mode.next())),
-            Action::Blink => {
-                self.looking.blinks ^= true;
-                self.wants(Redraw::Overlay);
-            }
-            Action::Measure if self.measuring.is_open() => self.stop_measuring(),
-            Action::Measure if self.turning.is_on() => {
-                self.say("what turns cannot be measured");
-            }
-            Action::Measure => {
-                self.measuring = Measuring::Running(None);
-                self.requests.push(Request::Measure);
-                self.wants(Redraw::Overlay);
-            }
-            Action::Turning => {
-                self.turning.switch(self.now);
-                self.wants(Redraw::Overlay);
-            }
-            Action::Panel => {
-                self.overlay.switch_panel();
-                self.wants(Redraw::Overlay);
-            }
-            Action::Help => {
-                self.overlay.switch_help();
-                self.wants(Redraw::Overlay);
-            }
-            Action::Close if self.overlay.shows_help() => self.apply(Action::Help),
-            Action::Close if self.measuring.is_open() => self.stop_measuring(),
-            Action::Close if self.probing.is_open() => self.probe(None),
-            Action::Close | Action::Quit => self.requests.push(Request::Quit),
-            Action::Screenshot => self.requests.push(Request::Screenshot),
-        }
-    }
-
-    /// The key of `action` went up, and what lasted as long ends.
-    pub fn release(&mut self, action: Action) {
-        if action == Action::Blink && self.looking.blinks {
-            self.apply(action);
-        }
-    }
-
-    /// Moves the divider by this share of the picture's width to the right.
-    pub fn drag_divider(&mut self, by: f64) {
-        self.looking.drag(by);
-        self.wants(Redraw::Overlay);
-    }
-
-    /// Lets the divider stand where it is.
-    pub fn drop_divider(&mut self) {
-        self.looking.let_go();
-    }
-
-    /// Looks at this pixel from now on, or no longer at any.
-    pub fn probe(&mut self, pixel: Option<[usize; 2]>) {
-        self.probing.look_at(pixel);
-        self.overlay.scroll_to(Pane::Probe, 0);
-        self.wants(Redraw::Picture);
     }
 
     /// Finds out anew what there is to know of the pixel that is looked at, in a picture of `size` pixels.
@@ -359,12 +250,6 @@ impl Session {
         self.redraw = self.redraw.max(redraw);
     }
 
-    fn stop_measuring(&mut self) {
-        self.requests.retain(|request| *request != Request::Measure);
-        self.measuring = Measuring::Off;
-        self.wants(Redraw::Overlay);
-    }
-
     /// The picture is another one.
     fn changed(&mut self) {
         self.examination.restart(self.now);
@@ -372,56 +257,6 @@ impl Session {
             .retain(|request| !matches!(request, Request::Examine | Request::Measure));
         self.measuring = Measuring::Off;
         self.wants(Redraw::Picture);
-    }
-
-    fn switch_light(&mut self, index: usize) {
-        let Some(&entity) = self.scene.lights.get(index) else {
-            return self.say(format!("there is no light {}", index + 1));
-        };
-        if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
-            light.on = !light.on;
-        }
-        self.changed();
-    }
-
-    /// The nearest of [`TOLERANCES`] in the direction of `steps`.
-    fn next_tolerance(&self, steps: i32) -> Option<f64> {
-        let mut tolerances = TOLERANCES.into_iter();
-        if steps > 0 {
-            tolerances.find(|next| *next > self.tolerance)
-        } else {
-            tolerances.rfind(|next| *next < self.tolerance)
-        }
-    }
-
-    fn step_tolerance(&mut self, steps: i32) {
-        for _ in 0..steps.abs() {
-            match self.next_tolerance(steps) {
-                Some(tolerance) => self.shade_within(tolerance),
-                None if steps > 0 => return self.say("no coarser than this"),
-                None => return self.say("no finer than exact"),
-            }
-        }
-    }
-
-    fn shade_within(&mut self, tolerance: f64) {
-        self.tolerance = tolerance;
-        self.changed();
-    }
-
-    fn look_from(&mut self, camera: usize) {
-        self.camera = camera;
-        self.orbit = Orbit::default();
-        self.changed();
-    }
-
-    /// Moves the camera, or says what keeps it from moving.
-    fn move_camera(&mut self, orbit: Orbit, end: &str) {
-        if orbit == self.orbit {
-            return self.say(end);
-        }
-        self.orbit = orbit;
-        self.changed();
     }
 
     /// Where the scene puts the camera.

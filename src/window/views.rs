@@ -3,6 +3,7 @@
 //! Rule: pure functions of pixels, 0x00RRGGBB, row by row from the top; what is written is what was there, mixed with
 //! nothing but the colours named here.
 
+use crate::canvas::mix;
 use crate::components::ShadingMode;
 use crate::frame::NO_TRIANGLE;
 use crate::shading::TileKind;
@@ -111,15 +112,4 @@ pub fn dim(pixels: &mut [u32]) {
         let grey = (77 * red + 150 * green + 29 * blue) / (3 * 256);
         *pixel = grey << 16 | grey << 8 | grey;
     }
-}
-
-/// `below` covered by `weight` / 256 of `above`.
-fn mix(below: u32, above: u32, weight: u32) -> u32 {
-    [16, 8, 0]
-        .map(|shift| {
-            let [below, above] = [below, above].map(|color| color >> shift & 0xff);
-            ((below * (256 - weight) + above * weight) / 256) << shift
-        })
-        .iter()
-        .sum()
 }

@@ -86,7 +86,11 @@ fn a_wrong_command_line_ends_with_status_2_and_says_what_is_wrong() {
         ),
         (
             "render -o a.png --lights white,,red",
-            &["\"\"", "\"white\", \"red\", \"specular\", \"ambient\""],
+            &["a name is missing", "white,ambient"],
+        ),
+        (
+            "render -o a.png --lights all,white",
+            &["`all` stands by itself"],
         ),
         ("figures cuboid", &["unexpected argument 'cuboid'"]),
         ("figures --size 5x5", &["unexpected argument '--size'"]),

@@ -58,6 +58,21 @@ fn every_command_has_a_description_and_examples_that_parse() {
 }
 
 #[test]
+fn help_is_the_same_however_it_is_asked_for() {
+    let page = help("--help");
+    for line in ["-h", "help", "help --help", "help -h"] {
+        assert_eq!(help(line), page, "{line}");
+    }
+    for command in commands() {
+        let page = help(&format!("{command} --help"));
+        assert_eq!(help(&format!("help {command}")), page);
+        assert_eq!(help(&format!("{command} -h")), page);
+    }
+    let output = run(folder().path(), "help rendr");
+    assert!(said(&output).contains("'render'"), "{}", said(&output));
+}
+
+#[test]
 fn help_fits_in_100_columns() {
     for page in commands()
         .iter()

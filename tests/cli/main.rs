@@ -7,6 +7,7 @@ mod faults;
 mod files;
 mod help;
 mod pictures;
+mod scale;
 
 use std::fs;
 use std::path::Path;

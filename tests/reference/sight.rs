@@ -7,7 +7,7 @@ use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::reference::at_pixel;
 
 use super::scenes::{
-    MATERIAL, cube_under, draw, orthographic, same_place, sample, spawn_cuboid,
+    MATERIAL, cube_under, draw, orthographic, same_place, sample, spawn_cuboid, spawn_light,
     spawn_turned_cuboid, view,
 };
 
@@ -196,5 +196,35 @@ fn faces_in_one_plane_belong_to_the_cuboid_earlier_in_the_file() {
             front.clone().count() > 0 && front.clone().all(|id| *id < 12),
             "{positions:?}"
         );
+    }
+}
+
+#[test]
+fn a_cuboid_a_trillion_times_longer_than_wide_is_seen_as_exactly_as_a_cube() {
+    // Turned by 30 degrees about z, its long axis is (cos 30, sin 30, 0). From 4 above the face z = 1 row 3 of 11 sees
+    // y = 4 * 2 * (5.5 - 3.5) / 11 = 16 / 11 up along the picture if it is turned likewise.
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    for length in [2e6, 2e9, 2e12] {
+        let mut world = World::new();
+        spawn_turned_cuboid(
+            &mut world,
+            [4.0, length, 2.0],
+            [0.0; 3],
+            [0.0, 0.0, -60.0],
+            MATERIAL,
+        );
+        let light = DVec3::new(16.0 / 11.0 * cos, 16.0 / 11.0 * sin, 3.0);
+        spawn_light(&mut world, LightKind::Diffuse, light.to_array());
+        let mut view = view([11, 11], [0.0, 0.0, 5.0], [0.0; 3]);
+        view.viewpoint.camera.up = DVec3::new(cos, sin, 0.0);
+        let seen = sample(&world, &view, 5, 3);
+        assert_eq!(seen.triangle / 2, 4, "face +z");
+        assert!(
+            (seen.position - light + 2.0 * DVec3::Z).length() < 1e-9,
+            "{}",
+            seen.position
+        );
+        // The light is right above, and the normal leans over by nothing: kD * 100.
+        assert!((seen.phong.x - 100.0).abs() < 1e-9, "{}", seen.phong);
     }
 }

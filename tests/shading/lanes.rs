@@ -1,9 +1,12 @@
 //! Tiles shaded in f32, a lane for every pixel, against their naive twin: the same tile, pixel by pixel in f64.
 
 use glam::DVec3;
-use shadetrade::components::{Illumination, Material, PointLight};
+use shadetrade::components::{
+    Illumination, Material, Mesh, PointLight, Projection, TRIANGLES, Transform,
+};
+use shadetrade::shading::display::Row;
 use shadetrade::shading::gouraud::Gouraud;
-use shadetrade::shading::patch::{Patch, Triangle};
+use shadetrade::shading::patch::{Patch, Rays, Solid, Triangle};
 use shadetrade::shading::phong::Phong;
 use shadetrade::shading::unit_vectors::UnitVectors;
 use shadetrade::shading::{
@@ -17,48 +20,61 @@ use crate::random::Random;
 struct Tile(Vec<TileRow>);
 
 impl Sink for Tile {
-    fn take(&mut self, row: usize, levels: &TileRow) {
+    fn take(&mut self, row: usize, levels: &impl Row) {
         assert_eq!(row, self.0.len(), "rows come in order");
-        self.0.push(*levels);
-    }
-
-    fn take_within(&mut self, _row: usize, _levels: &TileRow) {
-        panic!("an exact tile is not an approximation");
+        let mut line = [[0.0; TILE]; 3];
+        for lane in 0..TILE {
+            for (channel, level) in line.iter_mut().zip(levels.levels(lane)) {
+                channel[lane] = level;
+            }
+        }
+        self.0.push(line);
     }
 }
 
-/// A triangle that fills a tile's surroundings, in world units round its centre: on the plane z = 0 but for a slope,
-/// with normals and colours of its own, seen by an eye above it.
+/// The first triangle of the top of a low cuboid, turned a little, that fills a tile's surroundings; with normals and
+/// colours of its own, seen by an eye above it.
 fn triangle(random: &mut Random) -> Triangle {
     let mut vector = |least: DVec3, most: DVec3| {
         let [x, y, z] = [0, 1, 2].map(|axis| random.within(least[axis], most[axis]));
         DVec3::new(x, y, z)
     };
     let eye = vector(DVec3::new(-2.0, -2.0, 6.0), DVec3::new(2.0, 2.0, 20.0));
-    let slope = DVec3::new(0.0, 0.0, 1.0);
-    let offsets = [[-3.0, -2.0], [3.0, -2.0], [0.0, 4.0]]
-        .map(|[x, y]| DVec3::new(x, y, 0.0) + vector(-slope, slope));
+    let transform = Transform {
+        position: DVec3::ZERO,
+        rotation: vector(DVec3::splat(-10.0), DVec3::splat(10.0)),
+    };
+    let mesh = Mesh::cuboid(DVec3::new(6.0, 6.0, 1.0));
+    let axes = transform.axes();
+    let offsets = mesh.corners.map(|corner| axes * corner);
     let normals =
         offsets.map(|_| vector(DVec3::new(-1.0, -1.0, 0.5), DVec3::new(1.0, 1.0, 1.0)).normalize());
     let colors = offsets.map(|_| vector(DVec3::ZERO, DVec3::splat(400.0)));
-    let seen = offsets.map(|offset| (offset - eye) * DVec3::new(1.0, 1.0, -1.0));
-    Triangle {
-        planes: Triangle::planes(seen),
+    let solid = Solid {
+        axes,
+        half: mesh.corners[7],
+        offsets: &offsets,
+        normals: &normals,
+        colors: &colors,
+    };
+    let rays = Rays {
+        eye,
+        axes: [DVec3::X, DVec3::Y, DVec3::NEG_Z],
         pitch: 1e-3,
-        offsets,
-        normals,
-        colors,
-        screen: Some(seen.map(|seen| seen.z)),
-        eye: Some(eye),
-        backward: DVec3::Z,
-    }
+        projection: Projection::Perspective,
+    };
+    let depths = TRIANGLES[TOP].map(|corner| eye.z - offsets[usize::from(corner)].z);
+    Triangle::new(TOP, &solid, &rays, Some(depths))
 }
+
+/// The first triangle of the face +z.
+const TOP: usize = 8;
 
 /// The tile over the middle of the triangle.
 fn middle(triangle: &Triangle) -> Patch {
     let centre = (triangle.offsets[0] + triangle.offsets[1] + triangle.offsets[2]) / 3.0;
     let seen = centre - triangle.eye.expect("in perspective");
-    let origin = [seen.x, -seen.y].map(|place| (place / -seen.z / triangle.pitch).round());
+    let origin = [seen.x, -seen.y].map(|place| (place / -seen.z / 1e-3).round());
     Patch::new(triangle, origin, [0, TILE as u8 - 1], [0, TILE as u8 - 1])
 }
 

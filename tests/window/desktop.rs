@@ -6,7 +6,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use image::RgbImage;
-use shadetrade::window::canvas::Point;
+use shadetrade::canvas::Point;
 use tempfile::TempDir;
 
 /// How long anything may take before it counts as failed.

@@ -8,8 +8,8 @@ use minifb::Key;
 use shadetrade::frame::Workers;
 use shadetrade::trade::error_map;
 use shadetrade::window::examiner::{Errors, Examiner, Findings, Question, examine};
+use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Shown};
-use shadetrade::window::lines::Line;
 use shadetrade::window::session::{Redraw, Request, Session};
 
 use super::{default_session, press};
@@ -82,7 +82,7 @@ fn an_answer_about_another_picture_is_dropped() {
 #[test]
 fn the_panel_tells_the_error_or_why_there_is_none() {
     let mut session = default_session();
-    assert_eq!(facts(&session)[2..4], ["...", "..."]);
+    assert_eq!(facts(&session)[4..6], ["...", "..."]);
     let mut findings = found(session.question(SMALL));
     findings.errors = Some(Errors {
         max: 163.4,
@@ -90,7 +90,7 @@ fn the_panel_tells_the_error_or_why_there_is_none() {
     });
     findings.own_errors = None;
     session.answer(findings);
-    assert_eq!(facts(&session)[2..4], ["163 / 9.93", "-"]);
+    assert_eq!(facts(&session)[4..6], ["   163   9.93", "-"]);
 }
 
 #[test]
@@ -133,7 +133,7 @@ fn where_nothing_is_drawn_there_is_no_error() {
     let findings = found(question);
     assert_eq!((findings.errors, findings.own_errors), (None, None));
     session.answer(findings);
-    assert_eq!(facts(&session)[2..4], ["-", "-"]);
+    assert_eq!(facts(&session)[4..6], ["-", "-"]);
 }
 
 #[test]

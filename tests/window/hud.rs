@@ -3,15 +3,18 @@
 use std::iter;
 use std::time::Duration;
 
+use fearless_simd::Level;
 use minifb::Key;
+use shadetrade::canvas::{Point, Rect};
 use shadetrade::components::{Projection, ShadingMode};
+use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::window::bindings::{Action, BINDINGS};
-use shadetrade::window::board::Board;
-use shadetrade::window::canvas::{Point, Rect};
-use shadetrade::window::hud::{Hud, Shown, respond};
+use shadetrade::window::hud::board::Board;
+use shadetrade::window::hud::lines::{Command, Line, Mark};
+use shadetrade::window::hud::{Hud, Shown};
 use shadetrade::window::input::Gesture;
-use shadetrade::window::lines::{Command, Line, Mark};
+use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 use shadetrade::window::views::ViewMode;
 
@@ -79,33 +82,29 @@ fn state(session: &mut Session) -> String {
     )
 }
 
+/// A row's keys, its mark (`#` on, `.` off), its label and its state.
+fn in_words(board: &Board) -> Vec<String> {
+    commands(board)
+        .into_iter()
+        .map(|(command, _)| {
+            let mark = match command.mark {
+                Mark::None => ' ',
+                Mark::Switch(true, _) | Mark::Choice(true) => '#',
+                Mark::Switch(false, _) | Mark::Choice(false) => '.',
+            };
+            let keys = command.captions.join(" ");
+            format!("{keys} {mark} {} {}", command.label, command.state)
+        })
+        .collect()
+}
+
 #[test]
 fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state() {
     let mut session = default_session();
     press(&mut session, Key::R);
     let hud = hud(&session, SIZE);
     let panel = hud.panel().expect("there is room");
-    let rows: Vec<String> = commands(panel)
-        .into_iter()
-        .map(|(command, _)| {
-            let mark = match command.mark {
-                Mark::None => ' ',
-                Mark::Switch(on, _) | Mark::Choice(on) => {
-                    if on {
-                        '#'
-                    } else {
-                        '.'
-                    }
-                }
-            };
-            format!(
-                "{} {mark} {} {}",
-                command.captions.join(" "),
-                command.label,
-                command.state
-            )
-        })
-        .collect();
+    let rows = in_words(panel);
     let expected = [
         "1 W # white on",
         "2 R . red off",
@@ -144,11 +143,77 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
         [
             "frame",
             "shaded",
-            "error max / mean",
-            "in its own mode",
-            "window"
+            "window",
+            "error",
+            "vs Phong",
+            "vs own mode"
         ]
     );
+}
+
+#[test]
+fn in_a_small_window_one_row_stands_for_every_key_and_tells_the_present_state() {
+    let small = [640, 480];
+    let mut session = default_session();
+    for key in [Key::R, Key::P, Key::O, Key::C, Key::Tab] {
+        press(&mut session, key);
+    }
+    let rows = in_words(hud(&session, small).panel().expect("there is room"));
+    let expected = [
+        "1 W # white on",
+        "2 R . red off",
+        "3 S # specular on",
+        "4 A # ambient on",
+        "G . Gouraud ",
+        "P # Phong ",
+        "[ ]   within 0.5 ",
+        "O   orthographic ",
+        "C   camera 2 ",
+        "Tab   Gouraud | Phong ",
+        "I # panel on",
+        "H . help off",
+    ];
+    assert_eq!(rows, expected);
+    // A click goes on to the next state.
+    for (action, next) in [
+        (Action::NextTolerance, "within 1"),
+        (Action::NextProjection, "perspective"),
+        (Action::NextCamera, "camera 1"),
+        (Action::NextView, "method | reference"),
+    ] {
+        let row = row_of(hud(&session, small).panel().expect("there is room"), action);
+        let gesture = Gesture::Click(row.expect("a row"));
+        respond(&mut session, gesture, small);
+        let rows = in_words(hud(&session, small).panel().expect("there is room"));
+        assert!(
+            rows.iter().any(|row| row.contains(next)),
+            "{next}: {rows:?}"
+        );
+    }
+}
+
+#[test]
+fn the_panel_leaves_the_cuboid_of_the_first_sight_free() {
+    for (size, allowance) in [
+        (SIZE, 0),
+        ([1280, 720], 0),
+        ([1920, 1080], 0),
+        ([640, 480], 8),
+    ] {
+        let mut session = default_session();
+        let workers = Workers::new(1, Level::new()).expect("no thread is needed");
+        let mut frame = Frame::new(Keep::Levels, workers);
+        session.draw(size, &mut frame).expect("there is memory");
+        let drawn = (0..)
+            .zip(frame.triangles())
+            .filter(|(_, triangle)| **triangle != NO_TRIANGLE);
+        let leftmost = drawn.map(|(index, _)| index % size[0]).min();
+        let panel = hud(&session, size).panel().expect("there is room").rect();
+        assert!(
+            panel.right() <= leftmost.expect("a cuboid") as i32 + allowance,
+            "{size:?}"
+        );
+    }
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! The window's state, tested without a display: what keys and clicks do to the scene and to what is seen.
 //! The real window is opened in `display.rs`.
 
-mod canvas;
 #[cfg(target_os = "linux")]
 mod desktop;
 #[cfg(target_os = "linux")]
@@ -27,9 +26,9 @@ use shadetrade::components::{Projection, ShadingMode, Transform};
 use shadetrade::drawing::Drawing;
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::{Action, BINDINGS, Section};
-use shadetrade::window::hud::respond;
+use shadetrade::window::hud::lines;
 use shadetrade::window::input::{Event, Input};
-use shadetrade::window::lines;
+use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 use shadetrade::window::statistics::Statistics;
 

@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 use minifb::Key;
 use shadetrade::shading::METHODS;
 use shadetrade::trade::{self, Progress, TradeError};
-use shadetrade::window::hud::respond;
+use shadetrade::window::hud::lines::Line;
 use shadetrade::window::input::Gesture;
-use shadetrade::window::lines::Line;
 use shadetrade::window::measuring::{Measurement, News};
+use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 
 use super::hud::hud;

@@ -2,13 +2,13 @@
 
 use fearless_simd::Level;
 use minifb::Key;
+use shadetrade::canvas::Point;
 use shadetrade::frame::Workers;
 use shadetrade::probe;
-use shadetrade::window::canvas::Point;
-use shadetrade::window::hud::respond;
+use shadetrade::window::hud::lines::Line;
+use shadetrade::window::hud::pixel::lines;
 use shadetrade::window::input::Gesture;
-use shadetrade::window::lines::Line;
-use shadetrade::window::probing::lines;
+use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 
 use super::hud::{UNTOUCHED, hud};

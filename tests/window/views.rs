@@ -5,8 +5,8 @@ use std::time::Duration;
 use minifb::Key;
 use shadetrade::components::ShadingMode;
 use shadetrade::frame::NO_TRIANGLE;
-use shadetrade::window::hud::respond;
 use shadetrade::window::input::Gesture;
+use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Session};
 use shadetrade::window::views::{TINTS, ViewMode, dim, tint, wipe};
 

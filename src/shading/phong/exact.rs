@@ -10,10 +10,12 @@
 
 use glam::DVec3;
 
-use super::{Outlook, Phong, Side, Vectors};
+use super::Phong;
+use super::outlook::{Outlook, Side, Vectors};
 use crate::components::{PointLight, unit};
 use crate::shading::certificate::Quadratic;
-use crate::shading::patch::{Affine, Patch, Triangle};
+use crate::shading::display::Exact;
+use crate::shading::patch::{Patch, Triangle};
 use crate::shading::specular::power;
 use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U, doubles, limit};
 
@@ -99,14 +101,14 @@ impl Phong<'_> {
         let [normal, light, eye] = [vectors.swing_normal, outlook.swing, vectors.swing_eye];
         let most = (1.0 + normal) * (1.0 + normal) * (1.0 + light) * (1.0 + eye);
         let twice = evaluation_error(&outlook.facing, half) * (1.0 + normal) * (1.0 + eye)
-            + evaluation_error(&vectors.normal_eye, half) * (1.0 + normal) * (1.0 + light)
+            + evaluation_error(&vectors.normal_eye(), half) * (1.0 + normal) * (1.0 + light)
             + most * (relative_error(&vectors.normal_square, half, normal) + 3.0 * U);
         let numerator = 2.0 * twice / ((1.0 - normal) * (1.0 - normal))
-            + evaluation_error(&Quadratic::dot(&outlook.to_light, &vectors.to_eye), half)
+            + evaluation_error(&outlook.light_eye(vectors), half)
             + U;
         let cosine = numerator / ((1.0 - light) * (1.0 - eye))
             + 0.5 * relative_error(&outlook.light_square, half, light)
-            + 0.5 * relative_error(&vectors.eye_square, half, eye)
+            + 0.5 * relative_error(&vectors.eye_square(), half, eye)
             + 4.0 * U;
         let shininess = self.surface.material.shininess;
         let steepest = if shininess == 0.0 || shininess >= 1.0 {
@@ -114,14 +116,18 @@ impl Phong<'_> {
         } else {
             f64::INFINITY
         };
-        let products = coefficient * (steepest * cosine + 16.0 * U);
+        let power = match &self.squarings {
+            Some(squarings) => squarings.error,
+            None => 16.0 * U,
+        };
+        let products = coefficient * (steepest * cosine + power);
         if products <= share {
             return (Reflection::Products, products);
         }
         let [a, b, c] = [normal, light, eye].map(direction_error);
         (
             Reflection::Vectors,
-            coefficient * (self.slope * (2.0 * a + b + c + 20.0 * U) + 16.0 * U),
+            coefficient * (self.slope * (2.0 * a + b + c + 20.0 * U) + power),
         )
     }
 
@@ -131,6 +137,7 @@ impl Phong<'_> {
     pub(super) fn shade_lanes(
         &self,
         vectors: &Vectors,
+        triangle: &Triangle,
         patch: &Patch,
         coverage: &Coverage,
         scratch: &mut Scratch,
@@ -142,7 +149,7 @@ impl Phong<'_> {
         let mut highlights = 0;
         let mut by_vectors = false;
         for light in &self.surface.illumination.points {
-            let outlook = self.outlook(light, vectors, patch);
+            let outlook = self.outlook(light, vectors, triangle, patch);
             if outlook.side == Side::Dark {
                 continue;
             }
@@ -167,7 +174,7 @@ impl Phong<'_> {
             vectors.normalise(patch, coverage, scratch);
         }
         for light in &self.surface.illumination.points {
-            let outlook = self.outlook(light, vectors, patch);
+            let outlook = self.outlook(light, vectors, triangle, patch);
             if outlook.side == Side::Dark {
                 continue;
             }
@@ -202,15 +209,16 @@ impl Phong<'_> {
         }
         let lanes = patch.lanes();
         let diffuse = diffuse.as_vec3().to_array();
+        let (nl, nn, ll) = (
+            outlook.facing.ramps(-patch.row),
+            vectors.normal_square.ramps(-patch.row),
+            outlook.light_square.ramps(-patch.row),
+        );
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
                 let gate = outlook.gate(&lanes, y);
-                let (nl, nn, ll) = (
-                    outlook.facing.ramp(y),
-                    vectors.normal_square.ramp(y),
-                    outlook.light_square.ramp(y),
-                );
+                let (nl, nn, ll) = (nl.row(row), nn.row(row), ll.row(row));
                 let mut cosine = [0.0; TILE];
                 for lane in 0..TILE {
                     let x = lanes[lane];
@@ -248,7 +256,18 @@ impl Phong<'_> {
         let specular = specular.as_vec3().to_array();
         let shininess = self.surface.material.shininess as f32;
         let lanes = patch.lanes();
-        let light_eye = Quadratic::dot(&outlook.to_light, &vectors.to_eye);
+        let first = -patch.row;
+        let (nl, no, lo) = (
+            outlook.facing.ramps(first),
+            vectors.normal_eye().ramps(first),
+            outlook.light_eye(vectors).ramps(first),
+        );
+        let (nn, ll, oo) = (
+            vectors.normal_square.ramps(first),
+            outlook.light_square.ramps(first),
+            vectors.eye_square().ramps(first),
+        );
+        let to_light = outlook.to_light.map(|v| v * outlook.inverse_light);
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
@@ -256,16 +275,8 @@ impl Phong<'_> {
                 let mut lambda = [0.0; TILE];
                 match reflection {
                     Reflection::Products => {
-                        let (nl, no, lo) = (
-                            outlook.facing.ramp(y),
-                            vectors.normal_eye.ramp(y),
-                            light_eye.ramp(y),
-                        );
-                        let (nn, ll, oo) = (
-                            vectors.normal_square.ramp(y),
-                            outlook.light_square.ramp(y),
-                            vectors.eye_square.ramp(y),
-                        );
+                        let (nl, no, lo) = (nl.row(row), no.row(row), lo.row(row));
+                        let (nn, ll, oo) = (nn.row(row), ll.row(row), oo.row(row));
                         for lane in 0..TILE {
                             let x = lanes[lane];
                             let along = 2.0 * at(nl, x) * at(no, x) / at(nn, x) - at(lo, x);
@@ -273,7 +284,7 @@ impl Phong<'_> {
                         }
                     }
                     Reflection::Vectors => {
-                        let ramp = outlook.to_light.row(y);
+                        let ramp = to_light.row(y);
                         for lane in 0..TILE {
                             let v: [f32; 6] = [0, 1, 2, 3, 4, 5]
                                 .map(|component| scratch.vectors[component][row][lane]);
@@ -285,7 +296,9 @@ impl Phong<'_> {
                         }
                     }
                 }
-                if shininess > 0.0 {
+                if let Some(squarings) = &self.squarings {
+                    squarings.raise(&lambda, &mut strength);
+                } else if shininess > 0.0 {
                     for lane in 0..TILE {
                         strength[lane] *= power(shininess, lambda[lane]);
                     }
@@ -307,13 +320,12 @@ impl Phong<'_> {
         coverage: &Coverage,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        doubles::shade(patch, coverage, sink, |weights| {
-            let offset = Triangle::blend(weights, &triangle.offsets);
-            let normal = unit(Triangle::blend(weights, &triangle.normals));
+        doubles::shade(triangle, patch, coverage, sink, |point| {
+            let normal = unit(Triangle::blend(point.weights, &triangle.normals));
             let to_eye = triangle
                 .eye
-                .map_or(triangle.backward, |eye| unit(eye - offset));
-            self.surface.levels(offset, normal, to_eye)
+                .map_or(triangle.backward, |eye| unit(eye - point.offset));
+            self.surface.levels(point.offset, normal, to_eye)
         });
         Evaluations::of(TileKind::Double).of_every_pixel(coverage, &self.surface)
     }
@@ -324,10 +336,13 @@ impl Vectors {
     #[inline(always)]
     pub(super) fn normalise(&self, patch: &Patch, coverage: &Coverage, scratch: &mut Scratch) {
         let lanes = patch.lanes();
+        // At length one in the middle, so that f32 neither overflows nor loses them.
+        let normal = self.normal.map(|v| v * self.inverse_normal);
+        let to_eye = self.to_eye.map(|v| v * self.inverse_eye);
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
-                for (component, ramp) in [(0, self.normal.row(y)), (3, self.to_eye.row(y))] {
+                for (component, ramp) in [(0, normal.row(y)), (3, to_eye.row(y))] {
                     let mut unit = [[0.0; TILE]; 3];
                     for lane in 0..TILE {
                         [unit[0][lane], unit[1][lane], unit[2][lane]] =
@@ -367,7 +382,7 @@ impl Outlook {
 pub(super) fn flush(coverage: &Coverage, scratch: &Scratch, sink: &mut impl Sink) {
     for (row, &(from, to)) in coverage.spans.iter().enumerate() {
         if from < to {
-            sink.take(row, &scratch.levels[row]);
+            sink.take(row, &Exact(&scratch.levels[row]));
         }
     }
 }
@@ -376,13 +391,6 @@ pub(super) fn flush(coverage: &Coverage, scratch: &Scratch, sink: &mut impl Sink
 #[inline(always)]
 fn at([middle, slope, curve]: [f32; 3], x: f32) -> f32 {
     middle + x * (slope + x * curve)
-}
-
-/// The vector at length one at the middle of its tile, so that f32 neither overflows nor loses it.
-#[inline(always)]
-pub(super) fn scaled(vector: &Affine) -> Affine {
-    let scale = 1.0 / vector.centre.length();
-    vector.map(|v| v * scale)
 }
 
 #[inline(always)]

@@ -3,9 +3,10 @@
 //! Rule: only covered lanes of rows that the band holds are written, and where there is a depth buffer only pixels that
 //! show this triangle.
 
-use crate::frame::{Band, display_bits, display_bits_within, pack};
+use crate::frame::Band;
+use crate::shading::display::Row;
 use crate::shading::polynomial::Rows;
-use crate::shading::{BLOCK, Coverage, Sink, TILE, TileKind, TileRow};
+use crate::shading::{BLOCK, Coverage, Sink, TILE, TileKind};
 
 /// Stores a block all of which is covered by one polynomial.
 pub struct WholeBlock<'a, 'b> {
@@ -17,14 +18,13 @@ pub struct WholeBlock<'a, 'b> {
     pub first: usize,
 }
 
-impl Rows<BLOCK> for WholeBlock<'_, '_> {
+impl Rows for WholeBlock<'_, '_> {
     #[inline(always)]
-    fn take(&mut self, row: usize, levels: &[[f32; BLOCK]; 3]) {
+    fn take(&mut self, row: usize, levels: &impl Row) {
         let start = self.band.index(self.column, self.first + row);
         let pixels = &mut self.band.pixels[start..start + BLOCK];
         for lane in 0..BLOCK {
-            pixels[lane] =
-                pack([0, 1, 2].map(|channel| display_bits_within(levels[channel][lane])));
+            pixels[lane] = levels.pixel(lane);
         }
     }
 }
@@ -40,6 +40,8 @@ pub struct Store<'a, 'b> {
     first: usize,
     /// Whether the band has all of the tile's rows.
     whole: bool,
+    /// Whether, besides, it takes bytes and nothing hides them.
+    plain: bool,
     /// How many pixels were stored.
     pub stored: u64,
 }
@@ -55,6 +57,7 @@ impl<'a, 'b> Store<'a, 'b> {
     ) -> Self {
         let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
         let whole = band.holds(row, TILE);
+        let plain = band.takes_whole(row, TILE);
         Store {
             band,
             coverage,
@@ -62,6 +65,7 @@ impl<'a, 'b> Store<'a, 'b> {
             row,
             first,
             whole,
+            plain,
             stored: 0,
         }
     }
@@ -113,55 +117,59 @@ impl<'a, 'b> Store<'a, 'b> {
 
 impl Sink for Store<'_, '_> {
     #[inline(always)]
-    fn take(&mut self, row: usize, levels: &TileRow) {
-        self.store(row, levels, display_bits);
-    }
-
-    #[inline(always)]
-    fn take_within(&mut self, row: usize, levels: &TileRow) {
-        self.store(row, levels, display_bits_within);
+    fn take(&mut self, row: usize, levels: &impl Row) {
+        let (from, to) = self.coverage.spans[row];
+        if !self.plain {
+            return self.take_seen(row, levels);
+        }
+        self.stored += u64::from(to - from);
+        let first = self.first.wrapping_add(row * self.band.width);
+        if to - from == TILE as u8 {
+            let pixels = &mut self.band.pixels[first..first + TILE];
+            for lane in 0..TILE {
+                pixels[lane] = levels.pixel(lane);
+            }
+        } else {
+            let lanes = usize::from(from)..usize::from(to);
+            let mut pixels = [0_u32; TILE];
+            for lane in 0..TILE {
+                pixels[lane] = levels.pixel(lane);
+            }
+            self.band.pixels[first + lanes.start..first + lanes.end]
+                .copy_from_slice(&pixels[lanes]);
+        }
     }
 }
 
 impl Store<'_, '_> {
-    /// Stores the covered lanes of a row; `step` is its display step.
+    /// Stores what of a row is in the band and seen.
     #[inline(always)]
-    fn store(&mut self, row: usize, levels: &TileRow, step: impl Fn(f32) -> u32) {
-        let Some(first) = self.place(row) else { return };
+    fn take_seen(&mut self, row: usize, levels: &impl Row) {
         let (from, to) = self.coverage.spans[row];
-        let lanes = usize::from(from)..usize::from(to);
+        let Some(first) = self.place(row) else { return };
         let deep = !self.band.depths.is_empty();
         if self.band.pixels.is_empty() {
-            for lane in lanes {
+            for lane in usize::from(from)..usize::from(to) {
                 let pixel = first + lane;
                 if !deep {
                     self.band.triangles[pixel] = self.id;
                 }
                 if self.band.triangles[pixel] == self.id {
-                    self.band.levels[pixel] = [levels[0][lane], levels[1][lane], levels[2][lane]];
+                    self.band.levels[pixel] = levels.levels(lane);
                     self.stored += 1;
                 }
             }
             return;
         }
-        let mut bytes = [0_u32; TILE];
+        let mut pixels = [0_u32; TILE];
         for lane in 0..TILE {
-            bytes[lane] = pack([0, 1, 2].map(|channel| step(levels[channel][lane])));
+            pixels[lane] = levels.pixel(lane);
         }
-        if deep {
-            for lane in lanes {
-                if self.band.triangles[first + lane] == self.id {
-                    self.band.pixels[first + lane] = bytes[lane];
-                    self.stored += 1;
-                }
+        for lane in usize::from(from)..usize::from(to) {
+            if !deep || self.band.triangles[first + lane] == self.id {
+                self.band.pixels[first + lane] = pixels[lane];
+                self.stored += 1;
             }
-        } else if lanes.len() == TILE {
-            // A copy of known length: two or four stores instead of a call.
-            self.band.pixels[first..first + TILE].copy_from_slice(&bytes);
-            self.stored += TILE as u64;
-        } else {
-            self.band.pixels[first + lanes.start..first + lanes.end].copy_from_slice(&bytes[lanes]);
-            self.stored += u64::from(to - from);
         }
     }
 }

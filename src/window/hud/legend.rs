@@ -4,13 +4,13 @@
 //! Rule: nothing here can be clicked, what does not fit beside the panel is left out, and the words for what is not
 //! computed yet say so.
 
-use super::canvas::{Canvas, Face, Ink, Point, Rect};
 use super::lines;
-use super::session::Session;
-use super::views::{TINTS, ViewMode, mode_label};
+use crate::canvas::{Canvas, Face, Ink, Point, Rect};
 use crate::components::ShadingMode;
 use crate::shading::TileKind;
 use crate::trade::error_map::{self, EDGE, NOTHING};
+use crate::window::session::Session;
+use crate::window::views::{TINTS, ViewMode, mode_label};
 
 const PANE: Ink = Ink::glass(0x0010_1216, 222);
 const PANE_EDGE: Ink = Ink::glass(0x00ff_ffff, 40);

@@ -11,10 +11,10 @@
 //! Rule: a board never leaves the area it was laid out for; what does not fit is cut or scrolled away where its style
 //! allows that, and makes the layout fail where it does not.
 
-use super::bindings::Action;
-use super::canvas::{Point, Rect};
 use super::lines::Line;
 use super::style::{Columns, Style};
+use crate::canvas::{Point, Rect};
+use crate::window::bindings::Action;
 
 /// Which rows of the body are seen of those there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

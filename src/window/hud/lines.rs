@@ -8,12 +8,12 @@ use std::path::Path;
 use glam::DVec3;
 use hecs::Entity;
 
-use super::bindings::{Action, BINDINGS, Section};
-use super::examiner::{Errors, Findings};
-use super::session::Session;
-use super::views::{ViewMode, mode_label};
 use crate::components::{Projection, ShadingMode};
 use crate::trade::report::short;
+use crate::window::bindings::{Action, BINDINGS, Binding, Section};
+use crate::window::examiner::{Errors, Findings};
+use crate::window::session::Session;
+use crate::window::views::{ViewMode, mode_label};
 
 /// The sign before a command that has a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,10 +80,42 @@ pub fn panel(session: &Session) -> Vec<Line> {
     lines
 }
 
-/// Of a panel, what can be clicked and what can be known: what is kept where room is short.
-pub fn shortened(panel: &[Line]) -> Vec<Line> {
-    let kept = |line: &&Line| matches!(line, Line::Command(_) | Line::Fact(..));
-    panel.iter().filter(kept).cloned().collect()
+/// The panel where room is short: one row where a key steps through states, which tells the present one.
+pub fn brief_panel(session: &Session) -> Vec<Line> {
+    let short = |action| command(session, action, 1);
+    let named = |action, label: String| Command {
+        label,
+        state: String::new(),
+        ..short(action)
+    };
+    let lights = (0..session.scene().lights.len()).map(Action::Light);
+    let camera = label(session, Action::Camera(session.camera()));
+    let mut commands: Vec<Command> = lights.map(short).collect();
+    commands.extend([
+        short(Action::Shading(ShadingMode::Gouraud)),
+        short(Action::Shading(ShadingMode::Phong)),
+        named(
+            Action::NextTolerance,
+            match session.tolerance() {
+                0.0 => "exact".to_owned(),
+                levels => format!("within {levels}"),
+            },
+        ),
+        named(
+            Action::NextProjection,
+            projection_label(session.projection()).to_owned(),
+        ),
+        named(Action::NextCamera, format!("camera {camera}")),
+        named(Action::NextView, session.view_mode().label().to_owned()),
+        short(Action::Panel),
+        short(Action::Help),
+    ]);
+    let max_error = errors(session, |it| it.errors, |errors| short_error(errors.max));
+    let mut lines: Vec<Line> = commands.into_iter().map(Line::Command).collect();
+    lines.push(Line::Rule);
+    lines.push(Line::Fact("frame", frame_time(session)));
+    lines.push(Line::Fact("max error", max_error));
+    lines
 }
 
 /// What stands in for the hidden panel: how to get it back, and the help.
@@ -117,35 +149,40 @@ pub fn title(session: &Session) -> String {
     title.replace(char::is_control, " ")
 }
 
+/// The commands of a section: those that the panel has, or all.
 fn commands(session: &Session, section: Section, panel: bool) -> impl Iterator<Item = Command> {
-    let bindings = move |action| {
-        BINDINGS
-            .iter()
-            .filter(move |it| it.section == section && serves(session, it.action, action))
-    };
+    let shown = if panel { 1 } else { usize::MAX };
     choices(session, section)
         .into_iter()
         .filter(move |&action| {
             // What the table has no key for, such as a tenth light, has nothing but its row.
             !panel
-                || bindings(action)
+                || bindings(session, action)
                     .next()
                     .is_none_or(|binding| binding.on_panel)
         })
-        .map(move |action| {
-            let (mark, state) = state(session, action);
-            let shown = if panel { 1 } else { usize::MAX };
-            let captions = bindings(action)
-                .flat_map(|it| it.captions.iter().take(shown).copied())
-                .collect();
-            Command {
-                captions,
-                mark,
-                label: label(session, action),
-                state,
-                action,
-            }
-        })
+        .map(move |action| command(session, action, shown))
+}
+
+/// The command of `action`, each of its bindings with at most so many of its keys.
+fn command(session: &Session, action: Action, keys: usize) -> Command {
+    let (mark, state) = state(session, action);
+    Command {
+        captions: bindings(session, action)
+            .flat_map(|it| it.captions.iter().take(keys).copied())
+            .collect(),
+        mark,
+        label: label(session, action),
+        state,
+        action,
+    }
+}
+
+/// The rows of the table whose keys lead to what the row of `shown` does.
+fn bindings(session: &Session, shown: Action) -> impl Iterator<Item = &'static Binding> {
+    BINDINGS
+        .iter()
+        .filter(move |binding| serves(session, binding.action, shown))
 }
 
 /// What can be clicked in a section: where a key steps through several states, each of them.
@@ -267,7 +304,7 @@ fn brightest(color: DVec3) -> u32 {
 }
 
 /// A tolerance in levels, or what 0 means.
-pub(super) fn tolerance(levels: f64) -> String {
+pub fn tolerance(levels: f64) -> String {
     if levels == 0.0 {
         "exact".to_owned()
     } else {
@@ -280,39 +317,46 @@ fn degrees(angle: f64) -> String {
     format!("{}\u{b0}", angle.round() + 0.0)
 }
 
-fn facts(session: &Session) -> [Line; 5] {
+fn facts(session: &Session) -> [Line; 6] {
     let statistics = session.statistics();
-    let time = statistics.frame_time().map_or_else(
-        || "-".to_owned(),
-        |time| format!("{:.2} ms", time.as_secs_f64() * 1e3),
-    );
     let [width, height] = statistics.size();
+    let columns = |max: &str, mean: &str| format!("{max:>6}{mean:>7}");
+    let both = |errors: Errors| columns(&short_error(errors.max), &short_error(errors.mean));
     [
-        Line::Fact("frame", time),
+        Line::Fact("frame", frame_time(session)),
         Line::Fact(
             "shaded",
             format!("{} px", grouped(statistics.shaded_pixels())),
         ),
-        Line::Fact("error max / mean", errors(session, |it| it.errors)),
-        Line::Fact("in its own mode", errors(session, |it| it.own_errors)),
         Line::Fact("window", format!("{width}\u{d7}{height}")),
+        Line::Fact("error", columns("max", "mean")),
+        Line::Fact("vs Phong", errors(session, |it| it.errors, both)),
+        Line::Fact("vs own mode", errors(session, |it| it.own_errors, both)),
     ]
 }
 
-/// Largest and mean error in levels, or why there is none.
-fn errors(session: &Session, of: fn(&Findings) -> Option<Errors>) -> String {
-    session.findings().map_or_else(
-        || "...".to_owned(),
-        |findings| {
-            of(findings).map_or_else(
-                || "-".to_owned(),
-                |errors| {
-                    let [max, mean] = [errors.max, errors.mean].map(|error| short(Some(error)));
-                    format!("{max} / {mean}")
-                },
-            )
-        },
+fn frame_time(session: &Session) -> String {
+    session.statistics().frame_time().map_or_else(
+        || "-".to_owned(),
+        |time| format!("{:.2} ms", time.as_secs_f64() * 1e3),
     )
+}
+
+/// Errors in levels as `told`, or why there are none.
+fn errors(
+    session: &Session,
+    of: fn(&Findings) -> Option<Errors>,
+    told: impl Fn(Errors) -> String,
+) -> String {
+    match session.findings().map(of) {
+        None => "...".to_owned(),
+        Some(None) => "-".to_owned(),
+        Some(Some(errors)) => told(errors),
+    }
+}
+
+fn short_error(levels: f64) -> String {
+    short(Some(levels))
 }
 
 /// A number with its digits in threes.

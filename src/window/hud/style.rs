@@ -2,13 +2,16 @@
 //!
 //! Rule: names of any length in a scene file never make a board wider than it is allowed to be.
 
-use super::canvas::Face;
-use super::lines::{Line, Mark};
+use super::lines::{Command, Line, Mark};
+use crate::canvas::Face;
 
 /// The fewest letters of a label that still say something.
 const FEWEST_LETTERS: usize = 6;
 /// As many letters of a label as are shown; a name in a scene file can be of any length.
 const MOST_LETTERS: usize = 28;
+
+/// From a label to its state, in letters.
+const STATE_GAP: usize = 1;
 
 /// Between rows that need not be closer, in sixteenths of a letter's height.
 const USUAL_SPACING: i32 = 4;
@@ -168,19 +171,25 @@ pub struct Columns {
 impl Columns {
     /// As wide as `lines` need, at most `width`; `None` where that is not possible.
     pub fn of(lines: &[Line], style: &Style, width: i32) -> Option<Columns> {
-        let (mut keys, mut mark, mut label, mut state, mut fact) = (0, 0, 0, 0, 0);
-        let mut text = 0;
+        let (mut keys, mut mark, mut label, mut state, mut words) = (0, 0, 0, 0, 0);
+        let (mut fact, mut text) = (0, 0);
+        let states = |command: &Command| match command.state.chars().count() {
+            state if style.states && state > 0 => STATE_GAP + state,
+            _ => 0,
+        };
         for line in lines {
             match line {
                 Line::Command(command) => {
+                    let letters = command.label.chars().count().min(MOST_LETTERS);
                     keys = keys.max(style.keycaps(&command.captions));
                     mark = mark.max(if command.mark == Mark::None {
                         0
                     } else {
                         style.mark()
                     });
-                    label = label.max(command.label.chars().count());
-                    state = state.max(command.state.chars().count());
+                    label = label.max(letters);
+                    state = state.max(states(command));
+                    words = words.max(letters + states(command));
                 }
                 Line::Text(words) => text = text.max(words.chars().count()),
                 Line::Fact(name, value) => fact = fact.max(name.len() + 2 + value.chars().count()),
@@ -188,32 +197,24 @@ impl Columns {
             }
         }
         let gap = |part: i32| if part > 0 { part + style.gap() } else { 0 };
-        let states = if style.states && state > 0 {
-            2 * style.gap() + style.face.width(state)
-        } else {
-            0
-        };
         let count = style.columns.max(1) as i32;
         let between = 3 * style.gap();
         let widest = (width - between * (count - 1)) / count;
         let label_start = gap(keys) + gap(mark);
-        let letters = ((widest - label_start - states) / style.face.advance()).max(0) as usize;
-        let enough = if style.overflow == Overflow::ScrollsAndCuts {
-            label.min(FEWEST_LETTERS)
-        } else {
-            label.min(MOST_LETTERS)
-        };
+        let room = ((widest - label_start) / style.face.advance()).max(0) as usize;
         let cuts = style.overflow == Overflow::ScrollsAndCuts;
-        let room = if cuts {
-            style.face.advance()
+        let label_letters = if words <= room {
+            label
+        } else if cuts {
+            label.min(room.saturating_sub(state))
         } else {
-            style.face.width(text)
+            return None;
         };
-        if letters < enough || widest < room {
+        let narrowest = style.face.width(if cuts { 1 } else { text });
+        if label_letters < label.min(FEWEST_LETTERS) || widest < narrowest {
             return None;
         }
-        let label_letters = label.min(letters).min(MOST_LETTERS);
-        let row = (label_start + style.face.width(label_letters) + states)
+        let row = (label_start + style.face.width(words))
             .max(style.face.width(fact))
             .max(style.face.width(text))
             .min(widest);

@@ -3,10 +3,10 @@
 //! Rule: nothing is drawn outside of the board's edge, and every state is told by a filled or a hollow mark, with colour
 //! only on top of it.
 
-use super::bindings::Action;
 use super::board::{Board, Place, Scroll};
-use super::canvas::{Canvas, Ink, Rect, fit};
 use super::lines::{Command, Line, Mark, ON};
+use crate::canvas::{Canvas, Ink, Rect, fit};
+use crate::window::bindings::Action;
 
 /// What lies between the picture and the letters, and between the letters of another board and these.
 const PANE: Ink = Ink::glass(0x0010_1216, 222);

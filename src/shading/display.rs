@@ -1,6 +1,47 @@
-//! Levels in, bytes out: the display step, done once and last.
+//! Levels in, pixels out: the display step, done once and last.
 //!
 //! Rule: `byte = floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0; no gamma, levels are display-referred.
+
+use super::TileRow;
+
+/// One row of a tile or block, ready to be shown, lane by lane.
+pub trait Row {
+    /// 0x00RRGGBB.
+    fn pixel(&self, lane: usize) -> u32;
+
+    /// The levels of which that is the display step, unclamped.
+    fn levels(&self, lane: usize) -> [f32; 3];
+}
+
+/// Levels whose every bit counts.
+pub struct Exact<'a>(pub &'a TileRow);
+
+impl Row for Exact<'_> {
+    #[inline(always)]
+    fn pixel(&self, lane: usize) -> u32 {
+        pack(self.levels(lane).map(display_bits))
+    }
+
+    #[inline(always)]
+    fn levels(&self, lane: usize) -> [f32; 3] {
+        [0, 1, 2].map(|channel| self.0[channel][lane])
+    }
+}
+
+/// Levels whose last bit may be rounded away.
+pub struct Approximate<'a>(pub &'a TileRow);
+
+impl Row for Approximate<'_> {
+    #[inline(always)]
+    fn pixel(&self, lane: usize) -> u32 {
+        pack(self.levels(lane).map(display_bits_within))
+    }
+
+    #[inline(always)]
+    fn levels(&self, lane: usize) -> [f32; 3] {
+        [0, 1, 2].map(|channel| self.0[channel][lane])
+    }
+}
 
 /// The contract's display step: `floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0.
 pub fn display_step(level: f64) -> u8 {
@@ -20,7 +61,7 @@ fn clamped(level: f32) -> f32 {
 /// The display step of f32 levels, the byte in the low bits and the rest as in [`INTEGERS`]: for every float
 /// `floor(clamp(level) + 0.5)` in real arithmetic, without the saturating casts that keep loops from vectorising.
 #[inline(always)]
-pub(crate) fn display_bits(level: f32) -> u32 {
+pub(super) fn display_bits(level: f32) -> u32 {
     let level = clamped(level);
     let nearest = level + INTEGERS;
     // The subtraction is exact; a half that went down to even is put right.
@@ -30,13 +71,13 @@ pub(crate) fn display_bits(level: f32) -> u32 {
 
 /// The same where levels are approximations anyway: halves go up, and so does the one float below an odd half.
 #[inline(always)]
-pub(crate) fn display_bits_within(level: f32) -> u32 {
+pub(super) fn display_bits_within(level: f32) -> u32 {
     (f32::from_bits(clamped(level).to_bits() + 1) + INTEGERS).to_bits()
 }
 
 /// Three display bits as 0x00RRGGBB; shifting drops what is not the byte.
 #[inline(always)]
-pub(crate) fn pack([red, green, blue]: [u32; 3]) -> u32 {
+pub(super) fn pack([red, green, blue]: [u32; 3]) -> u32 {
     red << 16 | green << 8 | blue & 0xff
 }
 

@@ -1,6 +1,6 @@
 //! Shapes and letters on pixels.
 
-use shadetrade::window::canvas::{Canvas, FACES, Ink, Rect, fit};
+use shadetrade::canvas::{Canvas, FACES, Ink, Rect, fit};
 
 const WHITE: Ink = Ink::solid(0x00ff_ffff);
 

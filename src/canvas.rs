@@ -1,10 +1,12 @@
-//! Shapes and text in, pixels out: drawing on a 0x00RRGGBB buffer, antialiased, clipped, and nothing else.
+//! Shapes and letters in, pixels out: drawing on a 0x00RRGGBB buffer, antialiased, clipped, and nothing else.
 //!
 //! Rule: no pixel outside of the clip rectangle is touched, and the clip rectangle never leaves the buffer.
 
-use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
+mod letters;
 
-/// A place in the window, in pixels right and down from its top left corner; may lie outside of it.
+pub use letters::{FACES, Face, fit, wrapped};
+
+/// A place in a picture, in pixels right and down from its top left corner; may lie outside of it.
 pub type Point = [i32; 2];
 
 /// A rectangle of whole pixels.
@@ -93,74 +95,6 @@ impl Ink {
     pub const fn glass(color: u32, alpha: u8) -> Self {
         Ink { color, alpha }
     }
-}
-
-/// Letters of one size; every letter is equally wide.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Face {
-    raster: RasterHeight,
-    scale: i32,
-}
-
-/// Every size of letters, from the smallest that is legible to one for a wall.
-pub const FACES: [Face; 7] = [
-    Face {
-        raster: RasterHeight::Size16,
-        scale: 1,
-    },
-    Face {
-        raster: RasterHeight::Size20,
-        scale: 1,
-    },
-    Face {
-        raster: RasterHeight::Size24,
-        scale: 1,
-    },
-    Face {
-        raster: RasterHeight::Size32,
-        scale: 1,
-    },
-    Face {
-        raster: RasterHeight::Size20,
-        scale: 2,
-    },
-    Face {
-        raster: RasterHeight::Size24,
-        scale: 2,
-    },
-    Face {
-        raster: RasterHeight::Size32,
-        scale: 2,
-    },
-];
-
-impl Face {
-    /// Pixels from one letter to the next.
-    pub fn advance(self) -> i32 {
-        get_raster_width(FontWeight::Regular, self.raster) as i32 * self.scale
-    }
-
-    /// Pixels from the top of the tallest letter to the bottom of the deepest.
-    pub fn height(self) -> i32 {
-        self.raster.val() as i32 * self.scale
-    }
-
-    /// How wide so many letters are, in pixels.
-    pub fn width(self, letters: usize) -> i32 {
-        letters as i32 * self.advance()
-    }
-}
-
-/// `text` in at most so many letters; one that is cut ends in two dots.
-pub fn fit(text: &str, letters: usize) -> String {
-    if text.chars().count() <= letters {
-        return text.to_owned();
-    }
-    let dots = if letters > 4 { 2 } else { 0 };
-    text.chars()
-        .take(letters - dots)
-        .chain("..".chars().take(dots))
-        .collect()
 }
 
 /// A buffer being drawn on.
@@ -255,50 +189,6 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// A line of text whose first letter's box has its upper left corner at `at`; returns where the next letter starts.
-    pub fn text(&mut self, face: Face, at: Point, ink: Ink, text: &str) -> i32 {
-        self.letters(face, FontWeight::Regular, at, ink, text)
-    }
-
-    /// The same in bold letters, which are as wide.
-    pub fn bold(&mut self, face: Face, at: Point, ink: Ink, text: &str) -> i32 {
-        self.letters(face, FontWeight::Bold, at, ink, text)
-    }
-
-    fn letters(
-        &mut self,
-        face: Face,
-        weight: FontWeight,
-        [mut x, y]: Point,
-        ink: Ink,
-        text: &str,
-    ) -> i32 {
-        for letter in text.chars() {
-            // A letter that the font lacks shows as a question mark rather than as nothing.
-            if let Some(raster) =
-                get_raster(letter, weight, face.raster).or(get_raster('?', weight, face.raster))
-            {
-                for (row, line) in raster.rows().enumerate() {
-                    for (column, &coverage) in line
-                        .iter()
-                        .enumerate()
-                        .filter(|(_, coverage)| **coverage > 0)
-                    {
-                        let (left, top) =
-                            (x + column as i32 * face.scale, y + row as i32 * face.scale);
-                        for dy in 0..face.scale {
-                            for dx in 0..face.scale {
-                                self.blend(left + dx, top + dy, ink, f32::from(coverage) / 255.0);
-                            }
-                        }
-                    }
-                }
-            }
-            x += face.advance();
-        }
-        x
-    }
-
     fn blend(&mut self, x: i32, y: i32, ink: Ink, coverage: f32) {
         if coverage > 0.0 && self.clip.contains([x, y]) {
             let alpha = (coverage.min(1.0) * f32::from(ink.alpha)).round() as u8;
@@ -314,7 +204,7 @@ fn weight(alpha: u8) -> u32 {
 }
 
 /// `below` covered by `weight` / 256 of `above`: red and blue in one multiplication, green in another.
-fn mix(below: u32, above: u32, weight: u32) -> u32 {
+pub fn mix(below: u32, above: u32, weight: u32) -> u32 {
     let part = |mask: u32, shift: u32| {
         let (below, above) = (below >> shift & mask, above >> shift & mask);
         ((below * (256 - weight) + above * weight) >> 8 & mask) << shift

@@ -1,0 +1,236 @@
+//! A tile and its lights in; what light can do there, bounded before any pixel is looked at, out.
+//!
+//! ```text
+//!   N, L, O affine  -->  N.N  L.L  N.L  quadratic, without loss  -->  sign and polynomial of n.l, least 1 - o.r
+//! ```
+//! Rule: whatever cannot be bounded is a [`Side::Terminator`] and shines.
+
+use glam::DVec3;
+
+use super::{Phong, Reflection};
+use crate::components::PointLight;
+use crate::shading::certificate::{Color, Quadratic, angle, cosine_remainder, least_lambda, rate};
+use crate::shading::patch::{Affine, Patch, Triangle};
+use crate::shading::{TileKind, U};
+
+/// What all lights share on a tile. The products are those of vectors of length one at its middle.
+pub struct Vectors {
+    /// Up to one positive factor a pixel.
+    pub normal: Affine,
+    /// Up to one positive factor a pixel.
+    pub to_eye: Affine,
+    /// One over their lengths at the middle.
+    pub inverse_normal: f64,
+    pub inverse_eye: f64,
+    pub swing_normal: f64,
+    pub swing_eye: f64,
+    pub normal_square: Quadratic,
+}
+
+/// How a light stands to a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// n.l <= 0 all over.
+    Dark,
+    /// n.l > 0 all over.
+    Lit,
+    /// Neither is certain.
+    Terminator,
+}
+
+/// What is known of one light on a tile before any pixel is looked at.
+pub struct Outlook {
+    /// Up to one positive factor a pixel.
+    pub to_light: Affine,
+    /// One over its length at the middle.
+    pub inverse_light: f64,
+    /// N.L, without loss: the sign of n.l.
+    pub facing: Quadratic,
+    pub light_square: Quadratic,
+    pub side: Side,
+    /// Whether the highlight may reach the tile.
+    pub shines: bool,
+    pub swing: f64,
+}
+
+/// What is known of all lights on a tile before any pixel is looked at.
+pub struct Survey {
+    /// Ambient light and the diffuse terms of the lights that are lit all over.
+    pub color: Color,
+    /// What is left of the tolerance, in levels.
+    pub budget: f64,
+    pub terminators: u64,
+    pub highlights: u64,
+    /// Whether any of the highlights needs unit vectors.
+    pub by_vectors: bool,
+}
+
+impl Survey {
+    /// How a tile that is not all polynomial is drawn.
+    pub fn kind(&self) -> TileKind {
+        if self.highlights > 0 {
+            TileKind::Highlight
+        } else {
+            TileKind::Terminator
+        }
+    }
+}
+
+/// One over a vector's length at the middle of its tile, and its swing there.
+#[inline(always)]
+fn measure(vector: &Affine, half: [f64; 2]) -> (f64, f64) {
+    let inverse = 1.0 / vector.centre.length();
+    let reach = vector.dx.length() * half[0] + vector.dy.length() * half[1];
+    (inverse, reach * inverse)
+}
+
+impl Vectors {
+    #[inline(always)]
+    pub fn new(triangle: &Triangle, patch: &Patch) -> Self {
+        let normal = patch.normal(triangle);
+        let to_eye = patch.to_eye(triangle);
+        let (inverse_normal, swing_normal) = measure(&normal, patch.half);
+        let (inverse_eye, swing_eye) = measure(&to_eye, patch.half);
+        Vectors {
+            normal_square: Quadratic::dot(&normal, &normal).scaled(inverse_normal * inverse_normal),
+            normal,
+            to_eye,
+            inverse_normal,
+            inverse_eye,
+            swing_normal,
+            swing_eye,
+        }
+    }
+
+    /// N.O
+    #[inline(always)]
+    pub fn normal_eye(&self) -> Quadratic {
+        Quadratic::dot(&self.normal, &self.to_eye).scaled(self.inverse_normal * self.inverse_eye)
+    }
+
+    /// O.O
+    #[inline(always)]
+    pub fn eye_square(&self) -> Quadratic {
+        Quadratic::dot(&self.to_eye, &self.to_eye).scaled(self.inverse_eye * self.inverse_eye)
+    }
+}
+
+impl Outlook {
+    /// n.l, to second order.
+    #[inline(always)]
+    pub fn cosine(&self, vectors: &Vectors) -> Quadratic {
+        let roots = vectors
+            .normal_square
+            .inverse_root()
+            .times(&self.light_square.inverse_root());
+        self.facing.times(&roots)
+    }
+
+    /// L.O
+    #[inline(always)]
+    pub fn light_eye(&self, vectors: &Vectors) -> Quadratic {
+        Quadratic::dot(&self.to_light, &vectors.to_eye)
+            .scaled(self.inverse_light * vectors.inverse_eye)
+    }
+}
+
+impl Phong<'_> {
+    /// What holds for the whole of a patch: the diffuse terms of the lights that are lit all over as polynomials, what is
+    /// left of the tolerance after their remainders and all rounding, and how many lights need a look at every pixel.
+    #[inline(always)]
+    pub(super) fn survey(&self, vectors: &Vectors, triangle: &Triangle, patch: &Patch) -> Survey {
+        let mut survey = Survey {
+            color: Color::constant(self.ambient),
+            budget: self.tolerance - self.dropped(),
+            terminators: 0,
+            highlights: 0,
+            by_vectors: false,
+        };
+        for light in &self.surface.illumination.points {
+            let outlook = self.outlook(light, vectors, triangle, patch);
+            if outlook.side == Side::Dark {
+                continue;
+            }
+            let [diffuse, specular] = self.surface.coefficients(light);
+            if diffuse != DVec3::ZERO {
+                let remainder = cosine_remainder(rate(vectors.swing_normal), rate(outlook.swing));
+                survey.budget -= diffuse.max_element() * (remainder + 6.0 * U);
+                if outlook.side == Side::Lit {
+                    survey.color.add(&outlook.cosine(vectors), diffuse);
+                } else {
+                    survey.terminators += 1;
+                }
+            }
+            if outlook.shines {
+                survey.highlights += 1;
+                let (reflection, cost) = self.reflection(
+                    specular.max_element(),
+                    self.share(),
+                    vectors,
+                    &outlook,
+                    patch,
+                );
+                survey.by_vectors |= reflection == Reflection::Vectors;
+                survey.budget -= cost;
+            }
+        }
+        survey
+    }
+
+    /// Bounds what a light does to a tile.
+    #[inline(always)]
+    pub(super) fn outlook(
+        &self,
+        light: &PointLight,
+        vectors: &Vectors,
+        triangle: &Triangle,
+        patch: &Patch,
+    ) -> Outlook {
+        let to_light = patch.to_light(triangle, light.position - self.surface.centre);
+        let (inverse_light, swing) = measure(&to_light, patch.half);
+        let facing = Quadratic::dot(&vectors.normal, &to_light)
+            .scaled(vectors.inverse_normal * inverse_light);
+        let side = side(&facing, patch.half);
+        let mut outlook = Outlook {
+            light_square: Quadratic::dot(&to_light, &to_light)
+                .scaled(inverse_light * inverse_light),
+            to_light,
+            inverse_light,
+            facing,
+            side,
+            shines: false,
+            swing,
+        };
+        if side != Side::Dark && light.specular != DVec3::ZERO {
+            let turns = 2.0 * angle(vectors.swing_normal) + angle(swing) + angle(vectors.swing_eye);
+            let lambda = least_lambda(chord(vectors, &outlook), turns);
+            outlook.shines = self.reaches(light, lambda);
+        }
+        outlook
+    }
+}
+
+/// |r - o| at the middle of the tile.
+#[inline(always)]
+fn chord(vectors: &Vectors, outlook: &Outlook) -> f64 {
+    let n = vectors.normal.centre * vectors.inverse_normal;
+    let l = outlook.to_light.centre * outlook.inverse_light;
+    let o = vectors.to_eye.centre * vectors.inverse_eye;
+    (2.0 * outlook.facing.0[0] * n - l - o).length()
+}
+
+/// The sign of n.l over a tile.
+#[inline(always)]
+fn side(facing: &Quadratic, half: [f64; 2]) -> Side {
+    let middle = facing.0[0];
+    let reach = facing.linear_reach(half) + facing.quadratic_reach(half);
+    // f64 rounding of the sums is a millionth of a millionth of the largest term.
+    let doubt = 1e-12 * (middle.abs() + reach);
+    if middle - reach > doubt {
+        Side::Lit
+    } else if middle + reach < -doubt {
+        Side::Dark
+    } else {
+        Side::Terminator
+    }
+}

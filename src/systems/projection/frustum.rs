@@ -1,0 +1,350 @@
+//! A triangle of a cuboid in, the polygon that is in sight of it, on the screen and snapped, out.
+//!
+//! ```text
+//!        c                     Each side is a line of the face, given by its middle and its direction. A plane meets it
+//!       / \   plane            where  plane(middle) + t plane(direction) = 0.  The coordinates are the cuboid's own, so the
+//!   ---*---*---------          middle of an edge is exact and a million units of edge on either side of the eye are no
+//!     /     \                  larger than what is asked for: the point * itself.
+//!    a-------b
+//! ```
+//!
+//! Rule: the two triangles of an edge cut it in the same point, bit for bit, and so do the two faces of it.
+
+use glam::{DMat3, DVec3};
+
+use super::Lens;
+use crate::components::{Polygon, Projection};
+
+/// Half the side of the square, in pixels round the picture's centre, to which polygons are clipped: with it and
+/// pictures of at most 16384 pixels a side, the edge functions of rasterization stay below 2^62.
+const GUARD_BAND: f64 = 2_097_152.0;
+
+/// What is in sight of a lens, in the coordinates of one cuboid: from its centre, along its axes.
+pub struct Frustum<'a> {
+    lens: &'a Lens,
+    /// From those coordinates to right, up and forward.
+    to_camera: DMat3,
+    /// The cuboid's centre from the eye, along right, up and forward.
+    centre: DVec3,
+    /// The near plane and the four sides of the guard band.
+    planes: [Plane; 5],
+}
+
+/// Where `normal . place + offset` is not negative.
+#[derive(Clone, Copy)]
+struct Plane {
+    normal: DVec3,
+    offset: f64,
+}
+
+/// A straight line on a face; `along` reaches from its middle to its end if it has one.
+#[derive(Clone, Copy)]
+struct Side {
+    middle: DVec3,
+    along: DVec3,
+    /// How many times `along` it reaches.
+    reach: f64,
+}
+
+/// A vertex on its way through the clipper, and the side that leads to the next one.
+#[derive(Clone, Copy)]
+struct Vertex {
+    place: DVec3,
+    /// From the eye, along right, up and forward.
+    seen: DVec3,
+    side: Side,
+}
+
+impl<'a> Frustum<'a> {
+    /// For a cuboid with these axes whose centre is so far from the eye.
+    pub fn new(lens: &'a Lens, axes: DMat3, centre: DVec3) -> Self {
+        let [right, up, forward] = lens.axes.map(|axis| axes.transpose() * axis);
+        let centre = DVec3::from_array(lens.axes.map(|axis| axis.dot(centre)));
+        let reach = GUARD_BAND * lens.pitch;
+        let near = Plane {
+            normal: forward,
+            offset: centre.z - lens.near,
+        };
+        // w: depth in perspective, one in orthographic projection.
+        let (forwards, w) = match lens.projection {
+            Projection::Perspective => (forward, centre.z),
+            Projection::Orthographic => (DVec3::ZERO, 1.0),
+        };
+        let side = |aside: DVec3, offset: f64| Plane {
+            normal: forwards * reach - aside,
+            offset: w * reach - offset,
+        };
+        Frustum {
+            lens,
+            to_camera: DMat3::from_cols(right, up, forward).transpose(),
+            centre,
+            planes: [
+                near,
+                side(right, centre.x),
+                side(-right, -centre.x),
+                side(up, centre.y),
+                side(-up, -centre.y),
+            ],
+        }
+    }
+
+    /// The part of a triangle on a face across `axis` that is in sight, snapped; each corner is given in the cuboid's
+    /// coordinates and as it is seen.
+    pub fn clip(&self, axis: usize, corners: [(DVec3, DVec3); 3]) -> Polygon {
+        let first: [Vertex; 3] = std::array::from_fn(|index| {
+            let (place, seen) = corners[index];
+            let side = Side::between(place, corners[(index + 1) % 3].0);
+            Vertex { place, seen, side }
+        });
+        let mut vertices = [first[0]; Polygon::MOST];
+        vertices[..3].copy_from_slice(&first);
+        let mut len = 3;
+        for plane in &self.planes {
+            if !vertices[..len]
+                .iter()
+                .all(|vertex| plane.at(vertex.place) >= 0.0)
+            {
+                (vertices, len) = self.cut(&vertices[..len], axis, plane);
+            }
+        }
+        let mut polygon = Polygon {
+            len: len as u8,
+            ..Polygon::default()
+        };
+        for (snapped, vertex) in polygon.vertices.iter_mut().zip(&vertices[..len]) {
+            *snapped = self
+                .lens
+                .pixel(self.lens.homogeneous(vertex.seen))
+                .map(snap);
+        }
+        polygon
+    }
+
+    /// Cuts a convex polygon on a face with one plane (Sutherland and Hodgman 1974); a vertex on the plane is inside.
+    fn cut(
+        &self,
+        polygon: &[Vertex],
+        axis: usize,
+        plane: &Plane,
+    ) -> ([Vertex; Polygon::MOST], usize) {
+        let mut kept = [polygon[0]; Polygon::MOST];
+        let mut len = 0;
+        for (index, &vertex) in polygon.iter().enumerate() {
+            let next = polygon[(index + 1) % polygon.len()];
+            let [here, there] = [vertex, next].map(|vertex| plane.at(vertex.place) >= 0.0);
+            let mut keep = |vertex| {
+                // Rounding can make a plane cut a convex polygon more than twice; what is lost then is below a snap.
+                if len < Polygon::MOST {
+                    kept[len] = vertex;
+                    len += 1;
+                }
+            };
+            if here {
+                keep(vertex);
+            }
+            if here != there {
+                let place = vertex.side.meet(plane);
+                let side = if here {
+                    plane.on_face(axis, place[axis])
+                } else {
+                    vertex.side
+                };
+                keep(Vertex {
+                    place,
+                    seen: self.seen(place),
+                    side,
+                });
+            }
+        }
+        if len < 3 { (kept, 0) } else { (kept, len) }
+    }
+
+    /// A place from the eye, along right, up and forward; it is not before the near plane, nor made so by rounding.
+    fn seen(&self, place: DVec3) -> DVec3 {
+        let seen = self.centre + self.to_camera * place;
+        DVec3::new(seen.x, seen.y, seen.z.max(self.lens.near))
+    }
+}
+
+impl Plane {
+    fn at(&self, place: DVec3) -> f64 {
+        self.normal.dot(place) + self.offset
+    }
+
+    /// The line in which it cuts the face at `at` across `axis`.
+    fn on_face(&self, axis: usize, at: f64) -> Side {
+        let mut outwards = DVec3::ZERO;
+        outwards[axis] = 1.0;
+        let (face, along) = (outwards * at, outwards.cross(self.normal));
+        // The nearest point to the middle of the face, so that no number is larger than it must be.
+        let towards = along.cross(outwards);
+        Side {
+            middle: face - towards * (self.at(face) / towards.length_squared()),
+            along,
+            reach: f64::INFINITY,
+        }
+    }
+}
+
+impl Side {
+    /// From one corner of a triangle to another. The middle of an edge is exact, so where a plane meets it is found as
+    /// exactly on a long edge as on a short one; and it is the same from either end.
+    fn between(from: DVec3, to: DVec3) -> Self {
+        Side {
+            middle: (from + to) / 2.0,
+            along: (to - from) / 2.0,
+            reach: 1.0,
+        }
+    }
+
+    /// Where it meets a plane that passes between its ends.
+    fn meet(&self, plane: &Plane) -> DVec3 {
+        let times = -plane.at(self.middle) / plane.normal.dot(self.along);
+        // Zero by zero is held to an end too.
+        self.middle + self.along * times.max(-self.reach).min(self.reach)
+    }
+}
+
+/// Pixels to the nearest 1/256 pixel; halves go up, so that a shift by whole pixels shifts the result.
+fn snap(pixels: f64) -> i32 {
+    (pixels * 256.0 + 0.5).floor() as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::view;
+    use super::*;
+
+    /// The visible part of a triangle given along right, up and forward, as on a face across the last axis of a cuboid.
+    fn clip(corners: [DVec3; 3], lens: &Lens) -> Polygon {
+        let axes = DMat3::from_cols_array_2d(&lens.axes.map(|axis| axis.to_array()));
+        Frustum::new(lens, axes, DVec3::ZERO).clip(2, corners.map(|corner| (corner, corner)))
+    }
+
+    #[test]
+    fn the_near_plane_cuts_one_two_or_no_corners_off_a_triangle() {
+        let lens = Lens::new(&view(Projection::Perspective, [300, 200]));
+        let corner = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+        let (far, near) = (4.0, 0.5);
+        assert_eq!(
+            clip(
+                [
+                    corner(0.0, 0.0, far),
+                    corner(1.0, 0.0, far),
+                    corner(0.0, 1.0, far)
+                ],
+                &lens
+            )
+            .len,
+            3
+        );
+        assert_eq!(
+            clip(
+                [
+                    corner(0.0, 0.0, near),
+                    corner(1.0, 0.0, far),
+                    corner(0.0, 1.0, far)
+                ],
+                &lens
+            )
+            .len,
+            4
+        );
+        assert_eq!(
+            clip(
+                [
+                    corner(0.0, 0.0, near),
+                    corner(1.0, 0.0, near),
+                    corner(0.0, 1.0, far)
+                ],
+                &lens
+            )
+            .len,
+            3
+        );
+        assert_eq!(
+            clip(
+                [
+                    corner(0.0, 0.0, near),
+                    corner(1.0, 0.0, near),
+                    corner(0.0, 1.0, near)
+                ],
+                &lens
+            )
+            .len,
+            0
+        );
+        // Exactly on the plane is inside.
+        assert_eq!(
+            clip(
+                [
+                    corner(0.0, 0.0, 1.0),
+                    corner(1.0, 0.0, far),
+                    corner(0.0, 1.0, far)
+                ],
+                &lens
+            )
+            .len,
+            3
+        );
+        // Behind the eye: depth -4 to 4 meets the near plane at depth 1, where x = 0.625 is 62.5 pixels right.
+        let behind = clip(
+            [
+                corner(0.0, 0.0, -4.0),
+                corner(1.0, 0.0, 4.0),
+                corner(0.0, 1.0, 4.0),
+            ],
+            &lens,
+        );
+        assert!(
+            behind
+                .vertices()
+                .contains(&[(150 * 256) + 16000, 100 * 256]),
+            "{behind:?}"
+        );
+    }
+
+    #[test]
+    fn a_clipped_edge_is_the_same_for_both_its_triangles() {
+        let lens = Lens::new(&view(Projection::Perspective, [300, 200]));
+        let a = DVec3::new(-1.3, 0.7, 0.3);
+        let b = DVec3::new(2.1, -0.9, 17.7);
+        let cuts = |polygon: Polygon| polygon.vertices().to_vec();
+        let one = cuts(clip([a, b, DVec3::new(3.0, 3.0, 5.0)], &lens));
+        let other = cuts(clip([b, a, DVec3::new(-3.0, -3.0, 5.0)], &lens));
+        assert_eq!(
+            one.iter().filter(|vertex| other.contains(vertex)).count(),
+            2,
+            "{one:?} {other:?}"
+        );
+    }
+
+    #[test]
+    fn polygons_far_beyond_the_picture_stay_in_the_guard_band() {
+        let lens = Lens::new(&view(Projection::Perspective, [300, 200]));
+        let polygon = clip(
+            [
+                DVec3::new(-1e80, -1e80, 2.0),
+                DVec3::new(1e80, -1e80, 2.0),
+                DVec3::new(0.0, 1e80, 2.0),
+            ],
+            &lens,
+        );
+        assert!(polygon.len >= 3);
+        assert!(
+            polygon
+                .vertices()
+                .iter()
+                .flatten()
+                .all(|&coordinate| i64::from(coordinate).abs() < 1 << 30)
+        );
+    }
+
+    #[test]
+    fn snapping_rounds_to_the_nearest_and_halves_up() {
+        assert_eq!(
+            [0.0, 1.0, 0.5 / 256.0, 0.49 / 256.0, -0.5 / 256.0, -1.0].map(snap),
+            [0, 256, 1, 0, 0, -256]
+        );
+    }
+}

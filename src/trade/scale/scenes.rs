@@ -1,0 +1,245 @@
+//! A number in; a scene with that many lights, or that many cuboids, out.
+//!
+//! ```text
+//!    lights:  . * .        cuboids:  . 7 5 8 .     the middle of a grid first
+//!           *   #   *                9 2 1 3 .
+//!             eye                    . 6 4 . .
+//! ```
+//! Rule: everything is in view and lit, a scene of more holds more of the same, and what is seen is as bright.
+
+use glam::{DMat3, DVec3};
+
+use crate::components::{
+    Camera, Light, LightKind, Material, Mesh, Name, ShadingMode, Transform, Viewpoint,
+};
+use crate::scene::{CuboidRecord, LightRecord, Records, Scene};
+
+/// That of the built-in default scene.
+const EMERALD: Material = Material {
+    ambient: DVec3::splat(0.3),
+    diffuse: DVec3::new(0.07568, 0.61424, 0.07568),
+    specular: DVec3::new(0.633, 0.72811, 0.66),
+    shininess: 76.8,
+};
+
+/// Levels that all lights of a kind send together: bright, and nowhere beyond the display's range.
+const LEVELS: [(LightKind, f64); 3] = [
+    (LightKind::Ambient, 100.0),
+    (LightKind::Diffuse, 200.0),
+    (LightKind::Specular, 150.0),
+];
+
+const BACKGROUND: DVec3 = DVec3::new(20.0, 20.0, 24.0);
+
+/// The vertical field of view, in degrees.
+const FIELD_OF_VIEW: f64 = 30.0;
+
+/// A full turn over the square of the golden ratio, in degrees: its multiples never come near each other (Vogel 1979).
+const GOLDEN_ANGLE: f64 = 137.507_764_050_037_85;
+
+/// One cuboid under diffuse and specular light from `number` places on the half of a sphere that faces the eye, spread as
+/// evenly as by Vogel's spiral.
+pub fn of_lights(number: usize) -> Scene {
+    let viewpoint = looking(DVec3::new(7.0, 5.0, 8.0), 6.3);
+    let [right, up, forward] = viewpoint.axes();
+    let places = (0..number).map(|index| {
+        let nearness = 1.0 - (index as f64 + 0.5) / number as f64;
+        let aside = (1.0 - nearness * nearness).sqrt();
+        let (sin, cos) = (index as f64 * GOLDEN_ANGLE).to_radians().sin_cos();
+        let direction =
+            DMat3::from_cols(right, up, -forward) * DVec3::new(aside * cos, aside * sin, nearness);
+        // Farther than any corner, and as far as the default scene's lights.
+        direction * 300.0_f64.sqrt()
+    });
+    let cuboid = cuboid(0, DVec3::new(4.0, 3.0, 2.0), DVec3::ZERO, DVec3::ZERO);
+    scene(vec![cuboid], &places.collect::<Vec<_>>(), viewpoint)
+}
+
+/// The `number` cuboids that are nearest to the middle of a grid with room for at least `room`, which fills a picture of
+/// that size; each is turned another way.
+pub fn of_cuboids(number: usize, room: usize, [width, height]: [usize; 2]) -> Scene {
+    let aspect = width as f64 / height as f64;
+    let columns = ((room as f64 * aspect).sqrt().ceil() as usize).clamp(1, room);
+    let rows = room.div_ceil(columns);
+    // Half a cell is left free on every side, as what is nearer than the grid looks larger.
+    let seen = (rows as f64).max(columns as f64 / aspect) + 1.0;
+    let distance = seen / 2.0 / (FIELD_OF_VIEW / 2.0).to_radians().tan();
+
+    let mut cells: Vec<[usize; 2]> = (0..rows)
+        .flat_map(|row| (0..columns).map(move |column| [column, row]))
+        .collect();
+    // Twice the distance from the middle, in cells across and down.
+    let off = |cell: usize, cells: usize| (2 * cell + 1).abs_diff(cells);
+    cells.sort_by_key(|&[column, row]| (off(column, columns) * rows).max(off(row, rows) * columns));
+    let cuboids = cells.iter().take(number).enumerate();
+    let cuboids = cuboids.map(|(index, &[column, row])| {
+        let middle = |cell: usize, cells: usize| cell as f64 + 0.5 - cells as f64 / 2.0;
+        let position = DVec3::new(middle(column, columns), middle(row, rows), 0.0);
+        let turn = index as f64 * GOLDEN_ANGLE;
+        cuboid(
+            index,
+            DVec3::splat(0.55),
+            position,
+            DVec3::new(turn, 2.0 * turn, 0.0),
+        )
+    });
+    scene(
+        cuboids.collect(),
+        &[DVec3::splat(distance)],
+        looking(DVec3::Z * distance, seen),
+    )
+}
+
+/// From `eye` towards the origin, where `height` world units are seen.
+fn looking(eye: DVec3, height: f64) -> Viewpoint {
+    Viewpoint {
+        position: eye,
+        camera: Camera {
+            target: DVec3::ZERO,
+            up: DVec3::Y,
+            fov: FIELD_OF_VIEW,
+            height,
+            near: None,
+        },
+    }
+}
+
+fn cuboid(index: usize, size: DVec3, position: DVec3, rotation: DVec3) -> CuboidRecord {
+    (
+        Name(index.to_string()),
+        Transform { position, rotation },
+        Mesh::cuboid(size),
+        EMERALD,
+        ShadingMode::Phong,
+    )
+}
+
+/// With light of every kind, shared out among the places.
+fn scene(cuboids: Vec<CuboidRecord>, places: &[DVec3], viewpoint: Viewpoint) -> Scene {
+    let standing = |position| Transform {
+        position,
+        rotation: DVec3::ZERO,
+    };
+    let light = |(index, &place): (usize, &DVec3)| -> [LightRecord; 3] {
+        LEVELS.map(|(kind, levels)| {
+            let light = Light {
+                kind,
+                color: DVec3::ONE,
+                intensity: levels / places.len() as f64,
+                gain: 1.0,
+                on: true,
+            };
+            (Name(format!("{kind:?} {index}")), standing(place), light)
+        })
+    };
+    let camera = (
+        Name("1".to_owned()),
+        standing(viewpoint.position),
+        viewpoint.camera,
+    );
+    Scene::spawn(
+        String::new(),
+        Records {
+            background: BACKGROUND,
+            cuboids,
+            lights: places.iter().enumerate().flat_map(light).collect(),
+            cameras: vec![camera],
+        },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::components::{Illumination, Normals, Projected, Projection, View};
+    use crate::systems::lighting::gather;
+    use crate::systems::projection::{Lens, project};
+
+    fn view(scene: &Scene, projection: Projection, size: [usize; 2]) -> View {
+        View {
+            size,
+            viewpoint: scene.viewpoint(0),
+            projection,
+            background: scene.background,
+            shading: None,
+            tolerance: 0.0,
+        }
+    }
+
+    #[test]
+    fn every_light_shines_from_a_place_of_its_own_on_the_eye_s_side() {
+        for number in [1, 2, 7, 64] {
+            let scene = of_lights(number);
+            let mut illumination = Illumination::default();
+            gather(
+                scene.world.query::<(&Transform, &Light)>().iter(),
+                &mut illumination,
+            );
+            assert_eq!(illumination.points.len(), number);
+            let eye = scene.viewpoint(0).position;
+            for point in &illumination.points {
+                assert!((point.position.length_squared() - 300.0).abs() < 1e-9);
+                assert!(point.position.dot(eye) > 0.0);
+                assert!(point.diffuse.x > 0.0 && point.specular.x > 0.0);
+            }
+            let sent: f64 = illumination
+                .points
+                .iter()
+                .map(|point| point.diffuse.x)
+                .sum();
+            assert!((sent - 200.0).abs() < 1e-9, "{number} send {sent}");
+        }
+    }
+
+    #[test]
+    fn all_cuboids_are_in_view_whatever_the_shape_of_the_picture() {
+        for size in [[1920, 1080], [90, 160], [300, 20], [8, 8]] {
+            for (number, room) in [(1, 1), (1, 10), (10, 10), (30, 100)] {
+                for projection in [Projection::Perspective, Projection::Orthographic] {
+                    let mut scene = of_cuboids(number, room, size);
+                    let lens = Lens::new(&view(&scene, projection, size));
+                    let cuboids = scene
+                        .world
+                        .query_mut::<(&Transform, &Mesh, &mut Projected)>();
+                    let mut seen = 0;
+                    for (transform, mesh, projected) in cuboids {
+                        project(transform, mesh, &lens, projected);
+                        for corner in projected.seen {
+                            let [x, y] = lens.pixel(lens.homogeneous(corner));
+                            let within = (0.0..size[0] as f64).contains(&x)
+                                && (0.0..size[1] as f64).contains(&y);
+                            assert!(within, "{number} of {room} in {size:?}: {x}, {y}");
+                        }
+                        seen += 1;
+                    }
+                    assert_eq!(seen, number);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_scene_of_more_cuboids_holds_those_of_fewer() {
+        let places = |number| -> Vec<DVec3> {
+            let scene = of_cuboids(number, 100, [160, 90]);
+            let mut query = scene.world.query::<(&Transform, &Normals)>();
+            query
+                .iter()
+                .map(|(transform, _)| transform.position)
+                .collect()
+        };
+        let (few, many) = (places(10), places(100));
+        assert_eq!(few, many[..10]);
+        // The middle comes first: 14 columns and 8 rows have none of their own there.
+        assert_eq!(few[0].abs(), DVec3::new(0.5, 0.5, 0.0));
+        for (index, place) in many.iter().enumerate() {
+            assert!(
+                many[..index]
+                    .iter()
+                    .all(|other| other.distance(*place) >= 1.0)
+            );
+        }
+    }
+}
