@@ -3,6 +3,7 @@
 mod bits;
 mod depth;
 mod extremes;
+mod found;
 mod life;
 mod memory;
 #[path = "../support/random.rs"]
