@@ -60,7 +60,7 @@
 //! ```
 //!
 //! Over a triangle everything is interpolated with the weights e_i / (e_0 + e_1 + e_2), each e_i affine in the pixel
-//! ([`shading::patch`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in what "everything" is:
+//! ([`shading::triangle`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in what "everything" is:
 //!
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = sum(e_i I_i) / sum(e_i)`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:

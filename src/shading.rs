@@ -14,13 +14,15 @@ pub mod patch;
 pub mod phong;
 pub mod polynomial;
 pub mod specular;
+pub mod triangle;
 pub mod unit_vectors;
 
 use glam::DVec3;
 
 use self::display::Row;
-use self::patch::{Patch, Triangle};
+use self::patch::Patch;
 use self::polynomial::Polynomial;
+use self::triangle::Triangle;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
 
 /// A way to draw: what the picture means, and how far it may stray from that.

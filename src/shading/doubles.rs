@@ -5,7 +5,8 @@
 use glam::DVec3;
 
 use super::display::Exact;
-use super::patch::{Patch, Point, Triangle};
+use super::patch::{Patch, Point};
+use super::triangle::Triangle;
 use super::{Coverage, Sink, TILE};
 
 /// Shades the covered pixels of a tile; `levels` makes a colour of the point a pixel shows.

@@ -6,8 +6,9 @@
 
 use super::certificate::quotient;
 use super::display::Exact;
-use super::patch::{Affine, Patch, Scalar, Triangle};
+use super::patch::{Affine, Patch, Scalar};
 use super::polynomial::Polynomial;
+use super::triangle::Triangle;
 use super::{
     Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit, polynomial,
 };

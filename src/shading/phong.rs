@@ -14,9 +14,10 @@ use glam::DVec3;
 
 use super::certificate::Quadratic;
 use super::display::Approximate;
-use super::patch::{Patch, Triangle};
+use super::patch::Patch;
 use super::polynomial::Polynomial;
 use super::specular::Squarings;
+use super::triangle::Triangle;
 use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, limit, polynomial};
 use crate::components::PointLight;
 use exact::Reflection;

@@ -8,9 +8,10 @@
 use glam::DVec3;
 
 use super::display::Exact;
-use super::patch::{Affine, Patch, Triangle};
+use super::patch::{Affine, Patch};
 use super::polynomial::Polynomial;
 use super::specular::{power, power_exact};
+use super::triangle::Triangle;
 use super::{
     Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, doubles,
 };

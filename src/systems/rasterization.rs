@@ -24,8 +24,9 @@ use crate::components::{
 };
 use crate::frame::{Band, Counts, Frame};
 use crate::shading::gouraud::Gouraud;
-use crate::shading::patch::{self, Patch, Rays, Scalar, Solid, Triangle};
+use crate::shading::patch::{Patch, Scalar};
 use crate::shading::phong::Phong;
+use crate::shading::triangle::{self, Rays, Solid, Triangle};
 use crate::shading::unit_vectors::UnitVectors;
 use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE};
 
@@ -155,7 +156,7 @@ fn triangle(
 
 /// How near a triangle is, for the depth buffer.
 struct Nearness {
-    /// See [`patch::nearness`].
+    /// See [`triangle::nearness`].
     plane: Scalar,
     /// The least and the most of what is seen of the triangle. Samples are held to it: one that snapping put just outside
     /// an edge-on face would else be as near or as far as the face is steep.
@@ -167,7 +168,7 @@ impl Nearness {
         let [a, b, c] = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)].z);
         let (farthest, nearest) = (a.max(b).max(c), a.min(b).min(c).max(lens.near));
         Nearness {
-            plane: patch::nearness(number, solid, rays),
+            plane: triangle::nearness(number, solid, rays),
             range: match lens.projection {
                 Projection::Perspective => [1.0 / farthest, 1.0 / nearest],
                 Projection::Orthographic => [-farthest, -nearest],

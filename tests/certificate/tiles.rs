@@ -4,8 +4,9 @@ use glam::DVec3;
 use shadetrade::components::{Illumination, Material, Mesh, PointLight, Projection, Transform};
 use shadetrade::shading::display::Row;
 use shadetrade::shading::gouraud::Gouraud;
-use shadetrade::shading::patch::{Patch, Point, Rays, Solid, Triangle};
+use shadetrade::shading::patch::{Patch, Point};
 use shadetrade::shading::phong::Phong;
+use shadetrade::shading::triangle::{Rays, Solid, Triangle};
 use shadetrade::shading::{Coverage, EXACT, Scratch, Shader, Sink, Surface, TILE, TileKind};
 
 use crate::cases;

@@ -6,8 +6,9 @@ use shadetrade::components::{
 };
 use shadetrade::shading::display::Row;
 use shadetrade::shading::gouraud::Gouraud;
-use shadetrade::shading::patch::{Patch, Rays, Solid, Triangle};
+use shadetrade::shading::patch::Patch;
 use shadetrade::shading::phong::Phong;
+use shadetrade::shading::triangle::{Rays, Solid, Triangle};
 use shadetrade::shading::unit_vectors::UnitVectors;
 use shadetrade::shading::{
     Coverage, EXACT, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow,

@@ -15,8 +15,9 @@ use super::outlook::{Outlook, Side, Vectors};
 use crate::components::{PointLight, unit};
 use crate::shading::certificate::Quadratic;
 use crate::shading::display::Exact;
-use crate::shading::patch::{Patch, Triangle};
+use crate::shading::patch::Patch;
 use crate::shading::specular::power;
+use crate::shading::triangle::Triangle;
 use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U, doubles, limit};
 
 /// The steepest slope of (1 - d^2/2)^rho as a function of d = |r - o|, taken at d^2 = 2 / (2 rho - 1) for rho >= 1; it

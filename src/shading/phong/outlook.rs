@@ -10,7 +10,8 @@ use glam::DVec3;
 use super::{Phong, Reflection};
 use crate::components::PointLight;
 use crate::shading::certificate::{Color, Quadratic, angle, cosine_remainder, least_lambda, rate};
-use crate::shading::patch::{Affine, Patch, Triangle};
+use crate::shading::patch::{Affine, Patch};
+use crate::shading::triangle::Triangle;
 use crate::shading::{TileKind, U};
 
 /// What all lights share on a tile. The products are those of vectors of length one at its middle.
