@@ -19,7 +19,7 @@ use clap_complete::Shell;
 
 use crate::output::{Output, say};
 use crate::{scene, trade};
-use options::{DrawingOptions, MOST_PIXELS};
+use options::{DrawingOptions, MOST_PIXELS, WorkerOptions};
 
 /// The command line: a command, or the options of `view` without its name.
 #[derive(Debug, Parser)]
@@ -106,6 +106,15 @@ Examples:
 
 Levels are unclamped; those of `drawn` come from the renderer, all else is evaluated in f64.")]
     Probe(ProbeOptions),
+    /// Runs the table of numerical extremes: what each ought to give, what it gives, and whether that is right
+    #[command(after_help = "\
+Examples:
+  shadetrade extremes
+  shadetrade extremes --simd fallback
+  shadetrade extremes --json > extremes.json
+
+Exit status 1 if a case fails. The largest picture takes a gigabyte of memory while it is drawn.")]
+    Extremes(ExtremesOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "\
 Examples:
@@ -176,7 +185,7 @@ impl TradeOptions {
                     trade::scale::LARGEST
                 )));
             }
-        } else if self.drawing.threads.is_none() {
+        } else if self.drawing.workers.threads.is_none() {
             drawing.threads = 1;
         }
         let time = if self.quick {
@@ -227,6 +236,17 @@ fn pixel(text: &str) -> Result<[usize; 2], String> {
     };
     let (x, y) = text.split_once(',').unwrap_or((text, ""));
     Ok([coordinate(x)?, coordinate(y)?])
+}
+
+/// The options of `extremes`.
+#[derive(Args, Debug)]
+pub struct ExtremesOptions {
+    /// Prints a JSON array with `name`, `expected`, `observed` and `pass` of each case
+    #[arg(long)]
+    pub json: bool,
+    /// Who draws.
+    #[command(flatten)]
+    pub workers: WorkerOptions,
 }
 
 /// The options of `figures`.

@@ -160,6 +160,7 @@ pub mod canvas;
 pub mod cli;
 pub mod components;
 pub mod drawing;
+pub mod extremes;
 pub mod frame;
 pub mod memory;
 pub mod output;

@@ -6,11 +6,11 @@ use std::process::ExitCode;
 use anyhow::anyhow;
 
 use shadetrade::cli::options::DrawingOptions;
-use shadetrade::cli::{self, Command, Failure, ProbeOptions};
+use shadetrade::cli::{self, Command, ExtremesOptions, Failure, ProbeOptions};
 use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::{self, WindowError};
-use shadetrade::{output, pictures, probe, trade};
+use shadetrade::{extremes, output, pictures, probe, trade};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -40,8 +40,22 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             Ok(trade::run(request, folder)?)
         }
         Some(Command::Probe(options)) => probe(&options),
+        Some(Command::Extremes(options)) => extremes(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
         Some(Command::Completions { shell }) => Ok(cli::print_completions(shell)?),
+    }
+}
+
+/// Runs the table of extremes; a case that fails is work not done.
+fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
+    let workers = extremes::Options {
+        level: options.workers.simd,
+        threads: options.workers.threads(),
+        full: true,
+    };
+    match extremes::run(workers, options.json)? {
+        0 => Ok(()),
+        failed => Err(Failure::Work(anyhow!("{failed} of the extremes fail"))),
     }
 }
 

@@ -36,18 +36,33 @@ pub struct DrawingOptions {
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
     pub lights: Option<LightChoice>,
-    /// The SIMD instructions to draw with
-    #[arg(long, default_value = "auto", value_name = "LEVEL", value_parser = level())]
-    pub simd: Level,
     /// The largest error of a pixel, in levels from 0 (exact) to 255 [default: 0.5]
     #[arg(long, value_name = "LEVELS", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// The picture in pixels, 1x1 to 16384x16384
     #[arg(long, default_value = "960x720", value_name = "WIDTHxHEIGHT", value_parser = size, allow_hyphen_values = true)]
     pub size: [usize; 2],
+    /// Who draws.
+    #[command(flatten)]
+    pub workers: WorkerOptions,
+}
+
+/// Who draws, as the command line says it.
+#[derive(Args, Clone, Debug)]
+pub struct WorkerOptions {
+    /// The SIMD instructions to draw with
+    #[arg(long, default_value = "auto", value_name = "LEVEL", value_parser = level())]
+    pub simd: Level,
     /// How many threads draw, 1 to 1024 [default: all cores]
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
+}
+
+impl WorkerOptions {
+    /// How many threads draw.
+    pub fn threads(&self) -> usize {
+        self.threads.unwrap_or_else(all_cores)
+    }
 }
 
 impl DrawingOptions {
@@ -76,8 +91,8 @@ impl DrawingOptions {
             shading: self.shading,
             tolerance: self.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             size: self.size,
-            threads: self.threads.unwrap_or_else(all_cores),
-            level: self.simd,
+            threads: self.workers.threads(),
+            level: self.workers.simd,
         })
     }
 }
