@@ -143,11 +143,21 @@
 //!
 //! # Who may import whom
 //!
-//! components -> glam. shading -> components. frame -> shading's tiles. systems -> components, shading, frame. scene ->
-//! components. reference -> components: it shares no formula with the renderer. drawing -> scene, frame. probe ->
-//! systems, reference. trade -> drawing, systems, reference, output, canvas, [`shading::METHODS`]. window -> the same; only it names
-//! minifb. output, canvas, memory and simd -> none of these; whoever allocates pictures -> memory. pictures -> drawing, systems, reference, output, canvas. cli ->
-//! drawing, output, trade's request; main -> cli and the commands. Nothing points back up.
+//! ```text
+//! components                -> glam            canvas, output, memory, simd -> no room but memory
+//! shading, scene            -> components      frame                        -> shading's tiles
+//! systems                   -> components, shading, frame
+//! reference                 -> components: it shares no formula with the renderer
+//! drawing                   -> scene, frame    probe                        -> systems, reference
+//! trade                     -> drawing, systems, reference, shading::METHODS
+//! extremes                  -> scene, systems, reference, trade's metrics
+//! pictures                  -> drawing, systems, reference
+//! window                    -> drawing, systems, probe, trade; only it names minifb
+//! cli                       -> drawing, trade's request
+//! main                      -> cli and the commands
+//! ```
+//!
+//! Whoever draws letters takes canvas, whoever writes files output. Nothing points back up.
 //!
 //! # What is not modelled, and why
 //!

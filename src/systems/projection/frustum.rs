@@ -224,78 +224,27 @@ mod tests {
     #[test]
     fn the_near_plane_cuts_one_two_or_no_corners_off_a_triangle() {
         let lens = Lens::new(&view(Projection::Perspective, [300, 200]));
-        let corner = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+        let triangle = |[first, second, third]: [f64; 3]| {
+            let corners = [
+                DVec3::new(0.0, 0.0, first),
+                DVec3::new(1.0, 0.0, second),
+                DVec3::new(0.0, 1.0, third),
+            ];
+            clip(corners, &lens)
+        };
         let (far, near) = (4.0, 0.5);
-        assert_eq!(
-            clip(
-                [
-                    corner(0.0, 0.0, far),
-                    corner(1.0, 0.0, far),
-                    corner(0.0, 1.0, far)
-                ],
-                &lens
-            )
-            .len,
-            3
-        );
-        assert_eq!(
-            clip(
-                [
-                    corner(0.0, 0.0, near),
-                    corner(1.0, 0.0, far),
-                    corner(0.0, 1.0, far)
-                ],
-                &lens
-            )
-            .len,
-            4
-        );
-        assert_eq!(
-            clip(
-                [
-                    corner(0.0, 0.0, near),
-                    corner(1.0, 0.0, near),
-                    corner(0.0, 1.0, far)
-                ],
-                &lens
-            )
-            .len,
-            3
-        );
-        assert_eq!(
-            clip(
-                [
-                    corner(0.0, 0.0, near),
-                    corner(1.0, 0.0, near),
-                    corner(0.0, 1.0, near)
-                ],
-                &lens
-            )
-            .len,
-            0
-        );
-        // Exactly on the plane is inside.
-        assert_eq!(
-            clip(
-                [
-                    corner(0.0, 0.0, 1.0),
-                    corner(1.0, 0.0, far),
-                    corner(0.0, 1.0, far)
-                ],
-                &lens
-            )
-            .len,
-            3
-        );
+        for (depths, corners) in [
+            ([far, far, far], 3),
+            ([near, far, far], 4),
+            ([near, near, far], 3),
+            ([near, near, near], 0),
+            // Exactly on the plane is inside.
+            ([1.0, far, far], 3),
+        ] {
+            assert_eq!(triangle(depths).len, corners, "{depths:?}");
+        }
         // Behind the eye: depth -4 to 4 meets the near plane at depth 1, where x = 0.625 is 62.5 pixels right.
-        let behind = clip(
-            [
-                corner(0.0, 0.0, -4.0),
-                corner(1.0, 0.0, 4.0),
-                corner(0.0, 1.0, 4.0),
-            ],
-            &lens,
-        );
+        let behind = triangle([-4.0, 4.0, 4.0]);
         assert!(
             behind
                 .vertices()
