@@ -10,7 +10,10 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
-use png::{BitDepth, ColorType, Compression, Encoder};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageError};
+
+use crate::memory;
 
 /// Where one file's content goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -205,29 +208,26 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// A PNG of 0x00RRGGBB pixels, row by row, so that nothing is held a second time.
+/// A PNG of 0x00RRGGBB pixels, which are held a second time meanwhile, as bytes of red, green and blue.
 pub(crate) fn encode_png(
     writer: &mut dyn Write,
     pixels: &[u32],
     [width, height]: [usize; 2],
 ) -> io::Result<()> {
-    /// Bytes of compressed picture to a chunk of the file.
-    const CHUNK: usize = 1 << 16;
-    let mut encoder = Encoder::new(writer, width as u32, height as u32);
-    encoder.set_color(ColorType::Rgb);
-    encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::Fast);
-    let mut header = encoder.write_header()?;
-    let mut rows = header.stream_writer_with_size(CHUNK)?;
-    let mut bytes = Vec::with_capacity(3 * width);
-    for row in pixels.chunks_exact(width) {
-        bytes.clear();
-        bytes.extend(row.iter().flat_map(|pixel| {
-            let [_, red, green, blue] = pixel.to_be_bytes();
-            [red, green, blue]
-        }));
-        rows.write_all(&bytes)?;
-    }
-    rows.finish()?;
-    Ok(header.finish()?)
+    let mut bytes = memory::room_for_pixels([width, height]).map_err(io::Error::other)?;
+    bytes.extend(pixels.iter().map(|pixel| {
+        let [_, red, green, blue] = pixel.to_be_bytes();
+        [red, green, blue]
+    }));
+    PngEncoder::new(writer)
+        .write_image(
+            bytes.as_flattened(),
+            width as u32,
+            height as u32,
+            ExtendedColorType::Rgb8,
+        )
+        .map_err(|error| match error {
+            ImageError::IoError(error) => error,
+            other => io::Error::other(other),
+        })
 }
