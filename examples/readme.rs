@@ -1,17 +1,15 @@
-//! The window and the figures -> the pictures of README.md in `assets/figures`, without a display:
+//! The window after a few keys -> its pictures in README.md, in `assets/figures`, without a display:
 //! `cargo run --release --example readme`.
 //!
 //! Rule: a picture of the window is what the window shows after those keys, put together by the same code.
 
-use std::fs;
 use std::path::Path;
 
 use fearless_simd::Level;
 use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::drawing::{Drawing, all_cores};
 use shadetrade::frame::Workers;
-use shadetrade::output::Output;
-use shadetrade::pictures;
+use shadetrade::output::{Output, say};
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::Action;
 use shadetrade::window::composition::Composition;
@@ -37,11 +35,7 @@ fn main() -> anyhow::Result<()> {
         let pixels = window_after(actions)?;
         let path = folder.join(name).with_extension("png");
         Output::File(path).write_png(&pixels, SIZE)?;
-    }
-    let figures = tempfile::tempdir()?;
-    pictures::figures(figures.path())?;
-    for name in ["sheet.png", "components.png"] {
-        fs::copy(figures.path().join(name), folder.join(name))?;
+        say(&format!("wrote assets/figures/{name}.png"));
     }
     Ok(())
 }

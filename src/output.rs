@@ -164,8 +164,7 @@ fn replace(
     );
     let folder = folder_of(target);
     ensure!(folder.is_dir(), "there is no folder {}", folder.display());
-    // The error's own text would name the temporary file, which nobody asked for.
-    let file = temporary_file(folder).map_err(|error| io::Error::from(error.kind()))?;
+    let file = temporary_file(folder)?;
     buffered(file.as_file(), content)?;
     if let Some(permissions) = kept {
         file.as_file().set_permissions(permissions)?;
@@ -181,7 +180,9 @@ pub(crate) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFil
     builder.prefix(".shadetrade-").suffix(".tmp");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    // The error's own text would name the temporary file, which nobody asked for.
+    let file = builder.tempfile_in(folder);
+    file.map_err(|error| io::Error::from(error.kind()))
 }
 
 /// Where `path` leads once it is no symbolic link any more, whether or not something is there.

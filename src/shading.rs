@@ -193,13 +193,19 @@ impl Coverage {
         rows: [0, TILE as u8 - 1],
     };
 
+    /// Nothing of a tile.
+    pub const NONE: Coverage = Coverage {
+        spans: [(0, 0); TILE],
+        pixels: 0,
+        lanes: [TILE as u8, 0],
+        rows: [TILE as u8, 0],
+    };
+
     /// The lanes from..to of each row of a tile.
     pub fn new(spans: [(u8, u8); TILE]) -> Self {
         let mut coverage = Coverage {
             spans,
-            pixels: 0,
-            lanes: [TILE as u8, 0],
-            rows: [TILE as u8, 0],
+            ..Coverage::NONE
         };
         for (row, &(from, to)) in spans.iter().enumerate() {
             if from < to {

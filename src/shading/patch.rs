@@ -203,7 +203,11 @@ impl Face {
         let [right, up, forward] = rays.axes.map(|axis| own * axis);
         Face {
             across,
-            outwards: if number / 2 % 2 == 0 { 1.0 } else { -1.0 },
+            outwards: if (number / 2).is_multiple_of(2) {
+                1.0
+            } else {
+                -1.0
+            },
             height: solid.half[across],
             origin: own * rays.eye,
             ray: Affine {

@@ -64,7 +64,7 @@ pub fn power(shininess: f32, lambda: f32) -> f32 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Squarings {
     coefficients: [f32; 3],
-    squarings: u32,
+    times: u32,
     /// 1 - s up to which the quadratic stands.
     end: f32,
     /// A bound on the error of s^rho where s is at least the bound it was made for, f32 included.
@@ -78,11 +78,11 @@ impl Squarings {
     /// most; m = 2^j such factors make m times that (times what m errors in a row can add, which the exponential bounds),
     /// and rounding five units for each of them.
     pub fn new(shininess: f64, least: f64, most: f64) -> Option<Self> {
-        if !(1.0..1e4).contains(&shininess) || !(least > 0.0 && least < 1.0) {
+        if !((1.0..1e4).contains(&shininess) && least > 0.0 && least < 1.0) {
             return None;
         }
-        let squarings = shininess.log2().floor();
-        let factors = squarings.exp2();
+        let doublings = shininess.log2().floor();
+        let factors = doublings.exp2();
         let exponent = shininess / factors;
         let end = 1.0 - least;
         let third = (exponent * (exponent - 1.0) * (exponent - 2.0)).abs()
@@ -101,7 +101,7 @@ impl Squarings {
         let coefficients = [first - rise * a + bend * a * b, rise - bend * (a + b), bend];
         Some(Squarings {
             coefficients: coefficients.map(|coefficient| coefficient as f32),
-            squarings: squarings as u32,
+            times: doublings as u32,
             end: end as f32,
             error,
         })
@@ -116,7 +116,7 @@ impl Squarings {
             let x = lambda[lane];
             power[lane] = constant + x * (slope + x * curve);
         }
-        for _ in 0..self.squarings {
+        for _ in 0..self.times {
             for power in &mut power {
                 *power *= *power;
             }

@@ -231,6 +231,9 @@ impl TileSpans {
         if self.cover(column..column + TILE) {
             return Coverage::WHOLE;
         }
+        if column >= self.outer[1] || column + TILE <= self.outer[0] {
+            return Coverage::NONE;
+        }
         let mut spans = [(0, 0); TILE];
         for (lanes, &(from, to)) in spans.iter_mut().zip(&self.spans) {
             let lane = |pixel: u32| (pixel as i32 - column as i32).clamp(0, TILE as i32) as u8;

@@ -58,6 +58,10 @@ impl Hud {
         let all = shown == Shown::All;
         let panel = layout::panel(session, size, area, shown);
         let covered = panel.as_ref().map(Board::rect);
+        let panel_face = panel
+            .as_ref()
+            .map(|panel| panel.style.face)
+            .or_else(|| layout::panel_face(size));
         let probe = layout::probe(session, size, area, covered);
         let free = layout::beside(area, probe.as_ref());
         let legend = |face| Legend::new(session, size, face, free, covered);
@@ -68,7 +72,7 @@ impl Hud {
                 .probed()
                 .map(|probe| probe.pixel.map(|at| at as i32)),
             panel,
-            legend: layout::panel_face(size).map(legend),
+            legend: panel_face.map(legend),
             help: layout::help(session, size, area),
             message: session
                 .overlay()

@@ -234,9 +234,12 @@ fn a_picture_beyond_all_memory_is_an_error_and_leaves_an_empty_folder() {
     let folder = parent.path().join("out");
     let huge = request(scene(GREEN, CENTRE, true), [1 << 24, 1 << 24], 1);
     let error = trade::run(huge, Some(&folder)).expect_err("no machine holds it");
-    assert_eq!(
-        format!("{error:#}"),
-        "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in this machine's memory"
+    let message = format!("{error:#}");
+    assert!(
+        message.starts_with(
+            "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in memory"
+        ),
+        "{message}"
     );
     let left = fs::read_dir(&folder).expect("the folder was made");
     assert_eq!(left.count(), 0);

@@ -14,6 +14,8 @@ use crate::window::session::Session;
 /// A window is at least so many letters high, in those that its panel and its help are set in.
 const PANEL_ROWS: i32 = 45;
 const HELP_ROWS: i32 = 36;
+/// And so many letters wide.
+const LETTERS_ACROSS: i32 = 100;
 
 /// The panel with as much left out as the area demands: it covers little of a large window and, where it is shown at
 /// all, may cover much of a small one.
@@ -169,8 +171,12 @@ pub fn message_faces(size: [usize; 2]) -> impl Iterator<Item = Face> {
     faces(size, HELP_ROWS)
 }
 
-/// The faces for a window, from the one of which it holds so many rows down to the smallest.
+/// The faces for a window, from the one of which it holds so many rows and enough letters across down to the smallest.
 fn faces(size: [usize; 2], rows: i32) -> impl Iterator<Item = Face> + Clone {
-    let suits = move |face: &Face| *face == FACES[0] || face.height() * rows <= size[1] as i32;
+    let [width, height] = size.map(|side| side as i32);
+    let holds = move |face: &Face| {
+        face.height() * rows <= height && face.advance() * LETTERS_ACROSS <= width
+    };
+    let suits = move |face: &Face| *face == FACES[0] || holds(face);
     FACES.into_iter().rev().filter(suits)
 }

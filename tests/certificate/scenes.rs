@@ -1,6 +1,4 @@
-//! The promise of the tolerance: whatever the scene, no pixel strays further from the exact picture of its mode.
-//!
-//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150; the long run is 10000, in a release build).
+//! Whole pictures, certified against exact.
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -12,39 +10,8 @@ use shadetrade::components::{
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::systems;
 
-/// Random numbers that are the same on every machine (splitmix64; Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn within(&mut self, from: f64, to: f64) -> f64 {
-        from + (to - from) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-
-    /// Between two powers of ten, alike in every decade.
-    fn decade(&mut self, from: f64, to: f64) -> f64 {
-        10.0_f64.powf(self.within(from, to))
-    }
-
-    fn vector(&mut self, from: f64, to: f64) -> DVec3 {
-        DVec3::new(
-            self.within(from, to),
-            self.within(from, to),
-            self.within(from, to),
-        )
-    }
-
-    fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
-        choices[(self.next() % choices.len() as u64) as usize]
-    }
-}
+use crate::cases;
+use crate::random::Random;
 
 /// A cuboid, up to five lights (some of them close to a face, some at one place) and a camera (some of them close).
 fn scene(random: &mut Random) -> (World, View) {
@@ -140,13 +107,6 @@ fn scene(random: &mut Random) -> (World, View) {
         tolerance: 0.0,
     };
     (world, view)
-}
-
-fn cases() -> u64 {
-    std::env::var("SHADETRADE_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(150)
 }
 
 #[test]

@@ -1,0 +1,16 @@
+//! The promise of the tolerance: whatever is drawn, no pixel strays further from the exact evaluation of its mode.
+//!
+//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150), and a hundred times as many random tiles; the
+//! long run is 10000 in a release build, with `--nocapture` to see how much slack the certificates leave.
+
+mod random;
+mod scenes;
+mod tiles;
+
+/// How many random scenes are drawn.
+fn cases() -> u64 {
+    std::env::var("SHADETRADE_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(150)
+}

@@ -1,0 +1,37 @@
+//! Random numbers that are the same on every machine (splitmix64; Steele, Lea and Flood 2014).
+
+use glam::DVec3;
+
+/// A stream of them, named by its seed.
+pub struct Random(pub u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    pub fn within(&mut self, from: f64, to: f64) -> f64 {
+        from + (to - from) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    /// Between two powers of ten, alike in every decade.
+    pub fn decade(&mut self, from: f64, to: f64) -> f64 {
+        10.0_f64.powf(self.within(from, to))
+    }
+
+    pub fn vector(&mut self, from: f64, to: f64) -> DVec3 {
+        DVec3::new(
+            self.within(from, to),
+            self.within(from, to),
+            self.within(from, to),
+        )
+    }
+
+    pub fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[(self.next() % choices.len() as u64) as usize]
+    }
+}

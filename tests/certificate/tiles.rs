@@ -1,0 +1,224 @@
+//! Single tiles of every size and slant, certified against the same tile pixel by pixel in f64.
+
+use glam::DVec3;
+use shadetrade::components::{Illumination, Material, Mesh, PointLight, Projection, Transform};
+use shadetrade::shading::display::Row;
+use shadetrade::shading::gouraud::Gouraud;
+use shadetrade::shading::patch::{Patch, Point, Rays, Solid, Triangle};
+use shadetrade::shading::phong::Phong;
+use shadetrade::shading::{Coverage, EXACT, Scratch, Shader, Sink, Surface, TILE, TileKind};
+
+use crate::cases;
+use crate::random::Random;
+
+/// What is displayed of a tile's pixels, row by row.
+#[derive(Default)]
+struct Displayed(Vec<[f64; 3]>);
+
+impl Sink for Displayed {
+    fn take(&mut self, _row: usize, levels: &impl Row) {
+        let lanes = (0..TILE).map(|lane| levels.levels(lane));
+        self.0
+            .extend(lanes.map(|levels| levels.map(|level| f64::from(level).clamp(0.0, 255.0))));
+    }
+}
+
+/// A face of a random cuboid, seen so that a tile is anything from a thousandth of it to more than all of it.
+struct Subject {
+    triangle: Triangle,
+    patch: Patch,
+    material: Material,
+    illumination: Illumination,
+}
+
+fn subject(random: &mut Random) -> Subject {
+    let decades = |random: &mut Random| DVec3::splat(0.0).map(|_| random.decade(-1.0, 1.0));
+    let mesh = Mesh::cuboid(decades(random));
+    let half = mesh.corners[7];
+    let transform = Transform {
+        position: DVec3::ZERO,
+        rotation: random.vector(-180.0, 180.0),
+    };
+    let axes = transform.axes();
+    let offsets = mesh.corners.map(|corner| axes * corner);
+    let normals = offsets.map(|offset| (axes * ((axes.transpose() * offset) / half)).normalize());
+    let colors = offsets.map(|_| random.vector(-20.0, 400.0));
+    let solid = Solid {
+        axes,
+        half,
+        offsets: &offsets,
+        normals: &normals,
+        colors: &colors,
+    };
+    // Numbers 8 and 9 are the triangles of the face +z.
+    let number = random.one_of(&[8, 9]);
+    let over = |random: &mut Random, height: f64| {
+        let place = random.vector(-1.2, 1.2) * half;
+        axes * DVec3::new(place.x, place.y, half.z + height)
+    };
+    let target = over(random, 0.0);
+    let height = random.decade(-2.0, 2.0);
+    let eye = over(random, height)
+        + axes * (random.vector(-1.0, 1.0) * height * DVec3::new(3.0, 3.0, 0.0));
+    let forward = (target - eye).normalize();
+    let right = forward.any_orthonormal_vector();
+    let distance = eye.distance(target);
+    let projection = random.one_of(&[
+        Projection::Perspective,
+        Projection::Perspective,
+        Projection::Orthographic,
+    ]);
+    let seen = half.x.min(half.y) * random.decade(-4.0, -1.0);
+    let rays = Rays {
+        eye,
+        axes: [right, right.cross(forward), forward],
+        pitch: match projection {
+            Projection::Perspective => seen / distance,
+            Projection::Orthographic => seen,
+        },
+        projection,
+    };
+    let triangle = Triangle::new(number, &solid, &rays, None);
+    let origin = [
+        random.within(-20.0, 4.0).round(),
+        random.within(-20.0, 4.0).round(),
+    ];
+    let last = TILE as u8 - 1;
+    let patch = Patch::new(&triangle, origin, [0, last], [0, last]);
+    let material = Material {
+        ambient: random.vector(0.0, 1.0),
+        diffuse: random.vector(0.0, 1.0),
+        specular: random.vector(0.0, 1.0),
+        shininess: random.decade(-0.301, 3.0),
+    };
+    let count = random.one_of(&[1, 1, 1, 2, 3]);
+    let points = (0..count).map(|_| {
+        // From grazing, even behind the face, to far above it; and where its highlight may be on the tile.
+        let height = random.decade(-2.0, 2.0) * random.one_of(&[1.0, 1.0, 1.0, -1.0]);
+        let mirrored = target + (target - eye) * random.decade(-1.0, 1.0);
+        let position = match random.one_of(&[0, 1, 2]) {
+            0 => over(random, height),
+            1 => random.vector(-20.0, 20.0),
+            _ => {
+                let local = axes.transpose() * mirrored;
+                let bounced = DVec3::new(local.x, local.y, 2.0 * half.z - local.z);
+                axes * bounced + random.vector(-1.0, 1.0) * half * 0.3
+            }
+        };
+        PointLight {
+            position,
+            diffuse: random.vector(0.0, 1.0) * random.one_of(&[0.0, 50.0, 255.0, 2000.0]),
+            specular: random.vector(0.0, 1.0) * random.one_of(&[0.0, 50.0, 255.0, 2000.0]),
+        }
+    });
+    let illumination = Illumination {
+        ambient: DVec3::splat(40.0),
+        points: points.collect(),
+    };
+    Subject {
+        triangle,
+        patch,
+        material,
+        illumination,
+    }
+}
+
+/// Shades a tile; what is displayed of it, and how it was done.
+fn shade(shader: &impl Shader, triangle: &Triangle, patch: &Patch) -> (TileKind, Vec<[f64; 3]>) {
+    let mut tile = Displayed::default();
+    let scratch = &mut Scratch::default();
+    let evaluations = shader.shade(triangle, patch, &Coverage::WHOLE, scratch, &mut tile);
+    (evaluations.kind, tile.0)
+}
+
+/// What ought to be displayed of a tile, pixel by pixel in f64.
+fn exact(patch: &Patch, triangle: &Triangle, levels: impl Fn(&Point) -> DVec3) -> Vec<[f64; 3]> {
+    let place = |index: usize, middle: f64| index as f64 - middle;
+    (0..TILE * TILE)
+        .map(|pixel| {
+            let (x, y) = (
+                place(pixel % TILE, patch.lane),
+                place(pixel / TILE, patch.row),
+            );
+            let levels = levels(&patch.point(triangle, x, y));
+            levels.clamp(DVec3::ZERO, DVec3::splat(255.0)).to_array()
+        })
+        .collect()
+}
+
+fn phong(surface: &Surface, triangle: &Triangle, point: &Point) -> DVec3 {
+    let normal = Triangle::blend(point.weights, &triangle.normals).normalize();
+    let to_eye = triangle
+        .eye
+        .map_or(triangle.backward, |eye| eye - point.offset);
+    surface.levels(point.offset, normal, to_eye.normalize())
+}
+
+#[test]
+fn no_certified_tile_exceeds_its_tolerance() {
+    let tiles = 100 * cases();
+    // By kind: the share of the tolerance that was used up.
+    let mut used: [Vec<f64>; TileKind::ALL.len()] = Default::default();
+    for seed in 0..tiles {
+        let random = &mut Random(seed.wrapping_mul(0x1000_0000_01b3));
+        let subject = subject(random);
+        let tolerance = random.decade(-2.0, 0.9);
+        let surface = Surface {
+            material: &subject.material,
+            illumination: &subject.illumination,
+            centre: DVec3::ZERO,
+        };
+        let Subject {
+            triangle, patch, ..
+        } = &subject;
+        if !patch.steady {
+            continue;
+        }
+        let (kind, found, expected) = if random.one_of(&[true, true, false]) {
+            let (kind, found) = shade(&Phong::new(surface, tolerance), triangle, patch);
+            (
+                kind,
+                found,
+                exact(patch, triangle, |point| phong(&surface, triangle, point)),
+            )
+        } else {
+            let (kind, found) = shade(&Gouraud { tolerance }, triangle, patch);
+            (
+                kind,
+                found,
+                exact(patch, triangle, |point| {
+                    Triangle::blend(point.weights, &triangle.levels)
+                }),
+            )
+        };
+        let error = found
+            .as_flattened()
+            .iter()
+            .zip(expected.as_flattened())
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
+        let limit = tolerance.max(EXACT);
+        assert!(
+            error <= limit,
+            "tile {seed}: {error} levels, tolerance {tolerance}, {kind:?}"
+        );
+        used[kind as usize].push(error / tolerance);
+    }
+    for (kind, shares) in TileKind::ALL.into_iter().zip(&mut used) {
+        shares.sort_unstable_by(f64::total_cmp);
+        let (Some(most), middle) = (shares.last(), shares.get(shares.len() / 2)) else {
+            continue;
+        };
+        println!(
+            "{:>12}: {:>7} tiles, of the tolerance used: median {:.3}, most {most:.3}",
+            kind.name(),
+            shares.len(),
+            middle.unwrap_or(&0.0),
+        );
+    }
+    let least = tiles as usize / 500;
+    for kind in &TileKind::ALL {
+        let count = used[*kind as usize].len();
+        assert!(count >= least, "{count} tiles of {tiles} are {kind:?}");
+    }
+}
