@@ -99,7 +99,7 @@
 //! approximated, and 1 - o.r is taken as |r - o|² / 2 where f32 would cancel (Lyon 1993; [`shading::specular`]).
 //!
 //! Whether that is true is not for the renderer to say. [`mod@reference`] draws the same picture in f64 by rays through the
-//! pixels (Woop, Benthin and Wald 2013), sharing no formula with it; [`trade::metrics`] compares the two, [`trade::flip`]
+//! pixels (Kay and Kajiya 1986), sharing no formula with it; [`trade::metrics`] compares the two, [`trade::flip`]
 //! as a person would (Andersson et al. 2020), and [`trade`] adds what each method costs.
 //!
 //! ```
@@ -128,6 +128,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Where numbers end
+//!
+//! [`extremes`] is one table of what a scene can hold at the ends of its ranges: the near plane through a corner, a light an
+//! ulp off a face, edges as one to 1e100, sums beyond every float, ten thousand cuboids. The command prints it, the tests
+//! run it, and what is right in it comes from paper, from 128 bits, from the reference, or from the same scene without the
+//! extreme.
+//!
 //! # What to touch to add ...
 //!
 //! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of the one `match` in
@@ -136,6 +143,8 @@
 //! - a light kind: a variant of [`components::LightKind`] and its name in `scene/format.rs`, its sum in
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a row of [`systems::FRAME`];
+//! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule
+//!   that decides what is right;
 //! - a metric: a pure function in [`trade::metrics`], its column in [`trade::report`];
 //! - a key: a row of [`window::bindings::BINDINGS`], and an arm of [`window::session::Session::apply`]; panel and help
 //!   show it by themselves;

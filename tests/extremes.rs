@@ -1,35 +1,56 @@
 //! Every extreme of the table gives the picture it ought to.
 //!
-//! `SHADETRADE_EXTREMES=full` draws the largest pictures at their full size, as `shadetrade extremes` does: 16384 x 16384
-//! pixels take a gigabyte, and a release build.
+//! `SHADETRADE_EXTREMES=full` does what `shadetrade extremes` does, at every SIMD level of this machine: the largest picture
+//! has 16384 x 16384 pixels, which take a gigabyte, and a release build.
 
 use fearless_simd::Level;
-use shadetrade::extremes::{Options, Outcome, examine, text};
+use serde_json::{Value, json as value};
+use shadetrade::extremes::{Options, Outcome, examine, json, text};
 use shadetrade::simd;
 
-#[track_caller]
-fn assert_all_pass(level: Level, threads: usize) {
-    let options = Options {
-        level,
-        threads,
-        full: std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full"),
+#[test]
+fn every_extreme_passes() {
+    let full = std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full");
+    let levels: Vec<Level> = if full {
+        simd::NAMES.into_iter().filter_map(simd::named).collect()
+    } else {
+        vec![Level::new()]
     };
-    let outcomes = examine(options, &|_| ()).expect("the system gives threads");
-    assert!(outcomes.len() > 80, "the table is whole");
-    let failed: Vec<Outcome> = outcomes
-        .into_iter()
-        .filter(|outcome| !outcome.pass)
-        .collect();
-    assert!(failed.is_empty(), "{}", text(&failed));
+    for level in levels {
+        let options = Options {
+            level,
+            threads: 2,
+            full,
+        };
+        let outcomes = examine(options, &|_| ()).expect("the system gives threads");
+        assert!(outcomes.len() > 90, "the table is whole");
+        let failed: Vec<Outcome> = outcomes
+            .into_iter()
+            .filter(|outcome| !outcome.pass)
+            .collect();
+        assert!(
+            failed.is_empty(),
+            "{}\n{}",
+            simd::name(level),
+            text(&failed)
+        );
+    }
 }
 
 #[test]
-fn every_extreme_passes_with_the_best_instructions_of_this_machine() {
-    assert_all_pass(Level::new(), 2);
-}
-
-#[test]
-fn every_extreme_passes_without_simd() {
-    let fallback = simd::named("fallback").expect("every machine has it");
-    assert_all_pass(fallback, 1);
+fn an_outcome_is_printed_with_its_name_what_was_expected_what_was_observed_and_whether_that_is_right()
+ {
+    let outcomes = [true, false].map(|pass| Outcome {
+        name: "two by two",
+        expected: "four".to_owned(),
+        observed: if pass { "four" } else { "five" }.to_owned(),
+        pass,
+    });
+    let parsed: Value = serde_json::from_str(&json(&outcomes)).expect("it is JSON");
+    let one = |observed, pass| value!({ "name": "two by two", "expected": "four", "observed": observed, "pass": pass });
+    assert_eq!(parsed, value!([one("four", true), one("five", false)]));
+    let table = text(&outcomes);
+    for word in ["two by two", "four", "five", "pass", "FAIL", "1 of 2 pass"] {
+        assert!(table.contains(word), "{word} is not in\n{table}");
+    }
 }

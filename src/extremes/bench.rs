@@ -44,7 +44,7 @@ pub enum Trouble {
 pub struct Bench {
     frame: Frame,
     display: Frame,
-    /// Whether pictures have the size the table says, or at most a sixteenth of it.
+    /// Whether everything is drawn that the table says, or what a test has time for.
     pub full: bool,
 }
 
@@ -60,16 +60,15 @@ pub struct Drawn {
 /// How far pictures are from what they ought to be.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Distance {
-    /// The largest error at each of [`TOLERANCES`], in levels.
-    pub errors: [f64; TOLERANCES.len()],
+    /// The largest error at tolerance 0, in levels.
+    pub exact: f64,
+    /// The largest error at the others, as a share of the tolerance.
+    pub share: f64,
     /// Pixels where both show the same triangle.
     pub compared: u64,
     /// Pixels that show another triangle, their centres nearer to an edge than what snapping moves it.
     pub edges: u64,
 }
-
-/// The tolerances at which every case is drawn, in levels.
-pub const TOLERANCES: [f64; 3] = [0.0, 0.5, 4.0];
 
 /// The two projections.
 pub const PROJECTIONS: [Projection; 2] = [Projection::Perspective, Projection::Orthographic];
@@ -113,9 +112,27 @@ impl Bench {
         }
     }
 
-    /// Gives back the memory of the last picture shown.
-    pub fn forget_display(&mut self) {
-        self.display = Frame::new(Keep::Display, Workers::alone(self.level()));
+    /// Another one, with workers and memory of its own.
+    ///
+    /// # Errors
+    /// When the system gives no threads.
+    pub fn another(&self, threads: usize) -> Result<Self, Trouble> {
+        Bench::new(self.level(), threads, self.full)
+            .map_err(|error| Trouble::Wrong(error.to_string()))
+    }
+
+    /// How many threads draw.
+    pub fn threads(&self) -> usize {
+        self.frame.workers().threads()
+    }
+
+    /// The tolerances at which a case is compared with the reference, in levels.
+    fn tolerances(&self) -> &'static [f64] {
+        if self.full {
+            &[0.0, 0.25, 0.5, 1.0, 2.0, 4.0]
+        } else {
+            &[0.0, 0.5, 4.0]
+        }
     }
 
     /// The instructions in use.
@@ -175,10 +192,14 @@ impl Bench {
                 else {
                     continue;
                 };
-                for (index, tolerance) in TOLERANCES.into_iter().enumerate() {
+                for &tolerance in self.tolerances() {
                     let view = setting.view(&scene, way(tolerance));
                     let error = self.compare(&mut scene, &view, &truth, &mut distance)?;
-                    distance.errors[index] = distance.errors[index].max(error);
+                    if tolerance == 0.0 {
+                        distance.exact = distance.exact.max(error);
+                    } else {
+                        distance.share = distance.share.max(error / tolerance);
+                    }
                 }
             }
         }
@@ -295,9 +316,8 @@ impl Drawn {
 
 impl AddAssign for Distance {
     fn add_assign(&mut self, other: Self) {
-        for (error, other) in self.errors.iter_mut().zip(other.errors) {
-            *error = error.max(other);
-        }
+        self.exact = self.exact.max(other.exact);
+        self.share = self.share.max(other.share);
         self.compared += other.compared;
         self.edges += other.edges;
     }

@@ -114,7 +114,9 @@ fn largest(bench: &mut Bench) -> Result<String, Trouble> {
             tolerance: 0.5,
         },
     );
-    let frame = match bench.display(&mut scene, &view) {
+    // Its memory is given back at the end.
+    let mut large = bench.another(bench.threads())?;
+    let frame = match large.display(&mut scene, &view) {
         Ok(frame) => frame,
         Err(full) => return Ok(format!("said of itself: {full}")),
     };
@@ -134,7 +136,6 @@ fn largest(bench: &mut Bench) -> Result<String, Trouble> {
             samples += 1;
         }
     }
-    bench.forget_display();
     super::bench::enough(samples)?;
     Ok(format!(
         "{side}x{side}: {worst:.2} levels at most at {samples} pixels"
@@ -208,9 +209,7 @@ fn same_on_every_level(bench: &mut Bench) -> Result<String, Trouble> {
 
 fn same_on_any_threads(bench: &mut Bench) -> Result<String, Trouble> {
     for threads in [2, 3, 7] {
-        let mut other = Bench::new(bench.level(), threads, false)
-            .map_err(|error| Trouble::Wrong(error.to_string()))?;
-        expect_same(bench, &mut other)?;
+        expect_same(bench, &mut bench.another(threads)?)?;
     }
     Ok("the same".to_owned())
 }

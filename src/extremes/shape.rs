@@ -201,6 +201,8 @@ fn still_life() -> Setting {
         setting.eye = DVec3::new(4.0, 3.0, 9.0);
         setting.target = DVec3::new(0.0, 0.125, 0.0);
         setting.height = 6.0;
+        // Cuts a corner off.
+        setting.near = Some(8.0);
         setting.size = [64, 48];
     })
 }

@@ -1,41 +1,12 @@
-//! Polygons in, how many of them cover each pixel out; and the twins that decide pixel by pixel, in i128 and from the
-//! definition alone.
+//! Drawings and assertions of how many polygons cover each pixel.
 
 use shadetrade::components::Polygon;
-use shadetrade::systems::coverage::Scan;
+use shadetrade::extremes::coverage::agrees;
+pub use shadetrade::extremes::coverage::{count, covers, encloses, facing, pixels, snapped, turn};
 
 /// A polygon whose vertices are given in pixels, right and down, counter-clockwise as seen.
 pub fn polygon<const LEN: usize>(vertices: [[f64; 2]; LEN]) -> Polygon {
     snapped(&vertices.map(|vertex| vertex.map(|pixels| (pixels * 256.0) as i32)))
-}
-
-/// A polygon whose vertices are given in 1/256 pixel.
-pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
-    let mut polygon = Polygon {
-        len: vertices.len() as u8,
-        ..Polygon::default()
-    };
-    polygon.vertices[..vertices.len()].copy_from_slice(vertices);
-    polygon
-}
-
-/// How many of the polygons cover each pixel of a picture.
-pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
-    let mut counts = vec![0; width * height];
-    for polygon in polygons {
-        let mut scan = Scan::new(polygon, 0..height, width);
-        while let Some((row, from, to)) = scan.next_span() {
-            for pixel in &mut counts[row * width + from..row * width + to] {
-                *pixel += 1;
-            }
-        }
-    }
-    counts
-}
-
-/// How many pixels a polygon covers of a picture.
-pub fn pixels(polygon: &Polygon, size: [usize; 2]) -> u32 {
-    count(&[*polygon], size).iter().sum()
 }
 
 /// Compares the counts with a drawing, whose size is the picture's.
@@ -52,66 +23,12 @@ pub fn assert_counts(polygons: &[Polygon], expected: &str) {
     assert!(drawn == expected, "covered\n{drawn}\n\nnot\n{expected}");
 }
 
-/// The centre of a pixel in 1/256 pixel.
-fn centre(x: usize, y: usize) -> [i128; 2] {
-    [x, y].map(|pixels| 256 * pixels as i128 + 128)
-}
-
-/// The edges of a closed ring that have a length.
-fn edges(ring: &[[i32; 2]]) -> impl Iterator<Item = [[i128; 2]; 2]> {
-    let wide = |vertex: [i32; 2]| vertex.map(i128::from);
-    (0..ring.len())
-        .map(move |index| [wide(ring[index]), wide(ring[(index + 1) % ring.len()])])
-        .filter(|[from, to]| from != to)
-}
-
-/// The naive twin: a convex polygon covers what lies on the inner side of each edge, and of what lies on an edge that on
-/// a left one (which goes down) or a top one (level, to the left).
-pub fn covers(polygon: &Polygon, x: usize, y: usize) -> bool {
-    let [x, y] = centre(x, y);
-    edges(polygon.vertices()).all(|[from, to]| {
-        let [right, down] = [to[0] - from[0], to[1] - from[1]];
-        let inwards = down * (x - from[0]) - right * (y - from[1]);
-        inwards > 0 || (inwards == 0 && (down > 0 || (down == 0 && right < 0)))
-    })
-}
-
-/// Whether a ring, convex or not, encloses a pixel's centre moved right by next to nothing and down by still less, which
-/// is what the top-left rule comes to: the number of edges to the left of that point is odd.
-pub fn encloses(ring: &[[i32; 2]], x: usize, y: usize) -> bool {
-    let [x, y] = centre(x, y);
-    let crossed = edges(ring).filter(|[from, to]| {
-        let [upper, lower] = if from[1] < to[1] {
-            [from, to]
-        } else {
-            [to, from]
-        };
-        let [right, down] = [lower[0] - upper[0], lower[1] - upper[1]];
-        upper[1] <= y && y < lower[1] && right * (y - upper[1]) <= (x - upper[0]) * down
-    });
-    crossed.count() % 2 == 1
-}
-
 /// Compares every pixel's count with what a twin says of it; returns how many are covered.
 #[track_caller]
 pub fn assert_twin(
     polygons: &[Polygon],
-    [width, height]: [usize; 2],
+    size: [usize; 2],
     twin: impl Fn(usize, usize) -> bool,
 ) -> u32 {
-    let counts = count(polygons, [width, height]);
-    for (pixel, &count) in counts.iter().enumerate() {
-        let (x, y) = (pixel % width, pixel / width);
-        assert!(
-            count == u32::from(twin(x, y)),
-            "pixel ({x}, {y}) is counted {count} times in {polygons:?}"
-        );
-    }
-    counts.iter().sum()
-}
-
-/// Twice the area of a triangle; positive if it is counter-clockwise as seen.
-pub fn turn([a, b, c]: [[i32; 2]; 3]) -> i128 {
-    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|vertex| vertex.map(i128::from));
-    (cx - ax) * (by - ay) - (bx - ax) * (cy - ay)
+    agrees(polygons, size, twin).unwrap_or_else(|wrong| panic!("{wrong}"))
 }

@@ -92,29 +92,6 @@ fn a_sliver_covers_the_centres_it_meets_and_no_others() {
 }
 
 #[test]
-fn what_has_no_area_or_is_turned_over_covers_nothing() {
-    let [a, b, c, d] = [[0, 0], [0, 2048], [2048, 2048], [2048, 0]];
-    let on_centres = [128, 128 + 256, 128 + 512];
-    for vertices in [
-        &[][..],
-        &[a, a, a],
-        &[a, b, a],
-        &[a, a, c, c],
-        &[a, c, a, c, a],
-        &on_centres.map(|place| [place, place]),
-        &on_centres.map(|place| [128, place]),
-        &on_centres.map(|place| [place, 128]),
-        &[c, b, a],
-        &[d, c, b, a],
-    ] {
-        assert_eq!(pixels(&snapped(vertices), [8, 8]), 0, "{vertices:?}");
-    }
-    // The whole of it, for comparison; a vertex said twice changes nothing.
-    assert_eq!(pixels(&snapped(&[a, b, c, d]), [8, 8]), 64);
-    assert_eq!(pixels(&snapped(&[a, a, b, c, c, c, d]), [8, 8]), 64);
-}
-
-#[test]
 fn a_polygon_is_cut_at_the_pictures_sides_and_not_drawn_beyond_them() {
     let square = |x: f64, y: f64| polygon([[x, y], [x, y + 4.0], [x + 4.0, y + 4.0], [x + 4.0, y]]);
     assert_counts(&[square(-2.0, -2.0)], "11.... 11.... ...... ......");

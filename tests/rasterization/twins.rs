@@ -6,24 +6,8 @@ use shadetrade::components::Polygon;
 use shadetrade::shading::TILE;
 use shadetrade::systems::coverage::Scan;
 
-use crate::counting::{assert_twin, count, covers, encloses, snapped, turn};
+use crate::counting::{assert_twin, count, covers, encloses, facing, snapped, turn};
 use crate::random::Random;
-
-#[test]
-fn a_fan_of_360_triangles_counts_the_pixel_in_its_middle_once() {
-    let rim: Vec<[i32; 2]> = (0..360)
-        .map(|degrees| {
-            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
-            [10.5 + 9.7 * cos, 10.5 - 9.7 * sin].map(|pixels| (pixels * 256.0) as i32)
-        })
-        .collect();
-    let middle = [10 * 256 + 128; 2];
-    let fan: Vec<Polygon> = (0..360)
-        .map(|degrees| snapped(&[middle, rim[degrees], rim[(degrees + 1) % 360]]))
-        .collect();
-    assert_eq!(count(&fan, [21, 21])[10 * 21 + 10], 1);
-    assert_twin(&fan, [21, 21], |x, y| encloses(&rim, x, y));
-}
 
 #[test]
 fn two_halves_of_any_quadrilateral_count_its_pixels_once_and_no_others() {
@@ -44,43 +28,6 @@ fn two_halves_of_any_quadrilateral_count_its_pixels_once_and_no_others() {
         }
     }
     assert!(covered > 500_000, "{covered} pixels were looked at");
-}
-
-#[test]
-fn slivers_of_any_slope_and_thousands_of_pixels_long_agree_with_the_twin() {
-    assert_long_triangles_agree(4000.0 * 256.0, 1.0);
-}
-
-#[test]
-fn coordinates_up_to_the_limit_agree_with_the_twin() {
-    let limit = f64::from(1 << 30) - 4096.0;
-    assert_long_triangles_agree(limit / 2.0, 1000.0);
-    assert_long_triangles_agree(limit, 1000.0);
-    assert_long_triangles_agree(limit, 1e9);
-}
-
-/// Random triangles round a small picture: up to `reach` long to both sides of it and up to twice `aside` wide, in
-/// 1/256 pixel.
-#[track_caller]
-fn assert_long_triangles_agree(reach: f64, aside: f64) {
-    let mut random = Random(2);
-    let mut covered = 0;
-    for _ in 0..10_000 {
-        let (sin, cos) = random.within(0.0, std::f64::consts::TAU).sin_cos();
-        let middle = [random.within(0.0, 4096.0), random.within(0.0, 4096.0)];
-        let ends = [1.0, -1.0, 1.0].map(|sign| {
-            let along = sign * reach * random.within(0.5, 0.99);
-            let aside = random
-                .within(-aside, aside)
-                .clamp(-0.1 * reach, 0.1 * reach);
-            let x = middle[0] + along * cos - aside * sin;
-            let y = middle[1] + along * sin + aside * cos;
-            [x, y].map(|coordinate| coordinate.round() as i32)
-        });
-        let triangle = facing(ends);
-        covered += assert_twin(&[triangle], [16, 16], |x, y| covers(&triangle, x, y));
-    }
-    assert!(covered > 200, "{covered} pixels were looked at");
 }
 
 #[test]
@@ -123,15 +70,6 @@ fn bezout(a: i64, b: i64) -> (i64, i64, i64) {
         let (divisor, u, v) = bezout(b, a % b);
         (divisor, v, u - a / b * v)
     }
-}
-
-/// A triangle, turned over if it must be to face the eye.
-fn facing([a, b, c]: [[i32; 2]; 3]) -> Polygon {
-    snapped(&if turn([a, b, c]) > 0 {
-        [a, b, c]
-    } else {
-        [a, c, b]
-    })
 }
 
 /// The convex hull, counter-clockwise as seen (Andrew 1979).

@@ -1,4 +1,4 @@
-//! The same picture is the same bits, whoever draws it, in whatever parts, after whatever else, at whatever size and place.
+//! The same picture is the same bits, whoever draws it, in whatever parts and after whatever else.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use shadetrade::components::{Light, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::{simd, systems};
 
-use crate::life::{Bits, Move, still_life, views};
+use crate::life::{Bits, still_life, views};
 use crate::scene::draw;
 
 const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
@@ -34,13 +34,13 @@ fn rows_of(world: &mut World, view: &View, rows: Range<usize>, frame: &mut Frame
 #[test]
 fn any_number_of_threads_draws_the_same_bits_and_counts_the_same_work() {
     for cuboids in [1, 3] {
-        let mut world = still_life(cuboids, Move::NONE);
+        let mut world = still_life(cuboids);
         for keep in KEEPS {
             let mut alone = frame(keep, 1, Level::new());
             let mut together: Vec<Frame> = [2, 3, 4, 7]
                 .map(|threads| frame(keep, threads, Level::new()))
                 .into();
-            for mut view in views([400, 320], Move::NONE).into_iter().step_by(2) {
+            for mut view in views([400, 320]).into_iter().step_by(2) {
                 // Near enough that the picture is worth sharing.
                 view.viewpoint.camera.fov = 10.0;
                 view.viewpoint.camera.height = 2.0;
@@ -62,9 +62,9 @@ fn every_simd_level_of_this_machine_draws_the_same_bits() {
     let levels: Vec<Level> = simd::NAMES.into_iter().filter_map(simd::named).collect();
     assert!(levels.len() > 1, "the fallback and what this machine has");
     for cuboids in [1, 3] {
-        let mut world = still_life(cuboids, Move::NONE);
+        let mut world = still_life(cuboids);
         for keep in KEEPS {
-            for view in views([160, 120], Move::NONE) {
+            for view in views([160, 120]) {
                 let expected = bits(&mut world, &view, &mut frame(keep, 1, Level::new()));
                 for &level in &levels {
                     let same = bits(&mut world, &view, &mut frame(keep, 1, level)) == expected;
@@ -78,10 +78,10 @@ fn every_simd_level_of_this_machine_draws_the_same_bits() {
 #[test]
 fn some_rows_of_a_picture_are_the_same_bits_as_in_the_whole() {
     for cuboids in [1, 3] {
-        let mut world = still_life(cuboids, Move::NONE);
+        let mut world = still_life(cuboids);
         for keep in KEEPS {
             let mut part = frame(keep, 1, Level::new());
-            for view in views([160, 131], Move::NONE) {
+            for view in views([160, 131]) {
                 let whole = bits(&mut world, &view, &mut frame(keep, 1, Level::new()));
                 for rows in [
                     0..1,
@@ -111,7 +111,7 @@ fn some_rows_of_a_picture_are_the_same_bits_as_in_the_whole() {
 
 #[test]
 fn a_frame_that_held_other_pictures_before_holds_the_same_bits() {
-    let views = views([90, 70], Move::NONE);
+    let views = views([90, 70]);
     let closer = |view: &View| {
         let mut view = view.clone();
         view.viewpoint.position *= 0.5;
@@ -133,8 +133,8 @@ fn a_frame_that_held_other_pictures_before_holds_the_same_bits() {
     let others: [&dyn Fn(&View) -> View; 4] = [&closer, &away, &coloured, &narrow];
     for keep in KEEPS {
         for cuboids in [1, 3] {
-            let mut world = still_life(cuboids, Move::NONE);
-            let mut other_world = still_life(4 - cuboids, Move::NONE);
+            let mut world = still_life(cuboids);
+            let mut other_world = still_life(4 - cuboids);
             let mut used = frame(keep, 1, Level::new());
             for view in &views {
                 let expected = bits(&mut world, view, &mut frame(keep, 1, Level::new()));
@@ -153,8 +153,8 @@ fn a_frame_that_held_other_pictures_before_holds_the_same_bits() {
 
 #[test]
 fn a_light_switched_off_and_on_again_leaves_the_same_bits() {
-    let mut world = still_life(3, Move::NONE);
-    for view in views([160, 120], Move::NONE) {
+    let mut world = still_life(3);
+    for view in views([160, 120]) {
         let expected = Bits::of(&draw(&mut world, &view, Keep::Levels));
         let mut matter = 0;
         for light in 0..5 {
@@ -177,8 +177,8 @@ fn a_light_switched_off_and_on_again_leaves_the_same_bits() {
 
 #[test]
 fn a_mode_of_their_own_or_of_the_view_gives_the_same_bits() {
-    for view in views([160, 120], Move::NONE) {
-        let mut world = still_life(3, Move::NONE);
+    for view in views([160, 120]) {
+        let mut world = still_life(3);
         let expected = Bits::of(&draw(&mut world, &view, Keep::Levels));
         for own in world.query_mut::<&mut ShadingMode>() {
             *own = view.shading.expect("every view has a mode");
@@ -192,55 +192,4 @@ fn a_mode_of_their_own_or_of_the_view_gives_the_same_bits() {
             "{view:?}"
         );
     }
-}
-
-#[test]
-fn a_scene_scaled_by_a_power_of_two_is_the_same_bits() {
-    let size = [80, 60];
-    for cuboids in [1, 3] {
-        let expected = pictures(cuboids, size, Move::NONE);
-        for exponent in -40..=40 {
-            let scale = 2.0_f64.powi(exponent);
-            let found = pictures(
-                cuboids,
-                size,
-                Move {
-                    scale,
-                    ..Move::NONE
-                },
-            );
-            assert!(
-                found == expected,
-                "{cuboids} cuboids scaled by 2^{exponent}"
-            );
-        }
-    }
-}
-
-#[test]
-fn a_scene_moved_by_what_floats_can_hold_is_the_same_bits() {
-    let size = [80, 60];
-    for cuboids in [1, 3] {
-        let expected = pictures(cuboids, size, Move::NONE);
-        for shift in [1e3, 1e6, 1e9, -1e12] {
-            let shift = DVec3::new(shift, -0.5 * shift, 0.25 * shift);
-            let found = pictures(
-                cuboids,
-                size,
-                Move {
-                    shift,
-                    ..Move::NONE
-                },
-            );
-            assert!(found == expected, "{cuboids} cuboids moved by {shift}");
-        }
-    }
-}
-
-fn pictures(cuboids: usize, size: [usize; 2], moved: Move) -> Vec<Bits> {
-    let mut world = still_life(cuboids, moved);
-    let views = views(size, moved).into_iter();
-    views
-        .map(|view| Bits::of(&draw(&mut world, &view, Keep::Levels)))
-        .collect()
 }

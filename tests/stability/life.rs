@@ -1,6 +1,4 @@
 //! A still life of three cuboids that cross each other, under five lights, and all ways to look at it.
-//!
-//! Its places and lengths are multiples of 1/8, so that moving it by an integer and scaling it by a power of two is exact.
 
 use glam::DVec3;
 use hecs::World;
@@ -9,26 +7,8 @@ use shadetrade::frame::Frame;
 
 use crate::scene::{at, empty, shaded, spawn_cuboid, spawn_light, view};
 
-/// How the scene is moved: every place is scaled, then shifted.
-#[derive(Clone, Copy, Debug)]
-pub struct Move {
-    pub scale: f64,
-    pub shift: DVec3,
-}
-
-impl Move {
-    pub const NONE: Move = Move {
-        scale: 1.0,
-        shift: DVec3::ZERO,
-    };
-
-    fn place(self, x: f64, y: f64, z: f64) -> DVec3 {
-        DVec3::new(x, y, z) * self.scale + self.shift
-    }
-}
-
 /// As many of the cuboids as are asked for, one to three, and the lights.
-pub fn still_life(cuboids: usize, moved: Move) -> World {
+pub fn still_life(cuboids: usize) -> World {
     let mut world = empty();
     let material = |shininess: f64| Material {
         ambient: DVec3::new(0.25, 0.125, 0.5),
@@ -38,7 +18,7 @@ pub fn still_life(cuboids: usize, moved: Move) -> World {
     };
     let turned = |x: f64, y: f64, z: f64, rotation: [f64; 3]| Transform {
         rotation: rotation.into(),
-        ..at(moved.place(x, y, z))
+        ..at(DVec3::new(x, y, z))
     };
     let all = [
         (
@@ -58,34 +38,38 @@ pub fn still_life(cuboids: usize, moved: Move) -> World {
         ),
     ];
     for (size, transform, shininess) in &all[..cuboids] {
-        let size = DVec3::from(*size) * moved.scale;
-        spawn_cuboid(&mut world, size, *transform, material(*shininess));
+        spawn_cuboid(
+            &mut world,
+            DVec3::from(*size),
+            *transform,
+            material(*shininess),
+        );
     }
     let lights = [
         (
             LightKind::Ambient,
             DVec3::splat(40.0),
-            moved.place(0.0, 0.0, 0.0),
+            DVec3::new(0.0, 0.0, 0.0),
         ),
         (
             LightKind::Diffuse,
             DVec3::new(90.0, 60.0, 200.0),
-            moved.place(4.0, 8.0, 6.0),
+            DVec3::new(4.0, 8.0, 6.0),
         ),
         (
             LightKind::Specular,
             DVec3::splat(200.0),
-            moved.place(4.0, 8.0, 6.0),
+            DVec3::new(4.0, 8.0, 6.0),
         ),
         (
             LightKind::Diffuse,
             DVec3::new(300.0, 0.0, 0.0),
-            moved.place(-6.0, 1.0, 2.0),
+            DVec3::new(-6.0, 1.0, 2.0),
         ),
         (
             LightKind::Specular,
             DVec3::new(0.0, 90.0, 0.0),
-            moved.place(2.0, 2.0, 1.5),
+            DVec3::new(2.0, 2.0, 1.5),
         ),
     ];
     for (kind, levels, position) in lights {
@@ -95,12 +79,11 @@ pub fn still_life(cuboids: usize, moved: Move) -> World {
 }
 
 /// The whole of it in every projection and mode, exactly and within half a level and four.
-pub fn views(size: [usize; 2], moved: Move) -> Vec<View> {
+pub fn views(size: [usize; 2]) -> Vec<View> {
     let mut views = Vec::new();
     for projection in [Projection::Perspective, Projection::Orthographic] {
-        let (eye, target) = (moved.place(4.0, 3.0, 9.0), moved.place(0.0, 0.125, 0.0));
-        let mut view = view(size, eye, target, projection);
-        view.viewpoint.camera.height *= moved.scale;
+        let (eye, target) = (DVec3::new(4.0, 3.0, 9.0), DVec3::new(0.0, 0.125, 0.0));
+        let view = view(size, eye, target, projection);
         for mode in [
             ShadingMode::Gouraud,
             ShadingMode::Phong,

@@ -8,16 +8,16 @@ use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::output::Output;
 use shadetrade::systems;
 
-use crate::life::{Move, still_life, views};
+use crate::life::{still_life, views};
 
 #[test]
 fn a_warm_frame_on_one_thread_allocates_nothing() {
     for keep in [Keep::Display, Keep::Levels] {
         for cuboids in [1, 3] {
-            let mut world = still_life(cuboids, Move::NONE);
+            let mut world = still_life(cuboids);
             let workers = Workers::new(1, Level::new()).expect("one thread is always there");
             let mut frame = Frame::new(keep, workers);
-            let views = views([160, 120], Move::NONE);
+            let views = views([160, 120]);
             systems::draw(&mut world, &views[0], &mut frame).expect("a small picture fits");
             for view in &views {
                 for on in [true, false, true] {
