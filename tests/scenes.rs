@@ -170,6 +170,20 @@ fn every_key_is_taken_and_whole_numbers_are_numbers() {
     assert_eq!(scene.viewpoint(0).near(), 3.0);
 }
 
+/// Fuzzing found a shininess of -0.0 that Phong took for another number than 0.
+#[test]
+fn zero_has_no_sign() {
+    let text = LEAST
+        .replace("shininess = 76.8", "shininess = -0.0")
+        .replace("target = [0.0, 0.0, 0.0]", "target = [-0.0, -0, 0]");
+    let scene = scene(&text);
+    let shininess = value::<Material>(&scene, scene.cuboids[0]).shininess;
+    let target = value::<Camera>(&scene, scene.cameras[0]).target;
+    for number in [shininess, target.x, target.y] {
+        assert_eq!(number.to_bits(), 0.0_f64.to_bits());
+    }
+}
+
 #[test]
 fn an_ambient_light_has_no_position() {
     let ambient = LEAST.replace("\"diffuse\"", "\"ambient\"");

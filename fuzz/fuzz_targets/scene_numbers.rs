@@ -50,7 +50,8 @@ fn number(u: &mut Unstructured, [least, most]: [f64; 2]) -> Result<f64> {
         4 => f64::from(i8::arbitrary(u)?) / 8.0,
         _ => f64::from(i16::arbitrary(u)?) / 4096.0,
     };
-    Ok(if number.is_nan() { 1.0 } else { number }.clamp(least, most))
+    // As in a scene file, zero has no sign.
+    Ok(if number.is_nan() { 1.0 } else { number + 0.0 }.clamp(least, most) + 0.0)
 }
 
 fn three(u: &mut Unstructured, range: [f64; 2]) -> Result<DVec3> {

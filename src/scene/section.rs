@@ -50,7 +50,9 @@ impl Form for Number {
                 .map(|integer| integer as f64),
             _ => None,
         };
+        // Zero has no sign: -0 passes every comparison with 0, and is another number where bits are looked at.
         number
+            .map(|number| number + 0.0)
             .filter(|number| self.range.contains(number))
             .ok_or(value.span())
     }
