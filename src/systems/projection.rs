@@ -236,6 +236,16 @@ mod tests {
                 let highest = polygon.vertices().iter().map(|[_, y]| *y).min();
                 assert!(highest < Some(105 * 256), "{length}: {polygon:?}");
             }
+            // Sideways it is cut at the guard band, unless it ends before.
+            let corners = projected.polygons[4..6].iter().flat_map(Polygon::vertices);
+            let lowest = corners.filter(|[_, y]| *y == 300 * 256);
+            let leftmost = lowest.map(|[x, _]| x / 256).min();
+            let expected = if length > 100.0 {
+                150 - 2_097_152
+            } else {
+                150 - 5_000
+            };
+            assert_eq!(leftmost, Some(expected), "{length}");
         }
     }
 }
