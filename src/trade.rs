@@ -22,8 +22,10 @@ pub mod plot;
 mod progress;
 pub mod report;
 pub mod scale;
+pub mod tables;
 pub mod timing;
 pub mod verdict;
+pub(crate) mod words;
 
 use std::path::Path;
 use std::time::Duration;

@@ -6,7 +6,6 @@ use serde_json::{Map, Value, json};
 
 use super::machine::Machine;
 use super::metrics::Error;
-use super::report::{mode_name, projection_name};
 use super::timing::Timing;
 use super::verdict::verdict;
 use super::{Measurement, Report, flip};
@@ -21,7 +20,7 @@ pub fn json(report: &Report) -> String {
         "command": report.command,
         "scene": report.scene,
         "camera": report.camera,
-        "projection": projection_name(report.projection),
+        "projection": report.projection.name(),
         "size": report.size,
         "covered_pixels": report.covered_pixels,
         "flip_pixels_per_degree": flip::PIXELS_PER_DEGREE,
@@ -66,7 +65,7 @@ fn method(one: &Measurement) -> Value {
         .collect();
     json!({
         "id": one.method.id,
-        "mode": mode_name(one.method.mode),
+        "mode": one.method.mode.name(),
         "tolerance": one.method.tolerance,
         "threads": one.threads,
         "ms": milliseconds(timing),

@@ -142,6 +142,14 @@ impl Point {
 }
 
 impl Series {
+    /// How many of the quantity there are in words: for pixels, the picture's size.
+    pub fn number(&self, point: &Point) -> String {
+        match self.quantity {
+            Quantity::Pixels => format!("{}x{}", point.size[0], point.size[1]),
+            Quantity::Lights | Quantity::Cuboids | Quantity::Threads => point.number.to_string(),
+        }
+    }
+
     /// What one of the quantity costs with a method: ns per covered pixel, µs per light or cuboid; for threads, how many
     /// times faster than the first setting's thread they are. `None` where that does not exist.
     pub fn cost(&self, point: &Point, method: usize) -> Option<f64> {

@@ -8,7 +8,6 @@ use super::growth::{exponents, summary, upper_range, verdict};
 use super::{Point, Quantity, Scaling, Series};
 use crate::trade::csv::quoted;
 use crate::trade::json::{machine, milliseconds};
-use crate::trade::report::{mode_name, projection_name};
 
 /// The scaling as JSON text.
 pub fn json(scaling: &Scaling) -> String {
@@ -23,7 +22,7 @@ pub fn json(scaling: &Scaling) -> String {
         "command": scaling.command,
         "scene": scaling.scene,
         "camera": scaling.camera,
-        "projection": projection_name(scaling.projection),
+        "projection": scaling.projection.name(),
         "size": scaling.size,
         "series": all,
     });
@@ -49,7 +48,7 @@ fn point(scaling: &Scaling, series: &Series, point: &Point) -> Value {
     let methods = scaling.methods.iter().enumerate().map(|(index, method)| {
         json!({
             "id": method.id,
-            "mode": mode_name(method.mode),
+            "mode": method.mode.name(),
             "tolerance": method.tolerance,
             "ms": milliseconds(&point.timings[index]),
             series.quantity.cost(): series.cost(point, index),
@@ -84,7 +83,7 @@ pub fn csv(scaling: &Scaling) -> String {
                 let cells = [
                     scene.clone(),
                     camera.clone(),
-                    projection_name(scaling.projection).to_owned(),
+                    scaling.projection.name().to_owned(),
                     series.quantity.name().to_owned(),
                     point.number.to_string(),
                     point.size[0].to_string(),
@@ -92,7 +91,7 @@ pub fn csv(scaling: &Scaling) -> String {
                     point.covered_pixels.to_string(),
                     point.threads.to_string(),
                     method.id.to_owned(),
-                    mode_name(method.mode).to_owned(),
+                    method.mode.name().to_owned(),
                     method.tolerance.to_string(),
                     timing.samples.to_string(),
                     timing.median.to_string(),

@@ -9,7 +9,7 @@ use glam::DVec3;
 use hecs::Entity;
 
 use crate::components::{Projection, ShadingMode};
-use crate::trade::report::short;
+use crate::trade::words::short;
 use crate::window::bindings::{Action, BINDINGS, Binding, Section};
 use crate::window::examiner::{Errors, Findings};
 use crate::window::session::Session;
@@ -103,7 +103,7 @@ pub fn brief_panel(session: &Session) -> Vec<Line> {
         ),
         named(
             Action::NextProjection,
-            projection_label(session.projection()).to_owned(),
+            session.projection().name().to_owned(),
         ),
         named(Action::NextCamera, format!("camera {camera}")),
         named(Action::NextView, session.view_mode().label().to_owned()),
@@ -141,7 +141,7 @@ pub fn help(session: &Session) -> Vec<Line> {
 pub fn title(session: &Session) -> String {
     let scene = &session.scene().name;
     let shading = session.shading().map_or("mixed shading", mode_label);
-    let projection = projection_label(session.projection());
+    let projection = session.projection().name();
     let camera = label(session, Action::Camera(session.camera()));
     let title =
         format!("shadetrade: {scene}, {shading}, {projection}, camera {camera} - H for help");
@@ -194,9 +194,7 @@ fn choices(session: &Session, section: Section) -> Vec<Action> {
         Section::Camera => (0..session.scene().cameras.len())
             .map(Action::Camera)
             .collect(),
-        Section::Projection => [Projection::Perspective, Projection::Orthographic]
-            .map(Action::Projection)
-            .to_vec(),
+        Section::Projection => Projection::ALL.map(Action::Projection).to_vec(),
         Section::Shading => vec![
             Action::Shading(ShadingMode::Gouraud),
             Action::Shading(ShadingMode::Phong),
@@ -242,19 +240,12 @@ fn label(session: &Session, action: Action) -> String {
         Action::Camera(index) => name(&session.scene().cameras, index),
         Action::Shading(mode) => mode_label(mode).to_owned(),
         Action::Show(mode) => mode.label().to_owned(),
-        Action::Projection(projection) => projection_label(projection).to_owned(),
+        Action::Projection(projection) => projection.name().to_owned(),
         Action::NextTolerance => "tolerance".to_owned(),
         _ => BINDINGS
             .iter()
             .find(|binding| binding.action == action)
             .map_or_else(String::new, |binding| binding.says.to_owned()),
-    }
-}
-
-fn projection_label(projection: Projection) -> &'static str {
-    match projection {
-        Projection::Perspective => "perspective",
-        Projection::Orthographic => "orthographic",
     }
 }
 

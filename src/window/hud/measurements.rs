@@ -5,8 +5,8 @@
 use super::lines::Line;
 use crate::canvas::wrapped;
 use crate::trade::Report;
-use crate::trade::report::short;
 use crate::trade::verdict::verdict;
+use crate::trade::words::short;
 use crate::window::measuring::Measuring;
 
 /// What is shown, in lines of at most `letters`; empty where nothing is.
