@@ -11,6 +11,7 @@
 //! quantity that does not exist is `None`, never a number that is none.
 
 pub mod accuracy;
+mod chart;
 pub mod csv;
 pub mod error_map;
 pub mod flip;
