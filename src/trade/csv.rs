@@ -16,11 +16,11 @@ pub fn csv(report: &Report) -> String {
         let (error, own) = (accuracy.error.error, accuracy.own_error.error);
         let exact = |value: Option<f64>| value.map_or("-".to_owned(), |value| value.to_string());
         let cells = [
-            quoted(&report.scene),
-            quoted(&report.camera),
-            report.projection.name().to_owned(),
-            report.size[0].to_string(),
-            report.size[1].to_string(),
+            quoted(&report.subject.scene),
+            quoted(&report.subject.camera),
+            report.subject.projection.name().to_owned(),
+            report.subject.size[0].to_string(),
+            report.subject.size[1].to_string(),
             report.covered_pixels.to_string(),
             one.method.id.to_owned(),
             one.method.mode.name().to_owned(),

@@ -5,7 +5,7 @@
 use super::tables::{self, aligned, wrapped};
 use super::timing::Timing;
 use super::verdict::verdict;
-use super::words::{counted, machine, short};
+use super::words::{counted, short};
 use super::{Measurement, Report, flip, front};
 
 /// A column of a table for people.
@@ -76,7 +76,7 @@ pub fn markdown(report: &Report) -> String {
         verdict(report),
         subject(report),
         place(report),
-        report.command,
+        report.subject.command,
         tables::markdown(&head(), &rows(report)),
         differences(report),
         legend()
@@ -94,12 +94,9 @@ fn rows(report: &Report) -> Vec<Vec<String>> {
 
 /// What was measured.
 pub(super) fn subject(report: &Report) -> String {
-    let [width, height] = report.size;
     format!(
-        "{}, camera {}, {}, {width}x{height}: {}",
-        report.scene,
-        report.camera,
-        report.projection.name(),
+        "{}: {}",
+        report.subject.view(),
         counted(
             report.covered_pixels as usize,
             "pixel covered",
@@ -111,7 +108,7 @@ pub(super) fn subject(report: &Report) -> String {
 /// Where it was measured.
 pub(super) fn place(report: &Report) -> String {
     let threads = report.methods.first().map_or(1, |one| one.threads);
-    machine(&report.machine, &counted(threads, "thread", "threads"))
+    report.subject.place(&counted(threads, "thread", "threads"))
 }
 
 /// Which times cannot be told apart.

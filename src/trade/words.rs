@@ -2,8 +2,6 @@
 //!
 //! Rule: pure, no more digits than say something, and "-" for what does not exist.
 
-use super::machine::Machine;
-
 /// Three digits that matter, or fewer; "-" for what does not exist.
 pub(crate) fn short(value: Option<f64>) -> String {
     match value {
@@ -45,21 +43,6 @@ pub(super) fn ratio(value: f64, base: f64) -> Option<String> {
             format!("{ratio:.1}")
         }
     })
-}
-
-/// The machine, and how many of its threads drew.
-pub(super) fn machine(machine: &Machine, threads: &str) -> String {
-    // The name and the number; what follows is a commit.
-    let rustc: Vec<&str> = machine.rustc.split(' ').take(2).collect();
-    format!(
-        "{}, {}, {}, {threads}, {}, {}, {} build",
-        machine.cpu,
-        counted(machine.cores, "core", "cores"),
-        machine.lanes,
-        machine.os,
-        rustc.join(" "),
-        machine.profile
-    )
 }
 
 /// A number with its noun.

@@ -5,7 +5,7 @@
 use super::growth::{summary, verdict};
 use super::{Point, Quantity, Scaling, Series};
 use crate::trade::tables::{self, aligned, wrapped};
-use crate::trade::words::{counted, machine, short};
+use crate::trade::words::{counted, short};
 
 /// What a terminal shows.
 pub fn table(scaling: &Scaling) -> String {
@@ -35,7 +35,7 @@ pub fn markdown(scaling: &Scaling) -> String {
         summary(scaling),
         subject(scaling),
         place(scaling),
-        scaling.command,
+        scaling.subject.command,
         series.collect::<String>(),
     )
 }
@@ -48,12 +48,9 @@ const LEGEND: &str = "ms: the least time of a whole frame. ns/px: the same for e
 
 /// What was measured.
 pub(super) fn subject(scaling: &Scaling) -> String {
-    let [width, height] = scaling.size;
     format!(
-        "{}, camera {}, {}, {width}x{height} where it is not pixels that vary",
-        scaling.scene,
-        scaling.camera,
-        scaling.projection.name(),
+        "{} where it is not pixels that vary",
+        scaling.subject.view()
     )
 }
 
@@ -65,7 +62,7 @@ pub(super) fn place(scaling: &Scaling) -> String {
         1 => counted(1, "thread", "threads"),
         _ => format!("1 to {most} threads"),
     };
-    machine(&scaling.machine, &threads)
+    scaling.subject.place(&threads)
 }
 
 /// Two columns for each method, called after it: beside their units, or above the first of them.
