@@ -1,7 +1,7 @@
 //! The session's view -> what explains it: the divider of a wipe with what is on either side, the scale of the error map,
 //! the tints of tiles.
 //!
-//! Rule: nothing here can be clicked, what does not fit beside the panel is left out, and the words for what is not
+//! Rule: nothing here can be clicked, what does not fit beside panel and pixel is left out, and the words for what is not
 //! computed yet say so.
 
 use super::lines;
@@ -48,39 +48,48 @@ struct Key {
 }
 
 impl Legend {
-    /// What explains the view that `session` shows, in letters of `face`, within `area` and off `panel`.
+    /// What explains the view that `session` shows, in letters of `face`: at the edges of the first of `areas` where it
+    /// is off what is `taken`.
     pub fn new(
         session: &Session,
         size: [usize; 2],
         face: Face,
-        area: Rect,
-        panel: Option<Rect>,
+        areas: &[Rect],
+        taken: &[Rect],
     ) -> Legend {
         let mode = session.view_mode();
         let known = session.findings().is_some();
         let blinks = session.blinks();
         let column = session.divider_column(size[0]) as i32;
         let divider = (mode.is_wipe() && !(blinks && known)).then_some(column);
-        let in_free_area = |rect: &Rect| {
-            rect.intersection(&area) == *rect
-                && panel.is_none_or(|panel| panel.intersection(rect).is_empty())
+        let is_free = |rect: &Rect, area: &Rect| {
+            rect.intersection(area) == *rect
+                && taken.iter().all(|it| it.intersection(rect).is_empty())
         };
-        let chip = |text: String, x: i32, share: i32| {
+        let chip = |text: &str, place: &dyn Fn(&Rect, i32) -> i32| {
             let width = face.width(text.chars().count()) + 2 * face.advance();
             let height = face.height() + face.height() / 2;
-            (Rect::new(x - width * share, area.y, width, height), text)
+            let free = areas.iter().find_map(|area| {
+                let rect = Rect::new(place(area, width), area.y, width, height);
+                is_free(&rect, area).then_some(rect)
+            });
+            Some((free?, text.to_owned()))
         };
         let gap = face.advance();
-        let mut chips = Vec::new();
-        if divider.is_some() {
+        let chips = if divider.is_some() {
             let [left, right] = sides(session);
-            chips.push(chip(left, column - gap, 1));
-            chips.push(chip(right, column + gap, 0));
-        } else if let Some(words) = words(mode, blinks, known) {
-            chips.push(chip(words.to_owned(), area.right(), 1));
-        }
-        chips.retain(|(rect, _)| in_free_area(rect));
-        let key = key(session, face, area).filter(|key| in_free_area(&key.rect));
+            vec![
+                chip(&left, &|_, width| column - gap - width),
+                chip(&right, &|_, _| column + gap),
+            ]
+        } else {
+            let words = words(mode, blinks, known);
+            vec![words.and_then(|words| chip(words, &|area, width| area.right() - width))]
+        };
+        let chips = chips.into_iter().flatten().collect();
+        let key = areas
+            .iter()
+            .find_map(|area| key(session, face, *area).filter(|key| is_free(&key.rect, area)));
         Legend {
             face,
             divider,
