@@ -8,6 +8,7 @@
 //! what is said of it, and what does not fit the window is left out step by step, down to nothing.
 
 pub mod board;
+mod ink;
 mod layout;
 pub mod legend;
 pub mod lines;

@@ -4,6 +4,7 @@
 //! Rule: nothing here can be clicked, what does not fit beside panel and pixel is left out, and the words for what is not
 //! computed yet say so.
 
+use super::ink::{self, DIM, PANE, TEXT};
 use super::lines;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect};
 use crate::components::ShadingMode;
@@ -12,10 +13,6 @@ use crate::trade::error_map::{self, EDGE, NOTHING};
 use crate::window::session::Session;
 use crate::window::views::{TINTS, ViewMode, mode_label};
 
-const PANE: Ink = Ink::glass(0x0010_1216, 222);
-const PANE_EDGE: Ink = Ink::glass(0x00ff_ffff, 40);
-const TEXT: Ink = Ink::solid(0x00e8_eaed);
-const DIM: Ink = Ink::solid(0x00a8_afb7);
 const DIVIDER: Ink = Ink::glass(0x00ff_ffff, 230);
 const DIVIDER_EDGE: Ink = Ink::glass(0, 110);
 const GRIP: Ink = Ink::solid(0x0055_5b62);
@@ -227,7 +224,7 @@ impl Key {
         for (color, text) in &self.rows {
             let rect = Rect::new(x, y + (face.height() - swatch) / 2, swatch, swatch);
             canvas.rounded(rect, swatch / 4, Ink::solid(*color));
-            canvas.outline(rect, swatch / 4, 1.0, PANE_EDGE);
+            canvas.outline(rect, swatch / 4, 1.0, ink::EDGE);
             canvas.text(face, [x + 3 * face.advance(), y], TEXT, text);
             y += pitch(face);
         }
@@ -260,7 +257,7 @@ fn draw_scale(canvas: &mut Canvas, face: Face, at: Point) {
 
 fn draw_pane(canvas: &mut Canvas, rect: Rect, face: Face) {
     canvas.rounded(rect, face.advance(), PANE);
-    canvas.outline(rect, face.advance(), 1.0, PANE_EDGE);
+    canvas.outline(rect, face.advance(), 1.0, ink::EDGE);
 }
 
 /// A thin line from top to bottom, and something to hold it by.
