@@ -122,7 +122,8 @@ pub struct Patch {
     pub lane: f64,
     /// The row of the middle.
     pub row: f64,
-    /// From the middle to the outermost covered pixel centres, in pixels right and down.
+    /// From the middle to the outermost covered pixel centres, in pixels right and down; half a pixel at least, so that
+    /// what is bounded at these places has bounded slopes too.
     pub half: [f64; 2],
     /// The middle, in pixels right and down of the picture's.
     pub middle: [f64; 2],
@@ -149,7 +150,7 @@ impl Patch {
     pub fn new(triangle: &Triangle, origin: [f64; 2], lanes: [u8; 2], rows: [u8; 2]) -> Patch {
         let middle = |ends: [u8; 2]| f64::midpoint(f64::from(ends[0]), f64::from(ends[1]));
         let (lane, row) = (middle(lanes), middle(rows));
-        let half = [f64::from(lanes[1]) - lane, f64::from(rows[1]) - row];
+        let half = [f64::from(lanes[1]) - lane, f64::from(rows[1]) - row].map(|half| half.max(0.5));
         let [x, y] = [origin[0] + lane + 0.5, origin[1] + row + 0.5];
         let Scalar { centre, dx, dy } = triangle.share;
         let share = centre + dx * x + dy * y;
