@@ -28,7 +28,7 @@ pub use parsing::parse;
 #[command(
     name = "shadetrade",
     version,
-    about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files",
+    about = "Draws lit cuboids with Gouraud and Phong shading, and measures what every shortcut costs",
     args_conflicts_with_subcommands = true,
     after_help = "\
 Examples:
@@ -121,7 +121,10 @@ Exit status 1 if a case fails. The largest picture takes a gigabyte of memory wh
     #[command(after_help = "\
 Examples:
   shadetrade completions bash > shadetrade.bash
-  shadetrade completions fish > shadetrade.fish")]
+  shadetrade completions fish > shadetrade.fish
+
+The script goes where the shell looks for completions, or is read by its start-up file:
+  echo 'source /path/to/shadetrade.bash' >> ~/.bashrc")]
     Completions {
         /// The shell that is to complete
         shell: Shell,

@@ -29,13 +29,16 @@ impl Failure {
     pub(super) fn of(error: &clap::Error, tip: Option<String>) -> Self {
         let text = error.render().to_string();
         let tip = tip.map(|tip| format!("  tip: {tip}"));
-        let lines = text
+        let lines: Vec<&str> = text
             .trim_start_matches("error: ")
             .lines()
-            .filter(|line| !line.trim().is_empty());
-        Failure::Usage(anyhow!(
-            lines.chain(tip.as_deref()).collect::<Vec<_>>().join("\n")
-        ))
+            // A tip for whoever has a scene called like an option hides the slip that it nearly always is.
+            .filter(|line| !line.trim().is_empty() && !line.starts_with("  tip: to pass "))
+            .collect();
+        let end = lines.iter().position(|line| line.starts_with("Usage:"));
+        let (what, how) = lines.split_at(end.unwrap_or(lines.len()));
+        let paragraph = [what, tip.as_deref().as_slice(), how].concat();
+        Failure::Usage(anyhow!(paragraph.join("\n")))
     }
 
     /// Says on standard error what went wrong; the status to end with.

@@ -84,7 +84,7 @@ fn is_flag(word: &OsStr) -> bool {
 
 fn command_first(command: &str) -> String {
     format!(
-        "a command comes before its options: `shadetrade {command} ...`; a scene file so named is ./{command}"
+        "a command comes first: `shadetrade {command} ...`; a scene file so named is ./{command}"
     )
 }
 
