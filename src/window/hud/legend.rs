@@ -4,6 +4,8 @@
 //! Rule: nothing here can be clicked, what does not fit beside panel and pixel is left out, and the words for what is not
 //! computed yet say so.
 
+use std::cmp::Reverse;
+
 use super::ink::{self, DIM, PANE, TEXT};
 use super::lines;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect};
@@ -63,27 +65,35 @@ impl Legend {
             rect.intersection(area) == *rect
                 && taken.iter().all(|it| it.intersection(rect).is_empty())
         };
-        let chip = |text: &str, place: &dyn Fn(&Rect, i32) -> i32| {
-            let width = face.width(text.chars().count()) + 2 * face.advance();
-            let height = face.height() + face.height() / 2;
-            let free = areas.iter().find_map(|area| {
-                let rect = Rect::new(place(area, width), area.y, width, height);
-                is_free(&rect, area).then_some(rect)
-            });
-            Some((free?, text.to_owned()))
-        };
+        let height = face.height() + face.height() / 2;
+        let width = |text: &str| face.width(text.chars().count()) + 2 * face.advance();
         let gap = face.advance();
-        let chips = if divider.is_some() {
-            let [left, right] = sides(session);
-            vec![
-                chip(&left, &|_, width| column - gap - width),
-                chip(&right, &|_, _| column + gap),
-            ]
-        } else {
-            let words = words(mode, blinks, known);
-            vec![words.and_then(|words| chip(words, &|area, width| area.right() - width))]
+        let wanted = |area: &Rect, y: i32| -> Vec<(Rect, String)> {
+            let chip = |text: String, x: i32| (Rect::new(x, y, width(&text), height), text);
+            if divider.is_some() {
+                let [left, right] = sides(session);
+                let x = column - gap - width(&left);
+                vec![chip(left, x), chip(right, column + gap)]
+            } else {
+                let words = words(mode, blinks, known).map(str::to_owned);
+                let at_right = |words: String| {
+                    let x = area.right() - width(&words);
+                    chip(words, x)
+                };
+                words.map(at_right).into_iter().collect()
+            }
         };
-        let chips = chips.into_iter().flatten().collect();
+        // In one row, at the upper edge or, where more of them are free there, at the lower one.
+        let chips = areas
+            .iter()
+            .flat_map(|area| [(area, area.y), (area, area.bottom() - height)])
+            .map(|(area, y)| {
+                let mut chips = wanted(area, y);
+                chips.retain(|(rect, _)| is_free(rect, area));
+                chips
+            })
+            .min_by_key(|chips| Reverse(chips.len()))
+            .unwrap_or_default();
         let key = areas
             .iter()
             .find_map(|area| key(session, face, *area).filter(|key| is_free(&key.rect, area)));
@@ -100,7 +110,7 @@ impl Legend {
         self.key.as_ref().map(|key| key.rect)
     }
 
-    /// What is said at the upper edge, and where.
+    /// What is said at an edge, and where.
     pub fn chips(&self) -> &[(Rect, String)] {
         &self.chips
     }
