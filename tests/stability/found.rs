@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use shadetrade::components::{
-    LightKind, Material, Projected, Projection, ShadingMode, Transform, View,
+    LightKind, Material, Polygon, Projected, Projection, ShadingMode, Transform, View,
 };
 use shadetrade::frame::Keep;
 
@@ -101,10 +101,7 @@ fn the_largest_floors_stay_in_the_guard_band() {
                 let view = view([5, 25], eye, target, projection);
                 draw(&mut world, &view, Keep::Levels);
                 for projected in world.query_mut::<&Projected>() {
-                    let vertices = projected
-                        .polygons
-                        .iter()
-                        .flat_map(|polygon| polygon.vertices());
+                    let vertices = projected.polygons.iter().flat_map(Polygon::vertices);
                     for coordinate in vertices.flatten() {
                         assert!(coordinate.abs() <= 1 << 30, "{projected:?}");
                     }
@@ -131,13 +128,16 @@ fn the_shortcut_is_defined_beside_its_triangles() {
     };
     spawn_cuboid(
         &mut world,
-        DVec3::splat(4.831298828125e-90),
+        DVec3::splat(4.831_298_828_125e-90),
         place,
         material,
     );
     for (kind, at) in [
-        (LightKind::Specular, DVec3::new(3.5, -1.757080078125, 3.5)),
-        (LightKind::Diffuse, DVec3::new(3.5, 3.5, 1.7568359375)),
+        (
+            LightKind::Specular,
+            DVec3::new(3.5, -1.757_080_078_125, 3.5),
+        ),
+        (LightKind::Diffuse, DVec3::new(3.5, 3.5, 1.756_835_937_5)),
     ] {
         spawn_light(
             &mut world,
