@@ -42,7 +42,6 @@ pub enum Place {
 #[derive(Debug)]
 pub struct Board {
     pub(super) rect: Rect,
-    pub(super) place: Place,
     pub(super) style: Style,
     pub(super) columns: Columns,
     pub(super) rows: Vec<(Line, Rect)>,
@@ -99,7 +98,6 @@ impl Board {
         set(foot, left, top + head_height + body_height, columns.all());
         Some(Board {
             rect: Rect::new(x, y, width, height),
-            place,
             style,
             columns,
             rows,

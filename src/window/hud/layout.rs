@@ -78,6 +78,7 @@ pub fn help(session: &Session, size: [usize; 2], area: Rect) -> Option<Board> {
     let lines = lines::help(session);
     large
         .chain(sparing)
+        .map(Style::over_letters)
         .find_map(|style| Board::lay_out(lines.clone(), style, area, Place::Middle, first))
 }
 
@@ -99,7 +100,7 @@ pub fn table(session: &Session, size: [usize; 2], area: Rect) -> Option<Board> {
         .find_map(|(style, letters)| {
             Board::lay_out(
                 measurements::lines(measuring, letters),
-                style,
+                style.over_letters(),
                 area,
                 Place::Middle,
                 first,
@@ -162,8 +163,8 @@ fn place_probe(
     };
     whole
         .or_else(|| longest(&beside_panel, small.scrolled()))
-        .or_else(|| longest(&anywhere, small.scrolled()))
-        .or_else(|| longest(&anywhere, small.cut()))
+        .or_else(|| longest(&anywhere, small.scrolled().over_letters()))
+        .or_else(|| longest(&anywhere, small.cut().over_letters()))
 }
 
 /// What a board at the right edge of `area` leaves of it.

@@ -3,7 +3,7 @@
 //! Rule: nothing is drawn outside of the board's edge, and every state is told by a filled or a hollow mark, with colour
 //! only on top of it.
 
-use super::board::{Board, Place, Scroll};
+use super::board::{Board, Scroll};
 use super::ink::{DIM, EDGE, PANE, TEXT, THICK_PANE};
 use super::lines::{Command, Line, Mark, ON};
 use crate::canvas::{Canvas, Ink, Rect, fit};
@@ -20,9 +20,10 @@ impl Board {
     pub fn draw(&self, canvas: &mut Canvas, hovered: Option<Action>) {
         let canvas = &mut canvas.clipped(self.rect);
         let radius = self.style.gap();
-        let pane = match self.place {
-            Place::Corner | Place::Side => PANE,
-            Place::Middle => THICK_PANE,
+        let pane = if self.style.over_letters {
+            THICK_PANE
+        } else {
+            PANE
         };
         canvas.rounded(self.rect, radius, pane);
         canvas.outline(self.rect, radius, 1.0, EDGE);

@@ -30,6 +30,7 @@ pub struct Style {
     pub(super) face: Face,
     pub(super) states: bool,
     pub(super) columns: usize,
+    pub(super) over_letters: bool,
     /// Between two rows, in sixteenths of a letter's height.
     spacing: i32,
     overflow: Overflow,
@@ -42,6 +43,7 @@ impl Style {
             face,
             states: true,
             columns: 1,
+            over_letters: false,
             spacing: USUAL_SPACING,
             overflow: Overflow::Fails,
         }
@@ -72,6 +74,15 @@ impl Style {
     #[must_use]
     pub const fn columns(self, columns: usize) -> Self {
         Style { columns, ..self }
+    }
+
+    /// The same on a thicker pane, through which the letters of another board do not show.
+    #[must_use]
+    pub const fn over_letters(self) -> Self {
+        Style {
+            over_letters: true,
+            ..self
+        }
     }
 
     /// The same, and rows for which there is no room are scrolled away.
