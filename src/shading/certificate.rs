@@ -207,4 +207,16 @@ mod tests {
         );
         assert!(most[2] <= 3.0 + 1e-3 && most[2] > 2.99, "{most:?}");
     }
+
+    #[test]
+    fn a_majorants_tail_is_the_sum_of_what_is_beyond_third_order() {
+        // (1 + x) / (1 - x) has the terms 2 x^k, its square 4 k x^k.
+        let direction = Majorant::of_swing(0.1);
+        assert!((direction.tail() - 2e-4 / 0.9).abs() < 1e-13);
+        let square: f64 = (4..40).map(|k| 4.0 * f64::from(k) * 0.1_f64.powi(k)).sum();
+        assert!((direction.times(&direction).tail() - square).abs() < 1e-13);
+        let none = Majorant::of_swing(0.0);
+        assert!((direction.times(&none).tail() - direction.tail()).abs() < 1e-13);
+        assert!(none.tail() > 0.0, "rounding is part of it");
+    }
 }
