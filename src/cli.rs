@@ -1,32 +1,34 @@
-//! The words of the command line in, one command with checked values out; and how a run ends.
+//! The commands there are, each with its options and its help.
 //!
-//! Rule: a run ends with status 0 (done), 1 (could not do it) or 2 (the command line or the scene was wrong), and with
-//! one paragraph on standard error unless it is 0.
+//! ```text
+//! words --parsing--> Command with checked values (options) --main--> done, or a Failure --failure--> exit status
+//! ```
+//! Rule: whatever a command line can say is said here, in the words that `--help` prints.
 
+mod failure;
 pub mod options;
+mod parsing;
 
-use std::ffi::{OsStr, OsString};
-use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::anyhow;
 use clap::builder::{PathBufValueParser, TypedValueParser};
-use clap::error::ContextKind;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
-use crate::output::{Output, say};
-use crate::{scene, trade};
+use crate::output::Output;
+use crate::trade;
+pub use failure::Failure;
 use options::{DrawingOptions, MOST_PIXELS, WorkerOptions};
+pub use parsing::parse;
 
 /// The command line: a command, or the options of `view` without its name.
 #[derive(Debug, Parser)]
 #[command(
     name = "shadetrade",
     version,
-    about = "Draws lit cuboids with Gouraud and Phong shading, in a window or into PNG files",
+    about = "Draws lit cuboids with Gouraud and Phong shading, and measures what every shortcut costs",
     args_conflicts_with_subcommands = true,
     after_help = "\
 Examples:
@@ -119,7 +121,10 @@ Exit status 1 if a case fails. The largest picture takes a gigabyte of memory wh
     #[command(after_help = "\
 Examples:
   shadetrade completions bash > shadetrade.bash
-  shadetrade completions fish > shadetrade.fish")]
+  shadetrade completions fish > shadetrade.fish
+
+The script goes where the shell looks for completions, or is read by its start-up file:
+  echo 'source /path/to/shadetrade.bash' >> ~/.bashrc")]
     Completions {
         /// The shell that is to complete
         shell: Shell,
@@ -269,100 +274,6 @@ fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
     }
 }
 
-/// The command of a command line, or none where help or the version was asked for: that is printed already.
-///
-/// # Errors
-/// When the command line is wrong, or help could not be printed.
-pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
-    let mut words: Vec<OsString> = words.into_iter().collect();
-    let asks_help = words.get(1).is_some_and(|word| word == "help");
-    if asks_help && words.get(2).is_some_and(|word| is_flag(word)) {
-        // To clap `help` has no options, not even this one.
-        words.remove(1);
-    }
-    let named = words.get(if asks_help { 2 } else { 1 });
-    if let Some(error) = named.and_then(|word| misspelt_command(word)) {
-        return Err(Failure::of(&error, None));
-    }
-    match Arguments::try_parse_from(&words) {
-        Ok(Arguments {
-            command: Some(command),
-            ..
-        }) => Ok(Some(command)),
-        Ok(Arguments {
-            command: None,
-            view,
-        }) => match &view.scene {
-            Some(scene) if is_command(OsStr::new(scene)) => {
-                Err(Failure::Usage(anyhow!(command_first(scene))))
-            }
-            _ => Ok(Some(Command::View(view))),
-        },
-        Err(error) if error.use_stderr() => Err(wrong(words, error)),
-        Err(help) => match help.print().and_then(|()| io::stdout().flush()) {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Work(
-                anyhow::Error::from(error).context("cannot write to standard output"),
-            )),
-            _ => Ok(None),
-        },
-    }
-}
-
-/// What is wrong with a line that clap refuses for `error`.
-fn wrong(mut words: Vec<OsString>, error: clap::Error) -> Failure {
-    if words.get(1).is_none_or(|word| is_command(word)) {
-        return Failure::of(&error, None);
-    }
-    let meant = words
-        .iter()
-        .skip(2)
-        .find(|word| is_command(word))
-        .map(|word| command_first(&word.to_string_lossy()));
-    // Clap takes a second scene for a command; spelt out, the line is told what it is.
-    words.insert(1, "view".into());
-    Failure::of(
-        &Arguments::try_parse_from(words).err().unwrap_or(error),
-        meant,
-    )
-}
-
-fn is_command(word: &OsStr) -> bool {
-    // Clap adds `help` by itself, and only while parsing.
-    word == "help"
-        || Arguments::command()
-            .get_subcommands()
-            .any(|command| command.get_name() == word)
-}
-
-fn is_flag(word: &OsStr) -> bool {
-    word.to_string_lossy().starts_with('-')
-}
-
-fn command_first(command: &str) -> String {
-    format!(
-        "a command comes before its options: `shadetrade {command} ...`; a scene file so named is ./{command}"
-    )
-}
-
-/// Clap's error for a first word that resembles a command and can be no scene.
-///
-/// To clap alone a first word that is no command is a scene, so that `rendr` would be a missing file.
-fn misspelt_command(word: &OsStr) -> Option<clap::Error> {
-    let path = Path::new(word);
-    let is_plain = path.components().count() == 1 && path.extension().is_none();
-    if !is_plain || path.exists() || scene::BUILT_IN.iter().any(|(name, _)| *name == word) {
-        return None;
-    }
-    let error = clap::Command::new("shadetrade")
-        .subcommands(Arguments::command().get_subcommands().cloned())
-        .try_get_matches_from([OsStr::new("shadetrade"), word])
-        .err()?;
-    error
-        .get(ContextKind::SuggestedSubcommand)
-        .is_some()
-        .then_some(error)
-}
-
 /// Prints the completion script of `shell` to standard output.
 ///
 /// # Errors
@@ -371,44 +282,4 @@ pub fn print_completions(shell: Shell) -> anyhow::Result<()> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "shadetrade", &mut script);
     Output::Stdout.write(|writer| writer.write_all(&script))
-}
-
-/// Why a run did not do what was asked.
-#[derive(Debug)]
-pub enum Failure {
-    /// The command line or the scene was wrong: status 2.
-    Usage(anyhow::Error),
-    /// It could not be done: status 1.
-    Work(anyhow::Error),
-}
-
-impl From<anyhow::Error> for Failure {
-    fn from(error: anyhow::Error) -> Self {
-        Failure::Work(error)
-    }
-}
-
-impl Failure {
-    /// Clap's error with one more tip, as one paragraph: clap sets its tips and the usage apart with blank lines.
-    fn of(error: &clap::Error, tip: Option<String>) -> Self {
-        let text = error.render().to_string();
-        let tip = tip.map(|tip| format!("  tip: {tip}"));
-        let lines = text
-            .trim_start_matches("error: ")
-            .lines()
-            .filter(|line| !line.trim().is_empty());
-        Failure::Usage(anyhow!(
-            lines.chain(tip.as_deref()).collect::<Vec<_>>().join("\n")
-        ))
-    }
-
-    /// Says on standard error what went wrong; the status to end with.
-    pub fn report(&self) -> ExitCode {
-        let (error, status) = match self {
-            Failure::Usage(error) => (error, 2),
-            Failure::Work(error) => (error, 1),
-        };
-        say(format!("error: {error:#}").trim_end());
-        ExitCode::from(status)
-    }
 }

@@ -122,6 +122,16 @@ pub enum ShadingMode {
     UnitVectors,
 }
 
+impl ShadingMode {
+    /// What scene files, the command line and reports call it; the assignment's shortcut is a way to draw Phong.
+    pub const fn name(self) -> &'static str {
+        match self {
+            ShadingMode::Gouraud => "gouraud",
+            ShadingMode::Phong | ShadingMode::UnitVectors => "phong",
+        }
+    }
+}
+
 /// The one term of the model that a light feeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LightKind {
@@ -237,6 +247,19 @@ pub enum Projection {
     Perspective,
     /// Rays are parallel to the view direction; the seen height sets the scale.
     Orthographic,
+}
+
+impl Projection {
+    /// The usual one first.
+    pub const ALL: [Projection; 2] = [Projection::Perspective, Projection::Orthographic];
+
+    /// What the command line, reports and the window call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Projection::Perspective => "perspective",
+            Projection::Orthographic => "orthographic",
+        }
+    }
 }
 
 /// A camera resolved for one frame: where it stands and what it sees.

@@ -153,20 +153,18 @@
 //! # Who may import whom
 //!
 //! ```text
-//! components                -> glam            canvas, output, memory, simd -> no room but memory
-//! shading, scene            -> components      frame                        -> shading's tiles
-//! systems                   -> components, shading, frame
-//! reference                 -> components: it shares no formula with the renderer
-//! drawing                   -> scene, frame    probe                        -> systems, reference
-//! trade                     -> drawing, systems, reference, shading::METHODS
-//! extremes                  -> scene, systems, reference, trade's metrics
-//! pictures                  -> drawing, systems, reference
-//! window                    -> drawing, systems, probe, trade; only it names minifb
-//! cli                       -> drawing, trade's request
-//! main                      -> cli and the commands
+//! main
+//! cli          window       extremes
+//! trade        pictures     probe
+//! drawing      systems      reference
+//! frame
+//! shading      scene        output
+//! components   canvas       memory       simd
 //! ```
 //!
-//! Whoever draws letters takes canvas, whoever writes files output. Nothing points back up.
+//! A room imports from lower floors only, and `tests/house.rs` reads this drawing. Beyond that: [`mod@reference`] takes
+//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes one metric
+//! of [`trade`]; [`cli`] takes what a command's options are made into; and minifb is named in [`window`] alone.
 //!
 //! # What is not modelled, and why
 //!

@@ -176,13 +176,13 @@ fn replace(
 
 /// A hidden file that goes when it is dropped, with the permissions any new file gets.
 pub(crate) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".shadetrade-").suffix(".tmp");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    // The error's own text would name the temporary file, which nobody asked for.
-    let file = builder.tempfile_in(folder);
-    file.map_err(|error| io::Error::from(error.kind()))
+    tempfile::Builder::new()
+        .prefix(".shadetrade-")
+        .suffix(".tmp")
+        // Opened here, so that an error is the system's: the library's would name the temporary file.
+        .make_in(folder, |path| {
+            OpenOptions::new().write(true).create_new(true).open(path)
+        })
 }
 
 /// Where `path` leads once it is no symbolic link any more, whether or not something is there.

@@ -11,6 +11,7 @@
 //! quantity that does not exist is `None`, never a number that is none.
 
 pub mod accuracy;
+mod chart;
 pub mod csv;
 pub mod error_map;
 pub mod flip;
@@ -22,8 +23,11 @@ pub mod plot;
 mod progress;
 pub mod report;
 pub mod scale;
+pub mod subject;
+pub mod tables;
 pub mod timing;
 pub mod verdict;
+pub(crate) mod words;
 
 use std::path::Path;
 use std::time::Duration;
@@ -33,7 +37,7 @@ use fearless_simd::Level;
 use rayon::ThreadPoolBuildError;
 use rayon::prelude::*;
 
-use crate::components::{Projection, View};
+use crate::components::View;
 use crate::drawing::{Drawing, all_cores};
 use crate::frame::{Counts, Frame, Keep, Workers};
 use crate::memory::OutOfMemory;
@@ -43,8 +47,8 @@ use crate::shading::{METHODS, Method};
 use crate::systems;
 use accuracy::Accuracy;
 use front::Candidate;
-use machine::Machine;
 pub use progress::Progress;
+use subject::Subject;
 use timing::Timing;
 
 /// How long all frames are timed together unless asked otherwise.
@@ -91,21 +95,11 @@ impl Request {
     }
 }
 
-/// What was measured, and where.
+/// What was measured.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// Where.
-    pub machine: Machine,
-    /// See [`Request`].
-    pub command: String,
-    /// The scene's name.
-    pub scene: String,
-    /// The camera's name.
-    pub camera: String,
-    /// How the picture was projected.
-    pub projection: Projection,
-    /// Width and height in pixels.
-    pub size: [usize; 2],
+    /// Of which view, and where.
+    pub subject: Subject,
     /// Pixels on which something is drawn.
     pub covered_pixels: u64,
     /// In the order of [`METHODS`].
@@ -209,12 +203,7 @@ pub fn measure_unless(
         )
         .collect();
     Ok(Report {
-        machine: Machine::this(request.level),
-        command: request.command,
-        scene: request.scene.name,
-        camera: request.camera,
-        projection: request.view.projection,
-        size: request.view.size,
+        subject: Subject::of(&request),
         covered_pixels: methods
             .first()
             .map_or(0, |method| method.counts.covered_pixels),

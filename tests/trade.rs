@@ -9,6 +9,8 @@ mod example;
 mod exports;
 #[path = "trade/measured.rs"]
 mod measured;
+#[path = "trade/requests.rs"]
+mod requests;
 #[path = "trade/scaling.rs"]
 mod scaling;
 #[path = "trade/statistics.rs"]

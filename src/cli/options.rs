@@ -110,16 +110,27 @@ fn unknown_camera(name: &str, scene: &Scene) -> Failure {
 }
 
 fn projection() -> impl TypedValueParser<Value = Projection> {
-    PossibleValuesParser::new(["perspective", "orthographic"]).map(|name| match name.as_str() {
-        "orthographic" => Projection::Orthographic,
-        _ => Projection::Perspective,
-    })
+    one_of(Projection::ALL, Projection::name)
 }
 
 fn shading() -> impl TypedValueParser<Value = ShadingMode> {
-    PossibleValuesParser::new(["gouraud", "phong"]).map(|name| match name.as_str() {
-        "phong" => ShadingMode::Phong,
-        _ => ShadingMode::Gouraud,
+    one_of(
+        [ShadingMode::Gouraud, ShadingMode::Phong],
+        ShadingMode::name,
+    )
+}
+
+/// One of `choices`, called by its name.
+fn one_of<T, const COUNT: usize>(
+    choices: [T; COUNT],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Send + Sync + 'static,
+{
+    PossibleValuesParser::new(choices.map(name)).try_map(move |word| {
+        let meant = choices.into_iter().find(|choice| name(*choice) == word);
+        meant.ok_or("it is none of the choices")
     })
 }
 

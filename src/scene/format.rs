@@ -58,8 +58,8 @@ const LIGHT_NAME: NameForm = NameForm {
     allowed: |name| !name.is_empty() && !name.contains(',') && name != "all" && name != "none",
 };
 const SHADING: Choice<ShadingMode> = Choice(&[
-    ("gouraud", ShadingMode::Gouraud),
-    ("phong", ShadingMode::Phong),
+    (ShadingMode::Gouraud.name(), ShadingMode::Gouraud),
+    (ShadingMode::Phong.name(), ShadingMode::Phong),
 ]);
 const KIND: Choice<LightKind> = Choice(&[
     ("ambient", LightKind::Ambient),

@@ -3,7 +3,6 @@
 //! Rule: one line per method, unrounded, and "-" for what does not exist.
 
 use super::Report;
-use super::report::{mode_name, projection_name};
 
 /// The report as CSV (RFC 4180); the first line names the columns.
 pub fn csv(report: &Report) -> String {
@@ -17,14 +16,14 @@ pub fn csv(report: &Report) -> String {
         let (error, own) = (accuracy.error.error, accuracy.own_error.error);
         let exact = |value: Option<f64>| value.map_or("-".to_owned(), |value| value.to_string());
         let cells = [
-            quoted(&report.scene),
-            quoted(&report.camera),
-            projection_name(report.projection).to_owned(),
-            report.size[0].to_string(),
-            report.size[1].to_string(),
+            quoted(&report.subject.scene),
+            quoted(&report.subject.camera),
+            report.subject.projection.name().to_owned(),
+            report.subject.size[0].to_string(),
+            report.subject.size[1].to_string(),
             report.covered_pixels.to_string(),
             one.method.id.to_owned(),
-            mode_name(one.method.mode).to_owned(),
+            one.method.mode.name().to_owned(),
             one.method.tolerance.to_string(),
             one.threads.to_string(),
             timing.samples.to_string(),

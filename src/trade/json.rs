@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::machine::Machine;
 use super::metrics::Error;
-use super::report::{mode_name, projection_name};
+use super::subject::Subject;
 use super::timing::Timing;
 use super::verdict::verdict;
 use super::{Measurement, Report, flip};
@@ -15,23 +15,39 @@ use crate::shading::TileKind;
 /// The report as JSON text.
 pub fn json(report: &Report) -> String {
     let methods: Vec<Value> = report.methods.iter().map(method).collect();
-    let value = json!({
-        "verdict": verdict(report),
-        "machine": machine(&report.machine),
-        "command": report.command,
-        "scene": report.scene,
-        "camera": report.camera,
-        "projection": projection_name(report.projection),
-        "size": report.size,
-        "covered_pixels": report.covered_pixels,
-        "flip_pixels_per_degree": flip::PIXELS_PER_DEGREE,
-        "methods": methods,
-    });
-    format!("{value:#}\n")
+    document(
+        &verdict(report),
+        &report.subject,
+        [
+            ("covered_pixels", report.covered_pixels.into()),
+            ("flip_pixels_per_degree", flip::PIXELS_PER_DEGREE.into()),
+            ("methods", methods.into()),
+        ],
+    )
 }
 
-/// Where times were measured.
-pub(super) fn machine(machine: &Machine) -> Value {
+/// A measurement as JSON text: its verdict, its subject, and what was found.
+pub(super) fn document<const COUNT: usize>(
+    verdict: &str,
+    subject: &Subject,
+    found: [(&str, Value); COUNT],
+) -> String {
+    let mut document = json!({
+        "verdict": verdict,
+        "machine": machine(&subject.machine),
+        "command": subject.command,
+        "scene": subject.scene,
+        "camera": subject.camera,
+        "projection": subject.projection.name(),
+        "size": subject.size,
+    });
+    for (key, value) in found {
+        document[key] = value;
+    }
+    format!("{document:#}\n")
+}
+
+fn machine(machine: &Machine) -> Value {
     json!({
         "cpu": machine.cpu,
         "cores": machine.cores,
@@ -66,7 +82,7 @@ fn method(one: &Measurement) -> Value {
         .collect();
     json!({
         "id": one.method.id,
-        "mode": mode_name(one.method.mode),
+        "mode": one.method.mode.name(),
         "tolerance": one.method.tolerance,
         "threads": one.threads,
         "ms": milliseconds(timing),

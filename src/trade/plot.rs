@@ -12,11 +12,10 @@ mod labels;
 
 use std::ops::Range;
 
-use plotters::coord::Shift;
-use plotters::coord::combinators::BindKeyPoints;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use super::chart::{self, Area, Axis, BLUE, Borders, FAINT, GREEN, INK, ORANGE, text_style};
 use super::report::{place, subject};
 use super::{Measurement, Report};
 use crate::components::ShadingMode;
@@ -30,14 +29,13 @@ const CEILING: f64 = 500.0;
 const ERRORS: [f64; 7] = [FLOOR, 0.01, 0.1, 1.0, 10.0, 100.0, 255.0];
 
 const SIZE: (u32, u32) = (960, 600);
-pub(super) const INK: RGBColor = RGBColor(0x22, 0x26, 0x2b);
-pub(super) const GRID: RGBColor = RGBColor(0xe4, 0xe6, 0xe9);
-pub(super) const FAINT: RGBColor = RGBColor(0x6b, 0x72, 0x7a);
-
-/// The plotting library's font sizes are 1.24 times those it writes.
-const fn font(pixels: f64) -> f64 {
-    1.24 * pixels
-}
+const BORDERS: Borders = Borders {
+    top: 108,
+    right: 24,
+    other: 12,
+    labels: [52, 72],
+    letters: 12.0,
+};
 
 /// One method as it is drawn.
 struct Point<'a> {
@@ -75,12 +73,11 @@ impl Point<'_> {
     }
 }
 
-/// Colours that people who see few colours tell apart (Okabe and Ito 2008).
 fn color(mode: ShadingMode) -> RGBColor {
     match mode {
-        ShadingMode::Gouraud => RGBColor(0x00, 0x72, 0xb2),
-        ShadingMode::Phong => RGBColor(0xd5, 0x5e, 0x00),
-        ShadingMode::UnitVectors => RGBColor(0x00, 0x9e, 0x73),
+        ShadingMode::Gouraud => BLUE,
+        ShadingMode::Phong => ORANGE,
+        ShadingMode::UnitVectors => GREEN,
     }
 }
 
@@ -89,12 +86,13 @@ fn color(mode: ShadingMode) -> RGBColor {
 /// # Errors
 /// When the plotting library gives one; it has no reason to.
 pub fn svg(report: &Report) -> anyhow::Result<String> {
-    let mut text = String::new();
     let points: Vec<Point> = report.methods.iter().filter_map(Point::of).collect();
-    {
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-        area.fill(&WHITE)?;
-        title(&area, report)?;
+    chart::svg(SIZE, |area| {
+        chart::heading(
+            area,
+            "What each shading method costs and errs",
+            &[(&subject(report), FAINT), (&place(report), FAINT)],
+        )?;
         if points.is_empty() {
             let style = text_style(16.0, INK).pos(Pos::new(HPos::Center, VPos::Center));
             let middle = (SIZE.0 as i32 / 2, SIZE.1 as i32 / 2);
@@ -103,78 +101,34 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
                 &style,
                 middle,
             )?;
-        } else {
-            draw(&area, &points)?;
+            return Ok(());
         }
-        area.present()?;
-    }
-    Ok(text)
-}
-
-pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-pub(super) fn text_style(pixels: f64, color: RGBColor) -> TextStyle<'static> {
-    ("sans-serif", font(pixels)).into_font().color(&color)
-}
-
-/// A text that may hold names out of files, fit for SVG.
-pub(super) fn printable(text: &str) -> String {
-    text.replace(char::is_control, "\u{fffd}")
-}
-
-fn title(area: &Area, report: &Report) -> anyhow::Result<()> {
-    area.draw_text(
-        "What each shading method costs and errs",
-        &text_style(18.0, INK),
-        (24, 16),
-    )?;
-    area.draw_text(
-        &printable(&subject(report)),
-        &text_style(12.0, FAINT),
-        (24, 42),
-    )?;
-    area.draw_text(
-        &printable(&place(report)),
-        &text_style(12.0, FAINT),
-        (24, 60),
-    )?;
-    Ok(())
+        draw(area, &points)
+    })
 }
 
 /// Axes, front, points and labels.
 fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
     let times = axis(points);
-    let mut chart = ChartBuilder::on(area)
-        .margin_top(108)
-        .margin_right(24)
-        .margin_bottom(12)
-        .margin_left(12)
-        .x_label_area_size(52)
-        .y_label_area_size(72)
-        .build_cartesian_2d(
-            times.clone().log_scale().with_key_points(ticks(&times)),
-            (BOTTOM..CEILING)
-                .log_scale()
-                .with_key_points(ERRORS.to_vec()),
-        )?;
-    chart
-        .configure_mesh()
-        .bold_line_style(GRID)
-        .light_line_style(TRANSPARENT)
-        .axis_style(FAINT)
-        .label_style(text_style(12.0, INK))
-        .axis_desc_style(text_style(13.0, INK))
-        .x_desc("time: ns per covered pixel")
-        .y_desc("largest error against exact Phong: levels of 255")
-        .x_label_formatter(&|time| time.to_string())
-        .y_label_formatter(&|error| {
+    let time = Axis {
+        name: "time: ns per covered pixel",
+        range: times.clone(),
+        ticks: chart::ticks(&times),
+        label: &|time| time.to_string(),
+    };
+    let error = Axis {
+        name: "largest error against exact Phong: levels of 255",
+        range: BOTTOM..CEILING,
+        ticks: ERRORS.to_vec(),
+        label: &|error| {
             if *error == FLOOR {
                 format!("\u{2264} {FLOOR}")
             } else {
                 error.to_string()
             }
-        })
-        .draw()?;
+        },
+    };
+    let mut chart = chart::on(area, &BORDERS, time, error)?;
     let front = front(points, times.end);
     chart.draw_series([PathElement::new(front.clone(), FAINT.stroke_width(2))])?;
     let intervals: Vec<[(f64, f64); 2]> =
@@ -219,7 +173,9 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
             [(left, top), (right, bottom)],
             WHITE.mix(0.8).filled(),
         ))?;
-        let style = ("monospace", font(LABEL)).into_font().color(&point.color);
+        let style = ("monospace", chart::font(LABEL))
+            .into_font()
+            .color(&point.color);
         area.draw_text(
             point.id,
             &style.pos(Pos::new(HPos::Left, VPos::Top)),
@@ -287,32 +243,6 @@ fn axis(points: &[Point]) -> Range<f64> {
         .fold(f64::INFINITY, f64::min);
     let most = points.iter().map(|point| point.time).fold(0.0, f64::max);
     least / 1.3..most * 1.5
-}
-
-/// Round times within the axis: 1, 2 and 5 times the powers of ten, or every digit where these are too few.
-pub(super) fn ticks(axis: &Range<f64>) -> Vec<f64> {
-    let decades = axis.start.log10().floor() as i32..=axis.end.log10().floor() as i32;
-    let of = |digits: &[f64]| -> Vec<f64> {
-        let all = decades
-            .clone()
-            .flat_map(|decade| digits.iter().map(move |digit| scaled(*digit, decade)));
-        all.filter(|time| axis.contains(time)).collect()
-    };
-    let few = of(&[1.0, 2.0, 5.0]);
-    if few.len() < 3 {
-        of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
-    } else {
-        few
-    }
-}
-
-/// `digit` times a power of ten, rounded once, so that it prints as it is written.
-fn scaled(digit: f64, decade: i32) -> f64 {
-    if decade < 0 {
-        digit / 10_f64.powi(-decade)
-    } else {
-        digit * 10_f64.powi(decade)
-    }
 }
 
 /// The least error that is to be had for each time, as a line of steps from the top to the right `end`.

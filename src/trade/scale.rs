@@ -16,11 +16,10 @@ mod settings;
 use std::path::Path;
 use std::time::Duration;
 
-use super::machine::Machine;
 use super::progress::{self, Progress};
+use super::subject::Subject;
 use super::timing::{self, Timing};
 use super::{Request, TradeError, accuracy, make_writable};
-use crate::components::Projection;
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::{self, Output};
 use crate::scene::Scene;
@@ -88,21 +87,11 @@ impl Quantity {
     }
 }
 
-/// What was measured, and where.
+/// What was measured.
 #[derive(Clone, Debug)]
 pub struct Scaling {
-    /// Where.
-    pub machine: Machine,
-    /// The command line.
-    pub command: String,
-    /// The scene of the pixels and the threads.
-    pub scene: String,
-    /// Its camera.
-    pub camera: String,
-    /// How all pictures were projected.
-    pub projection: Projection,
-    /// Width and height in pixels, but where the pixels are what varies.
-    pub size: [usize; 2],
+    /// Where; of which scene where it is pixels or threads that vary, and of which size where it is not pixels.
+    pub subject: Subject,
     /// What drew.
     pub methods: Vec<Method>,
     /// One for each [`Quantity`].
@@ -142,6 +131,14 @@ impl Point {
 }
 
 impl Series {
+    /// How many of the quantity there are in words: for pixels, the picture's size.
+    pub fn number(&self, point: &Point) -> String {
+        match self.quantity {
+            Quantity::Pixels => format!("{}x{}", point.size[0], point.size[1]),
+            Quantity::Lights | Quantity::Cuboids | Quantity::Threads => point.number.to_string(),
+        }
+    }
+
     /// What one of the quantity costs with a method: ns per covered pixel, µs per light or cuboid; for threads, how many
     /// times faster than the first setting's thread they are. `None` where that does not exist.
     pub fn cost(&self, point: &Point, method: usize) -> Option<f64> {
@@ -181,12 +178,7 @@ pub fn measure(
         Ok::<_, TradeError>(Series { quantity, points })
     });
     Ok(Scaling {
-        machine: Machine::this(request.level),
-        command: request.command.clone(),
-        scene: request.scene.name.clone(),
-        camera: request.camera.clone(),
-        projection: request.view.projection,
-        size: request.view.size,
+        subject: Subject::of(request),
         methods,
         series: series.into_iter().collect::<Result<_, _>>()?,
     })

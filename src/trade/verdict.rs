@@ -2,7 +2,7 @@
 //!
 //! Rule: every word follows from a measured number; what was not measured or cannot be told apart is not claimed.
 
-use super::report::{levels, listed, ratio, short};
+use super::words::{levels, listed, ratio, short};
 use super::{Measurement, Report};
 use crate::components::ShadingMode;
 

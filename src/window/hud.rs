@@ -4,10 +4,11 @@
 //! session --lines, pixel, measurements--> lines --layout (board, style)--> boards --paint--> canvas
 //!    '------- legend, message --------------------------------------------------------------^
 //! ```
-//! Rule: pure on pixels; the help lies over the panel and the panel over the picture, and what does not fit the window
-//! is left out step by step, down to nothing.
+//! Rule: pure on pixels; the help lies over the panel and the panel over the picture, a pixel looked at is never covered by
+//! what is said of it, and what does not fit the window is left out step by step, down to nothing.
 
 pub mod board;
+mod ink;
 mod layout;
 pub mod legend;
 pub mod lines;
@@ -15,12 +16,13 @@ pub mod measurements;
 mod message;
 mod paint;
 pub mod pixel;
+mod room;
 pub mod style;
 
 use super::bindings::Action;
 use super::overlay::Pane;
 use super::session::Session;
-use crate::canvas::{Canvas, FACES, Ink, Point, Rect};
+use crate::canvas::{Canvas, Ink, Point, Rect};
 use board::Board;
 use legend::Legend;
 use message::Message;
@@ -63,8 +65,12 @@ impl Hud {
             .map(|panel| panel.style.face)
             .or_else(|| layout::panel_face(size));
         let probe = layout::probe(session, size, area, covered);
-        let free = layout::beside(area, probe.as_ref());
-        let legend = |face| Legend::new(session, size, face, free, covered);
+        let beside_probe = layout::beside(area, probe.as_ref());
+        let taken: Vec<Rect> = covered
+            .into_iter()
+            .chain(probe.as_ref().map(Board::rect))
+            .collect();
+        let legend = |face| Legend::new(session, size, face, &[area, beside_probe], &taken);
         Hud {
             size,
             probe,
@@ -92,13 +98,13 @@ impl Hud {
             legend.draw(canvas);
         }
         if let Some(cross) = self.cross {
-            pixel::draw_cross(canvas, cross, FACES[0].advance());
-        }
-        if let Some(probe) = &self.probe {
-            probe.draw(canvas, None);
+            pixel::draw_cross(canvas, cross);
         }
         if let Some(panel) = &self.panel {
             panel.draw(canvas, self.hovered.filter(|_| !self.shades));
+        }
+        if let Some(probe) = &self.probe {
+            probe.draw(canvas, None);
         }
         if let Some(table) = &self.table {
             table.draw(canvas, None);
@@ -150,8 +156,8 @@ impl Hud {
         [
             (Pane::Help, &self.help),
             (Pane::Table, &self.table),
-            (Pane::Panel, &self.panel),
             (Pane::Probe, &self.probe),
+            (Pane::Panel, &self.panel),
         ]
         .into_iter()
         .filter_map(|(pane, board)| Some((pane, board.as_ref()?)))

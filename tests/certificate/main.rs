@@ -6,6 +6,8 @@
 mod choices;
 #[path = "../support/random.rs"]
 mod random;
+#[path = "../support/scene.rs"]
+mod scene;
 mod scenes;
 mod tiles;
 

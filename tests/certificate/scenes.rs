@@ -1,21 +1,17 @@
 //! Whole pictures, certified against exact.
 
-use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{
-    Camera, Illumination, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, Viewpoint,
-};
-use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
-use shadetrade::systems;
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::frame::{Keep, NO_TRIANGLE};
 
 use crate::cases;
 use crate::random::Random;
+use crate::scene::{draw, empty, shaded, spawn_cuboid, spawn_light, view};
 
 /// A cuboid, up to five lights (some of them close to a face, some at one place) and a camera (some of them close).
 fn scene(random: &mut Random) -> (World, View) {
-    let mut world = World::new();
+    let mut world = empty();
     let size = DVec3::new(
         random.decade(-0.5, 0.5),
         random.decade(-0.5, 0.5),
@@ -31,16 +27,7 @@ fn scene(random: &mut Random) -> (World, View) {
         specular: random.vector(0.0, 1.0),
         shininess: random.decade(-0.301, 3.0),
     };
-    world.spawn((
-        Name("cuboid".into()),
-        transform,
-        Mesh::cuboid(size),
-        material,
-        ShadingMode::Phong,
-        Normals::default(),
-        VertexColors::default(),
-        Projected::default(),
-    ));
+    spawn_cuboid(&mut world, size, transform, material);
     let mut position = DVec3::ZERO;
     for index in 0..=random.one_of(&[0, 1, 2, 3, 4]) {
         if index == 0 || random.one_of(&[true, true, false]) {
@@ -54,29 +41,16 @@ fn scene(random: &mut Random) -> (World, View) {
                 random.vector(-12.0, 12.0)
             };
         }
-        let light = Light {
-            kind: random.one_of(&[
-                LightKind::Ambient,
-                LightKind::Diffuse,
-                LightKind::Diffuse,
-                LightKind::Specular,
-                LightKind::Specular,
-            ]),
-            color: random.vector(0.0, 1.0),
-            intensity: random.decade(0.0, 3.0),
-            gain: 1.0,
-            on: true,
-        };
-        world.spawn((
-            Name(format!("light {index}")),
-            Transform {
-                position,
-                rotation: DVec3::ZERO,
-            },
-            light,
-        ));
+        let kind = random.one_of(&[
+            LightKind::Ambient,
+            LightKind::Diffuse,
+            LightKind::Diffuse,
+            LightKind::Specular,
+            LightKind::Specular,
+        ]);
+        let levels = random.vector(0.0, 1.0) * random.decade(0.0, 3.0);
+        spawn_light(&mut world, kind, levels, position);
     }
-    world.spawn((Illumination::default(),));
     let direction = loop {
         let direction = random.vector(-1.0, 1.0);
         if direction.length() > 0.1 {
@@ -85,39 +59,22 @@ fn scene(random: &mut Random) -> (World, View) {
     };
     let distance = size.length() * random.decade(-0.25, 0.8);
     let target = transform.position + random.vector(-0.3, 0.3) * size;
-    let camera = Camera {
-        target,
-        up: direction.any_orthonormal_vector(),
-        fov: random.within(10.0, 100.0),
-        height: size.length() * random.within(0.2, 1.5),
-        near: None,
-    };
-    let view = View {
-        size: [
-            random.one_of(&[64, 150, 320]),
-            random.one_of(&[48, 100, 240]),
-        ],
-        viewpoint: Viewpoint {
-            position: target + direction * distance,
-            camera,
-        },
-        projection: random.one_of(&[Projection::Perspective, Projection::Orthographic]),
-        background: DVec3::ZERO,
-        shading: None,
-        tolerance: 0.0,
-    };
+    let fov = random.within(10.0, 100.0);
+    let height = size.length() * random.within(0.2, 1.5);
+    let pixels = [
+        random.one_of(&[64, 150, 320]),
+        random.one_of(&[48, 100, 240]),
+    ];
+    let projection = random.one_of(&[Projection::Perspective, Projection::Orthographic]);
+    let mut view = view(pixels, target + direction * distance, target, projection);
+    view.viewpoint.camera.up = direction.any_orthonormal_vector();
+    view.viewpoint.camera.fov = fov;
+    view.viewpoint.camera.height = height;
     (world, view)
 }
 
 #[test]
 fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
-    let frame = || {
-        Frame::new(
-            Keep::Levels,
-            Workers::new(1, Level::new()).expect("one thread is always there"),
-        )
-    };
-    let (mut exact, mut certified) = (frame(), frame());
     let shown = |level: f32| f64::from(level).clamp(0.0, 255.0);
     let (mut worst_share, mut most_excess, mut covered, mut cheap) = (0.0_f64, f64::MIN, 0, 0);
     let first = std::env::var("SHADETRADE_FIRST")
@@ -126,13 +83,13 @@ fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
         .unwrap_or(0);
     for seed in first..first + cases() {
         let mut random = Random(seed);
-        let (mut world, mut view) = scene(&mut random);
+        let (mut world, view) = scene(&mut random);
         let mode = random.one_of(&[ShadingMode::Phong, ShadingMode::Phong, ShadingMode::Gouraud]);
-        view.shading = Some(mode);
-        systems::draw(&mut world, &view, &mut exact).expect("small pictures fit");
+        let mut view = shaded(mode, &view);
+        let exact = draw(&mut world, &view, Keep::Levels);
         let tolerance = random.one_of(&[0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0]);
         view.tolerance = tolerance;
-        systems::draw(&mut world, &view, &mut certified).expect("small pictures fit");
+        let certified = draw(&mut world, &view, Keep::Levels);
         let counts = certified.counts();
         covered += counts.covered_pixels;
         cheap += counts.tiles[0] + counts.tiles[1] + counts.tiles[2];

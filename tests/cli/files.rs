@@ -78,7 +78,7 @@ mod unix {
     use std::io::Read;
     use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
     use std::path::Path;
-    use std::process::Command;
+    use std::process::{Command, Output};
 
     use super::*;
     use crate::{said, shadetrade};
@@ -91,6 +91,15 @@ mod unix {
         fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
     }
 
+    /// What a script does in `folder`, to which `$0` is the program.
+    fn in_shell(folder: &Path, script: &str) -> Output {
+        Command::new("sh")
+            .args(["-c", script, env!("CARGO_BIN_EXE_shadetrade")])
+            .current_dir(folder)
+            .output()
+            .expect("there is a shell")
+    }
+
     /// Whether permissions do not bind whoever runs the tests.
     fn is_root() -> bool {
         fs::metadata(folder().path()).unwrap().uid() == 0
@@ -100,15 +109,8 @@ mod unix {
     fn a_new_file_has_the_permissions_of_any_new_file() {
         let folder = folder();
         for umask in ["022", "077", "002"] {
-            let script = format!(
-                "umask {umask}; : > plain; exec {} {SMALL} a.png",
-                env!("CARGO_BIN_EXE_shadetrade")
-            );
-            let output = Command::new("sh")
-                .args(["-c", &script])
-                .current_dir(folder.path())
-                .output()
-                .unwrap();
+            let script = format!("umask {umask}; : > plain; exec $0 {SMALL} a.png");
+            let output = in_shell(folder.path(), &script);
             assert!(output.status.success(), "{}", said(&output));
             assert_eq!(
                 mode(&folder.path().join("a.png")),
@@ -241,15 +243,8 @@ mod unix {
         let file = folder.path().join("a.png");
         fs::write(&file, "old").unwrap();
         // A limit on the size of a file stands in for a full disk; the signal that comes with it is ignored.
-        let script = format!(
-            "trap '' XFSZ; ulimit -f 8; exec {} render --size 960x720 -o a.png",
-            env!("CARGO_BIN_EXE_shadetrade")
-        );
-        let output = Command::new("sh")
-            .args(["-c", &script])
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
+        let script = "trap '' XFSZ; ulimit -f 8; exec $0 render --size 960x720 -o a.png";
+        let output = in_shell(folder.path(), script);
         assert_eq!(output.status.code(), Some(1), "{}", said(&output));
         assert!(
             said(&output).starts_with("error: cannot write a.png: "),

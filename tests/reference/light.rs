@@ -1,13 +1,12 @@
 //! How light answers.
 
 use glam::DVec3;
-use hecs::World;
 use shadetrade::components::{Light, LightKind, Material, ShadingMode};
 use shadetrade::frame::NO_TRIANGLE;
 
 use super::scenes::{
-    MATERIAL, close, cube_under, draw, level, orthographic, sample, shaded, spawn_light,
-    spawn_turned_cuboid, view,
+    MATERIAL, close, cube_of, cube_under, draw, level, orthographic, sample, shaded, spawn_light,
+    view,
 };
 
 #[test]
@@ -27,18 +26,14 @@ fn straight_under_the_light_the_diffuse_term_is_whole_in_phong_and_a_mean_of_cor
 
 /// The middle of the face z = 1 under a specular light at (3, 0, 5), so that l = (0.6, 0, 0.8), seen from `eye`.
 fn highlight(eye: [f64; 3], shininess: f64) -> f64 {
-    let mut world = World::new();
-    spawn_turned_cuboid(
-        &mut world,
-        [2.0; 3],
-        [0.0; 3],
-        [0.0; 3],
+    let world = cube_of(
         Material {
             shininess,
             ..MATERIAL
         },
+        LightKind::Specular,
+        [3.0, 0.0, 5.0],
     );
-    spawn_light(&mut world, LightKind::Specular, [3.0, 0.0, 5.0]);
     level(&world, &view([11, 11], eye, [0.0, 0.0, 1.0]), 5, 5)
 }
 
@@ -81,18 +76,14 @@ fn facing_away_from_the_mirrored_light_there_is_no_highlight_unless_the_exponent
 #[test]
 fn a_light_behind_the_surface_gives_neither_term() {
     for kind in [LightKind::Diffuse, LightKind::Specular] {
-        let mut world = World::new();
-        spawn_turned_cuboid(
-            &mut world,
-            [2.0; 3],
-            [0.0; 3],
-            [0.0; 3],
+        let world = cube_of(
             Material {
                 shininess: 0.0,
                 ..MATERIAL
             },
+            kind,
+            [0.0, 0.0, 0.999],
         );
-        spawn_light(&mut world, kind, [0.0, 0.0, 0.999]);
         close(
             level(&world, &view([11, 11], [0.0, 0.0, 5.0], [0.0; 3]), 5, 5),
             0.0,
@@ -155,13 +146,11 @@ fn a_light_that_is_off_appears_nowhere() {
 
 #[test]
 fn colours_and_coefficients_multiply_channel_by_channel() {
-    let mut world = World::new();
     let material = Material {
         diffuse: DVec3::new(0.5, 0.25, 2.0),
         ..MATERIAL
     };
-    spawn_turned_cuboid(&mut world, [2.0; 3], [0.0; 3], [0.0; 3], material);
-    spawn_light(&mut world, LightKind::Diffuse, [0.0, 0.0, 4.0]);
+    let mut world = cube_of(material, LightKind::Diffuse, [0.0, 0.0, 4.0]);
     world
         .query_mut::<&mut Light>()
         .into_iter()

@@ -64,8 +64,13 @@ pub fn spawn_light(world: &mut World, kind: LightKind, position: [f64; 3]) {
 
 /// A cube from -1 to 1 and one light.
 pub fn cube_under(kind: LightKind, position: [f64; 3]) -> World {
+    cube_of(MATERIAL, kind, position)
+}
+
+/// The same cube of another material.
+pub fn cube_of(material: Material, kind: LightKind, position: [f64; 3]) -> World {
     let mut world = World::new();
-    spawn_cuboid(&mut world, [2.0; 3], [0.0; 3]);
+    spawn_turned_cuboid(&mut world, [2.0; 3], [0.0; 3], [0.0; 3], material);
     spawn_light(&mut world, kind, position);
     world
 }

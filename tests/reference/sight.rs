@@ -179,13 +179,7 @@ fn faces_in_one_plane_belong_to_the_cuboid_earlier_in_the_file() {
         let mut world = World::new();
         for position in positions {
             let half = 1.0 - if position < 0.2 { 0.0 } else { 0.25 };
-            spawn_turned_cuboid(
-                &mut world,
-                [2.0, 2.0, 2.0 * half],
-                [0.0, 0.0, position],
-                [0.0; 3],
-                MATERIAL,
-            );
+            spawn_cuboid(&mut world, [2.0, 2.0, 2.0 * half], [0.0, 0.0, position]);
         }
         let truth = draw(&world, &view([31, 31], [0.3, 0.4, 5.0], [0.0; 3]));
         let front = truth

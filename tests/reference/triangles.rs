@@ -4,8 +4,8 @@ use hecs::World;
 use shadetrade::components::{LightKind, Material, ShadingMode};
 
 use super::scenes::{
-    MATERIAL, close, cube_under, level, orthographic, shaded, spawn_cuboid, spawn_light,
-    spawn_turned_cuboid, view,
+    MATERIAL, close, cube_of, cube_under, level, orthographic, shaded, spawn_cuboid, spawn_light,
+    view,
 };
 
 /// The top of a cube 1 below the eye and 2 to 4 ahead, a diffuse light infinitely far along +z; `near` in world units.
@@ -99,18 +99,14 @@ fn unit_vectors_shorten_the_eye_and_with_it_the_highlight() {
     // Half-way down the left edge of face z = 1 n = (-1, 0, 1) / sqrt(3), and the eye 4 above it has o = (0, +-1, 4) /
     // sqrt(17) at the corners, (0, 0, 4 / sqrt(17)) between. A light infinitely far has l = (-1, 0, 1) / sqrt(2), so
     // r = (2/3 - 1/2) sqrt(2) (-1, 0, 1) and o.r = sqrt(2) / 6 * 4 / sqrt(17).
-    let mut world = World::new();
-    spawn_turned_cuboid(
-        &mut world,
-        [2.0; 3],
-        [0.0; 3],
-        [0.0; 3],
+    let world = cube_of(
         Material {
             shininess: 1.0,
             ..MATERIAL
         },
+        LightKind::Specular,
+        [-1e15, 0.0, 1e15],
     );
-    spawn_light(&mut world, LightKind::Specular, [-1e15, 0.0, 1e15]);
     let view = shaded(
         ShadingMode::UnitVectors,
         &view([11, 11], [-1.0, 0.0, 5.0], [-1.0, 0.0, 0.0]),

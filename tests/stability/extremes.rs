@@ -8,7 +8,6 @@ use shadetrade::frame::{Keep, NO_TRIANGLE};
 use crate::random::Random;
 use crate::scene::{draw, empty, shaded, spawn_cuboid, spawn_light, view};
 
-const PROJECTIONS: [Projection; 2] = [Projection::Perspective, Projection::Orthographic];
 const MODES: [ShadingMode; 3] = [
     ShadingMode::Gouraud,
     ShadingMode::Phong,
@@ -47,7 +46,7 @@ fn the_near_plane_takes_pixels_away_and_changes_none() {
         };
         let light = vector(&mut random, 9.0);
         let mut world = one_term_a_channel(DVec3::new(4.0, 3.0, 2.0), transform, light);
-        for projection in PROJECTIONS {
+        for projection in Projection::ALL {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
                 let mut picture = |near: f64| {
                     let mut view = view([64, 48], DVec3::Z * 4.0, DVec3::ZERO, projection);
@@ -99,7 +98,7 @@ fn needles_and_sheets_have_colours_that_their_lights_can_make() {
         let light = vector(&mut random, 10.0);
         let eye = vector(&mut random, 10.0) + DVec3::Z * 14.0;
         let mut world = one_term_a_channel(size, transform, light);
-        for projection in PROJECTIONS {
+        for projection in Projection::ALL {
             let view = view([64, 48], eye, DVec3::ZERO, projection);
             for mode in MODES {
                 let frame = draw(&mut world, &shaded(mode, &view), Keep::Levels);
@@ -175,7 +174,7 @@ fn extreme_scene(random: &mut Random) -> (World, View) {
     let distance = pick(random, &[0.0, 0.3, 1.0, 5.0, 100.0, 1e6]);
     let eye = (vector(random, 1.0) + DVec3::Z * distance) * scale;
     let target = vector(random, 1.0) * scale;
-    let mut view = view([33, 21], eye, target, pick(random, &PROJECTIONS));
+    let mut view = view([33, 21], eye, target, pick(random, &Projection::ALL));
     view.viewpoint.camera.fov = pick(random, &[1e-3, 10.0, 60.0, 120.0, 179.0]);
     view.viewpoint.camera.height = pick(random, &[1e-6, 1.0, 10.0, 1e6]) * scale;
     view.viewpoint.camera.near = pick(random, &[None, Some(1e-6 * scale), Some(scale)]);

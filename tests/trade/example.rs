@@ -7,6 +7,7 @@ use shadetrade::trade::accuracy::Accuracy;
 use shadetrade::trade::error_map::ErrorMap;
 use shadetrade::trade::machine::Machine;
 use shadetrade::trade::metrics::{Difference, Error, Picture};
+use shadetrade::trade::subject::Subject;
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Measurement, Report};
 
@@ -80,10 +81,9 @@ pub fn measurement(
     }
 }
 
-/// Gouraud, the shortcut and two kinds of Phong: 2, 6, 3 and 8 ns per pixel.
-pub fn report() -> Report {
-    use ShadingMode::{Gouraud, Phong, UnitVectors};
-    Report {
+/// The view and the machine that `command` did not measure.
+pub fn subject(command: &str) -> Subject {
+    Subject {
         machine: Machine {
             cpu: "Some CPU".to_owned(),
             cores: 4,
@@ -92,11 +92,19 @@ pub fn report() -> Report {
             rustc: "rustc 1.99.0 (0123abcd 2030-01-01)",
             profile: "release",
         },
-        command: "shadetrade trade".to_owned(),
+        command: command.to_owned(),
         scene: "cuboid".to_owned(),
         camera: "1".to_owned(),
         projection: Projection::Perspective,
         size: [40, 30],
+    }
+}
+
+/// Gouraud, the shortcut and two kinds of Phong: 2, 6, 3 and 8 ns per pixel.
+pub fn report() -> Report {
+    use ShadingMode::{Gouraud, Phong, UnitVectors};
+    Report {
+        subject: subject("shadetrade trade"),
         covered_pixels: 1000,
         methods: vec![
             measurement(

@@ -25,7 +25,7 @@ fn the_csv_has_a_named_column_for_every_figure() {
 #[test]
 fn the_csv_quotes_names_and_dashes_out_what_does_not_exist() {
     let mut report = example::empty_report();
-    report.scene = "a, \"b\"".to_owned();
+    report.subject.scene = "a, \"b\"".to_owned();
     let text = csv::csv(&report);
     let line = text.lines().nth(4).expect("there are four methods");
     assert_eq!(
@@ -91,7 +91,7 @@ fn the_json_of_the_example_says_what_was_measured() {
 #[test]
 fn the_plot_is_well_formed_and_names_every_method() {
     let mut report = example::report();
-    report.scene = "<scene> & \"quotes\" \u{7}".to_owned();
+    report.subject.scene = "<scene> & \"quotes\" \u{7}".to_owned();
     let text = plot::svg(&report).expect("it is drawn");
     assert_well_formed(&text);
     for measurement in &report.methods {

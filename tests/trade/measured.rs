@@ -2,56 +2,13 @@
 
 use std::fs;
 use std::sync::Mutex;
-use std::time::Duration;
 
-use fearless_simd::Level;
-use shadetrade::components::Projection;
-use shadetrade::drawing::Drawing;
-use shadetrade::scene::Scene;
 use shadetrade::shading::METHODS;
+use shadetrade::trade::verdict::verdict;
 use shadetrade::trade::{self, Progress, Report, Request, csv, json, plot, report};
 
-use shadetrade::trade::verdict::verdict;
-
 use crate::contract;
-
-/// A cuboid under three lights, with these lines in place of its material's and lights' own.
-fn scene(diffuse: &str, target: &str, lights: bool) -> Scene {
-    let mut text = format!(
-        "[[cuboid]]\nname = \"box\"\nsize = [4, 3, 2]\n\
-         [cuboid.material]\nambient = {diffuse}\ndiffuse = {diffuse}\nspecular = {diffuse}\nshininess = 20\n\
-         [[camera]]\nname = \"1\"\nposition = [7, 5, 8]\ntarget = {target}\nfov = 30\nheight = 6\n"
-    );
-    for (kind, position) in [
-        ("ambient", ""),
-        ("diffuse", "position = [10, 10, 10]"),
-        ("specular", "position = [10, 10, 10]"),
-    ] {
-        if lights {
-            text += "[[light]]\ncolor = [1, 1, 1]\nintensity = 100\n";
-            for line in ["name", "kind"].map(|key| format!("{key} = \"{kind}\"\n")) {
-                text += &line;
-            }
-            text += position;
-            text += "\n";
-        }
-    }
-    Scene::parse("test", &text).expect("it is a valid scene")
-}
-
-fn request(scene: Scene, size: [usize; 2], threads: usize) -> Request {
-    let drawing = Drawing {
-        scene,
-        camera: 0,
-        projection: Projection::Perspective,
-        shading: None,
-        tolerance: 0.5,
-        size,
-        threads,
-        level: Level::new(),
-    };
-    Request::new(drawing, Duration::ZERO, "shadetrade trade test".to_owned())
-}
+use crate::requests::{CENTRE, GREEN, request, scene};
 
 /// Measures, and holds every report against what holds for all.
 fn measured(request: Request) -> Report {
@@ -76,9 +33,6 @@ fn measured(request: Request) -> Report {
     }
     report
 }
-
-const GREEN: &str = "[0.3, 0.9, 0.3]";
-const CENTRE: &str = "[0, 0, 0]";
 
 #[test]
 fn an_ordinary_view_gives_a_report_within_the_contract() {

@@ -1,19 +1,14 @@
 //! Scaling: exponents and verdicts of times that follow a known law, and every file made of them.
 
-use std::time::Duration;
-
-use fearless_simd::Level;
 use serde_json::{Value, json};
-use shadetrade::components::Projection;
-use shadetrade::drawing::Drawing;
-use shadetrade::scene::Scene;
 use shadetrade::shading::METHODS;
 use shadetrade::trade::scale::growth::{exponent, exponents, summary, verdict};
 use shadetrade::trade::scale::{Point, Quantity, Scaling, Series, data, measure, plot, report};
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Request, TradeError};
 
-use crate::example;
+use crate::requests::GREEN;
+use crate::{example, requests};
 
 /// A timing whose least time is `ms`, and whose median tells something else.
 fn least(ms: f64) -> Timing {
@@ -45,17 +40,11 @@ fn series(quantity: Quantity, numbers: &[usize], law: impl Fn(f64, usize) -> f64
 }
 
 fn scaling(series: Vec<Series>) -> Scaling {
-    let report = example::report();
     let methods = METHODS
         .iter()
         .filter(|method| ["gouraud-0.5", "phong-0"].contains(&method.id));
     Scaling {
-        machine: report.machine,
-        command: "shadetrade trade --scale".to_owned(),
-        scene: report.scene,
-        camera: report.camera,
-        projection: report.projection,
-        size: report.size,
+        subject: example::subject("shadetrade trade --scale"),
         methods: methods.copied().collect(),
         series,
     }
@@ -348,26 +337,7 @@ fn times_too_short_for_the_clock_leave_words_instead_of_numbers() {
 }
 
 fn request(target: &str, size: [usize; 2], threads: usize) -> Request {
-    let text = format!(
-        "[[cuboid]]\nname = \"box\"\nsize = [4, 3, 2]\n[cuboid.material]\nambient = [1, 1, 1]\ndiffuse = [1, 1, 1]\n\
-         specular = [1, 1, 1]\nshininess = 20\n[[light]]\nname = \"ambient\"\nkind = \"ambient\"\ncolor = [1, 1, 1]\n\
-         intensity = 100\n[[camera]]\nname = \"1\"\nposition = [7, 5, 8]\ntarget = {target}\nfov = 30\nheight = 6\n"
-    );
-    let drawing = Drawing {
-        scene: Scene::parse("test", &text).expect("it is a valid scene"),
-        camera: 0,
-        projection: Projection::Perspective,
-        shading: None,
-        tolerance: 0.5,
-        size,
-        threads,
-        level: Level::new(),
-    };
-    Request::new(
-        drawing,
-        Duration::ZERO,
-        "shadetrade trade --scale".to_owned(),
-    )
+    requests::request(requests::scene(GREEN, target, true), size, threads)
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use shadetrade::components::ShadingMode;
 use shadetrade::trade::Report;
-use shadetrade::trade::report::{WIDTH, table};
+use shadetrade::trade::report::table;
+use shadetrade::trade::tables::WIDTH;
 use shadetrade::trade::verdict::verdict;
 
 use crate::example;

@@ -13,6 +13,7 @@ mod hud;
 mod input;
 mod measuring;
 mod orbit;
+mod pointing;
 mod probing;
 mod screenshot;
 mod storms;

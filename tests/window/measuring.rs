@@ -142,7 +142,7 @@ fn a_measurement_ends_with_a_report_and_stops_when_it_is_cancelled() {
         }
     };
     assert_eq!(report.methods.len(), METHODS.len());
-    assert_eq!(report.size, [24, 18]);
+    assert_eq!(report.subject.size, [24, 18]);
     let cancelled = trade::measure_unless(request(), &|| true, &|_| ());
     assert!(matches!(cancelled, Err(TradeError::Cancelled)));
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use minifb::Key;
 use shadetrade::components::ShadingMode;
 use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::window::bindings::Action;
 use shadetrade::window::input::Gesture;
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Session};
@@ -98,7 +99,7 @@ fn both_sides_of_a_wipe_are_named() {
     let mut session = default_session();
     press(&mut session, Key::P);
     let mut names = |mode| {
-        session.apply(shadetrade::window::bindings::Action::Show(mode));
+        session.apply(Action::Show(mode));
         let hud = hud(&session, SIZE);
         let chips = hud.legend().expect("there is room").chips().iter();
         chips.map(|(_, text)| text.clone()).collect::<Vec<_>>()
@@ -113,13 +114,39 @@ fn both_sides_of_a_wipe_are_named() {
 }
 
 #[test]
+fn the_names_of_a_wipe_go_where_there_is_room_for_most_of_them() {
+    let mut session = default_session();
+    session.apply(Action::Show(ViewMode::GouraudPhong));
+    let chips = |session: &Session, size| {
+        let hud = hud(session, size);
+        let legend = hud.legend().expect("there is room");
+        let chips = legend.chips().iter();
+        chips
+            .map(|(rect, text)| (text.clone(), rect.y < 100))
+            .collect::<Vec<_>>()
+    };
+    let both = |above| [("Gouraud".to_owned(), above), ("Phong".to_owned(), above)];
+    assert_eq!(chips(&session, SIZE), both(true));
+    let narrow = [500, 1100];
+    assert_eq!(chips(&session, narrow), both(false), "below the panel");
+    session.drag_divider(-0.25);
+    assert_eq!(chips(&session, SIZE), both(false), "below the panel");
+    session.drag_divider(0.74);
+    assert_eq!(
+        chips(&session, SIZE),
+        both(true)[..1],
+        "no room on the right"
+    );
+}
+
+#[test]
 fn the_error_map_and_the_tiles_have_a_key_to_their_colours() {
     let mut session = default_session();
     for (mode, has_key) in ViewMode::ALL
         .into_iter()
         .zip([false, false, false, true, true])
     {
-        session.apply(shadetrade::window::bindings::Action::Show(mode));
+        session.apply(Action::Show(mode));
         for size in [[640, 480], SIZE, [1920, 1080], [3840, 2160]] {
             let hud = hud(&session, size);
             let key = hud.legend().expect("there is room").key();

@@ -7,8 +7,7 @@ use serde_json::{Value, json};
 use super::growth::{exponents, summary, upper_range, verdict};
 use super::{Point, Quantity, Scaling, Series};
 use crate::trade::csv::quoted;
-use crate::trade::json::{machine, milliseconds};
-use crate::trade::report::{mode_name, projection_name};
+use crate::trade::json::{document, milliseconds};
 
 /// The scaling as JSON text.
 pub fn json(scaling: &Scaling) -> String {
@@ -17,17 +16,11 @@ pub fn json(scaling: &Scaling) -> String {
         .iter()
         .map(|one| series(scaling, one))
         .collect();
-    let value = json!({
-        "verdict": summary(scaling),
-        "machine": machine(&scaling.machine),
-        "command": scaling.command,
-        "scene": scaling.scene,
-        "camera": scaling.camera,
-        "projection": projection_name(scaling.projection),
-        "size": scaling.size,
-        "series": all,
-    });
-    format!("{value:#}\n")
+    document(
+        &summary(scaling),
+        &scaling.subject,
+        [("series", all.into())],
+    )
 }
 
 fn series(scaling: &Scaling, series: &Series) -> Value {
@@ -49,7 +42,7 @@ fn point(scaling: &Scaling, series: &Series, point: &Point) -> Value {
     let methods = scaling.methods.iter().enumerate().map(|(index, method)| {
         json!({
             "id": method.id,
-            "mode": mode_name(method.mode),
+            "mode": method.mode.name(),
             "tolerance": method.tolerance,
             "ms": milliseconds(&point.timings[index]),
             series.quantity.cost(): series.cost(point, index),
@@ -73,7 +66,7 @@ pub fn csv(scaling: &Scaling) -> String {
     for series in &scaling.series {
         let [scene, camera] = match series.quantity {
             Quantity::Pixels | Quantity::Threads => {
-                [&scaling.scene, &scaling.camera].map(|name| quoted(name))
+                [&scaling.subject.scene, &scaling.subject.camera].map(|name| quoted(name))
             }
             Quantity::Lights | Quantity::Cuboids => ["-", "-"].map(str::to_owned),
         };
@@ -84,7 +77,7 @@ pub fn csv(scaling: &Scaling) -> String {
                 let cells = [
                     scene.clone(),
                     camera.clone(),
-                    projection_name(scaling.projection).to_owned(),
+                    scaling.subject.projection.name().to_owned(),
                     series.quantity.name().to_owned(),
                     point.number.to_string(),
                     point.size[0].to_string(),
@@ -92,7 +85,7 @@ pub fn csv(scaling: &Scaling) -> String {
                     point.covered_pixels.to_string(),
                     point.threads.to_string(),
                     method.id.to_owned(),
-                    mode_name(method.mode).to_owned(),
+                    method.mode.name().to_owned(),
                     method.tolerance.to_string(),
                     timing.samples.to_string(),
                     timing.median.to_string(),

@@ -3,9 +3,8 @@
 //! Rule: exponents are fitted to the upper half of the points, where what a frame costs without any of the quantity no longer counts;
 //! those within [`MARGIN`] of each other are not told apart.
 
-use super::report::number;
 use super::{Point, Quantity, Scaling, Series};
-use crate::trade::report::{listed, short};
+use crate::trade::words::{listed, short};
 
 /// How far an exponent may be off: over the eightfold range that is the least fitted here, a quarter more or less time.
 pub const MARGIN: f64 = 0.1;
@@ -87,7 +86,7 @@ pub fn verdict(scaling: &Scaling, series: &Series) -> String {
     } else if powers.is_empty() {
         format!("{claim}.")
     } else {
-        let from = number(series.quantity, &upper_range(&series.points)[0]);
+        let from = series.number(&upper_range(&series.points)[0]);
         let powers = figures(powers, &|exponent| power(series.quantity, exponent));
         format!("{claim}: time goes as {powers}, from {from} on.")
     }

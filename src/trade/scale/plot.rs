@@ -10,53 +10,50 @@
 
 use std::ops::Range;
 
-use plotters::coord::combinators::BindKeyPoints;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::growth::{claim, summary};
 use super::report::{place, subject};
 use super::{Point, Quantity, Scaling, Series};
-use crate::trade::plot::{Area, FAINT, GRID, INK, printable, text_style, ticks};
+use crate::trade::chart::{
+    self, Area, Axis, BLUE, Borders, FAINT, INK, ORANGE, PURPLE, text_style,
+};
 
 const SIZE: (u32, u32) = (960, 800);
 const HEADER: u32 = 108;
 
-/// Colours that people who see few colours tell apart (Okabe and Ito 2008), by method.
-const COLORS: [RGBColor; 3] = [
-    RGBColor(0x00, 0x72, 0xb2),
-    RGBColor(0xd5, 0x5e, 0x00),
-    RGBColor(0xcc, 0x79, 0xa7),
-];
+const BORDERS: Borders = Borders {
+    top: 32,
+    right: 28,
+    other: 8,
+    labels: [44, 58],
+    letters: 11.0,
+};
+
+/// By method.
+const COLORS: [RGBColor; 3] = [BLUE, ORANGE, PURPLE];
 
 /// The plot as SVG.
 ///
 /// # Errors
 /// When the plotting library gives one; it has no reason to.
 pub fn svg(scaling: &Scaling) -> anyhow::Result<String> {
-    let mut text = String::new();
-    {
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-        area.fill(&WHITE)?;
+    chart::svg(SIZE, |area| {
         let (header, panels) = area.split_vertically(HEADER);
-        title(&header, scaling)?;
-        for (panel, series) in panels.split_evenly((2, 2)).iter().zip(&scaling.series) {
-            draw(panel, scaling, series)?;
-        }
-        area.present()?;
-    }
-    Ok(text)
+        let about = [
+            (&*summary(scaling), INK),
+            (&subject(scaling), FAINT),
+            (&place(scaling), FAINT),
+        ];
+        chart::heading(&header, "How the time of a frame grows", &about)?;
+        key(&header, scaling)?;
+        let mut panels = panels.split_evenly((2, 2)).into_iter().zip(&scaling.series);
+        panels.try_for_each(|(panel, series)| draw(&panel, scaling, series))
+    })
 }
 
-fn title(area: &Area, scaling: &Scaling) -> anyhow::Result<()> {
-    for (text, pixels, color, y) in [
-        ("How the time of a frame grows", 18.0, INK, 16),
-        (&summary(scaling), 12.0, INK, 42),
-        (&printable(&subject(scaling)), 12.0, FAINT, 60),
-        (&printable(&place(scaling)), 12.0, FAINT, 78),
-    ] {
-        area.draw_text(text, &text_style(pixels, color), (24, y))?;
-    }
+/// Which colour is which method.
+fn key(area: &Area, scaling: &Scaling) -> anyhow::Result<()> {
     let mut x = 630;
     for (method, color) in scaling.methods.iter().zip(COLORS) {
         area.draw(&Circle::new((x, 24), 4, color.filled()))?;
@@ -95,37 +92,30 @@ fn draw(area: &Area, scaling: &Scaling, series: &Series) -> anyhow::Result<()> {
         .filter(|_| series.quantity == Quantity::Threads);
     let ideal = ideal.map(|point| point.number as f64);
     let Some(values) = range(all.iter().map(|(_, value)| *value).chain(ideal)) else {
-        let style = text_style(12.0, FAINT).pos(Pos::new(HPos::Left, VPos::Top));
-        area.draw_text("too short for the clock", &style, (24, 40))?;
+        area.draw_text(
+            "too short for the clock",
+            &text_style(12.0, FAINT),
+            (24, 40),
+        )?;
         return Ok(());
     };
     let numbers = range(all.iter().map(|(number, _)| *number)).unwrap_or(1.0..2.0);
-    let mut chart = ChartBuilder::on(area)
-        .margin_top(32)
-        .margin_right(28)
-        .margin_bottom(8)
-        .margin_left(8)
-        .x_label_area_size(44)
-        .y_label_area_size(58)
-        .build_cartesian_2d(
-            numbers.clone().log_scale().with_key_points(marks(series)),
-            values.clone().log_scale().with_key_points(ticks(&values)),
-        )?;
-    chart
-        .configure_mesh()
-        .bold_line_style(GRID)
-        .light_line_style(TRANSPARENT)
-        .axis_style(FAINT)
-        .label_style(text_style(11.0, INK))
-        .axis_desc_style(text_style(12.0, INK))
-        .x_desc(series.quantity.name())
-        .y_desc(match series.quantity {
+    let across = Axis {
+        name: series.quantity.name(),
+        range: numbers.clone(),
+        ticks: marks(series),
+        label: &|number| label(series, *number),
+    };
+    let up = Axis {
+        name: match series.quantity {
             Quantity::Threads => "times as fast as one",
             _ => "ms a frame",
-        })
-        .x_label_formatter(&|number| label(series, *number))
-        .y_label_formatter(&|value| value.to_string())
-        .draw()?;
+        },
+        range: values.clone(),
+        ticks: chart::ticks(&values),
+        label: &|value| value.to_string(),
+    };
+    let mut chart = chart::on(area, &BORDERS, across, up)?;
     if let Some(guide) = guide(series.quantity, &lines, &numbers, &values) {
         chart.draw_series([PathElement::new(guide, FAINT.mix(0.5).stroke_width(1))])?;
     }

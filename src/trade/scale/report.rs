@@ -4,9 +4,8 @@
 
 use super::growth::{summary, verdict};
 use super::{Point, Quantity, Scaling, Series};
-use crate::trade::report::{
-    aligned, counted, machine, markdown_table, projection_name, short, wrapped,
-};
+use crate::trade::tables::{self, aligned, wrapped};
+use crate::trade::words::{counted, short};
 
 /// What a terminal shows.
 pub fn table(scaling: &Scaling) -> String {
@@ -28,7 +27,7 @@ pub fn table(scaling: &Scaling) -> String {
 /// The same for a README.
 pub fn markdown(scaling: &Scaling) -> String {
     let series = scaling.series.iter().map(|series| {
-        let table = markdown_table(&head(scaling, series, [" ", ""]), &rows(scaling, series));
+        let table = tables::markdown(&head(scaling, series, [" ", ""]), &rows(scaling, series));
         format!("{}\n\n{table}\n", verdict(scaling, series))
     });
     format!(
@@ -36,7 +35,7 @@ pub fn markdown(scaling: &Scaling) -> String {
         summary(scaling),
         subject(scaling),
         place(scaling),
-        scaling.command,
+        scaling.subject.command,
         series.collect::<String>(),
     )
 }
@@ -49,12 +48,9 @@ const LEGEND: &str = "ms: the least time of a whole frame. ns/px: the same for e
 
 /// What was measured.
 pub(super) fn subject(scaling: &Scaling) -> String {
-    let [width, height] = scaling.size;
     format!(
-        "{}, camera {}, {}, {width}x{height} where it is not pixels that vary",
-        scaling.scene,
-        scaling.camera,
-        projection_name(scaling.projection),
+        "{} where it is not pixels that vary",
+        scaling.subject.view()
     )
 }
 
@@ -66,15 +62,7 @@ pub(super) fn place(scaling: &Scaling) -> String {
         1 => counted(1, "thread", "threads"),
         _ => format!("1 to {most} threads"),
     };
-    machine(&scaling.machine, &threads)
-}
-
-/// How many there are in words: for pixels, the picture's size.
-pub(super) fn number(quantity: Quantity, point: &Point) -> String {
-    match quantity {
-        Quantity::Pixels => format!("{}x{}", point.size[0], point.size[1]),
-        Quantity::Lights | Quantity::Cuboids | Quantity::Threads => point.number.to_string(),
-    }
+    scaling.subject.place(&threads)
 }
 
 /// Two columns for each method, called after it: beside their units, or above the first of them.
@@ -103,9 +91,7 @@ fn rows(scaling: &Scaling, series: &Series) -> Vec<Vec<String>> {
                 short(series.cost(point, method)),
             ]
         });
-        std::iter::once(number(series.quantity, point))
-            .chain(cells)
-            .collect()
+        std::iter::once(series.number(point)).chain(cells).collect()
     };
     series.points.iter().map(row).collect()
 }

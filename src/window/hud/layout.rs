@@ -3,11 +3,13 @@
 //! Rule: a list of layouts from the most to the least generous, of which the first that fits is taken; none where even
 //! the last does not.
 
+use std::cmp::Reverse;
+
 use super::board::{Board, Place};
 use super::lines::{self, Line};
 use super::style::Style;
-use super::{Shown, measurements, pixel};
-use crate::canvas::{FACES, Face, Rect};
+use super::{Shown, measurements, pixel, room};
+use crate::canvas::{FACES, Face, Point, Rect};
 use crate::window::overlay::Pane;
 use crate::window::session::Session;
 
@@ -105,7 +107,7 @@ pub fn table(session: &Session, size: [usize; 2], area: Rect) -> Option<Board> {
         })
 }
 
-/// What is known of a pixel, beside it: at the right edge, or beside the panel where the pixel itself is there.
+/// What is known of a pixel, where it leaves the pixel to be seen, and the panel as long as it can be read beside it.
 pub fn probe(
     session: &Session,
     size: [usize; 2],
@@ -114,40 +116,54 @@ pub fn probe(
 ) -> Option<Board> {
     let probe = session.probed()?;
     let first = session.overlay().scroll(Pane::Probe);
-    let [wide, narrow] = [true, false].map(|wide| pixel::lines(probe, wide));
-    let part = |percent: i32| area.width * percent / 100;
-    let large = faces(size, PANEL_ROWS).flat_map(|face| {
-        let style = Style::new(face);
-        [(&wide, style, part(45)), (&narrow, style, part(45))]
-    });
-    let small = Style::new(FACES[0]).tight();
-    let sparing = [
-        (&narrow, small, area.width),
-        (&narrow, small.scrolled(), area.width),
-        (&narrow, small.cut(), area.width),
-    ];
+    let lines = [true, false].map(|wide| pixel::lines(probe, wide));
     let pixel = probe.pixel.map(|at| at as i32);
-    let at_right = |lines: &[Line], style, width| {
-        let x = area.right() - width;
-        let room = Rect { x, width, ..area };
-        Board::lay_out(lines.to_vec(), style, room, Place::Side, first)
+    place_probe(&lines, first, size, area, pixel, panel)
+}
+
+/// The lines about a pixel, for a wide and for a narrow board, from row `first` on where not all fit, off the pixel.
+fn place_probe(
+    [wide, narrow]: &[Vec<Line>; 2],
+    first: usize,
+    size: [usize; 2],
+    area: Rect,
+    pixel: Point,
+    panel: Option<Rect>,
+) -> Option<Board> {
+    let mark = pixel::mark(pixel);
+    let panel = panel.map(|panel| panel.inset(-FACES[0].advance()));
+    let beside_panel = room::parts(area, &[[mark].as_slice(), panel.as_slice()].concat());
+    let anywhere = room::parts(area, &[mark]);
+    let set = |lines: &[Line], style: Style, part: Rect, most: i32| {
+        let width = part.width.min(most);
+        let at_right = part.right() == area.right();
+        let (x, place) = if at_right {
+            (part.right() - width, Place::Side)
+        } else {
+            (part.x, Place::Corner)
+        };
+        let room = Rect { x, width, ..part };
+        Board::lay_out(lines.to_vec(), style, room, place, first)
     };
-    let uncovering = large.clone().find_map(|(lines, style, width)| {
-        at_right(lines, style, width).filter(|board| !board.rect().contains(pixel))
-    });
-    let beside_panel = || {
-        let x = panel.map_or(area.x, |panel| panel.right() + FACES[0].advance());
-        large.clone().find_map(|(lines, style, width)| {
-            let width = width.min(area.right() - x);
-            let room = Rect { x, width, ..area };
-            Board::lay_out(lines.clone(), style, room, Place::Corner, first)
-        })
+    let small = Style::new(FACES[0]).tight();
+    let whole = faces(size, PANEL_ROWS)
+        .flat_map(|face| [(wide, face), (narrow, face)])
+        .map(|(lines, face)| (lines, Style::new(face), area.width * 45 / 100))
+        .chain([(narrow, small, area.width)])
+        .find_map(|(lines, style, most)| {
+            let mut parts = beside_panel.iter();
+            parts.find_map(|part| set(lines, style, *part, most))
+        });
+    let longest = |parts: &[Rect], style: Style| {
+        let boards = parts
+            .iter()
+            .filter_map(|part| set(narrow, style, *part, area.width));
+        boards.min_by_key(|board| Reverse(board.rows().len()))
     };
-    let anywhere = || {
-        let mut sparing = sparing.into_iter();
-        sparing.find_map(|(lines, style, width)| at_right(lines, style, width))
-    };
-    uncovering.or_else(beside_panel).or_else(anywhere)
+    whole
+        .or_else(|| longest(&beside_panel, small.scrolled()))
+        .or_else(|| longest(&anywhere, small.scrolled()))
+        .or_else(|| longest(&anywhere, small.cut()))
 }
 
 /// What a board at the right edge of `area` leaves of it.
@@ -179,4 +195,70 @@ fn faces(size: [usize; 2], rows: i32) -> impl Iterator<Item = Face> + Clone {
     };
     let suits = move |face: &Face| *face == FACES[0] || holds(face);
     FACES.into_iter().rev().filter(suits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As long and as wide as those about a pixel lit by three lights.
+    fn about_a_pixel() -> [Vec<Line>; 2] {
+        let lines = |rows: usize, letters: usize| {
+            let mut lines = vec![Line::Title("pixel", "0,0".to_owned())];
+            lines.resize(rows, Line::Text("x".repeat(letters)));
+            lines
+        };
+        [lines(22, 66), lines(31, 37)]
+    }
+
+    #[test]
+    fn what_is_known_of_a_pixel_never_covers_it() {
+        let lines = about_a_pixel();
+        for size in [
+            [1, 1],
+            [40, 30],
+            [200, 900],
+            [320, 240],
+            [500, 1100],
+            [640, 480],
+            [960, 720],
+            [1920, 1080],
+            [5000, 20],
+        ] {
+            let [width, height] = size.map(|side| side as i32);
+            let area = Rect::new(0, 0, width, height).inset(2);
+            let panels = [2, 3, 4, 8].map(|part| {
+                let panel = Rect::new(2, 2, width / part, height - 4);
+                Some(panel).filter(|panel| !panel.is_empty())
+            });
+            for panel in panels.into_iter().chain([None]) {
+                for (x, y) in (0..16).flat_map(|x| (0..16).map(move |y| (x, y))) {
+                    let pixel = [width * x / 16, height * y / 16];
+                    let Some(board) = place_probe(&lines, 0, size, area, pixel, panel) else {
+                        assert!(width < 320 || height < 240, "no room at {size:?} {pixel:?}");
+                        continue;
+                    };
+                    let (rect, mark) = (board.rect(), pixel::mark(pixel));
+                    assert!(rect.intersection(&mark).is_empty(), "{size:?} {pixel:?}");
+                    assert_eq!(rect.intersection(&area), rect, "{size:?} {pixel:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn in_a_common_window_all_lines_about_a_pixel_stand_beside_the_panel() {
+        let lines = about_a_pixel();
+        for size in [[960, 720], [1280, 720], [1920, 1080]] {
+            let [width, height] = size.map(|side| side as i32);
+            let area = Rect::new(12, 12, width - 24, height - 24);
+            let panel = Rect::new(12, 12, width / 4, height - 24);
+            for x in (panel.right()..width).step_by(20) {
+                let board = place_probe(&lines, 0, size, area, [x, height / 2], Some(panel))
+                    .unwrap_or_else(|| panic!("no room at {size:?} {x}"));
+                assert!(board.rect().intersection(&panel).is_empty(), "{size:?} {x}");
+                assert!(board.rows().len() >= 22, "{size:?} {x}");
+            }
+        }
+    }
 }

@@ -1,9 +1,12 @@
 //! The session's view -> what explains it: the divider of a wipe with what is on either side, the scale of the error map,
 //! the tints of tiles.
 //!
-//! Rule: nothing here can be clicked, what does not fit beside the panel is left out, and the words for what is not
+//! Rule: nothing here can be clicked, what does not fit beside panel and pixel is left out, and the words for what is not
 //! computed yet say so.
 
+use std::cmp::Reverse;
+
+use super::ink::{self, DIM, PANE, TEXT};
 use super::lines;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect};
 use crate::components::ShadingMode;
@@ -12,10 +15,6 @@ use crate::trade::error_map::{self, EDGE, NOTHING};
 use crate::window::session::Session;
 use crate::window::views::{TINTS, ViewMode, mode_label};
 
-const PANE: Ink = Ink::glass(0x0010_1216, 222);
-const PANE_EDGE: Ink = Ink::glass(0x00ff_ffff, 40);
-const TEXT: Ink = Ink::solid(0x00e8_eaed);
-const DIM: Ink = Ink::solid(0x00a8_afb7);
 const DIVIDER: Ink = Ink::glass(0x00ff_ffff, 230);
 const DIVIDER_EDGE: Ink = Ink::glass(0, 110);
 const GRIP: Ink = Ink::solid(0x0055_5b62);
@@ -48,39 +47,56 @@ struct Key {
 }
 
 impl Legend {
-    /// What explains the view that `session` shows, in letters of `face`, within `area` and off `panel`.
+    /// What explains the view that `session` shows, in letters of `face`: at the edges of the first of `areas` where it
+    /// is off what is `taken`.
     pub fn new(
         session: &Session,
         size: [usize; 2],
         face: Face,
-        area: Rect,
-        panel: Option<Rect>,
+        areas: &[Rect],
+        taken: &[Rect],
     ) -> Legend {
         let mode = session.view_mode();
         let known = session.findings().is_some();
         let blinks = session.blinks();
         let column = session.divider_column(size[0]) as i32;
         let divider = (mode.is_wipe() && !(blinks && known)).then_some(column);
-        let in_free_area = |rect: &Rect| {
-            rect.intersection(&area) == *rect
-                && panel.is_none_or(|panel| panel.intersection(rect).is_empty())
+        let is_free = |rect: &Rect, area: &Rect| {
+            rect.intersection(area) == *rect
+                && taken.iter().all(|it| it.intersection(rect).is_empty())
         };
-        let chip = |text: String, x: i32, share: i32| {
-            let width = face.width(text.chars().count()) + 2 * face.advance();
-            let height = face.height() + face.height() / 2;
-            (Rect::new(x - width * share, area.y, width, height), text)
-        };
+        let height = face.height() + face.height() / 2;
+        let width = |text: &str| face.width(text.chars().count()) + 2 * face.advance();
         let gap = face.advance();
-        let mut chips = Vec::new();
-        if divider.is_some() {
-            let [left, right] = sides(session);
-            chips.push(chip(left, column - gap, 1));
-            chips.push(chip(right, column + gap, 0));
-        } else if let Some(words) = words(mode, blinks, known) {
-            chips.push(chip(words.to_owned(), area.right(), 1));
-        }
-        chips.retain(|(rect, _)| in_free_area(rect));
-        let key = key(session, face, area).filter(|key| in_free_area(&key.rect));
+        let wanted = |area: &Rect, y: i32| -> Vec<(Rect, String)> {
+            let chip = |text: String, x: i32| (Rect::new(x, y, width(&text), height), text);
+            if divider.is_some() {
+                let [left, right] = sides(session);
+                let x = column - gap - width(&left);
+                vec![chip(left, x), chip(right, column + gap)]
+            } else {
+                let words = words(mode, blinks, known).map(str::to_owned);
+                let at_right = |words: String| {
+                    let x = area.right() - width(&words);
+                    chip(words, x)
+                };
+                words.map(at_right).into_iter().collect()
+            }
+        };
+        // In one row, at the upper edge or, where more of them are free there, at the lower one.
+        let chips = areas
+            .iter()
+            .flat_map(|area| [(area, area.y), (area, area.bottom() - height)])
+            .map(|(area, y)| {
+                let mut chips = wanted(area, y);
+                chips.retain(|(rect, _)| is_free(rect, area));
+                chips
+            })
+            .min_by_key(|chips| Reverse(chips.len()))
+            .unwrap_or_default();
+        let key = areas
+            .iter()
+            .find_map(|area| key(session, face, *area).filter(|key| is_free(&key.rect, area)));
         Legend {
             face,
             divider,
@@ -94,7 +110,7 @@ impl Legend {
         self.key.as_ref().map(|key| key.rect)
     }
 
-    /// What is said at the upper edge, and where.
+    /// What is said at an edge, and where.
     pub fn chips(&self) -> &[(Rect, String)] {
         &self.chips
     }
@@ -218,7 +234,7 @@ impl Key {
         for (color, text) in &self.rows {
             let rect = Rect::new(x, y + (face.height() - swatch) / 2, swatch, swatch);
             canvas.rounded(rect, swatch / 4, Ink::solid(*color));
-            canvas.outline(rect, swatch / 4, 1.0, PANE_EDGE);
+            canvas.outline(rect, swatch / 4, 1.0, ink::EDGE);
             canvas.text(face, [x + 3 * face.advance(), y], TEXT, text);
             y += pitch(face);
         }
@@ -251,7 +267,7 @@ fn draw_scale(canvas: &mut Canvas, face: Face, at: Point) {
 
 fn draw_pane(canvas: &mut Canvas, rect: Rect, face: Face) {
     canvas.rounded(rect, face.advance(), PANE);
-    canvas.outline(rect, face.advance(), 1.0, PANE_EDGE);
+    canvas.outline(rect, face.advance(), 1.0, ink::EDGE);
 }
 
 /// A thin line from top to bottom, and something to hold it by.

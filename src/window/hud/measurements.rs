@@ -5,8 +5,8 @@
 use super::lines::Line;
 use crate::canvas::wrapped;
 use crate::trade::Report;
-use crate::trade::report::short;
 use crate::trade::verdict::verdict;
+use crate::trade::words::short;
 use crate::window::measuring::Measuring;
 
 /// What is shown, in lines of at most `letters`; empty where nothing is.
@@ -27,7 +27,7 @@ pub fn lines(measuring: &Measuring, letters: usize) -> Vec<Line> {
 
 /// The verdict, and a row for every method.
 fn table(report: &Report, letters: usize) -> Vec<Line> {
-    let [width, height] = report.size;
+    let [width, height] = report.subject.size;
     let mut lines = vec![Line::Title("measured", format!("{width}\u{d7}{height}"))];
     lines.extend(
         wrapped(&verdict(report), letters)

@@ -4,16 +4,11 @@
 //! only on top of it.
 
 use super::board::{Board, Place, Scroll};
+use super::ink::{DIM, EDGE, PANE, TEXT, THICK_PANE};
 use super::lines::{Command, Line, Mark, ON};
 use crate::canvas::{Canvas, Ink, Rect, fit};
 use crate::window::bindings::Action;
 
-/// What lies between the picture and the letters, and between the letters of another board and these.
-const PANE: Ink = Ink::glass(0x0010_1216, 222);
-const THICK_PANE: Ink = Ink::glass(0x0010_1216, 246);
-const EDGE: Ink = Ink::glass(0x00ff_ffff, 40);
-const TEXT: Ink = Ink::solid(0x00e8_eaed);
-const DIM: Ink = Ink::solid(0x00a8_afb7);
 const OFF: Ink = Ink::solid(0x008a_9199);
 const KEYCAP: Ink = Ink::glass(0x00ff_ffff, 22);
 const KEYCAP_EDGE: Ink = Ink::glass(0x00ff_ffff, 84);

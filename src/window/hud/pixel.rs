@@ -139,12 +139,20 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Marks a pixel, leaving it and its neighbours to be seen; `unit` is the length of an arm.
-pub fn draw_cross(canvas: &mut Canvas, [x, y]: Point, unit: i32) {
-    let gap = 3;
+/// From a marked pixel to the cross's arms, and their length.
+const GAP: i32 = 3;
+const ARM: i32 = 8;
+
+/// What a marked pixel takes with its cross.
+pub fn mark([x, y]: Point) -> Rect {
+    Rect::new(x, y, 1, 1).inset(-(GAP + ARM + 2))
+}
+
+/// Marks a pixel, leaving it and its neighbours to be seen.
+pub fn draw_cross(canvas: &mut Canvas, [x, y]: Point) {
     for [dx, dy] in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
-        let [from_x, from_y] = [x + gap * dx, y + gap * dy];
-        let [to_x, to_y] = [x + (gap + unit) * dx, y + (gap + unit) * dy];
+        let [from_x, from_y] = [x + GAP * dx, y + GAP * dy];
+        let [to_x, to_y] = [x + (GAP + ARM) * dx, y + (GAP + ARM) * dy];
         let arm = Rect::new(
             from_x.min(to_x),
             from_y.min(to_y),

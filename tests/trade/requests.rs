@@ -1,0 +1,51 @@
+//! What the tests have measured: small pictures of a cuboid, as quickly as can be.
+
+use std::time::Duration;
+
+use fearless_simd::Level;
+use shadetrade::components::Projection;
+use shadetrade::drawing::Drawing;
+use shadetrade::scene::Scene;
+use shadetrade::trade::Request;
+
+pub const GREEN: &str = "[0.3, 0.9, 0.3]";
+pub const CENTRE: &str = "[0, 0, 0]";
+
+/// A cuboid under three lights, with these lines in place of its material's and lights' own.
+pub fn scene(diffuse: &str, target: &str, lights: bool) -> Scene {
+    let mut text = format!(
+        "[[cuboid]]\nname = \"box\"\nsize = [4, 3, 2]\n\
+         [cuboid.material]\nambient = {diffuse}\ndiffuse = {diffuse}\nspecular = {diffuse}\nshininess = 20\n\
+         [[camera]]\nname = \"1\"\nposition = [7, 5, 8]\ntarget = {target}\nfov = 30\nheight = 6\n"
+    );
+    for (kind, position) in [
+        ("ambient", ""),
+        ("diffuse", "position = [10, 10, 10]"),
+        ("specular", "position = [10, 10, 10]"),
+    ] {
+        if lights {
+            text += "[[light]]\ncolor = [1, 1, 1]\nintensity = 100\n";
+            for line in ["name", "kind"].map(|key| format!("{key} = \"{kind}\"\n")) {
+                text += &line;
+            }
+            text += position;
+            text += "\n";
+        }
+    }
+    Scene::parse("test", &text).expect("it is a valid scene")
+}
+
+/// To measure it as quickly as can be.
+pub fn request(scene: Scene, size: [usize; 2], threads: usize) -> Request {
+    let drawing = Drawing {
+        scene,
+        camera: 0,
+        projection: Projection::Perspective,
+        shading: None,
+        tolerance: 0.5,
+        size,
+        threads,
+        level: Level::new(),
+    };
+    Request::new(drawing, Duration::ZERO, "shadetrade trade test".to_owned())
+}
