@@ -3,6 +3,7 @@
 mod agreement;
 mod known;
 mod lanes;
+mod powers;
 #[path = "../support/random.rs"]
 mod random;
 #[path = "../support/scene.rs"]
