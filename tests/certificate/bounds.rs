@@ -1,8 +1,10 @@
 //! What the certificates are made of, against paper.
 
+use glam::DVec3;
 use shadetrade::shading::certificate::{
-    Color, MOST_SWING, Quadratic, angle, cosine_remainder, rate,
+    Color, MOST_SWING, Quadratic, angle, cosine_remainder, quotient, rate,
 };
+use shadetrade::shading::patch::{Affine, Scalar};
 
 #[test]
 fn a_product_of_quadratics_is_that_of_paper_to_second_order() {
@@ -46,4 +48,32 @@ fn the_angle_of_a_swing_is_bounded_from_above_and_closely() {
     }
     assert_eq!(angle(MOST_SWING), f64::INFINITY);
     assert_eq!(angle(f64::NAN), f64::INFINITY);
+}
+
+#[test]
+fn a_quotient_of_affine_functions_is_the_quadratic_of_paper_within_the_bound_of_paper() {
+    let colors = Affine {
+        centre: DVec3::new(8.0, 16.0, 0.0),
+        dx: DVec3::new(1.0, 1.0, 2.0),
+        dy: DVec3::new(0.5, 2.0, -1.0),
+    };
+    let total = Scalar {
+        centre: 1.0,
+        dx: 0.0625,
+        dy: -0.125,
+    };
+    // kappa is (1 - 8 / 16, 0.5 + 8 / 8), (0, 4) and (2, -1); e reaches 2 / 16 + 1 / 8 = 1 / 4 and kappa.d 5, of which
+    // (1 / 4)^2 / (1 - 1 / 4) may be lost.
+    let (color, bound) = quotient(&colors, &total, [2.0, 1.0]);
+    let expected = [
+        Quadratic([8.0, 0.5, 1.5, -0.03125, -0.03125, 0.1875]),
+        Quadratic([16.0, 0.0, 4.0, 0.0, -0.25, 0.5]),
+        Quadratic([0.0, 2.0, -1.0, -0.125, 0.3125, -0.125]),
+    ];
+    assert_eq!(color, Color(expected));
+    assert!((bound - 5.0 / 12.0).abs() < 1e-15, "{bound}");
+    // Where e reaches a half nothing is certified.
+    for half in [[4.0, 2.0], [9.0, 2.0]] {
+        assert_eq!(quotient(&colors, &total, half).1, f64::INFINITY);
+    }
 }
