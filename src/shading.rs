@@ -13,6 +13,7 @@ pub mod gouraud;
 pub mod patch;
 pub mod phong;
 pub mod polynomial;
+pub mod series;
 pub mod specular;
 pub mod triangle;
 pub mod unit_vectors;

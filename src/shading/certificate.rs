@@ -1,7 +1,7 @@
 //! Polynomials that stand for the model on a tile, and bounds on what that costs.
 //!
 //! All vectors of the model are affine on a tile up to one positive factor (see [`super::patch`]); a displacement d from
-//! its middle moves V by at most `reach` = |dx| h_x + |dy| h_y, and `swing` = reach / |V| at the middle. Along the path
+//! its middle moves V by at most [`Affine::reach`], and `swing` is that over |V| at the middle. Along the path
 //! t d, 0 <= t <= 1, the unit vector v = V / |V| then has, with q = swing / (1 - swing) >= |V'| / |V|,
 //!
 //! ```text
@@ -19,131 +19,11 @@
 
 use glam::DVec3;
 
-use super::TILE;
 use super::patch::{Affine, Scalar};
+use super::series::Quadratic;
 
 /// Beyond this swing nothing is certified: the series would converge too slowly to be of use.
 pub const MOST_SWING: f64 = 0.5;
-
-/// c_0 + c_1 x + c_2 y + c_3 x^2 + c_4 xy + c_5 y^2, x and y in pixels from the middle of a tile.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Quadratic(pub [f64; 6]);
-
-impl Quadratic {
-    /// The product of two vectors that are affine, without loss.
-    #[inline(always)]
-    pub fn dot(v: &Affine, w: &Affine) -> Self {
-        Quadratic([
-            v.centre.dot(w.centre),
-            v.dx.dot(w.centre) + v.centre.dot(w.dx),
-            v.dy.dot(w.centre) + v.centre.dot(w.dy),
-            v.dx.dot(w.dx),
-            v.dx.dot(w.dy) + v.dy.dot(w.dx),
-            v.dy.dot(w.dy),
-        ])
-    }
-
-    /// A multiple.
-    #[inline(always)]
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        Quadratic(self.0.map(|coefficient| coefficient * factor))
-    }
-
-    /// One over the square root, to second order, of a quadratic that is one at the middle:
-    /// (1 + e)^(-1/2) = 1 - e / 2 + 3 e^2 / 8 - ...
-    #[inline(always)]
-    #[must_use]
-    pub fn inverse_root(&self) -> Self {
-        let [_, x, y, xx, xy, yy] = self.0;
-        Quadratic([
-            1.0,
-            -0.5 * x,
-            -0.5 * y,
-            -0.5 * xx + 0.375 * x * x,
-            -0.5 * xy + 0.75 * x * y,
-            -0.5 * yy + 0.375 * y * y,
-        ])
-    }
-
-    /// The product, to second order.
-    #[inline(always)]
-    #[must_use]
-    pub fn times(&self, other: &Self) -> Self {
-        let (a, b) = (&self.0, &other.0);
-        Quadratic([
-            a[0] * b[0],
-            a[0] * b[1] + a[1] * b[0],
-            a[0] * b[2] + a[2] * b[0],
-            a[0] * b[3] + a[1] * b[1] + a[3] * b[0],
-            a[0] * b[4] + a[1] * b[2] + a[2] * b[1] + a[4] * b[0],
-            a[0] * b[5] + a[2] * b[2] + a[5] * b[0],
-        ])
-    }
-
-    /// Adds a multiple of another.
-    #[inline(always)]
-    pub fn add(&mut self, other: &Self, factor: f64) {
-        for (coefficient, more) in self.0.iter_mut().zip(other.0) {
-            *coefficient += factor * more;
-        }
-    }
-
-    /// A bound on the linear terms' size within `half` pixels of the middle.
-    #[inline(always)]
-    pub fn linear_reach(&self, half: [f64; 2]) -> f64 {
-        self.0[1].abs() * half[0] + self.0[2].abs() * half[1]
-    }
-
-    /// A bound on the quadratic terms' size within `half` pixels of the middle.
-    #[inline(always)]
-    pub fn quadratic_reach(&self, half: [f64; 2]) -> f64 {
-        let [right, down] = half;
-        self.0[3].abs() * right * right
-            + self.0[4].abs() * right * down
-            + self.0[5].abs() * down * down
-    }
-
-    /// The rows of a tile whose first lies `first` pixels below the middle, as polynomials in x in f32.
-    #[inline(always)]
-    pub fn ramps(&self, first: f64) -> Ramps {
-        let [middle, x, down, xx, xy, yy] = self.0;
-        let mut ramps = Ramps {
-            middles: [0.0; TILE],
-            slopes: [0.0; TILE],
-            curve: xx as f32,
-        };
-        for row in 0..TILE {
-            let y = first + row as f64;
-            ramps.middles[row] = (middle + y * (down + y * yy)) as f32;
-            ramps.slopes[row] = (x + y * xy) as f32;
-        }
-        ramps
-    }
-
-    /// One row, `y` pixels below the middle, as a polynomial in x.
-    #[inline(always)]
-    pub fn row(&self, y: f64) -> [f64; 3] {
-        let [middle, x, down, xx, xy, yy] = self.0;
-        [middle + y * (down + y * yy), x + y * xy, xx]
-    }
-}
-
-/// The rows of a [`Quadratic`] in f32.
-#[derive(Clone, Copy, Debug)]
-pub struct Ramps {
-    middles: [f32; TILE],
-    slopes: [f32; TILE],
-    curve: f32,
-}
-
-impl Ramps {
-    /// The coefficients of a row.
-    #[inline(always)]
-    pub fn row(&self, row: usize) -> [f32; 3] {
-        [self.middles[row], self.slopes[row], self.curve]
-    }
-}
 
 /// A colour on a tile: one polynomial a channel, in levels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -275,29 +155,5 @@ mod tests {
             "{most:?}"
         );
         assert!(most[2] <= 3.0 + 1e-3 && most[2] > 2.99, "{most:?}");
-    }
-
-    #[test]
-    fn series_agree_with_the_functions_to_third_order() {
-        let q = Quadratic([1.0, 0.15, -0.1, 0.025, 0.005, -0.02]);
-        let at = |q: &Quadratic, x: f64, y: f64| {
-            let [middle, slope, curve] = q.row(y);
-            middle + x * (slope + x * curve)
-        };
-        let (root, square) = (q.inverse_root(), q.times(&q));
-        let error = |step: f64| {
-            let (x, y) = (step, 0.7 * step);
-            let value = at(&q, x, y);
-            (
-                (at(&root, x, y) - 1.0 / value.sqrt()).abs(),
-                (at(&square, x, y) - value * value).abs(),
-            )
-        };
-        let (far, near) = (error(0.1), error(0.05));
-        assert!(
-            (far.0 / near.0 - 8.0).abs() < 0.8,
-            "halving the step divides a third-order error by eight: {far:?} {near:?}"
-        );
-        assert!((far.1 / near.1 - 8.0).abs() < 0.8, "{far:?} {near:?}");
     }
 }

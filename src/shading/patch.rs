@@ -57,12 +57,11 @@ impl Affine {
         }
     }
 
-    /// How far the value moves within `half` pixels of the middle, over its length there: below 1 the vector cannot
-    /// vanish on the tile. Infinite or not a number where the middle itself vanishes.
+    /// How far the value moves within `half` pixels of the middle at most: to one of the corners.
     #[inline(always)]
-    pub fn swing(&self, half: [f64; 2]) -> f64 {
-        let reach = self.dx.length() * half[0] + self.dy.length() * half[1];
-        reach / self.centre.length()
+    pub fn reach(&self, half: [f64; 2]) -> f64 {
+        let (right, down) = (self.dx * half[0], self.dy * half[1]);
+        (right.length_squared() + down.length_squared() + 2.0 * right.dot(down).abs()).sqrt()
     }
 
     /// One row in f32, `y` pixels below the middle: what stands at the middle column, and the step to the right.

@@ -8,23 +8,25 @@
 //! evaluated exactly.
 
 mod exact;
+mod highlight;
 mod outlook;
 
 use glam::DVec3;
 
-use super::certificate::Quadratic;
 use super::display::Approximate;
 use super::patch::Patch;
 use super::polynomial::Polynomial;
+use super::series::Quadratic;
 use super::specular::Squarings;
 use super::triangle::Triangle;
 use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, limit, polynomial};
 use crate::components::PointLight;
-use exact::Reflection;
-use outlook::{Side, Vectors};
+use outlook::Vectors;
 
 /// The part of the tolerance that dropped specular terms may use up together.
 const DROPPED: f64 = 0.25;
+/// The part of the tolerance that highlights as polynomials may use up together.
+const SMOOTHED: f64 = 0.5;
 /// The part of the tolerance that the rounding of highlights should keep to.
 const ROUNDED: f64 = 0.5;
 /// The part of the tolerance that a cheaper power may use up.
@@ -85,10 +87,10 @@ impl<'a> Phong<'a> {
         DROPPED * limit(self.tolerance)
     }
 
-    /// What the rounding of one highlight should cost at most, in levels.
+    /// What one highlight may cost if all cost the same, in levels.
     #[inline(always)]
-    fn share(&self) -> f64 {
-        ROUNDED * limit(self.tolerance) / self.surface.powers().max(1) as f64
+    fn share_of_tolerance(&self) -> f64 {
+        limit(self.tolerance) / self.surface.powers().max(1) as f64
     }
 
     /// Whether a highlight that is nowhere nearer to its middle than `lambda` = 1 - s is too bright to be dropped:
@@ -115,8 +117,9 @@ impl<'a> Phong<'a> {
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Option<Evaluations> {
-        let survey = self.survey(vectors, triangle, patch);
-        if survey.terminators == 0 && survey.highlights == 0 {
+        let mut pixels = Pixels::new(coverage, scratch);
+        let survey = self.survey(vectors, triangle, patch, Some(&mut pixels))?;
+        if survey.is_polynomial() {
             let polynomial = polynomial::cheapest(survey.color, patch.half, survey.budget)?;
             polynomial.shade(patch.first(), coverage, sink);
             return Some(Evaluations::of(polynomial.kind));
@@ -125,38 +128,19 @@ impl<'a> Phong<'a> {
         if budget.is_nan() || budget < 0.0 {
             return None;
         }
+        let ramps = [0, 1, 2].map(|channel| survey.color.0[channel].ramps(-patch.row));
         let lanes = patch.lanes();
-        let ramps = survey
-            .color
-            .0
-            .each_ref()
-            .map(|channel| channel.ramps(-patch.row));
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
+                let levels = &mut scratch.levels[row];
                 for channel in 0..3 {
                     let [middle, slope, curve] = ramps[channel].row(row);
                     for lane in 0..TILE {
-                        scratch.levels[row][channel][lane] =
+                        levels[channel][lane] +=
                             middle + lanes[lane] * (slope + lanes[lane] * curve);
                     }
                 }
-            }
-        }
-        if survey.by_vectors {
-            vectors.normalise(patch, coverage, scratch);
-        }
-        for light in &self.surface.illumination.points {
-            let outlook = self.outlook(light, vectors, triangle, patch);
-            if outlook.side == Side::Terminator {
-                self.add_terminator(light, &outlook.cosine(vectors), patch, coverage, scratch);
-            }
-            if outlook.shines {
-                self.add_specular(light, vectors, &outlook, patch, coverage, scratch);
-            }
-        }
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                sink.take(row, &Approximate(&scratch.levels[row]));
+                sink.take(row, &Approximate(levels));
             }
         }
         Some(Evaluations {
@@ -172,13 +156,12 @@ impl<'a> Phong<'a> {
         light: &PointLight,
         cosine: &Quadratic,
         patch: &Patch,
-        coverage: &Coverage,
-        scratch: &mut Scratch,
+        pixels: &mut Pixels,
     ) {
         let ramps = cosine.ramps(-patch.row);
         let lanes = patch.lanes();
         let diffuse = self.surface.coefficients(light)[0].as_vec3().to_array();
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+        for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
             if from < to {
                 let [middle, slope, curve] = ramps.row(row);
                 let mut cosine = [0.0; TILE];
@@ -188,11 +171,38 @@ impl<'a> Phong<'a> {
                 }
                 for channel in 0..3 {
                     for lane in 0..TILE {
-                        scratch.levels[row][channel][lane] += diffuse[channel] * cosine[lane];
+                        pixels.scratch.levels[row][channel][lane] +=
+                            diffuse[channel] * cosine[lane];
                     }
                 }
             }
         }
+    }
+}
+
+/// The pixels of a tile, for what has to be evaluated one by one.
+struct Pixels<'a> {
+    coverage: &'a Coverage,
+    scratch: &'a mut Scratch,
+    /// Whether the scratch has unit vectors.
+    normalised: bool,
+}
+
+impl<'a> Pixels<'a> {
+    #[inline(always)]
+    fn new(coverage: &'a Coverage, scratch: &'a mut Scratch) -> Self {
+        Pixels {
+            coverage,
+            scratch,
+            normalised: false,
+        }
+    }
+
+    /// Begins with the same levels everywhere.
+    #[inline(always)]
+    fn fill(&mut self, levels: DVec3) {
+        let levels = levels.as_vec3().to_array();
+        self.scratch.levels.fill(levels.map(|level| [level; TILE]));
     }
 }
 
@@ -202,10 +212,7 @@ impl Shader for Phong<'_> {
         if self.tolerance == 0.0 || !patch.steady {
             return None;
         }
-        let survey = self.survey(&Vectors::new(triangle, patch), triangle, patch);
-        if survey.terminators > 0 || survey.highlights > 0 {
-            return None;
-        }
+        let survey = self.survey(&Vectors::new(triangle, patch), triangle, patch, None)?;
         polynomial::cheapest(survey.color, patch.half, survey.budget)
     }
 

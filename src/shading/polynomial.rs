@@ -298,7 +298,7 @@ impl<const SIDE: usize> Row for Places<'_, SIDE> {
 mod tests {
     use super::super::display::display_step;
     use super::*;
-    use crate::shading::certificate::Quadratic;
+    use crate::shading::series::Quadratic;
 
     /// What is far from the middle of a tile.
     const HALF: [f64; 2] = [7.5, 7.5];

@@ -90,10 +90,7 @@ impl UnitVectors<'_> {
     /// s^rho by rho times that and sixteen.
     #[inline(always)]
     fn rounding(&self, vectors: &Vectors, patch: &Patch) -> f64 {
-        let error = |v: &Affine| {
-            let reach = v.dx.length() * patch.half[0] + v.dy.length() * patch.half[1];
-            U * (2.0 + 3.0 * reach)
-        };
+        let error = |v: &Affine| U * (2.0 + 3.0 * v.reach(patch.half));
         let steepest = match self.surface.material.shininess {
             shininess if shininess > 0.0 && shininess < 1.0 => f64::INFINITY,
             shininess => shininess,

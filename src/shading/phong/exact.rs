@@ -10,12 +10,12 @@
 
 use glam::DVec3;
 
-use super::Phong;
 use super::outlook::{Outlook, Side, Vectors};
+use super::{Phong, Pixels, ROUNDED};
 use crate::components::{PointLight, unit};
-use crate::shading::certificate::Quadratic;
 use crate::shading::display::Exact;
 use crate::shading::patch::Patch;
+use crate::shading::series::Quadratic;
 use crate::shading::specular::power;
 use crate::shading::triangle::Triangle;
 use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U, doubles, limit};
@@ -84,7 +84,7 @@ impl Phong<'_> {
     }
 
     /// A bound, in levels, on what f32 costs a specular term of the given coefficient, and the cheapest way that keeps
-    /// it below `share` levels, or the truest if none does.
+    /// it below its share of the tolerance, or the truest if none does.
     ///
     /// From the products, o.r errs by the sum of theirs and eight roundings, and s^rho by rho times that. From unit
     /// vectors with direction errors a, b, c of n, l and o, |r - o| errs by 2 a + b + c and twenty roundings, and s^rho
@@ -93,11 +93,11 @@ impl Phong<'_> {
     pub(super) fn reflection(
         &self,
         coefficient: f64,
-        share: f64,
         vectors: &Vectors,
         outlook: &Outlook,
         patch: &Patch,
     ) -> (Reflection, f64) {
+        let share = ROUNDED * self.share_of_tolerance();
         let half = patch.half;
         let [normal, light, eye] = [vectors.swing_normal, outlook.swing, vectors.swing_eye];
         let most = (1.0 + normal) * (1.0 + normal) * (1.0 + light) * (1.0 + eye);
@@ -148,7 +148,8 @@ impl Phong<'_> {
         let mut largest = self.surface.ambient().max_element();
         let mut error = self.dropped();
         let mut highlights = 0;
-        let mut by_vectors = false;
+        let mut pixels = Pixels::new(coverage, scratch);
+        pixels.fill(self.ambient);
         for light in &self.surface.illumination.points {
             let outlook = self.outlook(light, vectors, triangle, patch);
             if outlook.side == Side::Dark {
@@ -157,32 +158,15 @@ impl Phong<'_> {
             let [diffuse, specular] = self.surface.coefficients(light).map(DVec3::max_element);
             largest += diffuse + specular;
             error += diffuse * Self::cosine_error(vectors, &outlook, patch);
+            self.add_diffuse(light, vectors, &outlook, patch, &mut pixels);
             if outlook.shines {
                 highlights += 1;
-                let (reflection, cost) =
-                    self.reflection(specular, self.share(), vectors, &outlook, patch);
-                by_vectors |= reflection == Reflection::Vectors;
-                error += cost;
+                error += self.add_specular(light, vectors, &outlook, patch, &mut pixels);
             }
         }
         let error = error + 6.0 * U * largest;
         if error.is_nan() || error > budget {
             return None;
-        }
-        let ambient = self.surface.ambient().as_vec3().to_array();
-        scratch.levels.fill(ambient.map(|level| [level; TILE]));
-        if by_vectors {
-            vectors.normalise(patch, coverage, scratch);
-        }
-        for light in &self.surface.illumination.points {
-            let outlook = self.outlook(light, vectors, triangle, patch);
-            if outlook.side == Side::Dark {
-                continue;
-            }
-            self.add_diffuse(light, vectors, &outlook, patch, coverage, scratch);
-            if outlook.shines {
-                self.add_specular(light, vectors, &outlook, patch, coverage, scratch);
-            }
         }
         flush(coverage, scratch, sink);
         let pixels = u64::from(coverage.pixels);
@@ -201,8 +185,7 @@ impl Phong<'_> {
         vectors: &Vectors,
         outlook: &Outlook,
         patch: &Patch,
-        coverage: &Coverage,
-        scratch: &mut Scratch,
+        pixels: &mut Pixels,
     ) {
         let diffuse = self.surface.coefficients(light)[0];
         if diffuse == DVec3::ZERO {
@@ -215,7 +198,7 @@ impl Phong<'_> {
             vectors.normal_square.ramps(-patch.row),
             outlook.light_square.ramps(-patch.row),
         );
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+        for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
                 let gate = outlook.gate(&lanes, y);
@@ -228,14 +211,15 @@ impl Phong<'_> {
                 }
                 for channel in 0..3 {
                     for lane in 0..TILE {
-                        scratch.levels[row][channel][lane] += diffuse[channel] * cosine[lane];
+                        pixels.scratch.levels[row][channel][lane] +=
+                            diffuse[channel] * cosine[lane];
                     }
                 }
             }
         }
     }
 
-    /// Adds a light's specular term; unit vectors must be in the scratch where that is the way.
+    /// Adds a light's specular term; a bound on what f32 costs it, in levels.
     #[inline(always)]
     pub(super) fn add_specular(
         &self,
@@ -243,17 +227,14 @@ impl Phong<'_> {
         vectors: &Vectors,
         outlook: &Outlook,
         patch: &Patch,
-        coverage: &Coverage,
-        scratch: &mut Scratch,
-    ) {
+        pixels: &mut Pixels,
+    ) -> f64 {
         let specular = self.surface.coefficients(light)[1];
-        let (reflection, _) = self.reflection(
-            specular.max_element(),
-            self.share(),
-            vectors,
-            outlook,
-            patch,
-        );
+        let (reflection, cost) = self.reflection(specular.max_element(), vectors, outlook, patch);
+        if reflection == Reflection::Vectors && !pixels.normalised {
+            vectors.normalise(patch, pixels.coverage, pixels.scratch);
+            pixels.normalised = true;
+        }
         let specular = specular.as_vec3().to_array();
         let shininess = self.surface.material.shininess as f32;
         let lanes = patch.lanes();
@@ -269,7 +250,7 @@ impl Phong<'_> {
             vectors.eye_square().ramps(first),
         );
         let to_light = outlook.to_light.map(|v| v * outlook.inverse_light);
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+        for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
                 let mut strength = outlook.gate(&lanes, y);
@@ -288,7 +269,7 @@ impl Phong<'_> {
                         let ramp = to_light.row(y);
                         for lane in 0..TILE {
                             let v: [f32; 6] = [0, 1, 2, 3, 4, 5]
-                                .map(|component| scratch.vectors[component][row][lane]);
+                                .map(|component| pixels.scratch.vectors[component][row][lane]);
                             let l = normalised(ramp.at(lanes[lane]));
                             let nl = v[0] * l[0] + v[1] * l[1] + v[2] * l[2];
                             let q =
@@ -306,11 +287,13 @@ impl Phong<'_> {
                 }
                 for channel in 0..3 {
                     for lane in 0..TILE {
-                        scratch.levels[row][channel][lane] += specular[channel] * strength[lane];
+                        pixels.scratch.levels[row][channel][lane] +=
+                            specular[channel] * strength[lane];
                     }
                 }
             }
         }
+        cost
     }
 
     /// The model in f64 at every covered pixel.

@@ -7,10 +7,11 @@
 
 use glam::DVec3;
 
-use super::{Phong, Reflection};
+use super::{Phong, Pixels, SMOOTHED};
 use crate::components::PointLight;
-use crate::shading::certificate::{Color, Quadratic, angle, cosine_remainder, least_lambda, rate};
+use crate::shading::certificate::{Color, angle, cosine_remainder, least_lambda, rate};
 use crate::shading::patch::{Affine, Patch};
+use crate::shading::series::Quadratic;
 use crate::shading::triangle::Triangle;
 use crate::shading::{TileKind, U};
 
@@ -49,6 +50,8 @@ pub struct Outlook {
     pub facing: Quadratic,
     pub light_square: Quadratic,
     pub side: Side,
+    /// 1 - o.r is nowhere below this.
+    pub lambda: f64,
     /// Whether the highlight may reach the tile.
     pub shines: bool,
     pub swing: f64,
@@ -56,17 +59,22 @@ pub struct Outlook {
 
 /// What is known of all lights on a tile before any pixel is looked at.
 pub struct Survey {
-    /// Ambient light and the diffuse terms of the lights that are lit all over.
+    /// All terms that are polynomials of the whole tile: ambient light, the diffuse terms of the lights that are lit all
+    /// over, the highlights that vary slowly.
     pub color: Color,
     /// What is left of the tolerance, in levels.
     pub budget: f64,
     pub terminators: u64,
     pub highlights: u64,
-    /// Whether any of the highlights needs unit vectors.
-    pub by_vectors: bool,
 }
 
 impl Survey {
+    /// Whether no pixel was looked at.
+    #[inline(always)]
+    pub fn is_polynomial(&self) -> bool {
+        self.terminators == 0 && self.highlights == 0
+    }
+
     /// How a tile that is not all polynomial is drawn.
     pub fn kind(&self) -> TileKind {
         if self.highlights > 0 {
@@ -81,8 +89,7 @@ impl Survey {
 #[inline(always)]
 fn measure(vector: &Affine, half: [f64; 2]) -> (f64, f64) {
     let inverse = 1.0 / vector.centre.length();
-    let reach = vector.dx.length() * half[0] + vector.dy.length() * half[1];
-    (inverse, reach * inverse)
+    (inverse, vector.reach(half) * inverse)
 }
 
 impl Vectors {
@@ -136,16 +143,22 @@ impl Outlook {
 }
 
 impl Phong<'_> {
-    /// What holds for the whole of a patch: the diffuse terms of the lights that are lit all over as polynomials, what is
-    /// left of the tolerance after their remainders and all rounding, and how many lights need a look at every pixel.
+    /// What lights do to the whole of a patch as polynomials, and what is left of the tolerance after their remainders
+    /// and all rounding. What has to be evaluated pixel by pixel is added to `pixels`; `None` where that is needed and
+    /// there are none.
     #[inline(always)]
-    pub(super) fn survey(&self, vectors: &Vectors, triangle: &Triangle, patch: &Patch) -> Survey {
+    pub(super) fn survey(
+        &self,
+        vectors: &Vectors,
+        triangle: &Triangle,
+        patch: &Patch,
+        mut pixels: Option<&mut Pixels>,
+    ) -> Option<Survey> {
         let mut survey = Survey {
             color: Color::constant(self.ambient),
-            budget: self.tolerance - self.dropped(),
+            budget: self.tolerance,
             terminators: 0,
             highlights: 0,
-            by_vectors: false,
         };
         for light in &self.surface.illumination.points {
             let outlook = self.outlook(light, vectors, triangle, patch);
@@ -156,26 +169,41 @@ impl Phong<'_> {
             if diffuse != DVec3::ZERO {
                 let remainder = cosine_remainder(rate(vectors.swing_normal), rate(outlook.swing));
                 survey.budget -= diffuse.max_element() * (remainder + 6.0 * U);
+                let cosine = outlook.cosine(vectors);
                 if outlook.side == Side::Lit {
-                    survey.color.add(&outlook.cosine(vectors), diffuse);
+                    survey.color.add(&cosine, diffuse);
                 } else {
+                    let pixels = pixels.as_deref_mut()?;
+                    if survey.is_polynomial() {
+                        pixels.fill(DVec3::ZERO);
+                    }
                     survey.terminators += 1;
+                    self.add_terminator(light, &cosine, patch, pixels);
                 }
             }
             if outlook.shines {
-                survey.highlights += 1;
-                let (reflection, cost) = self.reflection(
-                    specular.max_element(),
-                    self.share(),
-                    vectors,
-                    &outlook,
-                    patch,
-                );
-                survey.by_vectors |= reflection == Reflection::Vectors;
-                survey.budget -= cost;
+                let bright = specular.max_element();
+                let most = SMOOTHED * self.share_of_tolerance() / bright;
+                if outlook.side == Side::Lit
+                    && let Some((strength, error)) = self.highlight(vectors, &outlook, patch, most)
+                {
+                    survey.color.add(&strength, specular);
+                    survey.budget -= bright * error;
+                } else {
+                    let pixels = pixels.as_deref_mut()?;
+                    if survey.is_polynomial() {
+                        pixels.fill(DVec3::ZERO);
+                    }
+                    survey.highlights += 1;
+                    // Product and sums in f32 are three more roundings.
+                    survey.budget -= self.add_specular(light, vectors, &outlook, patch, pixels)
+                        + 3.0 * U * bright;
+                }
+            } else if specular != DVec3::ZERO {
+                survey.budget -= self.faint;
             }
         }
-        survey
+        Some(survey)
     }
 
     /// Bounds what a light does to a tile.
@@ -199,13 +227,14 @@ impl Phong<'_> {
             inverse_light,
             facing,
             side,
+            lambda: f64::INFINITY,
             shines: false,
             swing,
         };
         if side != Side::Dark && light.specular != DVec3::ZERO {
             let turns = 2.0 * angle(vectors.swing_normal) + angle(swing) + angle(vectors.swing_eye);
-            let lambda = least_lambda(chord(vectors, &outlook), turns);
-            outlook.shines = self.reaches(light, lambda);
+            outlook.lambda = least_lambda(chord(vectors, &outlook), turns);
+            outlook.shines = self.reaches(light, outlook.lambda);
         }
         outlook
     }

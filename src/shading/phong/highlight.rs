@@ -1,0 +1,119 @@
+//! A highlight as one certified polynomial of a whole tile.
+//!
+//! ```text
+//!   s = (2 N.L N.O / N.N - L.O) (L.L)^(-1/2) (O.O)^(-1/2)   a series to third order, p = s / s_0 - 1
+//!   s^rho = s_0^rho (1 + rho p + rho (rho - 1) / 2 p^2 + rho (rho - 1) (rho - 2) / 6 p^3 + ...)
+//! ```
+//! Of the series' cubic terms the nearest quadratic is kept.
+//!
+//! The bound on what that costs has five parts. The tail of s: with a, b, c the swings of N, L and O, the coefficients of
+//! N.L along any path from the middle are at most those of (1 + a t) (1 + b t), and since N.N has its roots at |t| >= 1/a,
+//! those of 1 / N.N at most those of (1 - a t)^-2, of (L.L)^(-1/2) those of (1 - b t)^-1, and so on (Cauchy's method of
+//! majorants); so the tail of s is at most that of
+//! ```text
+//!   2 A^2 B C + B C      A = (1 + a t) / (1 - a t), B and C alike      at t = 1
+//! ```
+//! The products of p that are beyond third order; the binomial series' tail after the third term, in Lagrange's form; the
+//! cubic terms that the quadratic leaves; and rounding.
+//!
+//! Rule: only where n.l is positive all over, and only where the bound is below what may be spent.
+
+use super::Phong;
+use super::outlook::{Outlook, Vectors};
+use crate::shading::certificate::MOST_SWING;
+use crate::shading::patch::Patch;
+use crate::shading::series::{Cubic, Quadratic};
+use crate::shading::specular::power_exact;
+
+/// What the cubic terms of a highlight are worth: below this part of its brightness times the cube of its swing over its
+/// width a quadratic is worth a try.
+const CUBIC: f64 = 0.02;
+
+/// What f64 makes of s, relative to it, with room to spare.
+const ROUNDING: f64 = 1e-12;
+
+/// The least s that the binomial series is tried around.
+const LEAST: f64 = 0.25;
+
+impl Phong<'_> {
+    /// s^rho on the tile, and a bound on what that errs by; none where that is above `most`.
+    #[inline(always)]
+    pub(super) fn highlight(
+        &self,
+        vectors: &Vectors,
+        outlook: &Outlook,
+        patch: &Patch,
+        most: f64,
+    ) -> Option<(Quadratic, f64)> {
+        let shininess = self.surface.material.shininess;
+        let swings = [vectors.swing_normal, outlook.swing, vectors.swing_eye];
+        let turns = 2.0 * swings[0] + swings[1] + swings[2];
+        let bright = (-shininess * outlook.lambda).exp();
+        let hopeless = CUBIC * bright * turns * turns * turns * shininess * shininess.sqrt();
+        if hopeless > most || swings.iter().any(|&swing| swing >= MOST_SWING) {
+            return None;
+        }
+
+        let facing = Cubic::from(outlook.facing);
+        let along = facing
+            .times(&vectors.normal_eye().into())
+            .times(&Cubic::from(vectors.normal_square).inverse())
+            .scaled(2.0)
+            .minus(&outlook.light_eye(vectors).into());
+        let roots = Cubic::from(outlook.light_square)
+            .inverse_root()
+            .times(&Cubic::from(vectors.eye_square()).inverse_root());
+        let cosine = along.times(&roots);
+        let middle = cosine.0[0];
+        if middle.is_nan() || middle < LEAST {
+            return None;
+        }
+        let shape = cosine.scaled(1.0 / middle);
+        let [first, second, third] = shape.reaches(patch.half);
+        let tail = tail(swings) / middle;
+        let stray = first + second + third + tail;
+        if stray.is_nan() || stray >= MOST_SWING {
+            return None;
+        }
+
+        let rho = shininess;
+        let k2 = 0.5 * rho * (rho - 1.0);
+        let k3 = k2 * (rho - 2.0) / 3.0;
+        let k4 = 0.25 * k3 * (rho - 3.0);
+        // A bound on s_0^rho (1 + x)^(rho - 4) and (1 + x)^(rho - 1) wherever s_0 (1 + x) is between s_0 and the s of a
+        // pixel: there s^rho is no brighter than on the tile, and |x| <= stray.
+        let height = power_exact(rho, 1.0 - middle);
+        let swell = bright.min(height * (rho * stray).exp()) * (rho * tail / (1.0 - stray)).exp()
+            / (1.0 - stray).powi(4);
+        let (strength, left) = shape.composed([rho, k2, k3]).economized(patch.half);
+        let cut = k2.abs() * (second * second + third * (2.0 * (first + second) + third))
+            + k3.abs() * ((first + second + third).powi(3) - first.powi(3));
+        let beyond = swell * (rho * tail + k4.abs() * stray.powi(4));
+        let error = height * (cut + left) + beyond + ROUNDING * (1.0 + rho);
+        (error <= most).then(|| (strength.scaled(height), error))
+    }
+}
+
+/// What the majorant of s is at t = 1 beyond its third order, for the swings of N, L and O.
+#[inline(always)]
+fn tail(swings: [f64; 3]) -> f64 {
+    // Value at one, and the series to third order: (1 + x) / (1 - x) = 1 + 2 x + 2 x^2 + ...
+    let [normal, light, eye] = swings.map(|x| {
+        let series = [1.0, 2.0 * x, 2.0 * x * x, 2.0 * x * x * x];
+        ((1.0 + x) / (1.0 - x), series)
+    });
+    let times = |(a, v): (f64, [f64; 4]), (b, w): (f64, [f64; 4])| {
+        let product = [
+            v[0] * w[0],
+            v[0] * w[1] + v[1] * w[0],
+            v[0] * w[2] + v[1] * w[1] + v[2] * w[0],
+            v[0] * w[3] + v[1] * w[2] + v[2] * w[1] + v[3] * w[0],
+        ];
+        (a * b, product)
+    };
+    let sides = times(light, eye);
+    let mirrored = times(times(normal, normal), sides);
+    let beyond = |(value, [a, b, c, d]): (f64, [f64; 4])| value - (a + b + c + d);
+    // The difference has a rounding error of its own, of some units of its terms.
+    2.0 * beyond(mirrored) + beyond(sides) + 1e-14
+}

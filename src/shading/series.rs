@@ -1,0 +1,338 @@
+//! Polynomials in a pixel's place, as far as tiles need them.
+//!
+//! Rule: products and compositions drop what is beyond their order; what that costs is bounded in
+//! [`super::certificate`].
+
+use super::TILE;
+use super::patch::Affine;
+
+/// c_0 + c_1 x + c_2 y + c_3 x^2 + c_4 xy + c_5 y^2, x and y in pixels from the middle of a tile.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Quadratic(pub [f64; 6]);
+
+impl Quadratic {
+    /// The product of two vectors that are affine, without loss.
+    #[inline(always)]
+    pub fn dot(v: &Affine, w: &Affine) -> Self {
+        Quadratic([
+            v.centre.dot(w.centre),
+            v.dx.dot(w.centre) + v.centre.dot(w.dx),
+            v.dy.dot(w.centre) + v.centre.dot(w.dy),
+            v.dx.dot(w.dx),
+            v.dx.dot(w.dy) + v.dy.dot(w.dx),
+            v.dy.dot(w.dy),
+        ])
+    }
+
+    /// A multiple.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Quadratic(self.0.map(|coefficient| coefficient * factor))
+    }
+
+    /// One over the square root, to second order, of a quadratic that is one at the middle:
+    /// (1 + e)^(-1/2) = 1 - e / 2 + 3 e^2 / 8 - ...
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_root(&self) -> Self {
+        let [_, x, y, xx, xy, yy] = self.0;
+        Quadratic([
+            1.0,
+            -0.5 * x,
+            -0.5 * y,
+            -0.5 * xx + 0.375 * x * x,
+            -0.5 * xy + 0.75 * x * y,
+            -0.5 * yy + 0.375 * y * y,
+        ])
+    }
+
+    /// The product, to second order.
+    #[inline(always)]
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let (a, b) = (&self.0, &other.0);
+        Quadratic([
+            a[0] * b[0],
+            a[0] * b[1] + a[1] * b[0],
+            a[0] * b[2] + a[2] * b[0],
+            a[0] * b[3] + a[1] * b[1] + a[3] * b[0],
+            a[0] * b[4] + a[1] * b[2] + a[2] * b[1] + a[4] * b[0],
+            a[0] * b[5] + a[2] * b[2] + a[5] * b[0],
+        ])
+    }
+
+    /// Adds a multiple of another.
+    #[inline(always)]
+    pub fn add(&mut self, other: &Self, factor: f64) {
+        for (coefficient, more) in self.0.iter_mut().zip(other.0) {
+            *coefficient += factor * more;
+        }
+    }
+
+    /// A bound on the linear terms' size within `half` pixels of the middle.
+    #[inline(always)]
+    pub fn linear_reach(&self, half: [f64; 2]) -> f64 {
+        self.0[1].abs() * half[0] + self.0[2].abs() * half[1]
+    }
+
+    /// A bound on the quadratic terms' size within `half` pixels of the middle.
+    #[inline(always)]
+    pub fn quadratic_reach(&self, half: [f64; 2]) -> f64 {
+        let [right, down] = half;
+        self.0[3].abs() * right * right
+            + self.0[4].abs() * right * down
+            + self.0[5].abs() * down * down
+    }
+
+    /// The rows of a tile whose first lies `first` pixels below the middle, as polynomials in x in f32.
+    #[inline(always)]
+    pub fn ramps(&self, first: f64) -> Ramps {
+        let [middle, x, down, xx, xy, yy] = self.0;
+        let mut ramps = Ramps {
+            middles: [0.0; TILE],
+            slopes: [0.0; TILE],
+            curve: xx as f32,
+        };
+        for row in 0..TILE {
+            let y = first + row as f64;
+            ramps.middles[row] = (middle + y * (down + y * yy)) as f32;
+            ramps.slopes[row] = (x + y * xy) as f32;
+        }
+        ramps
+    }
+
+    /// One row, `y` pixels below the middle, as a polynomial in x.
+    #[inline(always)]
+    pub fn row(&self, y: f64) -> [f64; 3] {
+        let [middle, x, down, xx, xy, yy] = self.0;
+        [middle + y * (down + y * yy), x + y * xy, xx]
+    }
+}
+
+/// The rows of a [`Quadratic`] in f32.
+#[derive(Clone, Copy, Debug)]
+pub struct Ramps {
+    middles: [f32; TILE],
+    slopes: [f32; TILE],
+    curve: f32,
+}
+
+impl Ramps {
+    /// The coefficients of a row.
+    #[inline(always)]
+    pub fn row(&self, row: usize) -> [f32; 3] {
+        [self.middles[row], self.slopes[row], self.curve]
+    }
+}
+
+/// A power series in x and y, in pixels from the middle of a tile, up to third order: the six terms of a [`Quadratic`],
+/// then x^3, x^2 y, x y^2 and y^3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cubic(pub [f64; 10]);
+
+impl From<Quadratic> for Cubic {
+    #[inline(always)]
+    fn from(quadratic: Quadratic) -> Self {
+        let [middle, x, y, xx, xy, yy] = quadratic.0;
+        Cubic([middle, x, y, xx, xy, yy, 0.0, 0.0, 0.0, 0.0])
+    }
+}
+
+impl Cubic {
+    /// A multiple.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Cubic(self.0.map(|coefficient| coefficient * factor))
+    }
+
+    /// The difference.
+    #[inline(always)]
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        Cubic(std::array::from_fn(|term| self.0[term] - other.0[term]))
+    }
+
+    /// The product, to third order.
+    #[inline(always)]
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let (a, b) = (&self.0, &other.0);
+        Cubic([
+            a[0] * b[0],
+            a[0] * b[1] + a[1] * b[0],
+            a[0] * b[2] + a[2] * b[0],
+            a[0] * b[3] + a[1] * b[1] + a[3] * b[0],
+            a[0] * b[4] + a[1] * b[2] + a[2] * b[1] + a[4] * b[0],
+            a[0] * b[5] + a[2] * b[2] + a[5] * b[0],
+            a[0] * b[6] + a[1] * b[3] + a[3] * b[1] + a[6] * b[0],
+            a[0] * b[7] + a[1] * b[4] + a[2] * b[3] + a[3] * b[2] + a[4] * b[1] + a[7] * b[0],
+            a[0] * b[8] + a[1] * b[5] + a[2] * b[4] + a[4] * b[2] + a[5] * b[1] + a[8] * b[0],
+            a[0] * b[9] + a[2] * b[5] + a[5] * b[2] + a[9] * b[0],
+        ])
+    }
+
+    /// 1 + k_1 e + k_2 e^2 + k_3 e^3, to third order, where e is this series without its value at the middle.
+    #[inline(always)]
+    #[must_use]
+    pub fn composed(&self, [k1, k2, k3]: [f64; 3]) -> Self {
+        let [_, x, y, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0;
+        let (x2, y2) = (x * x, y * y);
+        Cubic([
+            1.0,
+            k1 * x,
+            k1 * y,
+            k1 * xx + k2 * x2,
+            k1 * xy + 2.0 * k2 * x * y,
+            k1 * yy + k2 * y2,
+            k1 * xxx + 2.0 * k2 * x * xx + k3 * x * x2,
+            k1 * xxy + 2.0 * k2 * (x * xy + y * xx) + 3.0 * k3 * x2 * y,
+            k1 * xyy + 2.0 * k2 * (x * yy + y * xy) + 3.0 * k3 * x * y2,
+            k1 * yyy + 2.0 * k2 * y * yy + k3 * y * y2,
+        ])
+    }
+
+    /// One over a series that is one at the middle.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        self.composed([-1.0, 1.0, -1.0])
+    }
+
+    /// One over the square root of a series that is one at the middle.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_root(&self) -> Self {
+        self.composed([-0.5, 0.375, -0.3125])
+    }
+
+    /// Bounds on the size of the terms of first, second and third order within `half` pixels of the middle.
+    #[inline(always)]
+    pub fn reaches(&self, half: [f64; 2]) -> [f64; 3] {
+        let [_, x, y, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0.map(f64::abs);
+        let [h, v] = half;
+        [
+            x * h + y * v,
+            xx * h * h + xy * h * v + yy * v * v,
+            h * h * (xxx * h + xxy * v) + v * v * (xyy * h + yyy * v),
+        ]
+    }
+
+    /// The quadratic that is nearest within `half` pixels of the middle, and how far from it this is at most: Chebyshev's
+    /// economization, x^3 = (3/4) h^2 x + (h^3 / 4) T_3(x / h) and x^2 y = (h^2 / 2) y + (h^2 / 2) T_2(x / h) y (Lanczos
+    /// 1938).
+    #[inline(always)]
+    pub fn economized(&self, half: [f64; 2]) -> (Quadratic, f64) {
+        let [middle, x, y, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0;
+        let [h, v] = half;
+        let (h2, v2) = (h * h, v * v);
+        let quadratic = Quadratic([
+            middle,
+            x + 0.75 * h2 * xxx + 0.5 * v2 * xyy,
+            y + 0.75 * v2 * yyy + 0.5 * h2 * xxy,
+            xx,
+            xy,
+            yy,
+        ]);
+        let error = h2 * (0.25 * h * xxx.abs() + 0.5 * v * xxy.abs())
+            + v2 * (0.5 * h * xyy.abs() + 0.25 * v * yyy.abs());
+        (quadratic, error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn series_agree_with_the_functions_to_third_order() {
+        let q = Quadratic([1.0, 0.15, -0.1, 0.025, 0.005, -0.02]);
+        let at = |q: &Quadratic, x: f64, y: f64| {
+            let [middle, slope, curve] = q.row(y);
+            middle + x * (slope + x * curve)
+        };
+        let (root, square) = (q.inverse_root(), q.times(&q));
+        let error = |step: f64| {
+            let (x, y) = (step, 0.7 * step);
+            let value = at(&q, x, y);
+            (
+                (at(&root, x, y) - 1.0 / value.sqrt()).abs(),
+                (at(&square, x, y) - value * value).abs(),
+            )
+        };
+        let (far, near) = (error(0.1), error(0.05));
+        assert!(
+            (far.0 / near.0 - 8.0).abs() < 0.8,
+            "halving the step divides a third-order error by eight: {far:?} {near:?}"
+        );
+        assert!((far.1 / near.1 - 8.0).abs() < 0.8, "{far:?} {near:?}");
+    }
+
+    /// x, y and a series there.
+    fn at(series: &Cubic, x: f64, y: f64) -> f64 {
+        let powers = [
+            1.0,
+            x,
+            y,
+            x * x,
+            x * y,
+            y * y,
+            x * x * x,
+            x * x * y,
+            x * y * y,
+            y * y * y,
+        ];
+        powers.iter().zip(series.0).map(|(p, c)| p * c).sum()
+    }
+
+    const SERIES: Cubic = Cubic([
+        1.0, 0.15, -0.1, 0.025, 0.005, -0.02, 0.01, -0.03, 0.02, 0.015,
+    ]);
+
+    #[test]
+    fn cubic_series_agree_with_the_functions_to_fourth_order() {
+        type Form = (Cubic, fn(f64) -> f64);
+        let forms: [Form; 4] = [
+            (SERIES.times(&SERIES), |value| value * value),
+            (SERIES.inverse(), |value| 1.0 / value),
+            (SERIES.inverse_root(), |value| 1.0 / value.sqrt()),
+            (SERIES.composed([2.5, 1.875, 0.3125]), |value| {
+                value.powf(2.5)
+            }),
+        ];
+        for (form, (series, function)) in forms.into_iter().enumerate() {
+            for (x, y) in [(1.0, 0.7), (-0.6, 1.0), (1.0, 0.0), (0.0, 1.0)] {
+                let error = |step: f64| {
+                    let (x, y) = (step * x, step * y);
+                    (at(&series, x, y) - function(at(&SERIES, x, y))).abs()
+                };
+                let ratio = error(0.05) / error(0.025);
+                assert!(
+                    (ratio - 16.0).abs() < 2.5,
+                    "halving the step divides a fourth-order error by 16, not {ratio}: {form} towards {x}, {y}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn an_economized_series_is_as_near_as_it_says_and_nearer_than_one_cut_off() {
+        let half = [3.0, 2.0];
+        let (near, bound) = SERIES.economized(half);
+        let near = Cubic::from(near);
+        let cut = Cubic::from(Quadratic(std::array::from_fn(|term| SERIES.0[term])));
+        let (mut worst, mut worst_cut) = (0.0_f64, 0.0_f64);
+        for step in 0..=40 * 40 {
+            let x = half[0] * (f64::from(step % 41) / 20.0 - 1.0);
+            let y = half[1] * (f64::from(step / 41) / 19.5 - 1.0);
+            let value = at(&SERIES, x, y);
+            worst = worst.max((at(&near, x, y) - value).abs());
+            worst_cut = worst_cut.max((at(&cut, x, y) - value).abs());
+        }
+        assert!(worst <= bound && worst > 0.5 * bound, "{worst} of {bound}");
+        assert!(worst < 0.6 * worst_cut, "{worst}, cut off {worst_cut}");
+        let [_, _, third] = SERIES.reaches(half);
+        assert!(worst_cut <= third && worst_cut > 0.5 * third);
+    }
+}
