@@ -2,9 +2,10 @@
 
 use glam::DVec3;
 use shadetrade::shading::certificate::{
-    Color, MOST_SWING, Quadratic, angle, cosine_remainder, quotient, rate,
+    Color, MOST_SWING, angle, cosine_remainder, quotient, rate,
 };
 use shadetrade::shading::patch::{Affine, Scalar};
+use shadetrade::shading::series::Quadratic;
 
 #[test]
 fn a_product_of_quadratics_is_that_of_paper_to_second_order() {
