@@ -3,6 +3,7 @@
 mod agreement;
 mod known;
 mod lanes;
+mod patches;
 mod powers;
 #[path = "../support/random.rs"]
 mod random;

@@ -5,6 +5,7 @@ use std::sync::Mutex;
 use std::time::Duration;
 
 use fearless_simd::Level;
+use glam::DVec3;
 use shadetrade::components::Projection;
 use shadetrade::drawing::Drawing;
 use shadetrade::scene::Scene;
@@ -123,6 +124,24 @@ fn more_threads_change_nothing_but_times() {
         assert_eq!(one.accuracy.flip_mean, two.accuracy.flip_mean);
         assert_eq!(one.accuracy.map, two.accuracy.map);
     }
+}
+
+#[test]
+fn the_share_of_the_highlight_depends_neither_on_the_background_nor_on_the_views_tolerance() {
+    let kept = |background: f64, tolerance: f64| {
+        let mut scene = scene(GREEN, CENTRE, true);
+        scene.background = DVec3::splat(background);
+        let mut request = request(scene, [64, 48], 1);
+        request.view.tolerance = tolerance;
+        measured(request)
+            .methods
+            .iter()
+            .map(|one| one.accuracy.highlight_kept)
+            .collect::<Vec<_>>()
+    };
+    let expected = kept(0.0, 0.0);
+    assert_eq!(kept(200.0, 0.0), expected);
+    assert_eq!(kept(0.0, 255.0), expected);
 }
 
 #[test]
