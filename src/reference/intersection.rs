@@ -391,12 +391,12 @@ mod tests {
 
     #[test]
     fn a_cuboid_whose_corners_round_to_other_pixels_is_looked_for_there_too() {
-        // The farthest corner is 2^22 away and errs by 8 * 2^-52 * 2^22 = 2^-27; at depth 1 that is 2^-27 of a slope, and
+        // The farthest corner is 2^23 away and errs by 8 * 2^-52 * 2^23 = 2^-26; at depth 2 that is 2^-27 of a slope, and
         // 2^-27 * 2^22 = 2^-5 where the depth errs: 1.25 pixels of 40, allowed for twice. From 39.6 and 19.6 to
         // 60.4 and 60.4.
         let (least, most) = (
-            DVec3::new(-0.26, -0.51, 1.0),
-            DVec3::new(0.26, 0.51, 4_194_304.0),
+            DVec3::new(-0.52, -1.02, 2.0),
+            DVec3::new(0.52, 1.02, 8_388_608.0),
         );
         assert_eq!(
             looked_for(&view(Projection::Perspective), least, most),
