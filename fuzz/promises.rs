@@ -187,11 +187,13 @@ fn is_tie(world: &World, view: &View, pixel: usize) -> bool {
         .any(|(_, place)| length(place.position - seen.position) <= AT_THE_POINT * sizes)
 }
 
-/// The bytes for a window are the display step of the levels.
+/// The bytes for a window are the display step of the levels, of which a certified one may lose its last bit.
 fn displayed(levels: &Frame, bytes: &Frame) {
     for (pixel, (levels, shown)) in levels.levels().iter().zip(bytes.pixels()).enumerate() {
-        let [red, green, blue] = levels.map(|level| display_step(level.into()));
-        let expected = u32::from_be_bytes([0, red, green, blue]);
-        assert_eq!(*shown, expected, "pixel {pixel}: {levels:?}");
+        let [_, shown @ ..] = shown.to_be_bytes();
+        for (level, byte) in levels.iter().zip(shown) {
+            let near = [*level, level.next_up()].map(|level| display_step(level.into()));
+            assert!(near.contains(&byte), "pixel {pixel}: {levels:?}, {shown:?}");
+        }
     }
 }

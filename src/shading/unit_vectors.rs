@@ -2,7 +2,8 @@
 //!
 //! Rule: lambda_i = e_i w_i / sum(e_j w_j) are the coordinates that are linear on the screen; their sum is constant, so
 //! no pixel divides. A triangle with a vertex nearer than the near plane has no three screen positions: its vectors are
-//! interpolated perspective-correctly instead, as everything else is. In f32 where its rounding is bounded, pixel by
+//! interpolated perspective-correctly instead, as everything else is. Between unit vectors o.r is at most one; where a
+//! pixel lies just outside its triangle it is held to that. In f32 where its rounding is bounded, pixel by
 //! pixel in f64 elsewhere and for slivers.
 
 use glam::DVec3;
@@ -144,8 +145,9 @@ impl UnitVectors<'_> {
                         let nl = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
                         let no = n[0] * o[0] + n[1] * o[1] + n[2] * o[2];
                         let lo = l[0] * o[0] + l[1] * o[1] + l[2] * o[2];
+                        let lambda = 1.0 - (2.0 * nl * no - lo);
                         let raised = if shininess > 0.0 {
-                            power(shininess, 1.0 - (2.0 * nl * no - lo))
+                            power(shininess, if lambda > 0.0 { lambda } else { 0.0 })
                         } else {
                             1.0
                         };
@@ -191,7 +193,7 @@ impl UnitVectors<'_> {
                     Triangle::blend(weights, &triangle.to_light(light.position - surface.centre));
                 let cosine = n.dot(l);
                 if cosine > 0.0 {
-                    let lambda = 1.0 - o.dot(2.0 * cosine * n - l);
+                    let lambda = (1.0 - o.dot(2.0 * cosine * n - l)).max(0.0);
                     levels += diffuse * cosine
                         + specular * power_exact(surface.material.shininess, lambda);
                 }

@@ -223,3 +223,49 @@ fn no_certified_tile_exceeds_its_tolerance() {
         assert!(count >= least, "{count} tiles of {tiles} are {kind:?}");
     }
 }
+
+#[test]
+fn a_highlight_that_varies_slowly_is_a_polynomial_and_keeps_its_tolerance() {
+    let tolerance = 0.5;
+    let (mut smooth, mut by_pixel) = (0, 0);
+    let mut most = 0.0_f64;
+    for seed in 0..40 * cases() {
+        let random = &mut Random(seed.wrapping_mul(0x1000_0000_01b3) ^ 0x5eed);
+        let mut subject = subject(random);
+        // Nothing but the highlights, and none so bright that the display cuts it off.
+        subject.illumination.ambient = DVec3::ZERO;
+        for light in &mut subject.illumination.points {
+            light.diffuse = DVec3::ZERO;
+            light.specular = light.specular.min(DVec3::splat(80.0));
+        }
+        let surface = Surface {
+            material: &subject.material,
+            illumination: &subject.illumination,
+            centre: DVec3::ZERO,
+        };
+        let Subject {
+            triangle, patch, ..
+        } = &subject;
+        let expected = exact(patch, triangle, |point| phong(&surface, triangle, point));
+        let levels = expected.as_flattened();
+        let brightest = levels.iter().copied().fold(0.0, f64::max);
+        let darkest = levels.iter().copied().fold(f64::INFINITY, f64::min);
+        if !patch.steady || brightest < 5.0 || brightest - darkest < tolerance {
+            continue;
+        }
+        let (kind, found) = shade(&Phong::new(surface, tolerance), triangle, patch);
+        if matches!(kind, TileKind::Linear | TileKind::Quadratic) {
+            smooth += 1;
+            for (a, b) in found.as_flattened().iter().zip(levels) {
+                most = most.max((a - b).abs());
+            }
+        } else {
+            by_pixel += 1;
+        }
+    }
+    println!(
+        "highlights: {smooth} polynomials with {most:.3} levels of error, {by_pixel} tiles by pixel"
+    );
+    assert!(most <= tolerance, "{most}");
+    assert!(10 * smooth > by_pixel, "{smooth}, by pixel {by_pixel}");
+}

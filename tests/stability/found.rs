@@ -1,7 +1,9 @@
 //! What fuzzing found.
 
 use glam::DVec3;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
+use shadetrade::components::{
+    LightKind, Material, Polygon, Projected, Projection, ShadingMode, Transform, View,
+};
 use shadetrade::frame::Keep;
 
 use crate::scene::{at, draw, empty, shaded, spawn_cuboid, spawn_light, view};
@@ -72,4 +74,87 @@ fn beside_a_corner_brighter_than_floats_can_hold_every_level_is_defined() {
         let undefined = frame.levels().iter().flatten().any(|level| level.is_nan());
         assert!(!undefined, "{bright:e}: {:?}", frame.levels());
     }
+}
+
+/// A floor so large that cutting it leaves f64 nothing of where the guard band was: no vertex may leave it again.
+#[test]
+fn the_largest_floors_stay_in_the_guard_band() {
+    for thickness in [1e-9, 0.5, 1e9] {
+        let mut world = empty();
+        let size = DVec3::new(1e100, 1e100, thickness);
+        spawn_cuboid(
+            &mut world,
+            size,
+            at(DVec3::new(-10.5, -7e16, 5.0)),
+            Material {
+                ambient: DVec3::ONE,
+                diffuse: DVec3::ONE,
+                specular: DVec3::ONE,
+                shininess: 1.0,
+            },
+        );
+        for (eye, target) in [
+            (DVec3::new(-3.5, -12.0, 15.0), DVec3::new(0.0, 0.0, 1.4)),
+            (DVec3::splat(10.5), DVec3::new(7.4, 7.375, 1.0)),
+        ] {
+            for projection in [Projection::Perspective, Projection::Orthographic] {
+                let view = view([5, 25], eye, target, projection);
+                draw(&mut world, &view, Keep::Levels);
+                for projected in world.query_mut::<&Projected>() {
+                    let vertices = projected.polygons.iter().flat_map(Polygon::vertices);
+                    for coordinate in vertices.flatten() {
+                        assert!(coordinate.abs() <= 1 << 30, "{projected:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Ever so many cuboids away rounding moves a silhouette by its own size: the shortcut's vectors, carried on beyond their
+/// triangle, are longer than one, and a large exponent makes infinity of the excess.
+#[test]
+fn the_shortcut_is_defined_beside_its_triangles() {
+    let mut world = empty();
+    let material = Material {
+        ambient: DVec3::ZERO,
+        diffuse: DVec3::new(0.5, 0.0, 5.0),
+        specular: DVec3::splat(5.0),
+        shininess: 1e6,
+    };
+    let place = Transform {
+        position: DVec3::new(1.025e-89, 5e-91, -1e10),
+        rotation: DVec3::new(3.161e36, 0.0, 0.0),
+    };
+    spawn_cuboid(
+        &mut world,
+        DVec3::splat(4.831_298_828_125e-90),
+        place,
+        material,
+    );
+    for (kind, at) in [
+        (
+            LightKind::Specular,
+            DVec3::new(3.5, -1.757_080_078_125, 3.5),
+        ),
+        (LightKind::Diffuse, DVec3::new(3.5, 3.5, 1.756_835_937_5)),
+    ] {
+        spawn_light(
+            &mut world,
+            kind,
+            DVec3::new(600.0, 1200.0, 1200.0),
+            at * 1e-90,
+        );
+    }
+    let [eye, target] = [6.5, 3.5].map(|z| DVec3::new(3.5, 3.5, z) * 1e-90);
+    let mut view = view([27, 16], eye, target, Projection::Orthographic);
+    view.viewpoint.camera.up = DVec3::ONE;
+    view.viewpoint.camera.height = 8e-90;
+    let frame = draw(
+        &mut world,
+        &shaded(ShadingMode::UnitVectors, &view),
+        Keep::Levels,
+    );
+    assert!(frame.counts().covered_pixels > 0);
+    assert!(!frame.levels().iter().flatten().any(|level| level.is_nan()));
 }

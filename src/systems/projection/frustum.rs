@@ -112,12 +112,19 @@ impl<'a> Frustum<'a> {
             ..Polygon::default()
         };
         for (snapped, vertex) in polygon.vertices.iter_mut().zip(&vertices[..len]) {
-            *snapped = self
-                .lens
-                .pixel(self.lens.homogeneous(vertex.seen))
-                .map(snap);
+            *snapped = self.snapped(vertex.seen);
         }
         polygon
+    }
+
+    /// The snapped pixel of a place in sight. Where the numbers are so large that rounding takes a vertex out of the guard
+    /// band again, it is held to it, since rasterization counts on that.
+    fn snapped(&self, seen: DVec3) -> [i32; 2] {
+        let pixel = self.lens.pixel(self.lens.homogeneous(seen));
+        [0, 1].map(|axis| {
+            let middle = self.lens.half[axis];
+            snap(pixel[axis].clamp(middle - GUARD_BAND, middle + GUARD_BAND))
+        })
     }
 
     /// Cuts a convex polygon on a face with one plane (Sutherland and Hodgman 1974); a vertex on the plane is inside.
