@@ -334,3 +334,99 @@ pub fn unit(v: DVec3) -> DVec3 {
         DVec3::ZERO
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn turned(rotation: [f64; 3]) -> DMat3 {
+        let transform = Transform {
+            position: DVec3::ZERO,
+            rotation: rotation.into(),
+        };
+        transform.axes()
+    }
+
+    #[test]
+    fn quarter_turns_are_exact_in_both_directions_and_any_number_of_times() {
+        let [x, y, z] = DVec3::AXES;
+        // Where +x, +y and +z come to lie after none, one, two and three quarters about each axis.
+        let about_x = [[x, y, z], [x, z, -y], [x, -y, -z], [x, -z, y]];
+        let about_y = [[x, y, z], [-z, y, x], [-x, y, -z], [z, y, -x]];
+        let about_z = [[x, y, z], [y, -x, z], [-x, -y, z], [-y, x, z]];
+        for quarters in -9..=9_i32 {
+            let degrees = 90.0 * f64::from(quarters);
+            let place = quarters.rem_euclid(4) as usize;
+            for (rotation, expected) in [
+                ([degrees, 0.0, 0.0], about_x[place]),
+                ([0.0, degrees, 0.0], about_y[place]),
+                ([0.0, 0.0, degrees], about_z[place]),
+            ] {
+                let [right, up, towards] = expected;
+                let expected = DMat3::from_cols(right, up, towards);
+                assert_eq!(turned(rotation), expected, "{rotation:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn angles_between_quarter_turns_are_those_of_a_table() {
+        // Of 60 degrees: a half, and half the root of three.
+        let (half, root) = (0.5, 3.0_f64.sqrt() / 2.0);
+        for (degrees, cos, sin) in [
+            (60.0, half, root),
+            (120.0, -half, root),
+            (150.0, -root, half),
+            (210.0, -root, -half),
+            (300.0, half, -root),
+            (-60.0, half, -root),
+            // 2,777,777 turns and 280 degrees.
+            (1e9, 0.173_648_177_666_930_33, -0.984_807_753_012_208),
+        ] {
+            let seen = turned([0.0, 0.0, degrees]).x_axis;
+            assert!(
+                (seen - DVec3::new(cos, sin, 0.0)).length() < 1e-15,
+                "{degrees}: {seen}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_length_is_right_however_large_or_small() {
+        for scale in [1e-300, 1e-100, 1.0, 1e100, 1e300] {
+            let long = length(DVec3::new(-3.0, 0.0, 4.0) * scale);
+            assert!((long / scale - 5.0).abs() < 1e-14, "{long} at {scale}");
+        }
+        assert_eq!(length(DVec3::ZERO), 0.0);
+    }
+
+    #[test]
+    fn what_has_no_direction_has_no_unit_vector() {
+        for vector in [
+            DVec3::ZERO,
+            DVec3::new(f64::INFINITY, 1.0, 0.0),
+            DVec3::NEG_INFINITY,
+            DVec3::NAN,
+        ] {
+            assert_eq!(unit(vector), DVec3::ZERO, "{vector}");
+        }
+    }
+
+    #[test]
+    fn the_near_plane_is_a_thousandth_of_the_distance_to_the_target_unless_it_is_given() {
+        let camera = Camera {
+            target: DVec3::new(1.0, 5.0, 2.0),
+            up: DVec3::Y,
+            fov: 30.0,
+            height: 1.0,
+            near: None,
+        };
+        let viewpoint = |near| Viewpoint {
+            position: DVec3::new(1.0, 1.0, -1.0),
+            camera: Camera { near, ..camera },
+        };
+        // (0, 4, 3) is five long.
+        assert!((viewpoint(None).near() - 5e-3).abs() < 1e-17);
+        assert_eq!(viewpoint(Some(0.25)).near(), 0.25);
+    }
+}

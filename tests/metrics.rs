@@ -258,3 +258,25 @@ fn flip_takes_its_mean_where_both_show_one_triangle_and_the_rest_as_surroundings
     let beside = mean(|column| column < 24);
     assert!(beside > 0.01 && beside < 0.3, "{beside}");
 }
+
+#[test]
+fn flip_takes_its_mean_row_by_row_where_the_triangle_ends_at_another_column() {
+    // Gray against gray right of the diagonal, black against white left of it; the same triangle is shown 32 columns
+    // right of it and farther, where nothing is carried over.
+    let step = |level| formula(move |x, y| [if x < y { level } else { 128 }; 3]);
+    let [left, right] = [step(0), step(255)];
+    let mean = |first: usize| {
+        let shown = |i: usize| {
+            if i % WIDTH >= i / WIDTH + first {
+                0
+            } else {
+                NO_TRIANGLE
+            }
+        };
+        let triangles: Vec<u32> = (0..WIDTH * HEIGHT).map(shown).collect();
+        let [left, right] = [&left, &right].map(|levels| whole(WIDTH, levels, &triangles));
+        flip::mean(left, right, flip::PIXELS_PER_DEGREE).expect("covered")
+    };
+    assert_eq!(mean(32), 0.0);
+    assert!(mean(0) > 0.01);
+}

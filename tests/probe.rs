@@ -2,7 +2,9 @@
 
 use std::process::Command;
 
+use glam::DVec3;
 use serde_json::Value;
+use shadetrade::probe::{Levels, Light, Probe, Reference, Shaded, Surface};
 
 fn probe(arguments: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
@@ -73,6 +75,7 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
             for mode in ["gouraud", "phong"] {
                 let reference = triple(&probe["reference"][mode]["levels"]);
                 let levels = triple(&probe[mode]["levels"]);
+                assert_ne!(levels, reference, "the renderer's own, not the reference's");
                 let terms = probe[mode]["terms"].as_object().expect("terms by light");
                 assert_eq!(terms.keys().count(), 4);
                 for channel in 0..3 {
@@ -126,4 +129,94 @@ fn a_pixel_outside_the_picture_is_a_wrong_command_line() {
             "{pixel}"
         );
     }
+}
+
+#[test]
+fn levels_too_large_for_the_renderer_are_said_as_the_model_has_them() {
+    // 1e20 of an intensity of 1e20 are 1e40 in the first channel, and floats end at 3e38; 1e-20 of it are 1.
+    let scene = include_str!("support/least.toml")
+        .replace("ambient = [0.1, 0.2, 0.3]", "ambient = [1e20, 1e-20, 0.0]")
+        .replace("kind = \"diffuse\"", "kind = \"ambient\"")
+        .replace("color = [1.0, 0.5, 0.0]", "color = [1.0, 1.0, 1.0]")
+        .replace(
+            "intensity = 10.0\nposition = [10.0, 11.0, 12.0]",
+            "intensity = 1e20",
+        );
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = folder.path().join("bright.toml");
+    std::fs::write(&file, scene).expect("there is room for a scene");
+    let file = file.to_str().expect("its name is Unicode");
+    let probe = probe(&[file, "--pixel", "480,360"]);
+    for mode in ["gouraud", "phong"] {
+        let [red, green, blue] = triple(&probe[mode]["levels"]);
+        assert!((red / 1e40 - 1.0).abs() < 1e-12, "{mode}: {red}");
+        assert!((green - 1.0).abs() < 1e-6 && blue == 0.0, "{mode}: {green}");
+        assert_eq!(triple(&probe[mode]["bytes"]), [255.0, 1.0, 0.0]);
+    }
+}
+
+/// A pixel of a cube under an ambient and a diffuse light, in numbers of every size.
+fn made_up() -> Probe {
+    let light = |name: &str, kind, vector: Option<DVec3>| Light {
+        name: name.to_owned(),
+        kind,
+        to_light: vector,
+        reflected: vector.map(|to_light| -to_light),
+    };
+    let shaded = |level: f64, byte| Shaded {
+        levels: [level, 0.0, -1.0],
+        terms: vec![
+            ("sky".to_owned(), [0.25; 3]),
+            ("lamp".to_owned(), [level, 9.876e-4, 1e5]),
+        ],
+        bytes: [byte, 0, 255],
+    };
+    let levels = |level| Levels {
+        levels: [level, 99_999.0, 1e-3],
+    };
+    Probe {
+        pixel: [31, 7],
+        object: Some("cube".to_owned()),
+        surface: Some(Surface {
+            triangle: 9,
+            position: Some(DVec3::new(1.0, -20.5, 1.5e9)),
+            normal: Some(DVec3::Z),
+            to_eye: None,
+            lights: vec![
+                light("sky", "ambient", None),
+                light("lamp", "diffuse", Some(DVec3::new(0.6, 0.8, 0.0))),
+            ],
+            gouraud: shaded(12.5, 13),
+            phong: shaded(100.25, 100),
+            reference: Reference {
+                gouraud: None,
+                phong: Some(levels(100.0)),
+            },
+        }),
+    }
+}
+
+#[test]
+fn the_lines_for_a_person_say_all_of_it_in_columns() {
+    let expected = "\
+pixel 31,7: cube, triangle 9
+  position      1.000   -20.500     1.5e9
+  normal  n     0.000     0.000     1.000
+  to eye  o -
+  lamp (diffuse)
+    to light  l     0.600     0.800     0.000
+    reflected r    -0.600    -0.800    -0.000
+  levels                             Gouraud                          Phong
+  sky              0.250     0.250     0.250      0.250     0.250     0.250
+  lamp            12.500    9.9e-4     1.0e5    100.250    9.9e-4     1.0e5
+  drawn           12.500     0.000    -1.000    100.250     0.000    -1.000
+  reference                                -    100.000 99999.000     0.001
+  bytes               13         0       255        100         0       255";
+    assert_eq!(made_up().lines().join("\n"), expected);
+    let background = Probe {
+        object: None,
+        surface: None,
+        ..made_up()
+    };
+    assert_eq!(background.lines(), ["pixel 31,7: background"]);
 }

@@ -336,3 +336,98 @@ impl Face {
         self.outwards * (along[self.axis] * to[axis] - along[axis] * to[self.axis])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::components::{Camera, Viewpoint};
+
+    /// Columns and rows in which a box is looked for that goes from `least` to `most`, given right, up and forward of an
+    /// eye that sees one up for every one forward; 4 up if the projection is orthographic.
+    fn looked_for(view: &View, least: DVec3, most: DVec3) -> [Range<usize>; 2] {
+        let transform = Transform {
+            position: (least + most) / 2.0 * DVec3::new(1.0, 1.0, -1.0),
+            rotation: DVec3::ZERO,
+        };
+        let solid = Solid::new(&Rays::of(view), &transform, &Mesh::cuboid(most - least));
+        [solid.columns, solid.rows]
+    }
+
+    fn view(projection: Projection) -> View {
+        let camera = Camera {
+            target: DVec3::NEG_Z,
+            up: DVec3::Y,
+            fov: 90.0,
+            height: 8.0,
+            near: Some(0.5),
+        };
+        View {
+            size: [100, 80],
+            viewpoint: Viewpoint {
+                position: DVec3::ZERO,
+                camera,
+            },
+            projection,
+            background: DVec3::ZERO,
+            shading: None,
+            tolerance: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_cuboid_is_looked_for_within_a_pixel_of_its_corners() {
+        let (least, most) = (DVec3::new(-1.02, -0.33, 2.0), DVec3::new(1.02, 1.52, 5.0));
+        // At depth 2 a unit is 20 pixels: from 29.6 and 9.6 to 70.4 and 46.6, and a pixel more.
+        assert_eq!(
+            looked_for(&view(Projection::Perspective), least, most),
+            [28..72, 8..48]
+        );
+        // A unit is 10 pixels: from 39.8 and 24.8 to 60.2 and 43.3.
+        assert_eq!(
+            looked_for(&view(Projection::Orthographic), least, most),
+            [38..62, 23..45]
+        );
+    }
+
+    #[test]
+    fn a_cuboid_whose_corners_round_to_other_pixels_is_looked_for_there_too() {
+        // The farthest corner is 2^23 away and errs by 8 * 2^-52 * 2^23 = 2^-26; at depth 2 that is 2^-27 of a slope, and
+        // 2^-27 * 2^22 = 2^-5 where the depth errs: 1.25 pixels of 40, allowed for twice. From 39.6 and 19.6 to
+        // 60.4 and 60.4.
+        let (least, most) = (
+            DVec3::new(-0.52, -1.02, 2.0),
+            DVec3::new(0.52, 1.02, 8_388_608.0),
+        );
+        assert_eq!(
+            looked_for(&view(Projection::Perspective), least, most),
+            [36..64, 16..64]
+        );
+        // 2^48 away it errs by 1/2: 5 pixels of 10 to a unit, allowed for twice. From 39.8 and 19.8 to 60.2 and 60.2.
+        let (least, most) = (
+            DVec3::new(-1.02, -2.02, 1.0),
+            DVec3::new(1.02, 2.02, 2.0_f64.powi(48)),
+        );
+        assert_eq!(
+            looked_for(&view(Projection::Orthographic), least, most),
+            [28..72, 8..72]
+        );
+    }
+
+    #[test]
+    fn a_cuboid_that_the_near_plane_cuts_is_looked_for_everywhere_and_one_before_it_nowhere() {
+        let (least, most) = (DVec3::new(-1.02, -0.33, 0.25), DVec3::new(1.02, 1.52, 5.0));
+        assert_eq!(
+            looked_for(&view(Projection::Perspective), least, most),
+            [0..100, 0..80]
+        );
+        // Parallel lines of sight meet it where its corners are, cut or not.
+        assert_eq!(
+            looked_for(&view(Projection::Orthographic), least, most),
+            [38..62, 23..45]
+        );
+        let most = DVec3::new(1.02, 1.52, 0.375);
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            assert_eq!(looked_for(&view(projection), least, most), [0..0, 0..0]);
+        }
+    }
+}

@@ -75,6 +75,57 @@ pub fn cosine_remainder(a: f64, b: f64) -> f64 {
     (3.0 * (a * a * a + b * b * b) + CROSSED * a * b * (a + b)) / 6.0
 }
 
+/// A power series whose coefficients are nowhere below those of another one, in size: its value at one, and its terms up
+/// to third order (Cauchy's method of majorants).
+///
+/// Along the path t d from a tile's middle, 0 <= t <= 1, a vector V of swing a and length one at the middle gives products
+/// V.W with coefficients of at most those of (1 + a t) (1 + b t); V.V has its roots at |t| >= 1/a, so (V.V)^(-1/2) has at
+/// most those of 1 / (1 - a t), and each use of its direction multiplies by (1 + a t) / (1 - a t).
+#[derive(Clone, Copy, Debug)]
+pub struct Majorant {
+    value: f64,
+    terms: [f64; 4],
+}
+
+impl Majorant {
+    /// (1 + x) / (1 - x) = 1 + 2 x + 2 x^2 + ..., of a vector's direction; its swing must be below one.
+    #[inline(always)]
+    pub fn of_swing(swing: f64) -> Self {
+        Majorant {
+            value: (1.0 + swing) / (1.0 - swing),
+            terms: [
+                1.0,
+                2.0 * swing,
+                2.0 * swing * swing,
+                2.0 * swing * swing * swing,
+            ],
+        }
+    }
+
+    /// The product.
+    #[inline(always)]
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let (a, b) = (&self.terms, &other.terms);
+        Majorant {
+            value: self.value * other.value,
+            terms: [
+                a[0] * b[0],
+                a[0] * b[1] + a[1] * b[0],
+                a[0] * b[2] + a[1] * b[1] + a[2] * b[0],
+                a[0] * b[3] + a[1] * b[2] + a[2] * b[1] + a[3] * b[0],
+            ],
+        }
+    }
+
+    /// The terms beyond third order at t = 1, and what f64 makes of that difference.
+    #[inline(always)]
+    pub fn tail(&self) -> f64 {
+        let [a, b, c, d] = self.terms;
+        self.value - (a + b + c + d) + 1e-14
+    }
+}
+
 /// A bound on asin(swing): the ratio grows with the swing and is 1.0472 at a half.
 #[inline(always)]
 pub fn angle(swing: f64) -> f64 {
@@ -155,5 +206,17 @@ mod tests {
             "{most:?}"
         );
         assert!(most[2] <= 3.0 + 1e-3 && most[2] > 2.99, "{most:?}");
+    }
+
+    #[test]
+    fn a_majorants_tail_is_the_sum_of_what_is_beyond_third_order() {
+        // (1 + x) / (1 - x) has the terms 2 x^k, its square 4 k x^k.
+        let direction = Majorant::of_swing(0.1);
+        assert!((direction.tail() - 2e-4 / 0.9).abs() < 1e-13);
+        let square: f64 = (4..40).map(|k| 4.0 * f64::from(k) * 0.1_f64.powi(k)).sum();
+        assert!((direction.times(&direction).tail() - square).abs() < 1e-13);
+        let none = Majorant::of_swing(0.0);
+        assert!((direction.times(&none).tail() - direction.tail()).abs() < 1e-13);
+        assert!(none.tail() > 0.0, "rounding is part of it");
     }
 }

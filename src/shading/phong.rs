@@ -2,7 +2,8 @@
 //!
 //! Per tile and light, what n.l and the highlight can do is bounded first (see [`super::certificate`]): a light behind
 //! the whole tile is left out, a diffuse term becomes a certified polynomial, a specular term is dropped where it cannot
-//! reach its share of the tolerance. Only what remains is evaluated pixel by pixel.
+//! reach its share of the tolerance, and becomes a polynomial too where it varies slowly (`highlight`). Only what
+//! remains is evaluated pixel by pixel.
 //!
 //! Rule: the shares add up to the tolerance, rounding included; at tolerance 0 there are no shares and every pixel is
 //! evaluated exactly.

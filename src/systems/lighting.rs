@@ -129,6 +129,8 @@ mod tests {
             (at(1.0), light(LightKind::Diffuse, 10.0, true)),
             (at(2.0), light(LightKind::Diffuse, 1.0, true)),
             (at(1.0), light(LightKind::Specular, 3.0, true)),
+            (at(1.0), light(LightKind::Diffuse, 4.0, true)),
+            (at(1.0), light(LightKind::Specular, 1.0, true)),
             (at(3.0), light(LightKind::Specular, 3.0, false)),
             (at(0.0), light(LightKind::Ambient, 5.0, true)),
             (at(9.0), light(LightKind::Ambient, 5.0, true)),
@@ -144,8 +146,8 @@ mod tests {
             [
                 PointLight {
                     position: DVec3::X,
-                    diffuse: DVec3::new(20.0, 10.0, 0.0),
-                    specular: DVec3::new(6.0, 3.0, 0.0)
+                    diffuse: DVec3::new(28.0, 14.0, 0.0),
+                    specular: DVec3::new(8.0, 4.0, 0.0)
                 },
                 PointLight {
                     position: DVec3::X * 2.0,

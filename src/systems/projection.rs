@@ -228,8 +228,8 @@ mod tests {
         // Its top lies 2 below the eye: at the near plane, 1 away, that is 200 pixels below row 100.
         let view = view(Projection::Perspective, [300, 200]);
         for length in [100.0, 1e9, 1e15, 1e100] {
-            let size = DVec3::new(length, 2.0, length);
-            let projected = project_at(DVec3::new(0.0, -3.0, 10.0), size, &view);
+            let size = DVec3::new(length, 4.0, length);
+            let projected = project_at(DVec3::new(0.0, -4.0, 7.0), size, &view);
             for polygon in &projected.polygons[4..6] {
                 let lowest = polygon.vertices().iter().map(|[_, y]| *y).max();
                 assert_eq!(lowest, Some(300 * 256), "{length}: {polygon:?}");

@@ -3,6 +3,7 @@
 //! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150), and a hundred times as many random tiles; the
 //! long run is 10000 in a release build, with `--nocapture` to see how much slack the certificates leave.
 
+mod bounds;
 mod choices;
 #[path = "../support/random.rs"]
 mod random;

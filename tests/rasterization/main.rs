@@ -5,4 +5,5 @@ mod cuboids;
 mod drawings;
 #[path = "../support/random.rs"]
 mod random;
+mod tiles;
 mod twins;

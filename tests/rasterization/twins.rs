@@ -125,6 +125,7 @@ proptest! {
         let to = (from + rows).min(36);
         let expected: Vec<_> = spans(0..36).into_iter().filter(|span| (from..to).contains(&span.0)).collect();
         prop_assert_eq!(spans(from..to), expected);
+        prop_assert!(spans(from..to).iter().all(|(_, from, to)| from < to), "a row that is not covered is none");
     }
 
     #[test]

@@ -67,23 +67,29 @@ fn an_orthographic_pixel_sees_its_own_column_of_space() {
 fn every_pixel_centre_on_an_edge_belongs_to_the_triangle_right_of_it_or_below() {
     // A 3 x 3 face whose border and diagonal run through pixel centres: left and upper border are in, right and lower
     // are out, the diagonal belongs to the triangle on its right.
-    let mut world = World::new();
-    spawn_cuboid(&mut world, [3.0; 3], [0.0; 3]);
-    let mut grid = String::new();
-    for row in draw(&world, &orthographic([10, 10])).triangles.chunks(10) {
-        grid.extend(
-            row.iter()
-                .map(|id| char::from_digit(*id, 12).unwrap_or('.')),
-        );
-        grid.push('\n');
+    // Turned by quarters in the plane of the picture, it is the same face with another corner on top.
+    for (degrees, rows) in [
+        (0.0, ["999", "998", "988"]),
+        (90.0, ["888", "988", "998"]),
+        (180.0, ["888", "889", "899"]),
+        (270.0, ["999", "899", "889"]),
+    ] {
+        let mut world = World::new();
+        let rotation = [0.0, 0.0, degrees];
+        spawn_turned_cuboid(&mut world, [3.0; 3], [0.0; 3], rotation, MATERIAL);
+        let mut grid = String::new();
+        for row in draw(&world, &orthographic([10, 10])).triangles.chunks(10) {
+            grid.extend(
+                row.iter()
+                    .map(|id| char::from_digit(*id, 12).unwrap_or('.')),
+            );
+            grid.push('\n');
+        }
+        let [top, middle, bottom] = rows.map(|row| format!("...{row}....\n"));
+        let nothing = "..........\n";
+        let expected = nothing.repeat(3) + &top + &middle + &bottom + &nothing.repeat(4);
+        assert_eq!(grid, expected, "turned by {degrees} degrees\n{grid}");
     }
-    let expected = "\
-        ..........\n..........\n..........\n\
-        ...999....\n\
-        ...998....\n\
-        ...988....\n\
-        ..........\n..........\n..........\n..........\n";
-    assert_eq!(grid, expected, "\n{grid}");
 }
 
 #[test]

@@ -3,6 +3,8 @@
 mod agreement;
 mod known;
 mod lanes;
+mod patches;
+mod powers;
 #[path = "../support/random.rs"]
 mod random;
 #[path = "../support/scene.rs"]

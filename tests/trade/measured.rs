@@ -3,6 +3,7 @@
 use std::fs;
 use std::sync::Mutex;
 
+use glam::DVec3;
 use shadetrade::shading::METHODS;
 use shadetrade::trade::verdict::verdict;
 use shadetrade::trade::{self, Progress, Report, Request, csv, json, plot, report};
@@ -77,6 +78,24 @@ fn more_threads_change_nothing_but_times() {
         assert_eq!(one.accuracy.flip_mean, two.accuracy.flip_mean);
         assert_eq!(one.accuracy.map, two.accuracy.map);
     }
+}
+
+#[test]
+fn the_share_of_the_highlight_depends_neither_on_the_background_nor_on_the_views_tolerance() {
+    let kept = |background: f64, tolerance: f64| {
+        let mut scene = scene(GREEN, CENTRE, true);
+        scene.background = DVec3::splat(background);
+        let mut request = request(scene, [64, 48], 1);
+        request.view.tolerance = tolerance;
+        measured(request)
+            .methods
+            .iter()
+            .map(|one| one.accuracy.highlight_kept)
+            .collect::<Vec<_>>()
+    };
+    let expected = kept(0.0, 0.0);
+    assert_eq!(kept(200.0, 0.0), expected);
+    assert_eq!(kept(0.0, 255.0), expected);
 }
 
 #[test]
@@ -189,12 +208,14 @@ fn a_picture_beyond_all_memory_is_an_error_and_leaves_an_empty_folder() {
     let huge = request(scene(GREEN, CENTRE, true), [1 << 24, 1 << 24], 1);
     let error = trade::run(huge, Some(&folder)).expect_err("no machine holds it");
     let message = format!("{error:#}");
-    assert!(
-        message.starts_with(
-            "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in memory"
-        ),
-        "{message}"
+    // For every pixel three truths of 28 bytes, a frame of 24, two pictures of 3, two errors of 16, a highlight of 3, and a
+    // byte of each method's map.
+    let bytes = (84 + 24 + 6 + 32 + 3 + METHODS.len()) as f64 * 2.0_f64.powi(48);
+    let expected = format!(
+        "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in memory: it takes {:.0} MB",
+        bytes / 1e6
     );
+    assert!(message.starts_with(&expected), "{message}");
     let left = fs::read_dir(&folder).expect("the folder was made");
     assert_eq!(left.count(), 0);
 }

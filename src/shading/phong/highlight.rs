@@ -6,12 +6,10 @@
 //! ```
 //! Of the series' cubic terms the nearest quadratic is kept.
 //!
-//! The bound on what that costs has five parts. The tail of s: with a, b, c the swings of N, L and O, the coefficients of
-//! N.L along any path from the middle are at most those of (1 + a t) (1 + b t), and since N.N has its roots at |t| >= 1/a,
-//! those of 1 / N.N at most those of (1 - a t)^-2, of (L.L)^(-1/2) those of (1 - b t)^-1, and so on (Cauchy's method of
-//! majorants); so the tail of s is at most that of
+//! The bound on what that costs has five parts. The tail of s is at most that of its majorant (see [`Majorant`]), with A,
+//! B, C those of N, L and O
 //! ```text
-//!   2 A^2 B C + B C      A = (1 + a t) / (1 - a t), B and C alike      at t = 1
+//!   2 A^2 B C + B C
 //! ```
 //! The products of p that are beyond third order; the binomial series' tail after the third term, in Lagrange's form; the
 //! cubic terms that the quadratic leaves; and rounding.
@@ -20,7 +18,7 @@
 
 use super::Phong;
 use super::outlook::{Outlook, Vectors};
-use crate::shading::certificate::MOST_SWING;
+use crate::shading::certificate::{MOST_SWING, Majorant};
 use crate::shading::patch::Patch;
 use crate::shading::series::{Cubic, Quadratic};
 use crate::shading::specular::power_exact;
@@ -97,23 +95,8 @@ impl Phong<'_> {
 /// What the majorant of s is at t = 1 beyond its third order, for the swings of N, L and O.
 #[inline(always)]
 fn tail(swings: [f64; 3]) -> f64 {
-    // Value at one, and the series to third order: (1 + x) / (1 - x) = 1 + 2 x + 2 x^2 + ...
-    let [normal, light, eye] = swings.map(|x| {
-        let series = [1.0, 2.0 * x, 2.0 * x * x, 2.0 * x * x * x];
-        ((1.0 + x) / (1.0 - x), series)
-    });
-    let times = |(a, v): (f64, [f64; 4]), (b, w): (f64, [f64; 4])| {
-        let product = [
-            v[0] * w[0],
-            v[0] * w[1] + v[1] * w[0],
-            v[0] * w[2] + v[1] * w[1] + v[2] * w[0],
-            v[0] * w[3] + v[1] * w[2] + v[2] * w[1] + v[3] * w[0],
-        ];
-        (a * b, product)
-    };
-    let sides = times(light, eye);
-    let mirrored = times(times(normal, normal), sides);
-    let beyond = |(value, [a, b, c, d]): (f64, [f64; 4])| value - (a + b + c + d);
-    // The difference has a rounding error of its own, of some units of its terms.
-    2.0 * beyond(mirrored) + beyond(sides) + 1e-14
+    let [normal, light, eye] = swings.map(Majorant::of_swing);
+    let sides = light.times(&eye);
+    let mirrored = normal.times(&normal).times(&sides);
+    2.0 * mirrored.tail() + sides.tail()
 }

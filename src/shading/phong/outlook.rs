@@ -9,11 +9,16 @@ use glam::DVec3;
 
 use super::{Phong, Pixels, SMOOTHED};
 use crate::components::PointLight;
-use crate::shading::certificate::{Color, angle, cosine_remainder, least_lambda, rate};
+use crate::shading::certificate::{
+    Color, MOST_SWING, Majorant, angle, cosine_remainder, least_lambda, rate,
+};
 use crate::shading::patch::{Affine, Patch};
-use crate::shading::series::Quadratic;
+use crate::shading::series::{Cubic, Quadratic};
 use crate::shading::triangle::Triangle;
 use crate::shading::{TileKind, U};
+
+/// A diffuse term that errs by no more than this part of the tolerance need not be looked at more closely.
+const ENOUGH: f64 = 0.125;
 
 /// What all lights share on a tile. The products are those of vectors of length one at its middle.
 pub struct Vectors {
@@ -124,14 +129,23 @@ impl Vectors {
 }
 
 impl Outlook {
-    /// n.l, to second order.
+    /// n.l as a quadratic, and what that errs by. Taylor's serves where that is at most `enough`; elsewhere its cubic terms
+    /// are taken into account.
     #[inline(always)]
-    pub fn cosine(&self, vectors: &Vectors) -> Quadratic {
-        let roots = vectors
-            .normal_square
+    pub fn cosine(&self, vectors: &Vectors, half: [f64; 2], enough: f64) -> (Quadratic, f64) {
+        let (normal, light) = (&vectors.normal_square, &self.light_square);
+        let error = cosine_remainder(rate(vectors.swing_normal), rate(self.swing));
+        if error <= enough || vectors.swing_normal.max(self.swing) >= MOST_SWING {
+            let roots = normal.inverse_root().times(&light.inverse_root());
+            return (self.facing.times(&roots), error);
+        }
+        let roots = Cubic::from(*normal)
             .inverse_root()
-            .times(&self.light_square.inverse_root());
-        self.facing.times(&roots)
+            .times(&Cubic::from(*light).inverse_root());
+        let (quadratic, left) = Cubic::from(self.facing).times(&roots).economized(half);
+        let directions =
+            Majorant::of_swing(vectors.swing_normal).times(&Majorant::of_swing(self.swing));
+        (quadratic, left + directions.tail())
     }
 
     /// L.O
@@ -167,9 +181,10 @@ impl Phong<'_> {
             }
             let [diffuse, specular] = self.surface.coefficients(light);
             if diffuse != DVec3::ZERO {
-                let remainder = cosine_remainder(rate(vectors.swing_normal), rate(outlook.swing));
-                survey.budget -= diffuse.max_element() * (remainder + 6.0 * U);
-                let cosine = outlook.cosine(vectors);
+                let bright = diffuse.max_element();
+                let enough = ENOUGH * self.tolerance / bright;
+                let (cosine, error) = outlook.cosine(vectors, patch.half, enough);
+                survey.budget -= bright * (error + 6.0 * U);
                 if outlook.side == Side::Lit {
                     survey.color.add(&cosine, diffuse);
                 } else {

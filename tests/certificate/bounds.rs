@@ -1,0 +1,80 @@
+//! What the certificates are made of, against paper.
+
+use glam::DVec3;
+use shadetrade::shading::certificate::{
+    Color, MOST_SWING, angle, cosine_remainder, quotient, rate,
+};
+use shadetrade::shading::patch::{Affine, Scalar};
+use shadetrade::shading::series::Quadratic;
+
+#[test]
+fn a_product_of_quadratics_is_that_of_paper_to_second_order() {
+    // xy: 2 * 31 + 3 * 23 + 5 * 19 + 11 * 17.
+    let product = Quadratic([2.0, 3.0, 5.0, 7.0, 11.0, 13.0])
+        .times(&Quadratic([17.0, 19.0, 23.0, 29.0, 31.0, 37.0]));
+    assert_eq!(product, Quadratic([34.0, 89.0, 131.0, 234.0, 413.0, 410.0]));
+}
+
+#[test]
+fn a_colour_is_as_large_as_the_largest_of_its_channels() {
+    for largest in 0..3 {
+        let mut color = Color([Quadratic([2.0, 0.0, 0.0, 0.0, 0.0, 0.0]); 3]);
+        color.0[largest].0[0] = 7.0;
+        assert_eq!(color.largest(|channel| channel.0[0]), 7.0);
+    }
+}
+
+#[test]
+fn a_direction_turns_no_faster_than_its_swing_over_what_may_be_left_of_its_length() {
+    assert_eq!([0.0, 0.25, 0.4].map(rate), [0.0, 0.25 / 0.75, 0.4 / 0.6]);
+    assert_eq!(rate(MOST_SWING), f64::INFINITY);
+    assert_eq!(rate(f64::NAN), f64::INFINITY);
+}
+
+#[test]
+fn the_remainder_of_a_cosine_is_a_sixth_of_its_third_derivative() {
+    // (3 * 8 + 2 sqrt 3 * 4 * 3 + 2 sqrt 3 * 2 * 9 + 3 * 27) / 6 for rates 2 and 3.
+    let expected = (105.0 + 60.0 * 3.0_f64.sqrt()) / 6.0;
+    assert!((cosine_remainder(2.0, 3.0) - expected).abs() < 1e-12);
+    assert_eq!(cosine_remainder(1.0, 0.0), 0.5);
+    assert_eq!(cosine_remainder(0.0, 1.0), 0.5);
+}
+
+#[test]
+fn the_angle_of_a_swing_is_bounded_from_above_and_closely() {
+    for step in 1..500 {
+        let swing = f64::from(step) * 1e-3;
+        let share = angle(swing) / swing.asin();
+        assert!((1.0..1.048).contains(&share), "{swing}: {share}");
+    }
+    assert_eq!(angle(MOST_SWING), f64::INFINITY);
+    assert_eq!(angle(f64::NAN), f64::INFINITY);
+}
+
+#[test]
+fn a_quotient_of_affine_functions_is_the_quadratic_of_paper_within_the_bound_of_paper() {
+    let colors = Affine {
+        centre: DVec3::new(8.0, 16.0, 0.0),
+        dx: DVec3::new(1.0, 1.0, 2.0),
+        dy: DVec3::new(0.5, 2.0, -1.0),
+    };
+    let total = Scalar {
+        centre: 1.0,
+        dx: 0.0625,
+        dy: -0.125,
+    };
+    // kappa is (1 - 8 / 16, 0.5 + 8 / 8), (0, 4) and (2, -1); e reaches 2 / 16 + 1 / 8 = 1 / 4 and kappa.d 5, of which
+    // (1 / 4)^2 / (1 - 1 / 4) may be lost.
+    let (color, bound) = quotient(&colors, &total, [2.0, 1.0]);
+    let expected = [
+        Quadratic([8.0, 0.5, 1.5, -0.03125, -0.03125, 0.1875]),
+        Quadratic([16.0, 0.0, 4.0, 0.0, -0.25, 0.5]),
+        Quadratic([0.0, 2.0, -1.0, -0.125, 0.3125, -0.125]),
+    ];
+    assert_eq!(color, Color(expected));
+    assert!((bound - 5.0 / 12.0).abs() < 1e-15, "{bound}");
+    // Where e reaches a half nothing is certified.
+    for half in [[4.0, 2.0], [9.0, 2.0]] {
+        assert_eq!(quotient(&colors, &total, half).1, f64::INFINITY);
+    }
+}
