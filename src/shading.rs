@@ -6,6 +6,7 @@
 //! Rule: a [`patch::Patch`] is set up in f64 from unsnapped vertices and anchored at the middle of what the tile covers; what a
 //! shader does in f32 it may do only where its rounding error is bounded below the tolerance, and in f64 elsewhere.
 
+pub mod affine;
 pub mod certificate;
 pub mod display;
 mod doubles;

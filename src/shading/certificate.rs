@@ -19,7 +19,7 @@
 
 use glam::DVec3;
 
-use super::patch::{Affine, Scalar};
+use super::affine::{Affine, Scalar};
 use super::series::Quadratic;
 
 /// Beyond this swing nothing is certified: the series would converge too slowly to be of use.

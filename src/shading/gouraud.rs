@@ -4,9 +4,10 @@
 //! that quotient is drawn as a certified polynomial; otherwise with one division a pixel, in f32 where its rounding stays
 //! below the tolerance and in f64 elsewhere.
 
+use super::affine::{Affine, Scalar};
 use super::certificate::quotient;
 use super::display::Exact;
-use super::patch::{Affine, Patch, Scalar};
+use super::patch::Patch;
 use super::polynomial::Polynomial;
 use super::triangle::Triangle;
 use super::{

@@ -4,7 +4,7 @@
 //! [`super::certificate`].
 
 use super::TILE;
-use super::patch::Affine;
+use super::affine::Affine;
 
 /// c_0 + c_1 x + c_2 y + c_3 x^2 + c_4 xy + c_5 y^2, x and y in pixels from the middle of a tile.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -15,7 +15,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::patch::{Affine, Scalar};
+use super::affine::{Affine, Scalar};
 use crate::components::{Projection, TRIANGLES, unit};
 
 /// A cuboid as rays meet it.

@@ -8,8 +8,9 @@
 
 use glam::DVec3;
 
+use super::affine::Affine;
 use super::display::Exact;
-use super::patch::{Affine, Patch};
+use super::patch::Patch;
 use super::polynomial::Polynomial;
 use super::specular::{power, power_exact};
 use super::triangle::Triangle;

@@ -23,8 +23,9 @@ use crate::components::{
     Transform, VertexColors, View,
 };
 use crate::frame::{Band, Counts, Frame};
+use crate::shading::affine::Scalar;
 use crate::shading::gouraud::Gouraud;
-use crate::shading::patch::{Patch, Scalar};
+use crate::shading::patch::Patch;
 use crate::shading::phong::Phong;
 use crate::shading::triangle::{self, Rays, Solid, Triangle};
 use crate::shading::unit_vectors::UnitVectors;

@@ -1,10 +1,10 @@
 //! What the certificates are made of, against paper.
 
 use glam::DVec3;
+use shadetrade::shading::affine::{Affine, Scalar};
 use shadetrade::shading::certificate::{
     Color, MOST_SWING, angle, cosine_remainder, quotient, rate,
 };
-use shadetrade::shading::patch::{Affine, Scalar};
 use shadetrade::shading::series::Quadratic;
 
 #[test]

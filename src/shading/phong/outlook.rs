@@ -9,10 +9,11 @@ use glam::DVec3;
 
 use super::{Phong, Pixels, SMOOTHED};
 use crate::components::PointLight;
+use crate::shading::affine::Affine;
 use crate::shading::certificate::{
     Color, MOST_SWING, Majorant, angle, cosine_remainder, least_lambda, rate,
 };
-use crate::shading::patch::{Affine, Patch};
+use crate::shading::patch::Patch;
 use crate::shading::series::{Cubic, Quadratic};
 use crate::shading::triangle::Triangle;
 use crate::shading::{TileKind, U};
