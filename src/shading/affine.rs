@@ -42,17 +42,6 @@ impl Affine {
         }
     }
 
-    /// The difference.
-    #[inline(always)]
-    #[must_use]
-    pub fn minus(&self, other: &Affine) -> Affine {
-        Affine {
-            centre: self.centre - other.centre,
-            dx: self.dx - other.dx,
-            dy: self.dy - other.dy,
-        }
-    }
-
     /// How far the value moves within `half` pixels of the middle at most: to one of the corners.
     #[inline(always)]
     pub fn reach(&self, half: [f64; 2]) -> f64 {

@@ -5,7 +5,7 @@ use shadetrade::shading::affine::{Affine, Scalar};
 use shadetrade::shading::certificate::{
     Color, MOST_SWING, angle, cosine_remainder, quotient, rate,
 };
-use shadetrade::shading::series::Quadratic;
+use shadetrade::shading::series::{Cubic, Quadratic};
 
 #[test]
 fn a_product_of_quadratics_is_that_of_paper_to_second_order() {
@@ -13,6 +13,48 @@ fn a_product_of_quadratics_is_that_of_paper_to_second_order() {
     let product = Quadratic([2.0, 3.0, 5.0, 7.0, 11.0, 13.0])
         .times(&Quadratic([17.0, 19.0, 23.0, 29.0, 31.0, 37.0]));
     assert_eq!(product, Quadratic([34.0, 89.0, 131.0, 234.0, 413.0, 410.0]));
+}
+
+#[test]
+fn a_product_of_cubic_series_is_that_of_paper_to_third_order() {
+    // x^2 y: 2 * 61 + 3 * 47 + 5 * 43 + 7 * 41 + 11 * 37 + 19 * 31.
+    let product = Cubic([2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0]).times(&Cubic([
+        31.0, 37.0, 41.0, 43.0, 47.0, 53.0, 59.0, 61.0, 67.0, 71.0,
+    ]));
+    let expected = [
+        62.0, 167.0, 237.0, 414.0, 743.0, 714.0, 1033.0, 1761.0, 2173.0, 1839.0,
+    ];
+    assert_eq!(product, Cubic(expected));
+}
+
+#[test]
+fn the_reaches_of_a_cubic_series_and_what_economizing_it_costs_are_those_of_paper() {
+    let series = Cubic([0.0, 1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 7.0, -8.0, 9.0]);
+    let half = [2.0, 3.0];
+    // 2 + 2 * 3; 3 * 4 + 4 * 6 + 5 * 9; 6 * 8 + 7 * 12 + 8 * 18 + 9 * 27.
+    assert_eq!(series.reaches(half), [8.0, 81.0, 519.0]);
+    // x: 1 - 6 * 3 / 4 * 4 - 8 / 2 * 9; y: -2 + 9 * 3 / 4 * 9 + 7 / 2 * 4; lost: 6 * 8 / 4 + 7 * 12 / 2 + 8 * 18 / 2 + 9 * 27 / 4.
+    let (quadratic, lost) = series.economized(half);
+    assert_eq!(quadratic, Quadratic([0.0, -53.0, 72.75, 3.0, -4.0, 5.0]));
+    assert_eq!(lost, 186.75);
+}
+
+#[test]
+fn a_vector_moves_as_far_as_to_a_corner_of_its_tile() {
+    let vector = |dx: [f64; 3], dy: [f64; 3]| Affine {
+        centre: DVec3::ONE,
+        dx: dx.into(),
+        dy: dy.into(),
+    };
+    // (3, 4, 0) and, along one line, 2 and -3.
+    assert_eq!(
+        vector([1.0, 0.0, 0.0], [0.0, 2.0, 0.0]).reach([3.0, 2.0]),
+        5.0
+    );
+    assert_eq!(
+        vector([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]).reach([2.0, 3.0]),
+        5.0
+    );
 }
 
 #[test]
