@@ -12,7 +12,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
-pub(crate) use self::band::Band;
+pub(crate) use self::band::{Band, Drawn};
 use crate::memory::{self, OutOfMemory};
 pub use crate::shading::display::display_step;
 use crate::shading::{BLOCK, TileKind};
@@ -106,7 +106,7 @@ pub struct Frame {
     triangles: Vec<u32>,
     kinds: Vec<u8>,
     depths: Vec<f64>,
-    touched: Vec<[u32; 2]>,
+    drawn: Vec<Drawn>,
     counts: Counts,
 }
 
@@ -124,7 +124,7 @@ impl Frame {
             triangles: Vec::new(),
             kinds: Vec::new(),
             depths: Vec::new(),
-            touched: Vec::new(),
+            drawn: Vec::new(),
             counts: Counts::default(),
         }
     }
@@ -213,7 +213,7 @@ impl Frame {
             .and_then(|()| renew(&mut self.triangles, wanted(deep || !display), NO_TRIANGLE))
             .and_then(|()| renew(&mut self.kinds, wanted(!display), 0))
             .and_then(|()| renew(&mut self.depths, wanted(deep), FARTHEST))
-            .and_then(|()| renew(&mut self.touched, end - start, [0, size[0] as u32]))
+            .and_then(|()| renew(&mut self.drawn, end - start, Drawn::anything(size[0])))
             .map_err(memory::refused(size, needed))?;
         (self.size, self.rows) = (size, start..end);
         Ok(())
@@ -226,7 +226,7 @@ impl Frame {
         self.triangles = Vec::new();
         self.kinds = Vec::new();
         self.depths = Vec::new();
-        self.touched = Vec::new();
+        self.drawn = Vec::new();
     }
 
     /// Has `draw` fill the frame, band by band, and adds up what it counts. `alone`: on the calling thread.
@@ -238,7 +238,7 @@ impl Frame {
     ) {
         if self.background != background {
             self.background = background;
-            self.touched.fill([0, self.size[0] as u32]);
+            self.drawn.fill(Drawn::anything(self.size[0]));
         }
         let mut band = Band {
             width: self.size[0],
@@ -250,7 +250,7 @@ impl Frame {
             triangles: &mut self.triangles,
             kinds: &mut self.kinds,
             depths: &mut self.depths,
-            touched: &mut self.touched,
+            drawn: &mut self.drawn,
         };
         self.counts += match &self.workers.pool {
             Some(pool) if !alone => {

@@ -202,18 +202,6 @@ pub struct TileSpans {
 }
 
 impl TileSpans {
-    /// The rows of the picture.
-    pub fn rows(&self) -> Range<usize> {
-        self.first..self.first + TILE
-    }
-
-    /// The pixels from..to of a row of the picture; empty where from >= to.
-    #[inline(always)]
-    pub fn span(&self, row: usize) -> (usize, usize) {
-        let (from, to) = self.spans[row - self.first];
-        (from as usize, to as usize)
-    }
-
     /// The pixels between which all spans lie; empty where there is none.
     pub fn extent(&self) -> Range<usize> {
         self.outer[0].min(self.outer[1])..self.outer[1]

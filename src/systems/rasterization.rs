@@ -50,6 +50,13 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     let level = frame.workers().level();
     frame.paint(view.background, area < WORTH_SHARING, |band| {
         let rows = band.rows.clone();
+        if band.depths.is_empty() {
+            for projected in world.query::<&Projected>().iter() {
+                for polygon in projected.polygons.iter().filter(|polygon| touches(polygon, &rows)) {
+                    announce(polygon, band);
+                }
+            }
+        }
         dispatch!(level, _simd => band.clear());
         let mut counts = Counts::default();
         if !band.depths.is_empty() {
@@ -178,6 +185,14 @@ impl Nearness {
     }
 }
 
+/// Tells the band which pixels a polygon will cover.
+fn announce(polygon: &Polygon, band: &mut Band) {
+    let mut scan = Scan::new(polygon, band.rows.clone(), band.width);
+    while let Some((row, from, to)) = scan.next_span() {
+        band.announce(row, from, to);
+    }
+}
+
 /// Enters a polygon into the depth buffer wherever it is nearest.
 #[inline(always)]
 fn see(polygon: &Polygon, nearness: &Nearness, id: u32, lens: &Lens, band: &mut Band) {
@@ -188,6 +203,7 @@ fn see(polygon: &Polygon, nearness: &Nearness, id: u32, lens: &Lens, band: &mut 
     let mut scan = Scan::new(polygon, band.rows.clone(), band.width);
     while let Some((row, from, to)) = scan.next_span() {
         let start = plane.centre + plane.dy * (row as f64 + 0.5 - lens.half[1]);
+        band.touch(row, from, to);
         let first = band.index(from, row);
         let depths = &mut band.depths[first..first + to - from];
         let triangles = &mut band.triangles[first..first + to - from];
@@ -268,14 +284,6 @@ fn draw_with(
     while let Some(row) = scan.next_row() {
         let first = row / BLOCK * BLOCK;
         let rows = [scan.tiles(first), scan.tiles(first + TILE)];
-        for tiles in &rows {
-            for row in tiles.rows() {
-                let (from, to) = tiles.span(row);
-                if from < to && band.rows.contains(&row) {
-                    band.touch(row, from, to);
-                }
-            }
-        }
         let [upper, lower] = [rows[0].extent(), rows[1].extent()];
         let from = if upper.is_empty() || (!lower.is_empty() && lower.start < upper.start) {
             lower.start

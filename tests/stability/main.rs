@@ -8,6 +8,7 @@ mod life;
 mod memory;
 #[path = "../support/random.rs"]
 mod random;
+mod redrawing;
 #[path = "../support/scene.rs"]
 mod scene;
 mod symmetries;
