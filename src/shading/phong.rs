@@ -33,6 +33,9 @@ const ROUNDED: f64 = 0.5;
 /// The part of the tolerance that a cheaper power may use up.
 const POWERED: f64 = 0.125;
 
+/// So few pixels of a tile are evaluated faster than a certificate for them is found.
+const FEW: u32 = 24;
+
 /// What a shaded object brings to all of its tiles.
 pub struct Phong<'a> {
     surface: Surface<'a>,
@@ -229,6 +232,7 @@ impl Shader for Phong<'_> {
         let vectors = Vectors::new(triangle, patch);
         if patch.steady
             && self.tolerance > 0.0
+            && coverage.pixels > FEW
             && let Some(evaluations) =
                 self.shade_certified(&vectors, triangle, patch, coverage, scratch, sink)
         {

@@ -34,6 +34,9 @@ use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TIL
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
 
+/// A polynomial for a block of no more pixels than this costs more to find than it saves.
+const WORTH_A_TRY: u32 = (TILE * TILE / 2) as u32;
+
 /// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
 const DEPTH_TIE: f64 = 1e-11;
 
@@ -363,10 +366,10 @@ struct Block {
 }
 
 impl Block {
-    /// The block as one patch, where more than one of its tiles is covered.
+    /// The block as one patch, where so much of it is covered that one polynomial may be cheaper than those of its tiles.
     #[inline(always)]
     fn patch(&self, triangle: &Triangle, corner: [f64; 2]) -> Option<Patch> {
-        let (mut lanes, mut rows, mut covered) = ([u8::MAX, 0], [u8::MAX, 0], 0);
+        let (mut lanes, mut rows, mut pixels) = ([u8::MAX, 0], [u8::MAX, 0], 0);
         for (down, coverages) in self.coverage.iter().enumerate() {
             for (right, coverage) in coverages
                 .iter()
@@ -382,10 +385,10 @@ impl Block {
                     rows[0].min(coverage.rows[0] + shift[1]),
                     rows[1].max(coverage.rows[1] + shift[1]),
                 ];
-                covered += 1;
+                pixels += coverage.pixels;
             }
         }
-        (covered > 1).then(|| Patch::new(triangle, corner, lanes, rows))
+        (pixels > WORTH_A_TRY).then(|| Patch::new(triangle, corner, lanes, rows))
     }
 }
 
