@@ -154,18 +154,26 @@ impl Cubic {
         Cubic(std::array::from_fn(|term| self.0[term] - other.0[term]))
     }
 
+    /// The terms up to second order.
+    #[inline(always)]
+    fn lower(&self) -> Quadratic {
+        let [middle, x, y, xx, xy, yy, ..] = self.0;
+        Quadratic([middle, x, y, xx, xy, yy])
+    }
+
     /// The product, to third order.
     #[inline(always)]
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let (a, b) = (&self.0, &other.0);
+        let [middle, x, y, xx, xy, yy] = self.lower().times(&other.lower()).0;
         Cubic([
-            a[0] * b[0],
-            a[0] * b[1] + a[1] * b[0],
-            a[0] * b[2] + a[2] * b[0],
-            a[0] * b[3] + a[1] * b[1] + a[3] * b[0],
-            a[0] * b[4] + a[1] * b[2] + a[2] * b[1] + a[4] * b[0],
-            a[0] * b[5] + a[2] * b[2] + a[5] * b[0],
+            middle,
+            x,
+            y,
+            xx,
+            xy,
+            yy,
             a[0] * b[6] + a[1] * b[3] + a[3] * b[1] + a[6] * b[0],
             a[0] * b[7] + a[1] * b[4] + a[2] * b[3] + a[3] * b[2] + a[4] * b[1] + a[7] * b[0],
             a[0] * b[8] + a[1] * b[5] + a[2] * b[4] + a[4] * b[2] + a[5] * b[1] + a[8] * b[0],
@@ -321,7 +329,7 @@ mod tests {
         let half = [3.0, 2.0];
         let (near, bound) = SERIES.economized(half);
         let near = Cubic::from(near);
-        let cut = Cubic::from(Quadratic(std::array::from_fn(|term| SERIES.0[term])));
+        let cut = Cubic::from(SERIES.lower());
         let (mut worst, mut worst_cut) = (0.0_f64, 0.0_f64);
         for step in 0..=40 * 40 {
             let x = half[0] * (f64::from(step % 41) / 20.0 - 1.0);

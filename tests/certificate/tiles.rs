@@ -32,6 +32,16 @@ struct Subject {
     illumination: Illumination,
 }
 
+impl Subject {
+    fn surface(&self) -> Surface<'_> {
+        Surface {
+            material: &self.material,
+            illumination: &self.illumination,
+            centre: DVec3::ZERO,
+        }
+    }
+}
+
 fn subject(random: &mut Random) -> Subject {
     let decades = |random: &mut Random| DVec3::splat(0.0).map(|_| random.decade(-1.0, 1.0));
     let mesh = Mesh::cuboid(decades(random));
@@ -164,11 +174,7 @@ fn no_certified_tile_exceeds_its_tolerance() {
         let random = &mut Random(seed.wrapping_mul(0x1000_0000_01b3));
         let subject = subject(random);
         let tolerance = random.decade(-2.0, 0.9);
-        let surface = Surface {
-            material: &subject.material,
-            illumination: &subject.illumination,
-            centre: DVec3::ZERO,
-        };
+        let surface = subject.surface();
         let Subject {
             triangle, patch, ..
         } = &subject;
@@ -238,11 +244,7 @@ fn a_highlight_that_varies_slowly_is_a_polynomial_and_keeps_its_tolerance() {
             light.diffuse = DVec3::ZERO;
             light.specular = light.specular.min(DVec3::splat(80.0));
         }
-        let surface = Surface {
-            material: &subject.material,
-            illumination: &subject.illumination,
-            centre: DVec3::ZERO,
-        };
+        let surface = subject.surface();
         let Subject {
             triangle, patch, ..
         } = &subject;

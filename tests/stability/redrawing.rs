@@ -13,8 +13,8 @@ fn vector(random: &mut Random, size: f64) -> DVec3 {
     DVec3::from_array([0; 3].map(|_| random.within(-size, size)))
 }
 
-/// From anywhere: afar, close by, with the near plane through the cuboid or the eye in it, along a face, past everything.
-fn views(random: &mut Random) -> View {
+/// Afar, close by, with the near plane through the cuboid or the eye in it, along a face, past everything.
+fn view_from_anywhere(random: &mut Random) -> View {
     let eye = vector(random, 1.0) * 10.0_f64.powf(random.within(-0.5, 1.0));
     let target = vector(random, 1.5);
     let projection = if random.within(0.0, 1.0) < 0.7 {
@@ -64,7 +64,7 @@ fn nothing_of_an_old_picture_stays() {
                 for kind in [LightKind::Ambient, LightKind::Diffuse, LightKind::Specular] {
                     spawn_light(&mut world, kind, DVec3::splat(60.0), vector(random, 5.0));
                 }
-                let view = views(random);
+                let view = view_from_anywhere(random);
                 systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
                 let fresh = draw(&mut world, &view, keep);
                 assert_eq!(frame.pixels(), fresh.pixels(), "{view:?}");

@@ -43,12 +43,12 @@ impl Phong<'_> {
         patch: &Patch,
         most: f64,
     ) -> Option<(Quadratic, f64)> {
-        let shininess = self.surface.material.shininess;
+        let rho = self.surface.material.shininess;
         let swings = [vectors.swing_normal, outlook.swing, vectors.swing_eye];
         let turns = 2.0 * swings[0] + swings[1] + swings[2];
-        let bright = (-shininess * outlook.lambda).exp();
-        let hopeless = CUBIC * bright * turns * turns * turns * shininess * shininess.sqrt();
-        if hopeless > most || swings.iter().any(|&swing| swing >= MOST_SWING) {
+        let bright = (-rho * outlook.lambda).exp();
+        let expected = CUBIC * bright * turns * turns * turns * rho * rho.sqrt();
+        if expected > most || swings.iter().any(|&swing| swing >= MOST_SWING) {
             return None;
         }
 
@@ -74,7 +74,6 @@ impl Phong<'_> {
             return None;
         }
 
-        let rho = shininess;
         let k2 = 0.5 * rho * (rho - 1.0);
         let k3 = k2 * (rho - 2.0) / 3.0;
         let k4 = 0.25 * k3 * (rho - 3.0);

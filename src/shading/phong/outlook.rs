@@ -81,6 +81,19 @@ impl Survey {
         self.terminators == 0 && self.highlights == 0
     }
 
+    /// The pixels, where there are any, with nothing added to them yet if no light has been.
+    #[inline(always)]
+    fn look_at<'p, 's>(
+        &self,
+        pixels: &'p mut Option<&mut Pixels<'s>>,
+    ) -> Option<&'p mut Pixels<'s>> {
+        let pixels = pixels.as_deref_mut()?;
+        if self.is_polynomial() {
+            pixels.fill(DVec3::ZERO);
+        }
+        Some(pixels)
+    }
+
     /// How a tile that is not all polynomial is drawn.
     pub fn kind(&self) -> TileKind {
         if self.highlights > 0 {
@@ -189,10 +202,7 @@ impl Phong<'_> {
                 if outlook.side == Side::Lit {
                     survey.color.add(&cosine, diffuse);
                 } else {
-                    let pixels = pixels.as_deref_mut()?;
-                    if survey.is_polynomial() {
-                        pixels.fill(DVec3::ZERO);
-                    }
+                    let pixels = survey.look_at(&mut pixels)?;
                     survey.terminators += 1;
                     self.add_terminator(light, &cosine, patch, pixels);
                 }
@@ -206,10 +216,7 @@ impl Phong<'_> {
                     survey.color.add(&strength, specular);
                     survey.budget -= bright * error;
                 } else {
-                    let pixels = pixels.as_deref_mut()?;
-                    if survey.is_polynomial() {
-                        pixels.fill(DVec3::ZERO);
-                    }
+                    let pixels = survey.look_at(&mut pixels)?;
                     survey.highlights += 1;
                     // Product and sums in f32 are three more roundings.
                     survey.budget -= self.add_specular(light, vectors, &outlook, patch, pixels)
