@@ -2,7 +2,7 @@
 //!
 //! Rule: a level the machine lacks is never replaced by another one.
 
-use fearless_simd::Level;
+use fearless_simd::{Level, Simd};
 
 /// The levels that can be asked for, besides the best one there is.
 pub const NAMES: [&str; 5] = ["fallback", "sse4.2", "avx2", "avx512", "neon"];
@@ -21,6 +21,13 @@ pub fn named(name: &str) -> Option<Level> {
         "neon" => Level::new().as_neon().map(Level::Neon),
         _ => None,
     }
+}
+
+/// Does `work` at a SIMD level, in a function of its own: where that is one of several things that may have to be done in
+/// a loop, the compiler would else prepare for all of them each time round.
+#[inline(never)]
+pub(crate) fn apart<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
+    simd.vectorize(work)
 }
 
 /// What `level` is called.

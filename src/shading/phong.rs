@@ -12,6 +12,7 @@ mod exact;
 mod highlight;
 mod outlook;
 
+use fearless_simd::Simd;
 use glam::DVec3;
 
 use super::display::Approximate;
@@ -22,6 +23,7 @@ use super::specular::Squarings;
 use super::triangle::Triangle;
 use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, limit, polynomial};
 use crate::components::PointLight;
+use crate::simd::apart;
 use outlook::Vectors;
 
 /// The part of the tolerance that dropped specular terms may use up together.
@@ -37,7 +39,9 @@ const POWERED: f64 = 0.125;
 const FEW: u32 = 24;
 
 /// What a shaded object brings to all of its tiles.
-pub struct Phong<'a> {
+pub struct Phong<'a, S> {
+    /// The instructions there are.
+    simd: S,
     surface: Surface<'a>,
     /// As asked for, in levels.
     tolerance: f64,
@@ -55,9 +59,9 @@ pub struct Phong<'a> {
     squarings: Option<Squarings>,
 }
 
-impl<'a> Phong<'a> {
+impl<'a, S: Simd> Phong<'a, S> {
     /// Prepares an object; `tolerance` in levels.
-    pub fn new(surface: Surface<'a>, tolerance: f64) -> Self {
+    pub fn new(simd: S, surface: Surface<'a>, tolerance: f64) -> Self {
         let shininess = surface.material.shininess;
         let powers = surface.powers().max(1) as f64;
         let brightest = surface
@@ -74,6 +78,7 @@ impl<'a> Phong<'a> {
             POWERED * tolerance / powers / brightest,
         );
         Phong {
+            simd,
             surface,
             tolerance,
             ambient: surface.ambient(),
@@ -125,7 +130,11 @@ impl<'a> Phong<'a> {
         let survey = self.survey(vectors, triangle, patch, Some(&mut pixels))?;
         if survey.is_polynomial() {
             let polynomial = polynomial::cheapest(survey.color, patch.half, survey.budget)?;
-            polynomial.shade(patch.first(), coverage, sink);
+            apart(
+                self.simd,
+                #[inline(always)]
+                || polynomial.shade(patch.first(), coverage, sink),
+            );
             return Some(Evaluations::of(polynomial.kind));
         }
         let budget = survey.budget - polynomial::rounding(&survey.color, patch.half);
@@ -210,7 +219,7 @@ impl<'a> Pixels<'a> {
     }
 }
 
-impl Shader for Phong<'_> {
+impl<S: Simd> Shader for Phong<'_, S> {
     #[inline(always)]
     fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
         if self.tolerance == 0.0 || !patch.steady {
@@ -239,7 +248,11 @@ impl Shader for Phong<'_> {
             return evaluations;
         }
         let in_lanes = if patch.steady {
-            self.shade_lanes(&vectors, triangle, patch, coverage, scratch, sink)
+            apart(
+                self.simd,
+                #[inline(always)]
+                || self.shade_lanes(&vectors, triangle, patch, coverage, scratch, sink),
+            )
         } else {
             None
         };

@@ -12,7 +12,7 @@ mod store;
 
 use std::ops::Range;
 
-use fearless_simd::dispatch;
+use fearless_simd::{Simd, dispatch};
 use hecs::World;
 
 use self::store::{Store, WholeBlock};
@@ -83,9 +83,12 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
                 };
                 let (solid, rays) = before(transform, mesh, normals, colors, projected, &lens);
                 for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| touches(polygon, &rows)) {
-                    let triangle = triangle(number, &solid, projected, &lens, &rays);
-                    let id = index as u32 * 12 + number as u32;
-                    counts += dispatch!(level, _simd => draw(polygon, &triangle, id, &object, &lens, band, &mut scratch));
+                    let shape = Shape {
+                        polygon,
+                        triangle: triangle(number, &solid, projected, &lens, &rays),
+                        id: index as u32 * 12 + number as u32,
+                    };
+                    counts += dispatch!(level, simd => draw(simd, &shape, &object, &lens, band, &mut scratch));
                 }
             }
         }
@@ -115,6 +118,14 @@ fn box_area(polygon: &Polygon, size: [usize; 2]) -> i64 {
             .map_or(0, |(most, least)| (most - least) / 256)
     };
     side(0) * side(1) / 2
+}
+
+/// One triangle as it is drawn.
+struct Shape<'a> {
+    /// What of it is in the picture.
+    polygon: &'a Polygon,
+    triangle: Triangle,
+    id: u32,
 }
 
 /// One cuboid as its pixels are shaded.
@@ -223,10 +234,9 @@ fn see(polygon: &Polygon, nearness: &Nearness, id: u32, lens: &Lens, band: &mut 
 
 /// Shades a polygon with the shader of its object's mode.
 #[inline(always)]
-fn draw(
-    polygon: &Polygon,
-    triangle: &Triangle,
-    id: u32,
+fn draw<S: Simd>(
+    simd: S,
+    shape: &Shape,
     object: &Object,
     lens: &Lens,
     band: &mut Band,
@@ -238,33 +248,14 @@ fn draw(
         tolerance,
     } = *object;
     match mode {
-        ShadingMode::Gouraud => draw_with(
-            &Gouraud { tolerance },
-            polygon,
-            triangle,
-            id,
-            lens,
-            band,
-            scratch,
-        ),
-        ShadingMode::Phong => draw_with(
-            &Phong::new(surface, tolerance),
-            polygon,
-            triangle,
-            id,
-            lens,
-            band,
-            scratch,
-        ),
-        ShadingMode::UnitVectors => draw_with(
-            &UnitVectors { surface },
-            polygon,
-            triangle,
-            id,
-            lens,
-            band,
-            scratch,
-        ),
+        ShadingMode::Gouraud => draw_with(&Gouraud { tolerance }, shape, lens, band, scratch),
+        ShadingMode::Phong => {
+            let phong = Phong::new(simd, surface, tolerance);
+            draw_with(&phong, shape, lens, band, scratch)
+        }
+        ShadingMode::UnitVectors => {
+            draw_with(&UnitVectors { surface }, shape, lens, band, scratch)
+        }
     }
 }
 
@@ -273,13 +264,16 @@ fn draw(
 #[inline(always)]
 fn draw_with(
     shader: &impl Shader,
-    polygon: &Polygon,
-    triangle: &Triangle,
-    id: u32,
+    shape: &Shape,
     lens: &Lens,
     band: &mut Band,
     scratch: &mut Scratch,
 ) -> Counts {
+    let Shape {
+        polygon,
+        triangle,
+        id,
+    } = shape;
     let mut counts = Counts::default();
     let rows =
         band.rows.start / BLOCK * BLOCK..band.rows.end.next_multiple_of(BLOCK).min(band.height);
@@ -332,7 +326,7 @@ fn draw_with(
             for (down, tiles) in rows.iter().enumerate() {
                 for (right, &column) in block.columns.iter().enumerate() {
                     let coverage = &block.coverage[down][right];
-                    let mut store = Store::new(band, [column, tiles.first], coverage, id);
+                    let mut store = Store::new(band, [column, tiles.first], coverage, *id);
                     if coverage.pixels == 0 || !store.is_seen() {
                         continue;
                     }

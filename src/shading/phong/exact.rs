@@ -8,6 +8,7 @@
 //! vectors instead, reflects, and takes 1 - o.r = |r - o|^2 / 2. Where a terminator crosses the tile, each pixel's gate is
 //! the sign of N.L in f64.
 
+use fearless_simd::Simd;
 use glam::DVec3;
 
 use super::outlook::{Outlook, Side, Vectors};
@@ -72,7 +73,7 @@ pub enum Reflection {
     Vectors,
 }
 
-impl Phong<'_> {
+impl<S: Simd> Phong<'_, S> {
     /// A bound on what f32 makes of n.l: the errors of its three products and three roundings.
     #[inline(always)]
     pub(super) fn cosine_error(vectors: &Vectors, outlook: &Outlook, patch: &Patch) -> f64 {

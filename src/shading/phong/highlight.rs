@@ -16,6 +16,8 @@
 //!
 //! Rule: only where n.l is positive all over, and only where the bound is below what may be spent.
 
+use fearless_simd::Simd;
+
 use super::Phong;
 use super::outlook::{Outlook, Vectors};
 use crate::shading::certificate::{MOST_SWING, Majorant};
@@ -33,7 +35,7 @@ const ROUNDING: f64 = 1e-12;
 /// The least s that the binomial series is tried around.
 const LEAST: f64 = 0.25;
 
-impl Phong<'_> {
+impl<S: Simd> Phong<'_, S> {
     /// s^rho on the tile, and a bound on what that errs by; none where that is above `most`.
     #[inline(always)]
     pub(super) fn highlight(

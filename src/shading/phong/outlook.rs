@@ -5,6 +5,7 @@
 //! ```
 //! Rule: whatever cannot be bounded is a [`Side::Terminator`] and shines.
 
+use fearless_simd::Simd;
 use glam::DVec3;
 
 use super::{Phong, Pixels, SMOOTHED};
@@ -17,6 +18,7 @@ use crate::shading::patch::Patch;
 use crate::shading::series::{Cubic, Quadratic};
 use crate::shading::triangle::Triangle;
 use crate::shading::{TileKind, U};
+use crate::simd::apart;
 
 /// A diffuse term that errs by no more than this part of the tolerance need not be looked at more closely.
 const ENOUGH: f64 = 0.125;
@@ -170,7 +172,7 @@ impl Outlook {
     }
 }
 
-impl Phong<'_> {
+impl<S: Simd> Phong<'_, S> {
     /// What lights do to the whole of a patch as polynomials, and what is left of the tolerance after their remainders
     /// and all rounding. What has to be evaluated pixel by pixel is added to `pixels`; `None` where that is needed and
     /// there are none.
@@ -204,23 +206,35 @@ impl Phong<'_> {
                 } else {
                     let pixels = survey.look_at(&mut pixels)?;
                     survey.terminators += 1;
-                    self.add_terminator(light, &cosine, patch, pixels);
+                    apart(
+                        self.simd,
+                        #[inline(always)]
+                        || self.add_terminator(light, &cosine, patch, pixels),
+                    );
                 }
             }
             if outlook.shines {
                 let bright = specular.max_element();
                 let most = SMOOTHED * self.share_of_tolerance() / bright;
                 if outlook.side == Side::Lit
-                    && let Some((strength, error)) = self.highlight(vectors, &outlook, patch, most)
+                    && let Some((strength, error)) = apart(
+                        self.simd,
+                        #[inline(always)]
+                        || self.highlight(vectors, &outlook, patch, most),
+                    )
                 {
                     survey.color.add(&strength, specular);
                     survey.budget -= bright * error;
                 } else {
                     let pixels = survey.look_at(&mut pixels)?;
                     survey.highlights += 1;
+                    let cost = apart(
+                        self.simd,
+                        #[inline(always)]
+                        || self.add_specular(light, vectors, &outlook, patch, pixels),
+                    );
                     // Product and sums in f32 are three more roundings.
-                    survey.budget -= self.add_specular(light, vectors, &outlook, patch, pixels)
-                        + 3.0 * U * bright;
+                    survey.budget -= cost + 3.0 * U * bright;
                 }
             } else if specular != DVec3::ZERO {
                 survey.budget -= self.faint;
