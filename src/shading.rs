@@ -175,11 +175,11 @@ pub const BLOCK: usize = 2 * TILE;
 /// The levels of one row of a tile, by channel and lane.
 pub type TileRow = [[f32; TILE]; 3];
 
-/// What a tile covers: for each of its rows the lanes from..to, in 0..=[`TILE`].
+/// What is covered of a square, a tile or a block: for each of its rows the lanes from..to, in 0..=`SIDE`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Coverage {
+pub struct Coverage<const SIDE: usize = TILE> {
     /// Empty where from >= to.
-    pub spans: [(u8, u8); TILE],
+    pub spans: [(u8, u8); SIDE],
     /// How many lanes in all.
     pub pixels: u32,
     /// The first and the last lane covered anywhere.
@@ -188,37 +188,76 @@ pub struct Coverage {
     pub rows: [u8; 2],
 }
 
-impl Coverage {
-    /// All of a tile.
-    pub const WHOLE: Coverage = Coverage {
-        spans: [(0, TILE as u8); TILE],
-        pixels: (TILE * TILE) as u32,
-        lanes: [0, TILE as u8 - 1],
-        rows: [0, TILE as u8 - 1],
+impl<const SIDE: usize> Coverage<SIDE> {
+    /// All of a square.
+    pub const WHOLE: Self = Coverage {
+        spans: [(0, SIDE as u8); SIDE],
+        pixels: (SIDE * SIDE) as u32,
+        lanes: [0, SIDE as u8 - 1],
+        rows: [0, SIDE as u8 - 1],
     };
 
-    /// Nothing of a tile.
-    pub const NONE: Coverage = Coverage {
-        spans: [(0, 0); TILE],
+    /// Nothing of a square.
+    pub const NONE: Self = Coverage {
+        spans: [(0, 0); SIDE],
         pixels: 0,
-        lanes: [TILE as u8, 0],
-        rows: [TILE as u8, 0],
+        lanes: [SIDE as u8, 0],
+        rows: [SIDE as u8, 0],
     };
 
-    /// The lanes from..to of each row of a tile.
-    pub fn new(spans: [(u8, u8); TILE]) -> Self {
-        let mut coverage = Coverage {
-            spans,
-            ..Coverage::NONE
-        };
-        for (row, &(from, to)) in spans.iter().enumerate() {
-            if from < to {
-                coverage.pixels += u32::from(to - from);
-                coverage.lanes = [coverage.lanes[0].min(from), coverage.lanes[1].max(to - 1)];
-                coverage.rows = [coverage.rows[0].min(row as u8), row as u8];
-            }
+    /// The lanes from..to of each row.
+    #[inline(always)]
+    pub fn new(spans: [(u8, u8); SIDE]) -> Self {
+        let mut pixels = 0;
+        let (mut lanes, mut rows) = ([SIDE as u8, 0], [SIDE as u8, 0]);
+        for row in 0..SIDE {
+            let (from, to) = spans[row];
+            let covered = from < to;
+            pixels += u32::from(to.saturating_sub(from));
+            lanes[0] = lanes[0].min(if covered { from } else { SIDE as u8 });
+            lanes[1] = lanes[1].max(if covered { to - 1 } else { 0 });
+            rows[0] = rows[0].min(if covered { row as u8 } else { SIDE as u8 });
+            rows[1] = rows[1].max(if covered { row as u8 } else { 0 });
         }
-        coverage
+        Coverage {
+            spans,
+            pixels,
+            lanes,
+            rows,
+        }
+    }
+}
+
+impl Coverage<BLOCK> {
+    /// What is covered of one of the four tiles, which is `right` and `down` of the first.
+    #[inline(always)]
+    pub fn tile(&self, right: usize, down: usize) -> Coverage {
+        if self.pixels == Self::WHOLE.pixels {
+            return Coverage::WHOLE;
+        }
+        let lane = |lane: u8| lane.saturating_sub((right * TILE) as u8).min(TILE as u8);
+        let mut spans = [(0, 0); TILE];
+        for row in 0..TILE {
+            let (from, to) = self.spans[down * TILE + row];
+            spans[row] = (lane(from), lane(to));
+        }
+        Coverage::new(spans)
+    }
+
+    /// How many of the tiles have anything covered.
+    #[inline(always)]
+    pub fn tiles(&self) -> u64 {
+        let mut covered = [[false; 2]; 2];
+        for row in 0..BLOCK {
+            let (from, to) = self.spans[row];
+            covered[row / TILE][0] |= from < to.min(TILE as u8);
+            covered[row / TILE][1] |= from.max(TILE as u8) < to;
+        }
+        covered
+            .as_flattened()
+            .iter()
+            .map(|&tile| u64::from(tile))
+            .sum()
     }
 }
 

@@ -78,9 +78,11 @@ pub fn cosine_remainder(a: f64, b: f64) -> f64 {
 /// A power series whose coefficients are nowhere below those of another one, in size: its value at one, and its terms up
 /// to third order (Cauchy's method of majorants).
 ///
-/// Along the path t d from a tile's middle, 0 <= t <= 1, a vector V of swing a and length one at the middle gives products
-/// V.W with coefficients of at most those of (1 + a t) (1 + b t); V.V has its roots at |t| >= 1/a, so (V.V)^(-1/2) has at
-/// most those of 1 / (1 - a t), and each use of its direction multiplies by (1 + a t) / (1 - a t).
+/// Along the path t d from a tile's middle, 0 <= t <= 1, a vector V of length one at the middle stays in a plane: as a
+/// complex number it is 1 + z t, where |z| is at most its swing a. Its direction is (1 + z t)^(1/2) (1 + z' t)^(-1/2), z'
+/// the conjugate, so with x = a t its coefficients are at most those of (2 - (1 - x)^(1/2)) (1 - x)^(-1/2). The mirror
+/// across it, 2 n n^T - 1, is the square of that number in the plane, and -1 across: (1 + z t) / (1 + z' t), at most
+/// (1 + x) / (1 - x). A product of vectors or matrices has at most the product's coefficients.
 #[derive(Clone, Copy, Debug)]
 pub struct Majorant {
     value: f64,
@@ -88,9 +90,23 @@ pub struct Majorant {
 }
 
 impl Majorant {
-    /// (1 + x) / (1 - x) = 1 + 2 x + 2 x^2 + ..., of a vector's direction; its swing must be below one.
+    /// 2 (1 - x)^(-1/2) - 1 = 1 + x + 3/4 x^2 + 5/8 x^3 + ..., of a vector's direction; its swing must be below one.
     #[inline(always)]
-    pub fn of_swing(swing: f64) -> Self {
+    pub fn direction(swing: f64) -> Self {
+        Majorant {
+            value: 2.0 / (1.0 - swing).sqrt() - 1.0,
+            terms: [
+                1.0,
+                swing,
+                0.75 * swing * swing,
+                0.625 * swing * swing * swing,
+            ],
+        }
+    }
+
+    /// (1 + x) / (1 - x) = 1 + 2 x + 2 x^2 + ..., of the mirror across a vector's direction; its swing must be below one.
+    #[inline(always)]
+    pub fn mirror(swing: f64) -> Self {
         Majorant {
             value: (1.0 + swing) / (1.0 - swing),
             terms: [
@@ -209,14 +225,66 @@ mod tests {
     }
 
     #[test]
+    fn no_series_of_a_direction_or_a_mirror_exceeds_its_majorant() {
+        // V = 1 + a t e^(i angle), so its direction d has d^2 = (1 + z t) / (1 + z' t); by long division and by
+        // 2 d_0 d_k + sum of d_j d_(k - j) = the square's term.
+        let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];
+        let swing = 0.4_f64;
+        let (mut worst_mirror, mut worst_direction) = (0.0_f64, 0.0_f64);
+        for degrees in 0..180 {
+            let (sine, cosine) = f64::from(degrees).to_radians().sin_cos();
+            let z = [swing * cosine, swing * sine];
+            let conjugate = [-z[0], z[1]];
+            let mut mirror = vec![[1.0, 0.0], [z[0] + conjugate[0], z[1] + conjugate[1]]];
+            for k in 2..=12 {
+                mirror.push(times(mirror[k - 1], conjugate));
+            }
+            let mut direction: Vec<[f64; 2]> = vec![[1.0, 0.0]];
+            for k in 1..=12 {
+                let mut term = mirror[k];
+                for j in 1..k {
+                    let product = times(direction[j], direction[k - j]);
+                    term = [term[0] - product[0], term[1] - product[1]];
+                }
+                direction.push(term.map(|part| 0.5 * part));
+            }
+            let length = |[a, b]: [f64; 2]| a.hypot(b);
+            let mut bound = 2.0;
+            for k in 1..=12 {
+                let order = f64::from(k as u32);
+                bound *= swing * (order - 0.5) / order;
+                worst_direction = worst_direction.max(length(direction[k]) / bound);
+                let most = 2.0 * swing.powi(k as i32);
+                worst_mirror = worst_mirror.max(length(mirror[k]) / most);
+            }
+        }
+        assert!(
+            worst_mirror <= 1.0 + 1e-12 && worst_mirror > 0.999,
+            "{worst_mirror}"
+        );
+        assert!(
+            worst_direction <= 1.0 + 1e-12 && worst_direction > 0.999,
+            "{worst_direction}"
+        );
+    }
+
+    #[test]
     fn a_majorants_tail_is_the_sum_of_what_is_beyond_third_order() {
         // (1 + x) / (1 - x) has the terms 2 x^k, its square 4 k x^k.
-        let direction = Majorant::of_swing(0.1);
-        assert!((direction.tail() - 2e-4 / 0.9).abs() < 1e-13);
+        let mirror = Majorant::mirror(0.1);
+        assert!((mirror.tail() - 2e-4 / 0.9).abs() < 1e-13);
         let square: f64 = (4..40).map(|k| 4.0 * f64::from(k) * 0.1_f64.powi(k)).sum();
-        assert!((direction.times(&direction).tail() - square).abs() < 1e-13);
-        let none = Majorant::of_swing(0.0);
-        assert!((direction.times(&none).tail() - direction.tail()).abs() < 1e-13);
+        assert!((mirror.times(&mirror).tail() - square).abs() < 1e-13);
+        // 2 (1 - x)^(-1/2) - 1 has the terms 2 (2k choose k) (x/4)^k.
+        let mut term = 2.0;
+        let mut beyond = 0.0;
+        for k in 1..40 {
+            term *= 0.1 * (f64::from(k) - 0.5) / f64::from(k);
+            beyond += if k > 3 { term } else { 0.0 };
+        }
+        assert!((Majorant::direction(0.1).tail() - beyond).abs() < 1e-13);
+        let none = Majorant::direction(0.0);
+        assert!((mirror.times(&none).tail() - mirror.tail()).abs() < 1e-13);
         assert!(none.tail() > 0.0, "rounding is part of it");
     }
 }

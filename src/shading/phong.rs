@@ -11,6 +11,7 @@
 mod exact;
 mod highlight;
 mod outlook;
+mod products;
 
 use fearless_simd::Simd;
 use glam::DVec3;
@@ -24,7 +25,7 @@ use super::triangle::Triangle;
 use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, limit, polynomial};
 use crate::components::PointLight;
 use crate::simd::apart;
-use outlook::Vectors;
+use products::{Own, Shared, Vectors};
 
 /// The part of the tolerance that dropped specular terms may use up together.
 const DROPPED: f64 = 0.25;
@@ -35,10 +36,13 @@ const ROUNDED: f64 = 0.5;
 /// The part of the tolerance that a cheaper power may use up.
 const POWERED: f64 = 0.125;
 
+/// Of so many lights the products are made once a triangle, of others once a tile.
+const PREPARED: usize = 4;
+
 /// So few pixels of a tile are evaluated faster than a certificate for them is found.
 const FEW: u32 = 24;
 
-/// What a shaded object brings to all of its tiles.
+/// What a triangle of a shaded object brings to all of its tiles.
 pub struct Phong<'a, S> {
     /// The instructions there are.
     simd: S,
@@ -55,13 +59,18 @@ pub struct Phong<'a, S> {
     faint: f64,
     /// 1 - s beyond which the brightest highlight is as faint as that.
     reach: f64,
+    shared: Shared,
+    /// The products of the first lights: so many that most scenes need no more, and a place for more would have to be
+    /// allocated.
+    lights: [Option<Own>; PREPARED],
     /// The power of a highlight in few steps, where the tolerance allows one.
     squarings: Option<Squarings>,
 }
 
 impl<'a, S: Simd> Phong<'a, S> {
-    /// Prepares an object; `tolerance` in levels.
-    pub fn new(simd: S, surface: Surface<'a>, tolerance: f64) -> Self {
+    /// Prepares a triangle of an object; `tolerance` in levels.
+    #[inline(always)]
+    pub fn new(simd: S, surface: Surface<'a>, tolerance: f64, triangle: &Triangle) -> Self {
         let shininess = surface.material.shininess;
         let powers = surface.powers().max(1) as f64;
         let brightest = surface
@@ -77,6 +86,12 @@ impl<'a, S: Simd> Phong<'a, S> {
             (brightest / faint).powf(-1.0 / shininess),
             POWERED * tolerance / powers / brightest,
         );
+        let (normal, to_eye) = (&triangle.normal, &triangle.to_eye);
+        let mut lights = [None; PREPARED];
+        for (products, light) in lights.iter_mut().zip(&surface.illumination.points) {
+            let to_light = triangle.towards(light.position - surface.centre);
+            *products = Some(Own::new(normal, &to_light, to_eye));
+        }
         Phong {
             simd,
             surface,
@@ -86,6 +101,8 @@ impl<'a, S: Simd> Phong<'a, S> {
             brightest,
             faint,
             reach,
+            shared: Shared::new(normal, to_eye),
+            lights,
             squarings,
         }
     }
@@ -225,7 +242,9 @@ impl<S: Simd> Shader for Phong<'_, S> {
         if self.tolerance == 0.0 || !patch.steady {
             return None;
         }
-        let survey = self.survey(&Vectors::new(triangle, patch), triangle, patch, None)?;
+        let mut own = None;
+        let vectors = self.vectors(triangle, patch, &mut own);
+        let survey = self.survey(&vectors, triangle, patch, None)?;
         polynomial::cheapest(survey.color, patch.half, survey.budget)
     }
 
@@ -238,7 +257,8 @@ impl<S: Simd> Shader for Phong<'_, S> {
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        let vectors = Vectors::new(triangle, patch);
+        let mut own = None;
+        let vectors = self.vectors(triangle, patch, &mut own);
         if patch.steady
             && self.tolerance > 0.0
             && coverage.pixels > FEW

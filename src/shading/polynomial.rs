@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::certificate::Color;
 use super::display::{display_bits_within, pack};
-use super::{Coverage, Row, Sink, TILE, TileKind, U};
+use super::{Coverage, Row, Sink, TileKind, U};
 
 /// A colour that is certified on a patch, and how it is to be evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,13 +85,13 @@ pub trait Rows {
     fn take(&mut self, row: usize, levels: &impl Row);
 }
 
-/// Hands the covered rows of a tile to its sink.
-struct Covered<'a, S> {
-    coverage: &'a Coverage,
+/// Hands the covered rows of a square to its sink.
+struct Covered<'a, S, const SIDE: usize> {
+    coverage: &'a Coverage<SIDE>,
     sink: &'a mut S,
 }
 
-impl<S: Sink> Rows for Covered<'_, S> {
+impl<S: Sink, const SIDE: usize> Rows for Covered<'_, S, SIDE> {
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &impl Row) {
         let (from, to) = self.coverage.spans[row];
@@ -102,12 +102,17 @@ impl<S: Sink> Rows for Covered<'_, S> {
 }
 
 impl Polynomial {
-    /// Shades the covered pixels of a tile, whose first pixel lies `first` pixels right and down of the polynomial's
-    /// middle.
+    /// Shades the covered pixels of a square, whose first pixel lies `first` pixels right and down of the polynomial's
+    /// middle. A part of a square gets the bits that it has in the whole.
     #[inline(always)]
-    pub fn shade(&self, first: [f64; 2], coverage: &Coverage, sink: &mut impl Sink) {
+    pub fn shade<const SIDE: usize>(
+        &self,
+        first: [f64; 2],
+        coverage: &Coverage<SIDE>,
+        sink: &mut impl Sink,
+    ) {
         let rows = usize::from(coverage.rows[0])..usize::from(coverage.rows[1]) + 1;
-        self.for_rows::<TILE>(first, rows, &mut Covered { coverage, sink });
+        self.for_rows::<SIDE>(first, rows, &mut Covered { coverage, sink });
     }
 
     /// Evaluates `rows` of a square of `SIDE` pixels and hands them on one by one.
@@ -138,13 +143,19 @@ impl Polynomial {
                 // A half is added here once: then the byte is the whole part.
                 let starts = paired(|channel| {
                     let [middle, _, down, ..] = color[channel].0;
-                    let start = (middle + first[1] * down) as f32 + 0.5;
-                    let down = down as f32;
-                    std::array::from_fn::<f32, SIDE, _>(|row| start + row as f32 * down)
+                    let mut starts = [0.0; SIDE];
+                    for row in 0..SIDE {
+                        starts[row] = (middle + (first[1] + row as f64) * down + 0.5) as f32;
+                    }
+                    starts
                 });
                 let ramps = paired(|channel| {
                     let slope = color[channel].0[1] as f32;
-                    lanes.map(|x| x * slope)
+                    let mut ramp = [0.0; SIDE];
+                    for lane in 0..SIDE {
+                        ramp[lane] = lanes[lane] * slope;
+                    }
+                    ramp
                 });
                 for row in rows {
                     let start = [starts[0][row], starts[1][row]];
@@ -298,6 +309,7 @@ impl<const SIDE: usize> Row for Places<'_, SIDE> {
 mod tests {
     use super::super::display::display_step;
     use super::*;
+    use crate::shading::TILE;
     use crate::shading::series::Quadratic;
 
     /// What is far from the middle of a tile.

@@ -62,6 +62,28 @@ impl Quadratic {
         ])
     }
 
+    /// The value at a place.
+    #[inline(always)]
+    pub fn at(&self, [x, y]: [f64; 2]) -> f64 {
+        let [middle, slope, curve] = self.row(y);
+        middle + x * (slope + x * curve)
+    }
+
+    /// The same, counted from `[x, y]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn moved(&self, [x, y]: [f64; 2]) -> Self {
+        let [_, right, down, xx, xy, yy] = self.0;
+        Quadratic([
+            self.at([x, y]),
+            right + 2.0 * x * xx + y * xy,
+            down + 2.0 * y * yy + x * xy,
+            xx,
+            xy,
+            yy,
+        ])
+    }
+
     /// Adds a multiple of another.
     #[inline(always)]
     pub fn add(&mut self, other: &Self, factor: f64) {
@@ -126,6 +148,28 @@ impl Ramps {
     }
 }
 
+/// The rows of a [`Cubic`] in f32.
+#[derive(Clone, Copy, Debug)]
+pub struct CubicRamps {
+    middles: [f32; TILE],
+    slopes: [f32; TILE],
+    curves: [f32; TILE],
+    bend: f32,
+}
+
+impl CubicRamps {
+    /// The coefficients of a row.
+    #[inline(always)]
+    pub fn row(&self, row: usize) -> [f32; 4] {
+        [
+            self.middles[row],
+            self.slopes[row],
+            self.curves[row],
+            self.bend,
+        ]
+    }
+}
+
 /// A power series in x and y, in pixels from the middle of a tile, up to third order: the six terms of a [`Quadratic`],
 /// then x^3, x^2 y, x y^2 and y^3.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,6 +196,33 @@ impl Cubic {
     #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         Cubic(std::array::from_fn(|term| self.0[term] - other.0[term]))
+    }
+
+    /// The sum with a number.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(mut self, number: f64) -> Self {
+        self.0[0] += number;
+        self
+    }
+
+    /// The rows of a tile whose first lies `first` pixels below the middle, as polynomials in x in f32.
+    #[inline(always)]
+    pub fn ramps(&self, first: f64) -> CubicRamps {
+        let [middle, x, down, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0;
+        let mut ramps = CubicRamps {
+            middles: [0.0; TILE],
+            slopes: [0.0; TILE],
+            curves: [0.0; TILE],
+            bend: xxx as f32,
+        };
+        for row in 0..TILE {
+            let y = first + row as f64;
+            ramps.middles[row] = (middle + y * (down + y * (yy + y * yyy))) as f32;
+            ramps.slopes[row] = (x + y * (xy + y * xyy)) as f32;
+            ramps.curves[row] = (xx + y * xxy) as f32;
+        }
+        ramps
     }
 
     /// The terms up to second order.

@@ -249,6 +249,15 @@ impl Triangle {
             .map(|offset| self.eye.map_or(self.backward, |eye| unit(eye - offset)))
     }
 
+    /// The vector to a light, whose place is given from the cuboid's centre, times w.
+    pub(super) fn towards(&self, light: DVec3) -> Affine {
+        Affine {
+            centre: light * self.share.centre - self.position.centre,
+            dx: light * self.share.dx - self.position.dx,
+            dy: light * self.share.dy - self.position.dy,
+        }
+    }
+
     /// Unit vectors from the vertices to a light, whose place is given from the cuboid's centre.
     pub fn to_light(&self, light: DVec3) -> [DVec3; 3] {
         self.offsets.map(|offset| unit(light - offset))

@@ -11,7 +11,7 @@
 use std::ops::Range;
 
 use crate::components::Polygon;
-use crate::shading::{Coverage, TILE};
+use crate::shading::Coverage;
 
 /// One edge on its way down the rows: the first pixel whose centre is not left of it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -162,46 +162,46 @@ impl Scan {
         (self.row < self.end).then_some(self.row as usize)
     }
 
-    /// The spans of the tiles whose first row is `first`; what lies above must have been taken already.
+    /// The spans of the `ROWS` rows from `first` on; what lies above must have been taken already.
     #[inline(always)]
-    pub fn tiles(&mut self, first: usize) -> TileSpans {
-        let mut tiles = TileSpans {
-            first,
-            spans: [(0, 0); TILE],
+    pub fn spans<const ROWS: usize>(&mut self, first: usize) -> Spans<ROWS> {
+        let mut spans = Spans {
+            from: [0; ROWS],
+            to: [0; ROWS],
             outer: [usize::MAX, 0],
             inner: [0, usize::MAX],
         };
         let mut rows = 0;
-        while self.row < self.end && (self.row as usize) < first + TILE {
+        while self.row < self.end && (self.row as usize) < first + ROWS {
             let row = self.row as usize - first;
             let (from, to) = self.span();
             if from < to {
+                (spans.from[row], spans.to[row]) = (from as i32, to as i32);
                 let (from, to) = (from as usize, to as usize);
-                tiles.spans[row] = (from as u32, to as u32);
-                tiles.outer = [tiles.outer[0].min(from), tiles.outer[1].max(to)];
-                tiles.inner = [tiles.inner[0].max(from), tiles.inner[1].min(to)];
+                spans.outer = [spans.outer[0].min(from), spans.outer[1].max(to)];
+                spans.inner = [spans.inner[0].max(from), spans.inner[1].min(to)];
                 rows += 1;
             }
         }
-        if rows < TILE {
-            tiles.inner = [0, 0];
+        if rows < ROWS {
+            spans.inner = [0, 0];
         }
-        tiles
+        spans
     }
 }
 
-/// The spans of one row of tiles.
-pub struct TileSpans {
-    /// The first of its rows.
-    pub first: usize,
-    spans: [(u32, u32); TILE],
+/// The spans of some rows, one below the other.
+pub struct Spans<const ROWS: usize> {
+    /// Pixels from..to of each row.
+    from: [i32; ROWS],
+    to: [i32; ROWS],
     /// Where any of the spans begins, and the last ends.
     outer: [usize; 2],
     /// Where all of them have begun, and the first ends; empty if a row is.
     inner: [usize; 2],
 }
 
-impl TileSpans {
+impl<const ROWS: usize> Spans<ROWS> {
     /// The pixels between which all spans lie; empty where there is none.
     pub fn extent(&self) -> Range<usize> {
         self.outer[0].min(self.outer[1])..self.outer[1]
@@ -213,19 +213,19 @@ impl TileSpans {
         self.inner[0] <= columns.start && columns.end <= self.inner[1]
     }
 
-    /// What is covered of the tile that begins at pixel `column`.
+    /// What is covered of the square that begins at pixel `column`.
     #[inline(always)]
-    pub fn coverage(&self, column: usize) -> Coverage {
-        if self.cover(column..column + TILE) {
+    pub fn coverage(&self, column: usize) -> Coverage<ROWS> {
+        if self.cover(column..column + ROWS) {
             return Coverage::WHOLE;
         }
-        if column >= self.outer[1] || column + TILE <= self.outer[0] {
+        if column >= self.outer[1] || column + ROWS <= self.outer[0] {
             return Coverage::NONE;
         }
-        let mut spans = [(0, 0); TILE];
-        for (lanes, &(from, to)) in spans.iter_mut().zip(&self.spans) {
-            let lane = |pixel: u32| (pixel as i32 - column as i32).clamp(0, TILE as i32) as u8;
-            *lanes = (lane(from), lane(to));
+        let lane = |pixel: i32| (pixel - column as i32).clamp(0, ROWS as i32) as u8;
+        let mut spans = [(0, 0); ROWS];
+        for row in 0..ROWS {
+            spans[row] = (lane(self.from[row]), lane(self.to[row]));
         }
         Coverage::new(spans)
     }

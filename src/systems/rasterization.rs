@@ -29,7 +29,7 @@ use crate::shading::patch::Patch;
 use crate::shading::phong::Phong;
 use crate::shading::triangle::{self, Rays, Solid, Triangle};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE};
+use crate::shading::{BLOCK, Evaluations, Scratch, Shader, Surface, TILE};
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
@@ -250,12 +250,10 @@ fn draw<S: Simd>(
     match mode {
         ShadingMode::Gouraud => draw_with(&Gouraud { tolerance }, shape, lens, band, scratch),
         ShadingMode::Phong => {
-            let phong = Phong::new(simd, surface, tolerance);
+            let phong = Phong::new(simd, surface, tolerance, &shape.triangle);
             draw_with(&phong, shape, lens, band, scratch)
         }
-        ShadingMode::UnitVectors => {
-            draw_with(&UnitVectors { surface }, shape, lens, band, scratch)
-        }
+        ShadingMode::UnitVectors => draw_with(&UnitVectors { surface }, shape, lens, band, scratch),
     }
 }
 
@@ -280,18 +278,12 @@ fn draw_with(
     let mut scan = Scan::new(polygon, rows, band.width);
     while let Some(row) = scan.next_row() {
         let first = row / BLOCK * BLOCK;
-        let rows = [scan.tiles(first), scan.tiles(first + TILE)];
-        let [upper, lower] = [rows[0].extent(), rows[1].extent()];
-        let from = if upper.is_empty() || (!lower.is_empty() && lower.start < upper.start) {
-            lower.start
-        } else {
-            upper.start
-        };
-        for column in (from / BLOCK * BLOCK..upper.end.max(lower.end)).step_by(BLOCK) {
+        let spans = scan.spans::<BLOCK>(first);
+        let plain = band.takes_whole(first, BLOCK);
+        let extent = spans.extent();
+        for column in (extent.start / BLOCK * BLOCK..extent.end).step_by(BLOCK) {
             let corner = [column as f64 - lens.half[0], first as f64 - lens.half[1]];
-            let whole = band.takes_whole(first, BLOCK)
-                && rows[0].cover(column..column + BLOCK)
-                && rows[1].cover(column..column + BLOCK);
+            let whole = plain && spans.cover(column..column + BLOCK);
             if whole {
                 let patch = Patch::new(triangle, corner, WHOLE, WHOLE);
                 if let Some(polynomial) = shader.polynomial(triangle, &patch) {
@@ -306,44 +298,40 @@ fn draw_with(
                     continue;
                 }
             }
-            let block = Block {
-                columns: [column, column + TILE],
-                coverage: [
-                    [rows[0].coverage(column), rows[0].coverage(column + TILE)],
-                    [rows[1].coverage(column), rows[1].coverage(column + TILE)],
-                ],
-            };
-            let patch = if whole {
-                None
+            let block = spans.coverage(column);
+            let patch = Patch::new(triangle, corner, block.lanes, block.rows);
+            // Not by `then`: a closure would not have the SIMD level of what it is called from.
+            let polynomial = if !whole && block.pixels > WORTH_A_TRY {
+                shader.polynomial(triangle, &patch)
             } else {
-                block.patch(triangle, corner)
+                None
             };
-            // Not by `and_then`: a closure would not have the SIMD level of what it is called from.
-            let polynomial = match &patch {
-                Some(patch) => shader.polynomial(triangle, patch),
-                None => None,
-            };
-            for (down, tiles) in rows.iter().enumerate() {
-                for (right, &column) in block.columns.iter().enumerate() {
-                    let coverage = &block.coverage[down][right];
-                    let mut store = Store::new(band, [column, tiles.first], coverage, *id);
-                    if coverage.pixels == 0 || !store.is_seen() {
-                        continue;
-                    }
-                    let shift = [(right * TILE) as f64, (down * TILE) as f64];
-                    let evaluations = if let (Some(patch), Some(polynomial)) = (&patch, &polynomial)
-                    {
-                        let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
-                        polynomial.shade(first, coverage, &mut store);
-                        Evaluations::of(polynomial.kind)
-                    } else {
-                        let origin = [corner[0] + shift[0], corner[1] + shift[1]];
-                        let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
-                        shader.shade(triangle, &patch, coverage, scratch, &mut store)
-                    };
-                    store.mark(evaluations.kind);
-                    counts += counted(evaluations, store.stored);
+            if plain && let Some(polynomial) = &polynomial {
+                let mut store = Store::new(band, [column, first], &block, *id);
+                polynomial.shade(patch.first(), &block, &mut store);
+                counts.covered_pixels += store.stored;
+                counts.tiles[polynomial.kind as usize] += block.tiles();
+                continue;
+            }
+            for (down, right) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let coverage = &block.tile(right, down);
+                let [right, down] = [right * TILE, down * TILE];
+                let mut store = Store::new(band, [column + right, first + down], coverage, *id);
+                if coverage.pixels == 0 || !store.is_seen() {
+                    continue;
                 }
+                let shift = [right as f64, down as f64];
+                let evaluations = if let Some(polynomial) = &polynomial {
+                    let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
+                    polynomial.shade(first, coverage, &mut store);
+                    Evaluations::of(polynomial.kind)
+                } else {
+                    let origin = [corner[0] + shift[0], corner[1] + shift[1]];
+                    let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
+                    shader.shade(triangle, &patch, coverage, scratch, &mut store)
+                };
+                store.mark(evaluations.kind);
+                counts += counted(evaluations, store.stored);
             }
         }
     }
@@ -352,39 +340,6 @@ fn draw_with(
 
 /// The lanes, and the rows, of a block.
 const WHOLE: [u8; 2] = [0, BLOCK as u8 - 1];
-
-/// Two by two tiles.
-struct Block {
-    columns: [usize; 2],
-    coverage: [[Coverage; 2]; 2],
-}
-
-impl Block {
-    /// The block as one patch, where so much of it is covered that one polynomial may be cheaper than those of its tiles.
-    #[inline(always)]
-    fn patch(&self, triangle: &Triangle, corner: [f64; 2]) -> Option<Patch> {
-        let (mut lanes, mut rows, mut pixels) = ([u8::MAX, 0], [u8::MAX, 0], 0);
-        for (down, coverages) in self.coverage.iter().enumerate() {
-            for (right, coverage) in coverages
-                .iter()
-                .enumerate()
-                .filter(|(_, coverage)| coverage.pixels > 0)
-            {
-                let shift = [right, down].map(|tiles| (tiles * TILE) as u8);
-                lanes = [
-                    lanes[0].min(coverage.lanes[0] + shift[0]),
-                    lanes[1].max(coverage.lanes[1] + shift[0]),
-                ];
-                rows = [
-                    rows[0].min(coverage.rows[0] + shift[1]),
-                    rows[1].max(coverage.rows[1] + shift[1]),
-                ];
-                pixels += coverage.pixels;
-            }
-        }
-        (pixels > WORTH_A_TRY).then(|| Patch::new(triangle, corner, lanes, rows))
-    }
-}
 
 fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {
     let mut counts = Counts {

@@ -1,5 +1,6 @@
 //! Single tiles of every size and slant, certified against the same tile pixel by pixel in f64.
 
+use fearless_simd::Fallback;
 use glam::DVec3;
 use shadetrade::components::{Illumination, Material, Mesh, PointLight, Projection, Transform};
 use shadetrade::shading::display::Row;
@@ -182,7 +183,11 @@ fn no_certified_tile_exceeds_its_tolerance() {
             continue;
         }
         let (kind, found, expected) = if random.one_of(&[true, true, false]) {
-            let (kind, found) = shade(&Phong::new(surface, tolerance), triangle, patch);
+            let (kind, found) = shade(
+                &Phong::new(Fallback::new(), surface, tolerance, triangle),
+                triangle,
+                patch,
+            );
             (
                 kind,
                 found,
@@ -255,7 +260,11 @@ fn a_highlight_that_varies_slowly_is_a_polynomial_and_keeps_its_tolerance() {
         if !patch.steady || brightest < 5.0 || brightest - darkest < tolerance {
             continue;
         }
-        let (kind, found) = shade(&Phong::new(surface, tolerance), triangle, patch);
+        let (kind, found) = shade(
+            &Phong::new(Fallback::new(), surface, tolerance, triangle),
+            triangle,
+            patch,
+        );
         if matches!(kind, TileKind::Linear | TileKind::Quadratic) {
             smooth += 1;
             for (a, b) in found.as_flattened().iter().zip(levels) {

@@ -9,10 +9,10 @@ use super::counting::polygon;
 fn tiles_inside_a_rectangle_are_whole_and_tiles_beside_it_are_nothing() {
     let rectangle = polygon([[24.0, 8.0], [24.0, 48.0], [72.0, 48.0], [72.0, 8.0]]);
     let mut scan = Scan::new(&rectangle, 0..64, 128);
-    let begun = scan.tiles(0);
+    let begun = scan.spans::<TILE>(0);
     assert_eq!(begun.extent(), 24..72);
     assert!(!begun.cover(32..48), "rows 0 to 7 are not covered");
-    let whole = scan.tiles(16);
+    let whole = scan.spans::<TILE>(16);
     assert_eq!(whole.extent(), 24..72);
     assert!(whole.cover(24..72) && !whole.cover(23..72) && !whole.cover(24..73));
     assert_eq!(
@@ -31,8 +31,8 @@ fn tiles_inside_a_rectangle_are_whole_and_tiles_beside_it_are_nothing() {
 fn tiles_of_some_rows_have_those_rows_and_no_others() {
     let rectangle = polygon([[0.0, 0.0], [0.0, 64.0], [64.0, 64.0], [64.0, 0.0]]);
     let mut scan = Scan::new(&rectangle, 0..20, 64);
-    assert_eq!(scan.tiles(0).coverage(16), Coverage::WHOLE);
-    let cut = scan.tiles(16);
+    assert_eq!(scan.spans::<TILE>(0).coverage(16), Coverage::WHOLE);
+    let cut = scan.spans::<TILE>(16);
     assert!(!cut.cover(16..32));
     let coverage = cut.coverage(16);
     assert_eq!((coverage.rows, coverage.lanes), ([0, 3], [0, 15]));
@@ -43,13 +43,18 @@ fn tiles_of_some_rows_have_those_rows_and_no_others() {
 fn the_extent_of_tiles_is_that_of_the_rows_that_are_covered() {
     // Its upper edge runs through the centres of row 3 and its lower one through those of row 5, which are not its own.
     let low = polygon([[20.0, 3.5], [20.0, 5.5], [40.0, 5.5], [40.0, 3.5]]);
-    assert_eq!(Scan::new(&low, 0..16, 64).tiles(0).extent(), 20..40);
+    assert_eq!(Scan::new(&low, 0..16, 64).spans::<TILE>(0).extent(), 20..40);
     // In row 2 it reaches from 3.02 to 3.20, between two centres; in row 3 from 6.1 to 7.0, in row 7 from 18.5 to 22.1.
     let tip = polygon([[2.25, 2.25], [20.0, 8.0], [24.0, 8.0]]);
-    assert_eq!(Scan::new(&tip, 0..16, 64).tiles(0).extent(), 6..22);
+    assert_eq!(Scan::new(&tip, 0..16, 64).spans::<TILE>(0).extent(), 6..22);
     assert_eq!(Scan::new(&tip, 0..16, 64).next_span(), Some((3, 6, 7)));
     // Between two columns of centres a sliver covers nothing, and is nowhere.
     let thin = polygon([[10.75, 2.0], [10.75, 12.0], [11.25, 12.0], [11.25, 2.0]]);
-    assert!(Scan::new(&thin, 0..16, 64).tiles(0).extent().is_empty());
+    assert!(
+        Scan::new(&thin, 0..16, 64)
+            .spans::<TILE>(0)
+            .extent()
+            .is_empty()
+    );
     assert_eq!(Scan::new(&thin, 0..16, 64).next_span(), None);
 }

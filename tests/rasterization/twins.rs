@@ -134,7 +134,7 @@ proptest! {
         let mut counts = vec![0; 48 * 48];
         while let Some(row) = scan.next_row() {
             let first = row / TILE * TILE;
-            let tiles = scan.tiles(first);
+            let tiles = scan.spans::<TILE>(first);
             for column in (0..48).step_by(TILE) {
                 let coverage = tiles.coverage(column);
                 let mut pixels = 0;

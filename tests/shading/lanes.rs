@@ -1,5 +1,6 @@
 //! Tiles shaded in f32, a lane for every pixel, against their naive twin: the same tile, pixel by pixel in f64.
 
+use fearless_simd::Fallback;
 use glam::DVec3;
 use shadetrade::components::{
     Illumination, Material, Mesh, PointLight, Projection, TRIANGLES, Transform,
@@ -146,7 +147,12 @@ fn compare_tiles(compare: impl Fn(Surface, &Triangle) -> (TileKind, f64)) -> usi
 
 #[test]
 fn phong_in_lanes_is_phong_in_f64() {
-    let lanes = compare_tiles(|surface, triangle| compare(&Phong::new(surface, 0.0), triangle));
+    let lanes = compare_tiles(|surface, triangle| {
+        compare(
+            &Phong::new(Fallback::new(), surface, 0.0, triangle),
+            triangle,
+        )
+    });
     assert!(lanes > 800, "{lanes} tiles");
 }
 

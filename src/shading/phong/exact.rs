@@ -11,9 +11,11 @@
 use fearless_simd::Simd;
 use glam::DVec3;
 
-use super::outlook::{Outlook, Side, Vectors};
+use super::outlook::{Outlook, Side};
+use super::products::{ToLight, Vectors};
 use super::{Phong, Pixels, ROUNDED};
 use crate::components::{PointLight, unit};
+use crate::shading::affine::Affine;
 use crate::shading::display::Exact;
 use crate::shading::patch::Patch;
 use crate::shading::series::Quadratic;
@@ -45,20 +47,21 @@ fn direction_error(swing: f64) -> f64 {
     }
 }
 
-/// A bound on what f32 makes of a quadratic within `half` pixels of the middle: its coefficients are rounded once, and
-/// Horner's rule leaves two roundings of the constant and five of the other terms.
+/// A bound on what f32 makes of a quadratic within `half` pixels of the middle that errs by `doubt` itself: its
+/// coefficients are rounded once, and Horner's rule leaves two roundings of the constant and five of the other terms.
 #[inline(always)]
-fn evaluation_error(quadratic: &Quadratic, half: [f64; 2]) -> f64 {
-    U * (2.0 * quadratic.0[0].abs()
-        + 5.0 * (quadratic.linear_reach(half) + quadratic.quadratic_reach(half)))
+fn evaluation_error(quadratic: &Quadratic, half: [f64; 2], doubt: f64) -> f64 {
+    doubt
+        + U * (2.0 * quadratic.0[0].abs()
+            + 5.0 * (quadratic.linear_reach(half) + quadratic.quadratic_reach(half)))
 }
 
 /// The same for a square length, over the square of what the length is at least; the vector has length one at the
 /// middle.
 #[inline(always)]
-fn relative_error(square: &Quadratic, half: [f64; 2], swing: f64) -> f64 {
+fn relative_error(square: &Quadratic, half: [f64; 2], doubt: f64, swing: f64) -> f64 {
     if swing < 1.0 {
-        evaluation_error(square, half) / ((1.0 - swing) * (1.0 - swing))
+        evaluation_error(square, half, doubt) / ((1.0 - swing) * (1.0 - swing))
     } else {
         f64::INFINITY
     }
@@ -77,10 +80,17 @@ impl<S: Simd> Phong<'_, S> {
     /// A bound on what f32 makes of n.l: the errors of its three products and three roundings.
     #[inline(always)]
     pub(super) fn cosine_error(vectors: &Vectors, outlook: &Outlook, patch: &Patch) -> f64 {
-        let least = (1.0 - vectors.swing_normal) * (1.0 - outlook.swing);
-        evaluation_error(&outlook.facing, patch.half) / least
-            + 0.5 * relative_error(&vectors.normal_square, patch.half, vectors.swing_normal)
-            + 0.5 * relative_error(&outlook.light_square, patch.half, outlook.swing)
+        let ToLight {
+            facing,
+            light_square,
+            doubt,
+            ..
+        } = &outlook.to_light;
+        let (normal, light) = (vectors.swing_normal(), outlook.to_light.swing());
+        let least = (1.0 - normal) * (1.0 - light);
+        evaluation_error(facing, patch.half, *doubt) / least
+            + 0.5 * relative_error(&vectors.normal_square, patch.half, *doubt, normal)
+            + 0.5 * relative_error(light_square, patch.half, *doubt, light)
             + 3.0 * U
     }
 
@@ -100,17 +110,23 @@ impl<S: Simd> Phong<'_, S> {
     ) -> (Reflection, f64) {
         let share = ROUNDED * self.share_of_tolerance();
         let half = patch.half;
-        let [normal, light, eye] = [vectors.swing_normal, outlook.swing, vectors.swing_eye];
+        let to_light = &outlook.to_light;
+        let doubt = to_light.doubt;
+        let [normal, light, eye] = [
+            vectors.swing_normal(),
+            to_light.swing(),
+            vectors.swing_eye(),
+        ];
         let most = (1.0 + normal) * (1.0 + normal) * (1.0 + light) * (1.0 + eye);
-        let twice = evaluation_error(&outlook.facing, half) * (1.0 + normal) * (1.0 + eye)
-            + evaluation_error(&vectors.normal_eye(), half) * (1.0 + normal) * (1.0 + light)
-            + most * (relative_error(&vectors.normal_square, half, normal) + 3.0 * U);
+        let twice = evaluation_error(&to_light.facing, half, doubt) * (1.0 + normal) * (1.0 + eye)
+            + evaluation_error(&vectors.normal_eye(), half, doubt) * (1.0 + normal) * (1.0 + light)
+            + most * (relative_error(&vectors.normal_square, half, doubt, normal) + 3.0 * U);
         let numerator = 2.0 * twice / ((1.0 - normal) * (1.0 - normal))
-            + evaluation_error(&outlook.light_eye(vectors), half)
+            + evaluation_error(&to_light.light_eye(vectors), half, doubt)
             + U;
         let cosine = numerator / ((1.0 - light) * (1.0 - eye))
-            + 0.5 * relative_error(&outlook.light_square, half, light)
-            + 0.5 * relative_error(&vectors.eye_square(), half, eye)
+            + 0.5 * relative_error(&to_light.light_square, half, doubt, light)
+            + 0.5 * relative_error(&vectors.eye_square(), half, doubt, eye)
             + 4.0 * U;
         let shininess = self.surface.material.shininess;
         let steepest = if shininess == 0.0 || shininess >= 1.0 {
@@ -118,10 +134,7 @@ impl<S: Simd> Phong<'_, S> {
         } else {
             f64::INFINITY
         };
-        let power = match &self.squarings {
-            Some(squarings) => squarings.error,
-            None => 16.0 * U,
-        };
+        let power = self.power_error();
         let products = coefficient * (steepest * cosine + power);
         if products <= share {
             return (Reflection::Products, products);
@@ -151,8 +164,10 @@ impl<S: Simd> Phong<'_, S> {
         let mut highlights = 0;
         let mut pixels = Pixels::new(coverage, scratch);
         pixels.fill(self.ambient);
-        for light in &self.surface.illumination.points {
-            let outlook = self.outlook(light, vectors, triangle, patch);
+        for (index, light) in self.surface.illumination.points.iter().enumerate() {
+            let mut own = None;
+            let to_light = self.to_light(index, vectors, triangle, patch, &mut own);
+            let outlook = self.outlook(light, to_light, vectors, patch);
             if outlook.side == Side::Dark {
                 continue;
             }
@@ -162,7 +177,7 @@ impl<S: Simd> Phong<'_, S> {
             self.add_diffuse(light, vectors, &outlook, patch, &mut pixels);
             if outlook.shines {
                 highlights += 1;
-                error += self.add_specular(light, vectors, &outlook, patch, &mut pixels);
+                error += self.add_specular(light, vectors, &outlook, triangle, patch, &mut pixels);
             }
         }
         let error = error + 6.0 * U * largest;
@@ -195,9 +210,9 @@ impl<S: Simd> Phong<'_, S> {
         let lanes = patch.lanes();
         let diffuse = diffuse.as_vec3().to_array();
         let (nl, nn, ll) = (
-            outlook.facing.ramps(-patch.row),
+            outlook.to_light.facing.ramps(-patch.row),
             vectors.normal_square.ramps(-patch.row),
-            outlook.light_square.ramps(-patch.row),
+            outlook.to_light.light_square.ramps(-patch.row),
         );
         for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
             if from < to {
@@ -227,30 +242,31 @@ impl<S: Simd> Phong<'_, S> {
         light: &PointLight,
         vectors: &Vectors,
         outlook: &Outlook,
+        triangle: &Triangle,
         patch: &Patch,
         pixels: &mut Pixels,
     ) -> f64 {
         let specular = self.surface.coefficients(light)[1];
         let (reflection, cost) = self.reflection(specular.max_element(), vectors, outlook, patch);
         if reflection == Reflection::Vectors && !pixels.normalised {
-            vectors.normalise(patch, pixels.coverage, pixels.scratch);
+            normalise(triangle, patch, pixels);
             pixels.normalised = true;
         }
         let specular = specular.as_vec3().to_array();
-        let shininess = self.surface.material.shininess as f32;
         let lanes = patch.lanes();
         let first = -patch.row;
         let (nl, no, lo) = (
-            outlook.facing.ramps(first),
+            outlook.to_light.facing.ramps(first),
             vectors.normal_eye().ramps(first),
-            outlook.light_eye(vectors).ramps(first),
+            outlook.to_light.light_eye(vectors).ramps(first),
         );
         let (nn, ll, oo) = (
             vectors.normal_square.ramps(first),
-            outlook.light_square.ramps(first),
+            outlook.to_light.light_square.ramps(first),
             vectors.eye_square().ramps(first),
         );
-        let to_light = outlook.to_light.map(|v| v * outlook.inverse_light);
+        let to_light =
+            at_length_one(patch.to_light(triangle, light.position - self.surface.centre));
         for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
             if from < to {
                 let y = row as f64 - patch.row;
@@ -279,13 +295,7 @@ impl<S: Simd> Phong<'_, S> {
                         }
                     }
                 }
-                if let Some(squarings) = &self.squarings {
-                    squarings.raise(&lambda, &mut strength);
-                } else if shininess > 0.0 {
-                    for lane in 0..TILE {
-                        strength[lane] *= power(shininess, lambda[lane]);
-                    }
-                }
+                self.raise(&lambda, &mut strength);
                 for channel in 0..3 {
                     for lane in 0..TILE {
                         pixels.scratch.levels[row][channel][lane] +=
@@ -295,6 +305,28 @@ impl<S: Simd> Phong<'_, S> {
             }
         }
         cost
+    }
+
+    /// Multiplies each `strength` with s^rho for s = 1 - `lambda`.
+    #[inline(always)]
+    pub(super) fn raise(&self, lambda: &[f32; TILE], strength: &mut [f32; TILE]) {
+        let shininess = self.surface.material.shininess as f32;
+        if let Some(squarings) = &self.squarings {
+            squarings.raise(lambda, strength);
+        } else if shininess > 0.0 {
+            for lane in 0..TILE {
+                strength[lane] *= power(shininess, lambda[lane]);
+            }
+        }
+    }
+
+    /// What the power errs by.
+    #[inline(always)]
+    pub(super) fn power_error(&self) -> f64 {
+        match &self.squarings {
+            Some(squarings) => squarings.error,
+            None => 16.0 * U,
+        }
     }
 
     /// The model in f64 at every covered pixel.
@@ -316,39 +348,43 @@ impl<S: Simd> Phong<'_, S> {
     }
 }
 
-impl Vectors {
-    /// Fills the scratch with unit normals and unit vectors to the eye, for the covered rows.
-    #[inline(always)]
-    pub(super) fn normalise(&self, patch: &Patch, coverage: &Coverage, scratch: &mut Scratch) {
-        let lanes = patch.lanes();
-        // At length one in the middle, so that f32 neither overflows nor loses them.
-        let normal = self.normal.map(|v| v * self.inverse_normal);
-        let to_eye = self.to_eye.map(|v| v * self.inverse_eye);
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                let y = row as f64 - patch.row;
-                for (component, ramp) in [(0, normal.row(y)), (3, to_eye.row(y))] {
-                    let mut unit = [[0.0; TILE]; 3];
-                    for lane in 0..TILE {
-                        [unit[0][lane], unit[1][lane], unit[2][lane]] =
-                            normalised(ramp.at(lanes[lane]));
-                    }
-                    for axis in 0..3 {
-                        scratch.vectors[component + axis][row] = unit[axis];
-                    }
+/// At length one in the middle, so that f32 neither overflows nor loses it.
+#[inline(always)]
+fn at_length_one(vector: Affine) -> Affine {
+    let inverse = 1.0 / vector.centre.length();
+    vector.map(|v| v * inverse)
+}
+
+/// Fills the scratch with unit normals and unit vectors to the eye, for the covered rows.
+#[inline(always)]
+fn normalise(triangle: &Triangle, patch: &Patch, pixels: &mut Pixels) {
+    let lanes = patch.lanes();
+    let normal = at_length_one(patch.normal(triangle));
+    let to_eye = at_length_one(patch.to_eye(triangle));
+    for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
+        if from < to {
+            let y = row as f64 - patch.row;
+            for (component, ramp) in [(0, normal.row(y)), (3, to_eye.row(y))] {
+                let mut unit = [[0.0; TILE]; 3];
+                for lane in 0..TILE {
+                    [unit[0][lane], unit[1][lane], unit[2][lane]] =
+                        normalised(ramp.at(lanes[lane]));
+                }
+                for axis in 0..3 {
+                    pixels.scratch.vectors[component + axis][row] = unit[axis];
                 }
             }
         }
     }
 }
 
-impl Outlook {
+impl Outlook<'_> {
     /// One where n.l > 0, zero elsewhere, for each lane of the row `y` pixels below the middle.
     #[inline(always)]
     fn gate(&self, lanes: &[f32; TILE], y: f64) -> [f32; TILE] {
         let mut gate = [1.0; TILE];
         if self.side != Side::Lit {
-            let [middle, slope, curve] = self.facing.row(y);
+            let [middle, slope, curve] = self.to_light.facing.row(y);
             for (open, lane) in gate.iter_mut().zip(lanes) {
                 let lane = f64::from(*lane);
                 *open = if middle + lane * (slope + lane * curve) > 0.0 {

@@ -1,35 +1,37 @@
-//! A highlight as one certified polynomial of a whole tile.
+//! A highlight on a tile in, certified polynomials out: of the whole of it, or of the cosine that is raised.
 //!
 //! ```text
 //!   s = (2 N.L N.O / N.N - L.O) (L.L)^(-1/2) (O.O)^(-1/2)   a series to third order, p = s / s_0 - 1
 //!   s^rho = s_0^rho (1 + rho p + rho (rho - 1) / 2 p^2 + rho (rho - 1) (rho - 2) / 6 p^3 + ...)
 //! ```
-//! Of the series' cubic terms the nearest quadratic is kept.
+//! The tail of s is at most that of its majorant, the product of those of the mirror across N and of the directions of L
+//! and O (see [`Majorant`]).
+//! Of the whole highlight's cubic terms the nearest quadratic is kept. The bound on what that costs has four parts
+//! more: the products of p that are beyond third order; the binomial series' tail after the third term, in Lagrange's
+//! form; the cubic terms that the quadratic leaves; and rounding.
 //!
-//! The bound on what that costs has five parts. The tail of s is at most that of its majorant (see [`Majorant`]), with A,
-//! B, C those of N, L and O
-//! ```text
-//!   2 A^2 B C + B C
-//! ```
-//! The products of p that are beyond third order; the binomial series' tail after the third term, in Lagrange's form; the
-//! cubic terms that the quadratic leaves; and rounding.
+//! Where that is too much, each pixel raises the series of s itself. If it errs by d, s^rho errs by
+//! rho d (1 + d)^(rho - 1) at most, since neither s nor its series exceeds 1 + d.
 //!
 //! Rule: only where n.l is positive all over, and only where the bound is below what may be spent.
 
 use fearless_simd::Simd;
 
-use super::Phong;
-use super::outlook::{Outlook, Vectors};
+use super::outlook::Outlook;
+use super::products::Vectors;
+use super::{Phong, Pixels, ROUNDED};
+use crate::components::PointLight;
 use crate::shading::certificate::{MOST_SWING, Majorant};
 use crate::shading::patch::Patch;
 use crate::shading::series::{Cubic, Quadratic};
 use crate::shading::specular::power_exact;
+use crate::shading::{TILE, U};
 
 /// What the cubic terms of a highlight are worth: below this part of its brightness times the cube of its swing over its
 /// width a quadratic is worth a try.
 const CUBIC: f64 = 0.02;
 
-/// What f64 makes of s, relative to it, with room to spare.
+/// What f64 makes of s, relative to it, with room to spare, besides what its six products err by.
 const ROUNDING: f64 = 1e-12;
 
 /// The least s that the binomial series is tried around.
@@ -46,7 +48,7 @@ impl<S: Simd> Phong<'_, S> {
         most: f64,
     ) -> Option<(Quadratic, f64)> {
         let rho = self.surface.material.shininess;
-        let swings = [vectors.swing_normal, outlook.swing, vectors.swing_eye];
+        let swings = swings(vectors, outlook);
         let turns = 2.0 * swings[0] + swings[1] + swings[2];
         let bright = (-rho * outlook.lambda).exp();
         let expected = CUBIC * bright * turns * turns * turns * rho * rho.sqrt();
@@ -54,16 +56,7 @@ impl<S: Simd> Phong<'_, S> {
             return None;
         }
 
-        let facing = Cubic::from(outlook.facing);
-        let along = facing
-            .times(&vectors.normal_eye().into())
-            .times(&Cubic::from(vectors.normal_square).inverse())
-            .scaled(2.0)
-            .minus(&outlook.light_eye(vectors).into());
-        let roots = Cubic::from(outlook.light_square)
-            .inverse_root()
-            .times(&Cubic::from(vectors.eye_square()).inverse_root());
-        let cosine = along.times(&roots);
+        let cosine = cosine(vectors, outlook);
         let middle = cosine.0[0];
         if middle.is_nan() || middle < LEAST {
             return None;
@@ -88,16 +81,94 @@ impl<S: Simd> Phong<'_, S> {
         let cut = k2.abs() * (second * second + third * (2.0 * (first + second) + third))
             + k3.abs() * ((first + second + third).powi(3) - first.powi(3));
         let beyond = swell * (rho * tail + k4.abs() * stray.powi(4));
-        let error = height * (cut + left) + beyond + ROUNDING * (1.0 + rho);
+        let error = height * (cut + left)
+            + beyond
+            + (ROUNDING + 32.0 * outlook.to_light.doubt) * (1.0 + rho);
         (error <= most).then(|| (strength.scaled(height), error))
     }
+
+    /// Adds a light's specular term with a series for s, and returns a bound on what that costs, in levels; none, and
+    /// nothing added, where it is above what one highlight may lose by rounding.
+    #[inline(always)]
+    pub(super) fn add_raised(
+        &self,
+        light: &PointLight,
+        vectors: &Vectors,
+        outlook: &Outlook,
+        patch: &Patch,
+        pixels: &mut Pixels,
+    ) -> Option<f64> {
+        let rho = self.surface.material.shininess;
+        let swings = swings(vectors, outlook);
+        if rho < 1.0 || swings.iter().any(|&swing| swing >= MOST_SWING) {
+            return None;
+        }
+        let lambda = cosine(vectors, outlook).scaled(-1.0).plus(1.0);
+        let size = lambda.0[0].abs() + lambda.reaches(patch.half).iter().sum::<f64>();
+        // As of a quadratic: its coefficients are rounded once, and Horner's rule leaves seven roundings at most.
+        let error = tail(swings) + 32.0 * outlook.to_light.doubt + 8.0 * U * size;
+        let specular = self.surface.coefficients(light)[1];
+        let cost =
+            specular.max_element() * (rho * error * (rho * error).exp() + self.power_error());
+        if cost.is_nan() || cost > ROUNDED * self.share_of_tolerance() {
+            return None;
+        }
+        let ramps = lambda.ramps(-patch.row);
+        let lanes = patch.lanes();
+        let specular = specular.as_vec3().to_array();
+        for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
+            if from < to {
+                let [middle, slope, curve, bend] = ramps.row(row);
+                let mut lambda = [0.0; TILE];
+                for lane in 0..TILE {
+                    let x = lanes[lane];
+                    lambda[lane] = middle + x * (slope + x * (curve + x * bend));
+                }
+                let mut strength = [1.0; TILE];
+                self.raise(&lambda, &mut strength);
+                for channel in 0..3 {
+                    for lane in 0..TILE {
+                        pixels.scratch.levels[row][channel][lane] +=
+                            specular[channel] * strength[lane];
+                    }
+                }
+            }
+        }
+        Some(cost)
+    }
+}
+
+/// Those of N, L and O.
+#[inline(always)]
+fn swings(vectors: &Vectors, outlook: &Outlook) -> [f64; 3] {
+    [
+        vectors.swing_normal(),
+        outlook.to_light.swing(),
+        vectors.swing_eye(),
+    ]
+}
+
+/// s up to third order.
+#[inline(always)]
+fn cosine(vectors: &Vectors, outlook: &Outlook) -> Cubic {
+    let to_light = &outlook.to_light;
+    let along = Cubic::from(to_light.facing)
+        .times(&vectors.normal_eye().into())
+        .times(&Cubic::from(vectors.normal_square).inverse())
+        .scaled(2.0)
+        .minus(&to_light.light_eye(vectors).into());
+    let roots = Cubic::from(to_light.light_square)
+        .inverse_root()
+        .times(&Cubic::from(vectors.eye_square()).inverse_root());
+    along.times(&roots)
 }
 
 /// What the majorant of s is at t = 1 beyond its third order, for the swings of N, L and O.
 #[inline(always)]
 fn tail(swings: [f64; 3]) -> f64 {
-    let [normal, light, eye] = swings.map(Majorant::of_swing);
-    let sides = light.times(&eye);
-    let mirrored = normal.times(&normal).times(&sides);
-    2.0 * mirrored.tail() + sides.tail()
+    let [normal, light, eye] = swings;
+    Majorant::mirror(normal)
+        .times(&Majorant::direction(light))
+        .times(&Majorant::direction(eye))
+        .tail()
 }

@@ -1,16 +1,16 @@
 //! A tile and its lights in; what light can do there, bounded before any pixel is looked at, out.
 //!
 //! ```text
-//!   N, L, O affine  -->  N.N  L.L  N.L  quadratic, without loss  -->  sign and polynomial of n.l, least 1 - o.r
+//!   N.N  L.L  O.O  N.L  N.O  L.O  -->  sign and polynomial of n.l, least 1 - o.r
 //! ```
 //! Rule: whatever cannot be bounded is a [`Side::Terminator`] and shines.
 
 use fearless_simd::Simd;
 use glam::DVec3;
 
+use super::products::{Own, Shared, ToLight, Vectors};
 use super::{Phong, Pixels, SMOOTHED};
 use crate::components::PointLight;
-use crate::shading::affine::Affine;
 use crate::shading::certificate::{
     Color, MOST_SWING, Majorant, angle, cosine_remainder, least_lambda, rate,
 };
@@ -22,20 +22,6 @@ use crate::simd::apart;
 
 /// A diffuse term that errs by no more than this part of the tolerance need not be looked at more closely.
 const ENOUGH: f64 = 0.125;
-
-/// What all lights share on a tile. The products are those of vectors of length one at its middle.
-pub struct Vectors {
-    /// Up to one positive factor a pixel.
-    pub normal: Affine,
-    /// Up to one positive factor a pixel.
-    pub to_eye: Affine,
-    /// One over their lengths at the middle.
-    pub inverse_normal: f64,
-    pub inverse_eye: f64,
-    pub swing_normal: f64,
-    pub swing_eye: f64,
-    pub normal_square: Quadratic,
-}
 
 /// How a light stands to a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,20 +35,13 @@ pub enum Side {
 }
 
 /// What is known of one light on a tile before any pixel is looked at.
-pub struct Outlook {
-    /// Up to one positive factor a pixel.
-    pub to_light: Affine,
-    /// One over its length at the middle.
-    pub inverse_light: f64,
-    /// N.L, without loss: the sign of n.l.
-    pub facing: Quadratic,
-    pub light_square: Quadratic,
+pub struct Outlook<'a> {
+    pub to_light: ToLight<'a>,
     pub side: Side,
     /// 1 - o.r is nowhere below this.
     pub lambda: f64,
     /// Whether the highlight may reach the tile.
     pub shines: bool,
-    pub swing: f64,
 }
 
 /// What is known of all lights on a tile before any pixel is looked at.
@@ -106,69 +85,34 @@ impl Survey {
     }
 }
 
-/// One over a vector's length at the middle of its tile, and its swing there.
-#[inline(always)]
-fn measure(vector: &Affine, half: [f64; 2]) -> (f64, f64) {
-    let inverse = 1.0 / vector.centre.length();
-    (inverse, vector.reach(half) * inverse)
-}
-
-impl Vectors {
-    #[inline(always)]
-    pub fn new(triangle: &Triangle, patch: &Patch) -> Self {
-        let normal = patch.normal(triangle);
-        let to_eye = patch.to_eye(triangle);
-        let (inverse_normal, swing_normal) = measure(&normal, patch.half);
-        let (inverse_eye, swing_eye) = measure(&to_eye, patch.half);
-        Vectors {
-            normal_square: Quadratic::dot(&normal, &normal).scaled(inverse_normal * inverse_normal),
-            normal,
-            to_eye,
-            inverse_normal,
-            inverse_eye,
-            swing_normal,
-            swing_eye,
-        }
-    }
-
-    /// N.O
-    #[inline(always)]
-    pub fn normal_eye(&self) -> Quadratic {
-        Quadratic::dot(&self.normal, &self.to_eye).scaled(self.inverse_normal * self.inverse_eye)
-    }
-
-    /// O.O
-    #[inline(always)]
-    pub fn eye_square(&self) -> Quadratic {
-        Quadratic::dot(&self.to_eye, &self.to_eye).scaled(self.inverse_eye * self.inverse_eye)
-    }
-}
-
-impl Outlook {
+impl Outlook<'_> {
     /// n.l as a quadratic, and what that errs by. Taylor's serves where that is at most `enough`; elsewhere its cubic terms
     /// are taken into account.
     #[inline(always)]
     pub fn cosine(&self, vectors: &Vectors, half: [f64; 2], enough: f64) -> (Quadratic, f64) {
-        let (normal, light) = (&vectors.normal_square, &self.light_square);
-        let error = cosine_remainder(rate(vectors.swing_normal), rate(self.swing));
-        if error <= enough || vectors.swing_normal.max(self.swing) >= MOST_SWING {
-            let roots = normal.inverse_root().times(&light.inverse_root());
-            return (self.facing.times(&roots), error);
+        let ToLight {
+            facing,
+            light_square,
+            doubt,
+            ..
+        } = &self.to_light;
+        let normal_square = &vectors.normal_square;
+        let (turn, swing) = (vectors.swing_normal(), self.to_light.swing());
+        // Each root of a square errs by half of what that does.
+        let rounding = 4.0 * doubt;
+        let error = cosine_remainder(rate(turn), rate(swing));
+        if error <= enough || turn.max(swing) >= MOST_SWING {
+            let roots = normal_square
+                .inverse_root()
+                .times(&light_square.inverse_root());
+            return (facing.times(&roots), error + rounding);
         }
-        let roots = Cubic::from(*normal)
+        let roots = Cubic::from(*normal_square)
             .inverse_root()
-            .times(&Cubic::from(*light).inverse_root());
-        let (quadratic, left) = Cubic::from(self.facing).times(&roots).economized(half);
-        let directions =
-            Majorant::of_swing(vectors.swing_normal).times(&Majorant::of_swing(self.swing));
-        (quadratic, left + directions.tail())
-    }
-
-    /// L.O
-    #[inline(always)]
-    pub fn light_eye(&self, vectors: &Vectors) -> Quadratic {
-        Quadratic::dot(&self.to_light, &vectors.to_eye)
-            .scaled(self.inverse_light * vectors.inverse_eye)
+            .times(&Cubic::from(*light_square).inverse_root());
+        let (quadratic, left) = Cubic::from(*facing).times(&roots).economized(half);
+        let directions = Majorant::direction(turn).times(&Majorant::direction(swing));
+        (quadratic, left + directions.tail() + rounding)
     }
 }
 
@@ -190,8 +134,10 @@ impl<S: Simd> Phong<'_, S> {
             terminators: 0,
             highlights: 0,
         };
-        for light in &self.surface.illumination.points {
-            let outlook = self.outlook(light, vectors, triangle, patch);
+        for (index, light) in self.surface.illumination.points.iter().enumerate() {
+            let mut own = None;
+            let to_light = self.to_light(index, vectors, triangle, patch, &mut own);
+            let outlook = self.outlook(light, to_light, vectors, patch);
             if outlook.side == Side::Dark {
                 continue;
             }
@@ -231,7 +177,15 @@ impl<S: Simd> Phong<'_, S> {
                     let cost = apart(
                         self.simd,
                         #[inline(always)]
-                        || self.add_specular(light, vectors, &outlook, patch, pixels),
+                        || {
+                            if outlook.side == Side::Lit
+                                && let Some(cost) =
+                                    self.add_raised(light, vectors, &outlook, patch, pixels)
+                            {
+                                return cost;
+                            }
+                            self.add_specular(light, vectors, &outlook, triangle, patch, pixels)
+                        },
                     );
                     // Product and sums in f32 are three more roundings.
                     survey.budget -= cost + 3.0 * U * bright;
@@ -243,56 +197,91 @@ impl<S: Simd> Phong<'_, S> {
         Some(survey)
     }
 
-    /// Bounds what a light does to a tile.
+    /// What all lights share on a tile; `own` is room for products that are the tile's.
     #[inline(always)]
-    pub(super) fn outlook(
-        &self,
-        light: &PointLight,
+    pub(super) fn vectors<'a>(
+        &'a self,
+        triangle: &Triangle,
+        patch: &Patch,
+        own: &'a mut Option<Shared>,
+    ) -> Vectors<'a> {
+        let vectors = Vectors::new(&self.shared, patch.middle, patch.half);
+        if vectors.are_sure() {
+            return vectors;
+        }
+        let shared = apart(
+            self.simd,
+            #[inline(always)]
+            || Shared::new(&patch.normal(triangle), &patch.to_eye(triangle)),
+        );
+        Vectors::new(own.insert(shared), [0.0; 2], patch.half)
+    }
+
+    /// What the light of a number adds to them; `own` is room for products that are the tile's.
+    #[inline(always)]
+    pub(super) fn to_light<'a>(
+        &'a self,
+        light: usize,
         vectors: &Vectors,
         triangle: &Triangle,
         patch: &Patch,
-    ) -> Outlook {
-        let to_light = patch.to_light(triangle, light.position - self.surface.centre);
-        let (inverse_light, swing) = measure(&to_light, patch.half);
-        let facing = Quadratic::dot(&vectors.normal, &to_light)
-            .scaled(vectors.inverse_normal * inverse_light);
-        let side = side(&facing, patch.half);
+        own: &'a mut Option<Own>,
+    ) -> ToLight<'a> {
+        if let Some(Some(products)) = self.lights.get(light) {
+            let to_light = ToLight::new(products, patch.middle, vectors);
+            if to_light.is_sure() {
+                return to_light;
+            }
+        }
+        let products = apart(
+            self.simd,
+            #[inline(always)]
+            || {
+                let offset = self.surface.illumination.points[light].position - self.surface.centre;
+                Own::new(
+                    &patch.normal(triangle),
+                    &patch.to_light(triangle, offset),
+                    &patch.to_eye(triangle),
+                )
+            },
+        );
+        ToLight::new(own.insert(products), [0.0; 2], vectors)
+    }
+
+    /// Bounds what a light does to a tile.
+    #[inline(always)]
+    pub(super) fn outlook<'a>(
+        &self,
+        light: &PointLight,
+        to_light: ToLight<'a>,
+        vectors: &Vectors,
+        patch: &Patch,
+    ) -> Outlook<'a> {
         let mut outlook = Outlook {
-            light_square: Quadratic::dot(&to_light, &to_light)
-                .scaled(inverse_light * inverse_light),
+            side: side(&to_light.facing, to_light.doubt, patch.half),
             to_light,
-            inverse_light,
-            facing,
-            side,
             lambda: f64::INFINITY,
             shines: false,
-            swing,
         };
-        if side != Side::Dark && light.specular != DVec3::ZERO {
-            let turns = 2.0 * angle(vectors.swing_normal) + angle(swing) + angle(vectors.swing_eye);
-            outlook.lambda = least_lambda(chord(vectors, &outlook), turns);
+        if outlook.side != Side::Dark && light.specular != DVec3::ZERO {
+            let turns = 2.0 * angle(vectors.swing_normal())
+                + angle(to_light.swing())
+                + angle(vectors.swing_eye());
+            // |r - o| at the middle of the tile.
+            let lambda = to_light.lambda(vectors) - 8.0 * to_light.doubt;
+            let chord = (2.0 * lambda.max(0.0)).sqrt();
+            outlook.lambda = least_lambda(chord, turns);
             outlook.shines = self.reaches(light, outlook.lambda);
         }
         outlook
     }
 }
 
-/// |r - o| at the middle of the tile.
+/// The sign of n.l over a tile, where N.L errs by `doubt` at most.
 #[inline(always)]
-fn chord(vectors: &Vectors, outlook: &Outlook) -> f64 {
-    let n = vectors.normal.centre * vectors.inverse_normal;
-    let l = outlook.to_light.centre * outlook.inverse_light;
-    let o = vectors.to_eye.centre * vectors.inverse_eye;
-    (2.0 * outlook.facing.0[0] * n - l - o).length()
-}
-
-/// The sign of n.l over a tile.
-#[inline(always)]
-fn side(facing: &Quadratic, half: [f64; 2]) -> Side {
+fn side(facing: &Quadratic, doubt: f64, half: [f64; 2]) -> Side {
     let middle = facing.0[0];
     let reach = facing.linear_reach(half) + facing.quadratic_reach(half);
-    // f64 rounding of the sums is a millionth of a millionth of the largest term.
-    let doubt = 1e-12 * (middle.abs() + reach);
     if middle - reach > doubt {
         Side::Lit
     } else if middle + reach < -doubt {

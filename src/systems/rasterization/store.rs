@@ -6,7 +6,7 @@
 use crate::frame::Band;
 use crate::shading::display::Row;
 use crate::shading::polynomial::Rows;
-use crate::shading::{BLOCK, Coverage, Sink, TILE, TileKind};
+use crate::shading::{BLOCK, Coverage, Sink, TileKind};
 
 /// Stores a block all of which is covered by one polynomial.
 pub struct WholeBlock<'a, 'b> {
@@ -29,16 +29,16 @@ impl Rows for WholeBlock<'_, '_> {
     }
 }
 
-/// Stores the rows of one tile.
-pub struct Store<'a, 'b> {
+/// Stores the rows of one tile or block.
+pub struct Store<'a, 'b, const SIDE: usize> {
     band: &'a mut Band<'b>,
-    coverage: &'a Coverage,
+    coverage: &'a Coverage<SIDE>,
     id: u32,
-    /// The picture's row of the tile's first.
+    /// The picture's row of the square's first.
     row: usize,
-    /// Where the tile's first pixel stands in the band's slices, had the band no first row.
+    /// Where the square's first pixel stands in the band's slices, had the band no first row.
     first: usize,
-    /// Whether the band has all of the tile's rows.
+    /// Whether the band has all of the square's rows.
     whole: bool,
     /// Whether, besides, it takes bytes and nothing hides them.
     plain: bool,
@@ -46,18 +46,18 @@ pub struct Store<'a, 'b> {
     pub stored: u64,
 }
 
-impl<'a, 'b> Store<'a, 'b> {
+impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
+    /// For the square at `[column, row]` of the picture; `id` is its triangle's.
     #[inline(always)]
-    /// For the tile at `[column, row]` of the picture; `id` is its triangle's.
     pub fn new(
         band: &'a mut Band<'b>,
         [column, row]: [usize; 2],
-        coverage: &'a Coverage,
+        coverage: &'a Coverage<SIDE>,
         id: u32,
     ) -> Self {
         let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
-        let whole = band.holds(row, TILE);
-        let plain = band.takes_whole(row, TILE);
+        let whole = band.holds(row, SIDE);
+        let plain = band.takes_whole(row, SIDE);
         Store {
             band,
             coverage,
@@ -115,7 +115,7 @@ impl<'a, 'b> Store<'a, 'b> {
     }
 }
 
-impl Sink for Store<'_, '_> {
+impl<const SIDE: usize> Sink for Store<'_, '_, SIDE> {
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &impl Row) {
         let (from, to) = self.coverage.spans[row];
@@ -124,15 +124,15 @@ impl Sink for Store<'_, '_> {
         }
         self.stored += u64::from(to - from);
         let first = self.first.wrapping_add(row * self.band.width);
-        if to - from == TILE as u8 {
-            let pixels = &mut self.band.pixels[first..first + TILE];
-            for lane in 0..TILE {
+        if to - from == SIDE as u8 {
+            let pixels = &mut self.band.pixels[first..first + SIDE];
+            for lane in 0..SIDE {
                 pixels[lane] = levels.pixel(lane);
             }
         } else {
             let lanes = usize::from(from)..usize::from(to);
-            let mut pixels = [0_u32; TILE];
-            for lane in 0..TILE {
+            let mut pixels = [0_u32; SIDE];
+            for lane in 0..SIDE {
                 pixels[lane] = levels.pixel(lane);
             }
             self.band.pixels[first + lanes.start..first + lanes.end]
@@ -141,7 +141,7 @@ impl Sink for Store<'_, '_> {
     }
 }
 
-impl Store<'_, '_> {
+impl<const SIDE: usize> Store<'_, '_, SIDE> {
     /// Stores what of a row is in the band and seen.
     #[inline(always)]
     fn take_seen(&mut self, row: usize, levels: &impl Row) {
@@ -161,8 +161,8 @@ impl Store<'_, '_> {
             }
             return;
         }
-        let mut pixels = [0_u32; TILE];
-        for lane in 0..TILE {
+        let mut pixels = [0_u32; SIDE];
+        for lane in 0..SIDE {
             pixels[lane] = levels.pixel(lane);
         }
         for lane in usize::from(from)..usize::from(to) {
