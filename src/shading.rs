@@ -247,17 +247,20 @@ impl Coverage<BLOCK> {
     /// How many of the tiles have anything covered.
     #[inline(always)]
     pub fn tiles(&self) -> u64 {
-        let mut covered = [[false; 2]; 2];
-        for row in 0..BLOCK {
-            let (from, to) = self.spans[row];
-            covered[row / TILE][0] |= from < to.min(TILE as u8);
-            covered[row / TILE][1] |= from.max(TILE as u8) < to;
+        const MIDDLE: u8 = TILE as u8;
+        let mut tiles = 0;
+        for half in self.spans.chunks_exact(TILE) {
+            let [mut left, mut right] = [false; 2];
+            for &(from, to) in half {
+                left |= from < to.min(MIDDLE);
+                right |= from.max(MIDDLE) < to;
+                if left && right {
+                    break;
+                }
+            }
+            tiles += u64::from(left) + u64::from(right);
         }
-        covered
-            .as_flattened()
-            .iter()
-            .map(|&tile| u64::from(tile))
-            .sum()
+        tiles
     }
 }
 

@@ -171,28 +171,29 @@ pub fn quotient(colors: &Affine, total: &Scalar, half: [f64; 2]) -> (Color, f64)
     let [x, y] = [total.dx, total.dy];
     let stray = x.abs() * half[0] + y.abs() * half[1];
     let mut reach = 0.0_f64;
-    let color = [0, 1, 2].map(|channel| {
+    let mut color = Color::default();
+    for channel in 0..3 {
         let middle = colors.centre[channel];
         let kappa = [
             colors.dx[channel] - middle * x,
             colors.dy[channel] - middle * y,
         ];
         reach = reach.max(kappa[0].abs() * half[0] + kappa[1].abs() * half[1]);
-        Quadratic([
+        color.0[channel] = Quadratic([
             middle,
             kappa[0],
             kappa[1],
             -kappa[0] * x,
             -kappa[0] * y - kappa[1] * x,
             -kappa[1] * y,
-        ])
-    });
+        ]);
+    }
     let bound = if stray < MOST_SWING {
         reach * stray * stray / (1.0 - stray)
     } else {
         f64::INFINITY
     };
-    (Color(color), bound)
+    (color, bound)
 }
 
 #[cfg(test)]

@@ -140,23 +140,21 @@ impl Polynomial {
                 }
             }
             (TileKind::Linear, true) => {
-                // A half is added here once: then the byte is the whole part.
-                let starts = paired(|channel| {
-                    let [middle, _, down, ..] = color[channel].0;
-                    let mut starts = [0.0; SIDE];
+                let mut starts = [[0.0; SIDE]; 3];
+                let mut ramps = [[0.0; SIDE]; 3];
+                for (channel, polynomial) in color.iter().enumerate() {
+                    let [middle, right, down, ..] = polynomial.0;
+                    // A half is added here once: then the byte is the whole part.
+                    let middle = middle + 0.5;
+                    let slope = right as f32;
                     for row in 0..SIDE {
-                        starts[row] = (middle + (first[1] + row as f64) * down + 0.5) as f32;
+                        starts[channel][row] = (middle + (first[1] + row as f64) * down) as f32;
                     }
-                    starts
-                });
-                let ramps = paired(|channel| {
-                    let slope = color[channel].0[1] as f32;
-                    let mut ramp = [0.0; SIDE];
                     for lane in 0..SIDE {
-                        ramp[lane] = lanes[lane] * slope;
+                        ramps[channel][lane] = lanes[lane] * slope;
                     }
-                    ramp
-                });
+                }
+                let (starts, ramps) = (paired(&starts), paired(&ramps));
                 for row in rows {
                     let start = [starts[0][row], starts[1][row]];
                     target.take(
@@ -202,8 +200,7 @@ impl Polynomial {
 
 /// Red and blue in the upper and the lower half of one integer, green in another, in multiples of 1/256 level.
 #[inline(always)]
-fn paired<const SIDE: usize>(channel: impl Fn(usize) -> [f32; SIDE]) -> [[u32; SIDE]; 2] {
-    let [red, green, blue] = [channel(0), channel(1), channel(2)];
+fn paired<const SIDE: usize>([red, green, blue]: &[[f32; SIDE]; 3]) -> [[u32; SIDE]; 2] {
     let mut pairs = [[0; SIDE]; 2];
     for lane in 0..SIDE {
         pairs[0][lane] = (fixed(red[lane]) << 16).wrapping_add(fixed(blue[lane]));

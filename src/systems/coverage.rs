@@ -67,14 +67,17 @@ impl Edge {
         self.rest = rest.rem_euclid(i128::from(self.divisor)) as i64;
     }
 
+    /// The boundary on the present row; goes on to the next.
     #[inline(always)]
-    fn advance(&mut self) {
+    fn advance(&mut self) -> i64 {
+        let boundary = self.pixel + 1;
         self.pixel += self.step;
         self.rest += self.step_rest;
         if self.rest >= self.divisor {
             self.rest -= self.divisor;
             self.pixel += 1;
         }
+        boundary
     }
 }
 
@@ -85,6 +88,10 @@ pub struct Scan {
     row: i64,
     end: i64,
     width: i64,
+    /// The left and the right edge, where there is just one of each, as there is from vertex to vertex of a convex polygon.
+    sides: Option<[usize; 2]>,
+    /// The row up to which that holds.
+    until: i64,
 }
 
 impl Scan {
@@ -96,6 +103,8 @@ impl Scan {
             row: rows.end as i64,
             end: 0,
             width: width as i64,
+            sides: None,
+            until: i64::MIN,
         };
         let vertices = polygon.vertices();
         for (index, &from) in vertices.iter().enumerate() {
@@ -117,14 +126,48 @@ impl Scan {
         scan
     }
 
+    /// Finds the sides of the present row, and how far they go.
+    fn settle(&mut self) {
+        let [mut left, mut right] = [None; 2];
+        let mut one_each = true;
+        self.until = self.end;
+        for (index, edge) in self.edges[..self.len].iter().enumerate() {
+            if self.row < edge.rows[0] {
+                self.until = self.until.min(edge.rows[0]);
+            } else if self.row < edge.rows[1] {
+                self.until = self.until.min(edge.rows[1]);
+                let side = if edge.left { &mut left } else { &mut right };
+                one_each &= side.replace(index).is_none();
+            }
+        }
+        self.sides = match (left, right) {
+            (Some(left), Some(right)) if one_each => Some([left, right]),
+            _ => None,
+        };
+    }
+
     /// The span of the present row, which may be empty, and on to the next.
     #[inline(always)]
     fn span(&mut self) -> (i64, i64) {
+        if self.row >= self.until {
+            self.settle();
+        }
+        let (from, to) = if let Some([left, right]) = self.sides {
+            (self.edges[left].advance(), self.edges[right].advance())
+        } else {
+            self.span_of_all()
+        };
+        self.row += 1;
+        (from.clamp(0, self.width), to.clamp(0, self.width))
+    }
+
+    /// The span of the present row, whatever edges there are.
+    fn span_of_all(&mut self) -> (i64, i64) {
         let (mut from, mut to) = (i64::MIN, i64::MAX);
         let (mut begins, mut ends) = (false, false);
         for edge in &mut self.edges[..self.len] {
             if edge.rows[0] <= self.row && self.row < edge.rows[1] {
-                let boundary = edge.pixel + 1;
+                let boundary = edge.advance();
                 if edge.left {
                     from = from.max(boundary);
                     begins = true;
@@ -132,16 +175,10 @@ impl Scan {
                     to = to.min(boundary);
                     ends = true;
                 }
-                edge.advance();
             }
         }
-        self.row += 1;
         // A polygon that snapping turned over has its sides exchanged: its spans are empty.
-        if begins && ends {
-            (from.clamp(0, self.width), to.clamp(0, self.width))
-        } else {
-            (0, 0)
-        }
+        if begins && ends { (from, to) } else { (0, 0) }
     }
 
     /// The next row that is covered, and its pixels from..to.
