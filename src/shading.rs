@@ -273,10 +273,10 @@ pub trait Sink {
 /// Draws the tiles of triangles.
 pub trait Shader {
     /// A colour that is certified to stay within the tolerance all over the patch, of the cheapest kind that does; none
-    /// where there is none, or where every pixel is to be exact.
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial>;
+    /// where there is none, where every pixel is to be exact, or where so few `pixels` are not worth it.
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch, pixels: u32) -> Option<Polynomial>;
 
-    /// Shades the covered pixels of a tile.
+    /// Shades the covered pixels of a tile that no polynomial was found for.
     fn shade(
         &self,
         triangle: &Triangle,

@@ -15,7 +15,7 @@ use std::ops::Range;
 use fearless_simd::{Simd, dispatch};
 use hecs::World;
 
-use self::store::{Store, WholeBlock};
+use self::store::Store;
 use super::coverage::Scan;
 use super::projection::Lens;
 use crate::components::{
@@ -27,9 +27,10 @@ use crate::shading::affine::Scalar;
 use crate::shading::gouraud::Gouraud;
 use crate::shading::patch::Patch;
 use crate::shading::phong::Phong;
+use crate::shading::polynomial::Polynomial;
 use crate::shading::triangle::{self, Rays, Solid, Triangle};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{BLOCK, Evaluations, Scratch, Shader, Surface, TILE};
+use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE};
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
@@ -283,32 +284,17 @@ fn draw_with(
         let extent = spans.extent();
         for column in (extent.start / BLOCK * BLOCK..extent.end).step_by(BLOCK) {
             let corner = [column as f64 - lens.half[0], first as f64 - lens.half[1]];
-            let whole = plain && spans.cover(column..column + BLOCK);
-            if whole {
-                let patch = Patch::new(triangle, corner, WHOLE, WHOLE);
-                if let Some(polynomial) = shader.polynomial(triangle, &patch) {
-                    let target = &mut WholeBlock {
-                        band,
-                        column,
-                        first,
-                    };
-                    polynomial.for_rows::<BLOCK>(patch.first(), 0..BLOCK, target);
-                    counts.covered_pixels += (BLOCK * BLOCK) as u64;
-                    counts.tiles[polynomial.kind as usize] += 4;
-                    continue;
-                }
-            }
-            let block = spans.coverage(column);
-            let patch = Patch::new(triangle, corner, block.lanes, block.rows);
-            // Not by `then`: a closure would not have the SIMD level of what it is called from.
-            let polynomial = if !whole && block.pixels > WORTH_A_TRY {
-                shader.polynomial(triangle, &patch)
+            // Apart from each other, so that the compiler knows the most frequent one's size.
+            let (block, (patch, polynomial)) = if spans.cover(column..column + BLOCK) {
+                let whole = Coverage::WHOLE;
+                (whole, certified(shader, triangle, corner, &whole))
             } else {
-                None
+                let block = spans.coverage(column);
+                (block, certified(shader, triangle, corner, &block))
             };
             if plain && let Some(polynomial) = &polynomial {
                 let mut store = Store::new(band, [column, first], &block, *id);
-                polynomial.shade(patch.first(), &block, &mut store);
+                store.draw(polynomial, patch.first());
                 counts.covered_pixels += store.stored;
                 counts.tiles[polynomial.kind as usize] += block.tiles();
                 continue;
@@ -323,12 +309,17 @@ fn draw_with(
                 let shift = [right as f64, down as f64];
                 let evaluations = if let Some(polynomial) = &polynomial {
                     let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
-                    polynomial.shade(first, coverage, &mut store);
+                    store.draw(polynomial, first);
                     Evaluations::of(polynomial.kind)
                 } else {
                     let origin = [corner[0] + shift[0], corner[1] + shift[1]];
                     let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
-                    shader.shade(triangle, &patch, coverage, scratch, &mut store)
+                    if let Some(polynomial) = shader.polynomial(triangle, &patch, coverage.pixels) {
+                        store.draw(&polynomial, patch.first());
+                        Evaluations::of(polynomial.kind)
+                    } else {
+                        shader.shade(triangle, &patch, coverage, scratch, &mut store)
+                    }
                 };
                 store.mark(evaluations.kind);
                 counts += counted(evaluations, store.stored);
@@ -338,8 +329,22 @@ fn draw_with(
     counts
 }
 
-/// The lanes, and the rows, of a block.
-const WHOLE: [u8; 2] = [0, BLOCK as u8 - 1];
+/// A block as a patch, and its colour as one polynomial where there is one.
+#[inline(always)]
+fn certified(
+    shader: &impl Shader,
+    triangle: &Triangle,
+    corner: [f64; 2],
+    block: &Coverage<BLOCK>,
+) -> (Patch, Option<Polynomial>) {
+    let patch = Patch::new(triangle, corner, block.lanes, block.rows);
+    let polynomial = if block.pixels > WORTH_A_TRY {
+        shader.polynomial(triangle, &patch, block.pixels)
+    } else {
+        None
+    };
+    (patch, polynomial)
+}
 
 fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {
     let mut counts = Counts {

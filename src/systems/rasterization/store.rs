@@ -5,25 +5,24 @@
 
 use crate::frame::Band;
 use crate::shading::display::Row;
-use crate::shading::polynomial::Rows;
-use crate::shading::{BLOCK, Coverage, Sink, TileKind};
+use crate::shading::polynomial::{Polynomial, Rows};
+use crate::shading::{Coverage, Sink, TileKind};
 
-/// Stores a block all of which is covered by one polynomial.
-pub struct WholeBlock<'a, 'b> {
-    /// Which holds all of it, as bytes.
-    pub band: &'a mut Band<'b>,
-    /// Its first pixel in each row.
-    pub column: usize,
-    /// Its first row of the picture.
-    pub first: usize,
+/// Stores the rows of a square that is covered, held and seen all over, as bytes.
+struct Whole<'a, const SIDE: usize> {
+    pixels: &'a mut [u32],
+    /// Where the first pixel of the first row stands among them.
+    first: usize,
+    /// From row to row.
+    width: usize,
 }
 
-impl Rows for WholeBlock<'_, '_> {
+impl<const SIDE: usize> Rows for Whole<'_, SIDE> {
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &impl Row) {
-        let start = self.band.index(self.column, self.first + row);
-        let pixels = &mut self.band.pixels[start..start + BLOCK];
-        for lane in 0..BLOCK {
+        let start = self.first + row * self.width;
+        let pixels = &mut self.pixels[start..start + SIDE];
+        for lane in 0..SIDE {
             pixels[lane] = levels.pixel(lane);
         }
     }
@@ -67,6 +66,22 @@ impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
             whole,
             plain,
             stored: 0,
+        }
+    }
+
+    /// Draws a polynomial whose middle lies `first` right and down of the first pixel.
+    #[inline(always)]
+    pub fn draw(&mut self, polynomial: &Polynomial, first: [f64; 2]) {
+        if self.plain && self.coverage.pixels == Coverage::<SIDE>::WHOLE.pixels {
+            let target = &mut Whole::<SIDE> {
+                pixels: self.band.pixels,
+                first: self.first,
+                width: self.band.width,
+            };
+            polynomial.for_rows::<SIDE>(first, 0..SIDE, target);
+            self.stored += u64::from(self.coverage.pixels);
+        } else {
+            polynomial.shade(first, self.coverage, self);
         }
     }
 
