@@ -36,7 +36,7 @@ use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TIL
 const WORTH_SHARING: i64 = 100_000;
 
 /// A polynomial for a block of no more pixels than this costs more to find than it saves.
-const WORTH_A_TRY: u32 = (TILE * TILE / 2) as u32;
+const WORTH_A_TRY: u32 = 2 * TILE as u32;
 
 /// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
 const DEPTH_TIE: f64 = 1e-11;
