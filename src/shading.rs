@@ -264,19 +264,28 @@ impl Coverage<BLOCK> {
     }
 }
 
-/// Takes the shaded rows of a tile and stores the lanes that are covered.
-pub trait Sink {
-    /// Takes row `row` (0..[`TILE`]) of the tile.
+/// Takes the shaded rows of a tile or block and stores the lanes that are covered.
+pub trait Sink<const SIDE: usize = TILE> {
+    /// Takes row `row` (0..`SIDE`).
     fn take(&mut self, row: usize, levels: &impl Row);
+
+    /// Takes all rows of a polynomial whose middle lies `first` left and above of the first pixel.
+    #[inline(always)]
+    fn draw(&mut self, polynomial: &Polynomial, first: [f64; 2], coverage: &Coverage<SIDE>)
+    where
+        Self: Sized,
+    {
+        polynomial.shade(first, coverage, self);
+    }
 }
 
 /// Draws the tiles of triangles.
 pub trait Shader {
     /// A colour that is certified to stay within the tolerance all over the patch, of the cheapest kind that does; none
-    /// where there is none, where every pixel is to be exact, or where so few `pixels` are not worth it.
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch, pixels: u32) -> Option<Polynomial>;
+    /// where there is none, or where every pixel is to be exact.
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial>;
 
-    /// Shades the covered pixels of a tile that no polynomial was found for.
+    /// Shades the covered pixels of a tile.
     fn shade(
         &self,
         triangle: &Triangle,

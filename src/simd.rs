@@ -1,4 +1,4 @@
-//! The SIMD levels by name: a word of the command line in, a level this machine has out.
+//! The SIMD levels by name, a word of the command line in, a level this machine has out; and work done at one of them.
 //!
 //! Rule: a level the machine lacks is never replaced by another one.
 

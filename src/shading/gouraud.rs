@@ -22,7 +22,7 @@ pub struct Gouraud {
 
 impl Shader for Gouraud {
     #[inline(always)]
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch, _pixels: u32) -> Option<Polynomial> {
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
         if self.tolerance == 0.0 || !patch.steady {
             return None;
         }
@@ -40,6 +40,10 @@ impl Shader for Gouraud {
         _scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
+        if let Some(polynomial) = self.polynomial(triangle, patch) {
+            sink.draw(&polynomial, patch.first(), coverage);
+            return Evaluations::of(polynomial.kind);
+        }
         let (colors, share) = patch.colors(triangle);
         // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
         // colour, over the smallest sum (at least half the middle's on a steady patch).

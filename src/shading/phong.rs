@@ -37,7 +37,7 @@ const ROUNDED: f64 = 0.5;
 const POWERED: f64 = 0.125;
 
 /// Of so many lights the products are made once a triangle, of others once a tile.
-const PREPARED: usize = 4;
+const PREPARED: usize = 16;
 
 /// So few pixels of a tile are evaluated faster than a certificate for them is found.
 const FEW: u32 = 24;
@@ -131,14 +131,8 @@ impl<'a, S: Simd> Phong<'a, S> {
             || bright * (-self.surface.material.shininess * lambda).exp() > self.faint
     }
 
-    /// Whether certificates are tried for.
-    #[inline(always)]
-    fn certifies(&self, patch: &Patch, pixels: u32) -> bool {
-        self.tolerance > 0.0 && patch.steady && pixels > FEW
-    }
-
-    /// Draws the terminators and highlights pixel by pixel over what is a polynomial; `None`, and nothing drawn, where
-    /// there are none, or where the tolerance cannot be certified.
+    /// Draws polynomials, and pixel by pixel only the terminators and highlights; `None`, and nothing drawn, where the
+    /// tolerance cannot be certified.
     #[inline(always)]
     fn shade_certified(
         &self,
@@ -152,7 +146,13 @@ impl<'a, S: Simd> Phong<'a, S> {
         let mut pixels = Pixels::new(coverage, scratch);
         let survey = self.survey(vectors, triangle, patch, Some(&mut pixels))?;
         if survey.is_polynomial() {
-            return None;
+            let polynomial = polynomial::cheapest(survey.color, patch.half, survey.budget)?;
+            apart(
+                self.simd,
+                #[inline(always)]
+                || sink.draw(&polynomial, patch.first(), coverage),
+            );
+            return Some(Evaluations::of(polynomial.kind));
         }
         let budget = survey.budget - polynomial::rounding(&survey.color, patch.half);
         if budget.is_nan() || budget < 0.0 {
@@ -238,8 +238,8 @@ impl<'a> Pixels<'a> {
 
 impl<S: Simd> Shader for Phong<'_, S> {
     #[inline(always)]
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch, pixels: u32) -> Option<Polynomial> {
-        if !self.certifies(patch, pixels) {
+    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
+        if self.tolerance == 0.0 || !patch.steady {
             return None;
         }
         let mut own = None;
@@ -259,7 +259,9 @@ impl<S: Simd> Shader for Phong<'_, S> {
     ) -> Evaluations {
         let mut own = None;
         let vectors = self.vectors(triangle, patch, &mut own);
-        if self.certifies(patch, coverage.pixels)
+        if patch.steady
+            && self.tolerance > 0.0
+            && coverage.pixels > FEW
             && let Some(evaluations) =
                 self.shade_certified(&vectors, triangle, patch, coverage, scratch, sink)
         {

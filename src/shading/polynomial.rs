@@ -91,7 +91,7 @@ struct Covered<'a, S, const SIDE: usize> {
     sink: &'a mut S,
 }
 
-impl<S: Sink, const SIDE: usize> Rows for Covered<'_, S, SIDE> {
+impl<S: Sink<SIDE>, const SIDE: usize> Rows for Covered<'_, S, SIDE> {
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &impl Row) {
         let (from, to) = self.coverage.spans[row];
@@ -109,7 +109,7 @@ impl Polynomial {
         &self,
         first: [f64; 2],
         coverage: &Coverage<SIDE>,
-        sink: &mut impl Sink,
+        sink: &mut impl Sink<SIDE>,
     ) {
         let rows = usize::from(coverage.rows[0])..usize::from(coverage.rows[1]) + 1;
         self.for_rows::<SIDE>(first, rows, &mut Covered { coverage, sink });

@@ -27,7 +27,7 @@ pub struct UnitVectors<'a> {
 
 impl Shader for UnitVectors<'_> {
     #[inline(always)]
-    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch, _pixels: u32) -> Option<Polynomial> {
+    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch) -> Option<Polynomial> {
         None
     }
 

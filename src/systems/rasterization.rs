@@ -30,7 +30,7 @@ use crate::shading::phong::Phong;
 use crate::shading::polynomial::Polynomial;
 use crate::shading::triangle::{self, Rays, Solid, Triangle};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Surface, TILE};
+use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE};
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
@@ -294,7 +294,7 @@ fn draw_with(
             };
             if plain && let Some(polynomial) = &polynomial {
                 let mut store = Store::new(band, [column, first], &block, *id);
-                store.draw(polynomial, patch.first());
+                store.draw(polynomial, patch.first(), &block);
                 counts.covered_pixels += store.stored;
                 counts.tiles[polynomial.kind as usize] += block.tiles();
                 continue;
@@ -309,17 +309,12 @@ fn draw_with(
                 let shift = [right as f64, down as f64];
                 let evaluations = if let Some(polynomial) = &polynomial {
                     let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
-                    store.draw(polynomial, first);
+                    store.draw(polynomial, first, coverage);
                     Evaluations::of(polynomial.kind)
                 } else {
                     let origin = [corner[0] + shift[0], corner[1] + shift[1]];
                     let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
-                    if let Some(polynomial) = shader.polynomial(triangle, &patch, coverage.pixels) {
-                        store.draw(&polynomial, patch.first());
-                        Evaluations::of(polynomial.kind)
-                    } else {
-                        shader.shade(triangle, &patch, coverage, scratch, &mut store)
-                    }
+                    shader.shade(triangle, &patch, coverage, scratch, &mut store)
                 };
                 store.mark(evaluations.kind);
                 counts += counted(evaluations, store.stored);
@@ -339,7 +334,7 @@ fn certified(
 ) -> (Patch, Option<Polynomial>) {
     let patch = Patch::new(triangle, corner, block.lanes, block.rows);
     let polynomial = if block.pixels > WORTH_A_TRY {
-        shader.polynomial(triangle, &patch, block.pixels)
+        shader.polynomial(triangle, &patch)
     } else {
         None
     };

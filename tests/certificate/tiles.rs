@@ -139,16 +139,8 @@ fn subject(random: &mut Random) -> Subject {
 fn shade(shader: &impl Shader, triangle: &Triangle, patch: &Patch) -> (TileKind, Vec<[f64; 3]>) {
     let mut tile = Displayed::default();
     let scratch = &mut Scratch::default();
-    let whole = &Coverage::WHOLE;
-    let kind = if let Some(polynomial) = shader.polynomial(triangle, patch, whole.pixels) {
-        polynomial.shade(patch.first(), whole, &mut tile);
-        polynomial.kind
-    } else {
-        shader
-            .shade(triangle, patch, whole, scratch, &mut tile)
-            .kind
-    };
-    (kind, tile.0)
+    let evaluations = shader.shade(triangle, patch, &Coverage::WHOLE, scratch, &mut tile);
+    (evaluations.kind, tile.0)
 }
 
 /// What ought to be displayed of a tile, pixel by pixel in f64.

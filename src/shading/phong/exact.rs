@@ -117,16 +117,17 @@ impl<S: Simd> Phong<'_, S> {
             to_light.swing(),
             vectors.swing_eye(),
         ];
+        let [normal_eye, eye_square] = vectors.to_eye();
         let most = (1.0 + normal) * (1.0 + normal) * (1.0 + light) * (1.0 + eye);
         let twice = evaluation_error(&to_light.facing, half, doubt) * (1.0 + normal) * (1.0 + eye)
-            + evaluation_error(&vectors.normal_eye(), half, doubt) * (1.0 + normal) * (1.0 + light)
+            + evaluation_error(normal_eye, half, doubt) * (1.0 + normal) * (1.0 + light)
             + most * (relative_error(&vectors.normal_square, half, doubt, normal) + 3.0 * U);
         let numerator = 2.0 * twice / ((1.0 - normal) * (1.0 - normal))
             + evaluation_error(&to_light.light_eye(vectors), half, doubt)
             + U;
         let cosine = numerator / ((1.0 - light) * (1.0 - eye))
             + 0.5 * relative_error(&to_light.light_square, half, doubt, light)
-            + 0.5 * relative_error(&vectors.eye_square(), half, doubt, eye)
+            + 0.5 * relative_error(eye_square, half, doubt, eye)
             + 4.0 * U;
         let shininess = self.surface.material.shininess;
         let steepest = if shininess == 0.0 || shininess >= 1.0 {
@@ -255,15 +256,16 @@ impl<S: Simd> Phong<'_, S> {
         let specular = specular.as_vec3().to_array();
         let lanes = patch.lanes();
         let first = -patch.row;
+        let [normal_eye, eye_square] = vectors.to_eye();
         let (nl, no, lo) = (
             outlook.to_light.facing.ramps(first),
-            vectors.normal_eye().ramps(first),
+            normal_eye.ramps(first),
             outlook.to_light.light_eye(vectors).ramps(first),
         );
         let (nn, ll, oo) = (
             vectors.normal_square.ramps(first),
             outlook.to_light.light_square.ramps(first),
-            vectors.eye_square().ramps(first),
+            eye_square.ramps(first),
         );
         let to_light =
             at_length_one(patch.to_light(triangle, light.position - self.surface.centre));

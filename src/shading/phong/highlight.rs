@@ -103,19 +103,23 @@ impl<S: Simd> Phong<'_, S> {
         if rho < 1.0 || swings.iter().any(|&swing| swing >= MOST_SWING) {
             return None;
         }
+        let specular = self.surface.coefficients(light)[1];
+        let most = ROUNDED * self.share_of_tolerance() / specular.max_element();
+        let error = tail(swings) + 32.0 * outlook.to_light.doubt;
+        if rho * error > most {
+            return None;
+        }
         let lambda = cosine(vectors, outlook).scaled(-1.0).plus(1.0);
         let size = lambda.0[0].abs() + lambda.reaches(patch.half).iter().sum::<f64>();
         // As of a quadratic: its coefficients are rounded once, and Horner's rule leaves seven roundings at most.
-        let error = tail(swings) + 32.0 * outlook.to_light.doubt + 8.0 * U * size;
-        let specular = self.surface.coefficients(light)[1];
-        let cost =
-            specular.max_element() * (rho * error * (rho * error).exp() + self.power_error());
-        if cost.is_nan() || cost > ROUNDED * self.share_of_tolerance() {
+        let error = error + 8.0 * U * size;
+        let cost = rho * error * (rho * error).exp() + self.power_error();
+        if cost.is_nan() || cost > most {
             return None;
         }
         let ramps = lambda.ramps(-patch.row);
         let lanes = patch.lanes();
-        let specular = specular.as_vec3().to_array();
+        let levels = specular.as_vec3().to_array();
         for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
             if from < to {
                 let [middle, slope, curve, bend] = ramps.row(row);
@@ -129,12 +133,12 @@ impl<S: Simd> Phong<'_, S> {
                 for channel in 0..3 {
                     for lane in 0..TILE {
                         pixels.scratch.levels[row][channel][lane] +=
-                            specular[channel] * strength[lane];
+                            levels[channel] * strength[lane];
                     }
                 }
             }
         }
-        Some(cost)
+        Some(specular.max_element() * cost)
     }
 }
 
@@ -152,14 +156,13 @@ fn swings(vectors: &Vectors, outlook: &Outlook) -> [f64; 3] {
 #[inline(always)]
 fn cosine(vectors: &Vectors, outlook: &Outlook) -> Cubic {
     let to_light = &outlook.to_light;
+    let [mirror, eye_root] = vectors.mirror();
     let along = Cubic::from(to_light.facing)
-        .times(&vectors.normal_eye().into())
-        .times(&Cubic::from(vectors.normal_square).inverse())
-        .scaled(2.0)
+        .times(mirror)
         .minus(&to_light.light_eye(vectors).into());
     let roots = Cubic::from(to_light.light_square)
         .inverse_root()
-        .times(&Cubic::from(vectors.eye_square()).inverse_root());
+        .times(eye_root);
     along.times(&roots)
 }
 

@@ -9,10 +9,10 @@
 //!
 //! Rule: where that is too much, as where a vector all but vanishes, a tile makes products of its own.
 
-use glam::DVec3;
+use std::cell::OnceCell;
 
 use crate::shading::affine::Affine;
-use crate::shading::series::Quadratic;
+use crate::shading::series::{Cubic, Quadratic};
 
 /// 32 roundings.
 const ROUNDINGS: f64 = 32.0 * f64::EPSILON / 2.0;
@@ -24,7 +24,7 @@ const SURE: f64 = 1e-10;
 #[derive(Clone, Copy, Debug)]
 struct Square {
     product: Quadratic,
-    /// |V_0|, |V_x| and |V_y|.
+    /// Bounds on |V_0|, |V_x| and |V_y|: the sums of their components.
     sizes: [f64; 3],
 }
 
@@ -33,7 +33,7 @@ impl Square {
     fn new(vector: &Affine) -> Self {
         Square {
             product: Quadratic::dot(vector, vector),
-            sizes: [vector.centre, vector.dx, vector.dy].map(DVec3::length),
+            sizes: [vector.centre, vector.dx, vector.dy].map(|v| v.abs().element_sum()),
         }
     }
 
@@ -107,7 +107,7 @@ impl Own {
 }
 
 /// What all lights share on a tile. All products are those of vectors of length one at its middle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Vectors<'a> {
     products: &'a Shared,
     place: [f64; 2],
@@ -116,6 +116,8 @@ pub struct Vectors<'a> {
     eye: Measure,
     /// N.N
     pub normal_square: Quadratic,
+    shared: OnceCell<[Quadratic; 2]>,
+    mirror: OnceCell<[Cubic; 2]>,
 }
 
 impl<'a> Vectors<'a> {
@@ -131,6 +133,8 @@ impl<'a> Vectors<'a> {
             normal,
             eye: products.eye.measure(place, half),
             normal_square: products.normal.at(place, normal.inverse),
+            shared: OnceCell::new(),
+            mirror: OnceCell::new(),
         }
     }
 
@@ -152,17 +156,29 @@ impl<'a> Vectors<'a> {
         self.eye.swing
     }
 
-    /// N.O
+    /// N.O and O.O, worked out when the first light asks for them.
     #[inline(always)]
-    pub fn normal_eye(&self) -> Quadratic {
-        let scale = self.normal.inverse * self.eye.inverse;
-        self.products.normal_eye.moved(self.place).scaled(scale)
+    pub fn to_eye(&self) -> &[Quadratic; 2] {
+        self.shared.get_or_init(|| {
+            let scale = self.normal.inverse * self.eye.inverse;
+            [
+                self.products.normal_eye.moved(self.place).scaled(scale),
+                self.products.eye.at(self.place, self.eye.inverse),
+            ]
+        })
     }
 
-    /// O.O
+    /// 2 N.O / N.N and (O.O)^(-1/2) to third order, worked out when the first light asks for them.
     #[inline(always)]
-    pub fn eye_square(&self) -> Quadratic {
-        self.products.eye.at(self.place, self.eye.inverse)
+    pub fn mirror(&self) -> &[Cubic; 2] {
+        self.mirror.get_or_init(|| {
+            let [normal_eye, eye_square] = self.to_eye().map(Cubic::from);
+            let normal_square = Cubic::from(self.normal_square);
+            [
+                normal_eye.times(&normal_square.inverse()).scaled(2.0),
+                eye_square.inverse_root(),
+            ]
+        })
     }
 }
 
@@ -236,6 +252,8 @@ fn doubt<const COUNT: usize>(vectors: [Measure; COUNT]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
 
     /// A vector of about this length, from a row of numbers that looks random.
@@ -280,8 +298,8 @@ mod tests {
             assert!(made.are_sure(), "made where it is used, nothing is lost");
             let pairs = [
                 (vectors.normal_square, made.normal_square),
-                (vectors.eye_square(), made.eye_square()),
-                (vectors.normal_eye(), made.normal_eye()),
+                (vectors.to_eye()[0], made.to_eye()[0]),
+                (vectors.to_eye()[1], made.to_eye()[1]),
                 (light.facing, made_light.facing),
                 (light.light_square, made_light.light_square),
                 (light.light_eye(&vectors), made_light.light_eye(&made)),
@@ -298,7 +316,7 @@ mod tests {
             assert!(lambda <= 8.0 * light.doubt, "{lambda}");
             assert!((vectors.swing_normal() / made.swing_normal() - 1.0).abs() < 1e-9);
         }
-        assert!(sure > 1900 && worst > 1e-3, "{sure} sure, worst {worst}");
+        assert!(sure > 1900 && worst > 1e-4, "{sure} sure, worst {worst}");
     }
 
     #[test]

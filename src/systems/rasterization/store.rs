@@ -69,22 +69,6 @@ impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
         }
     }
 
-    /// Draws a polynomial whose middle lies `first` right and down of the first pixel.
-    #[inline(always)]
-    pub fn draw(&mut self, polynomial: &Polynomial, first: [f64; 2]) {
-        if self.plain && self.coverage.pixels == Coverage::<SIDE>::WHOLE.pixels {
-            let target = &mut Whole::<SIDE> {
-                pixels: self.band.pixels,
-                first: self.first,
-                width: self.band.width,
-            };
-            polynomial.for_rows::<SIDE>(first, 0..SIDE, target);
-            self.stored += u64::from(self.coverage.pixels);
-        } else {
-            polynomial.shade(first, self.coverage, self);
-        }
-    }
-
     /// The place of the first lane of a row of the tile, if the band has that row.
     #[inline(always)]
     fn place(&self, row: usize) -> Option<usize> {
@@ -130,7 +114,22 @@ impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
     }
 }
 
-impl<const SIDE: usize> Sink for Store<'_, '_, SIDE> {
+impl<const SIDE: usize> Sink<SIDE> for Store<'_, '_, SIDE> {
+    #[inline(always)]
+    fn draw(&mut self, polynomial: &Polynomial, first: [f64; 2], coverage: &Coverage<SIDE>) {
+        if self.plain && coverage.pixels == Coverage::<SIDE>::WHOLE.pixels {
+            let target = &mut Whole::<SIDE> {
+                pixels: self.band.pixels,
+                first: self.first,
+                width: self.band.width,
+            };
+            polynomial.for_rows::<SIDE>(first, 0..SIDE, target);
+            self.stored += u64::from(coverage.pixels);
+        } else {
+            polynomial.shade(first, coverage, self);
+        }
+    }
+
     #[inline(always)]
     fn take(&mut self, row: usize, levels: &impl Row) {
         let (from, to) = self.coverage.spans[row];
