@@ -33,11 +33,9 @@ impl Color {
     /// The same everywhere.
     #[inline(always)]
     pub fn constant(levels: DVec3) -> Self {
-        Color(
-            levels
-                .to_array()
-                .map(|level| Quadratic([level, 0.0, 0.0, 0.0, 0.0, 0.0])),
-        )
+        let mut color = Color::default();
+        color.add(&Quadratic([1.0, 0.0, 0.0, 0.0, 0.0, 0.0]), levels);
+        color
     }
 
     /// Adds a scalar times a coefficient a channel.
