@@ -107,11 +107,10 @@ impl Patch {
     /// The vector to a light, whose place is given from the cuboid's centre, times w.
     #[inline(always)]
     pub fn to_light(&self, triangle: &Triangle, light: DVec3) -> Affine {
-        let position = self.at(&triangle.position);
+        // Not moved here from the picture's middle: near the light that would cost digits.
         Affine {
-            centre: light * self.share - position.centre,
-            dx: light * triangle.share.dx - position.dx,
-            dy: light * triangle.share.dy - position.dy,
+            centre: light * self.share - self.at(&triangle.position).centre,
+            ..triangle.towards(light)
         }
     }
 

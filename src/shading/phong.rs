@@ -199,12 +199,7 @@ impl<'a, S: Simd> Phong<'a, S> {
                     let value = middle + lanes[lane] * (slope + lanes[lane] * curve);
                     cosine[lane] = if value > 0.0 { value } else { 0.0 };
                 }
-                for channel in 0..3 {
-                    for lane in 0..TILE {
-                        pixels.scratch.levels[row][channel][lane] +=
-                            diffuse[channel] * cosine[lane];
-                    }
-                }
+                pixels.add(row, diffuse, &cosine);
             }
         }
     }
@@ -233,6 +228,16 @@ impl<'a> Pixels<'a> {
     fn fill(&mut self, levels: DVec3) {
         let levels = levels.as_vec3().to_array();
         self.scratch.levels.fill(levels.map(|level| [level; TILE]));
+    }
+
+    /// Adds a term to a row: a coefficient a channel, in levels, times a strength a lane.
+    #[inline(always)]
+    fn add(&mut self, row: usize, coefficients: [f32; 3], strength: &[f32; TILE]) {
+        for channel in 0..3 {
+            for lane in 0..TILE {
+                self.scratch.levels[row][channel][lane] += coefficients[channel] * strength[lane];
+            }
+        }
     }
 }
 

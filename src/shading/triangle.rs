@@ -250,6 +250,7 @@ impl Triangle {
     }
 
     /// The vector to a light, whose place is given from the cuboid's centre, times w.
+    #[inline(always)]
     pub(super) fn towards(&self, light: DVec3) -> Affine {
         Affine {
             centre: light * self.share.centre - self.position.centre,

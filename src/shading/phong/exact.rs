@@ -167,8 +167,7 @@ impl<S: Simd> Phong<'_, S> {
         pixels.fill(self.ambient);
         for (index, light) in self.surface.illumination.points.iter().enumerate() {
             let mut own = None;
-            let to_light = self.to_light(index, vectors, triangle, patch, &mut own);
-            let outlook = self.outlook(light, to_light, vectors, patch);
+            let outlook = self.outlook(index, vectors, triangle, patch, &mut own);
             if outlook.side == Side::Dark {
                 continue;
             }
@@ -226,12 +225,7 @@ impl<S: Simd> Phong<'_, S> {
                     let value = at(nl, x) / (at(nn, x) * at(ll, x)).sqrt();
                     cosine[lane] = if value > 0.0 { value * gate[lane] } else { 0.0 };
                 }
-                for channel in 0..3 {
-                    for lane in 0..TILE {
-                        pixels.scratch.levels[row][channel][lane] +=
-                            diffuse[channel] * cosine[lane];
-                    }
-                }
+                pixels.add(row, diffuse, &cosine);
             }
         }
     }
@@ -298,12 +292,7 @@ impl<S: Simd> Phong<'_, S> {
                     }
                 }
                 self.raise(&lambda, &mut strength);
-                for channel in 0..3 {
-                    for lane in 0..TILE {
-                        pixels.scratch.levels[row][channel][lane] +=
-                            specular[channel] * strength[lane];
-                    }
-                }
+                pixels.add(row, specular, &strength);
             }
         }
         cost

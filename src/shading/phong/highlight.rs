@@ -130,12 +130,7 @@ impl<S: Simd> Phong<'_, S> {
                 }
                 let mut strength = [1.0; TILE];
                 self.raise(&lambda, &mut strength);
-                for channel in 0..3 {
-                    for lane in 0..TILE {
-                        pixels.scratch.levels[row][channel][lane] +=
-                            levels[channel] * strength[lane];
-                    }
-                }
+                pixels.add(row, levels, &strength);
             }
         }
         Some(specular.max_element() * cost)

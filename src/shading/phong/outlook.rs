@@ -10,7 +10,6 @@ use glam::DVec3;
 
 use super::products::{Own, Shared, ToLight, Vectors};
 use super::{Phong, Pixels, SMOOTHED};
-use crate::components::PointLight;
 use crate::shading::certificate::{
     Color, MOST_SWING, Majorant, angle, cosine_remainder, least_lambda, rate,
 };
@@ -136,8 +135,7 @@ impl<S: Simd> Phong<'_, S> {
         };
         for (index, light) in self.surface.illumination.points.iter().enumerate() {
             let mut own = None;
-            let to_light = self.to_light(index, vectors, triangle, patch, &mut own);
-            let outlook = self.outlook(light, to_light, vectors, patch);
+            let outlook = self.outlook(index, vectors, triangle, patch, &mut own);
             if outlook.side == Side::Dark {
                 continue;
             }
@@ -219,7 +217,7 @@ impl<S: Simd> Phong<'_, S> {
 
     /// What the light of a number adds to them; `own` is room for products that are the tile's.
     #[inline(always)]
-    pub(super) fn to_light<'a>(
+    fn to_light<'a>(
         &'a self,
         light: usize,
         vectors: &Vectors,
@@ -248,15 +246,18 @@ impl<S: Simd> Phong<'_, S> {
         ToLight::new(own.insert(products), [0.0; 2], vectors)
     }
 
-    /// Bounds what a light does to a tile.
+    /// Bounds what the light of a number does to a tile; `own` is room for products that are the tile's.
     #[inline(always)]
     pub(super) fn outlook<'a>(
-        &self,
-        light: &PointLight,
-        to_light: ToLight<'a>,
+        &'a self,
+        light: usize,
         vectors: &Vectors,
+        triangle: &Triangle,
         patch: &Patch,
+        own: &'a mut Option<Own>,
     ) -> Outlook<'a> {
+        let to_light = self.to_light(light, vectors, triangle, patch, own);
+        let light = &self.surface.illumination.points[light];
         let mut outlook = Outlook {
             side: side(&to_light.facing, to_light.doubt, patch.half),
             to_light,
