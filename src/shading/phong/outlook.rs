@@ -185,8 +185,10 @@ impl<S: Simd> Phong<'_, S> {
                             self.add_specular(light, vectors, &outlook, triangle, patch, pixels)
                         },
                     );
-                    // Product and sums in f32 are three more roundings.
-                    survey.budget -= cost + 3.0 * U * bright;
+                    // A power in few steps is nothing where it is fainter than that; product and sums in f32 are three
+                    // more roundings.
+                    let cut = self.squarings.map_or(0.0, |_| self.faint);
+                    survey.budget -= cost + cut + 3.0 * U * bright;
                 }
             } else if specular != DVec3::ZERO {
                 survey.budget -= self.faint;
