@@ -11,6 +11,7 @@ pub mod certificate;
 pub mod display;
 mod doubles;
 pub mod gouraud;
+pub mod number;
 pub mod patch;
 pub mod phong;
 pub mod polynomial;
@@ -23,7 +24,8 @@ pub mod unit_vectors;
 use glam::DVec3;
 
 use self::display::Row;
-use self::patch::Patch;
+use self::number::ABREAST;
+use self::patch::Squares;
 use self::polynomial::Polynomial;
 pub use self::tile::{BLOCK, Coverage, TILE, TileKind, TileRow};
 use self::triangle::Triangle;
@@ -185,16 +187,35 @@ pub trait Sink<const SIDE: usize = TILE> {
 
 /// Draws the tiles of triangles.
 pub trait Shader {
-    /// A colour that is certified to stay within the tolerance all over the patch, of the cheapest kind that does; none
-    /// where there is none, or where every pixel is to be exact.
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial>;
+    /// What is known of tiles before each is shaded by itself.
+    type Survey;
 
-    /// Shades the covered pixels of a tile.
+    /// For each of the blocks that are wanted a colour that is certified to stay within the tolerance all over it, of the
+    /// cheapest kind that does; none where there is none, or where every pixel is to be exact.
+    fn polynomials(
+        &self,
+        triangle: &Triangle,
+        blocks: &Squares<BLOCK>,
+    ) -> [Option<Polynomial>; ABREAST];
+
+    /// Looks at tiles side by side.
+    fn survey(
+        &self,
+        triangle: &Triangle,
+        tiles: &Squares<TILE>,
+        scratch: &mut Scratch,
+    ) -> Self::Survey;
+
+    /// The colour of one of the tiles, if one polynomial is enough.
+    fn polynomial(survey: &Self::Survey, index: usize) -> Option<Polynomial>;
+
+    /// Shades the covered pixels of one of the tiles that were looked at last, where one polynomial is not enough.
     fn shade(
         &self,
         triangle: &Triangle,
-        patch: &Patch,
-        coverage: &Coverage,
+        tiles: &Squares<TILE>,
+        survey: &Self::Survey,
+        index: usize,
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations;
@@ -235,19 +256,19 @@ impl Evaluations {
     }
 }
 
-/// Room for one tile's intermediate values, kept so that no tile has to clear it.
+/// Room for tiles' intermediate values, kept so that no tile has to clear it.
 pub struct Scratch {
     /// Unit normals and unit vectors to the eye, by component, row and lane.
     pub(crate) vectors: [[[f32; TILE]; TILE]; 6],
-    /// Levels so far, by row.
-    pub(crate) levels: [TileRow; TILE],
+    /// Levels so far, by tile and row.
+    pub(crate) levels: [[TileRow; TILE]; ABREAST],
 }
 
 impl Default for Scratch {
     fn default() -> Self {
         Scratch {
             vectors: [[[0.0; TILE]; TILE]; 6],
-            levels: [[[0.0; TILE]; 3]; TILE],
+            levels: [[[[0.0; TILE]; 3]; TILE]; ABREAST],
         }
     }
 }

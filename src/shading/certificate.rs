@@ -20,6 +20,7 @@
 use glam::DVec3;
 
 use super::affine::{Affine, Scalar};
+use super::number::{Number, Truth};
 use super::series::Quadratic;
 
 /// Beyond this swing nothing is certified: the series would converge too slowly to be of use.
@@ -27,50 +28,58 @@ pub const MOST_SWING: f64 = 0.5;
 
 /// A colour on a tile: one polynomial a channel, in levels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Color(pub [Quadratic; 3]);
+pub struct Color<N = f64>(pub [Quadratic<N>; 3]);
 
-impl Color {
-    /// The same everywhere.
+impl<N: Number> Color<N> {
+    /// The same everywhere, on as many tiles as `like` has.
     #[inline(always)]
-    pub fn constant(levels: DVec3) -> Self {
-        let mut color = Color::default();
-        color.add(&Quadratic([1.0, 0.0, 0.0, 0.0, 0.0, 0.0]), levels);
-        color
+    pub fn constant(levels: DVec3, like: N) -> Self {
+        let zero = like.like(0.0);
+        let [red, green, blue] = levels.to_array();
+        Color([
+            Quadratic([like.like(red), zero, zero, zero, zero, zero]),
+            Quadratic([like.like(green), zero, zero, zero, zero, zero]),
+            Quadratic([like.like(blue), zero, zero, zero, zero, zero]),
+        ])
+    }
+
+    /// That of one of the tiles.
+    #[inline(always)]
+    pub fn one(&self, index: usize) -> Color {
+        let [red, green, blue] = &self.0;
+        Color([red.one(index), green.one(index), blue.one(index)])
     }
 
     /// Adds a scalar times a coefficient a channel.
     #[inline(always)]
-    pub fn add(&mut self, scalar: &Quadratic, coefficients: DVec3) {
-        for (channel, factor) in self.0.iter_mut().zip(coefficients.to_array()) {
-            channel.add(scalar, factor);
-        }
-    }
-
-    /// The largest over the channels.
-    #[inline(always)]
-    pub fn largest(&self, measure: impl Fn(&Quadratic) -> f64) -> f64 {
-        measure(&self.0[0])
-            .max(measure(&self.0[1]))
-            .max(measure(&self.0[2]))
+    pub fn add(&mut self, scalar: &Quadratic<N>, coefficients: DVec3) {
+        let [red, green, blue] = &mut self.0;
+        red.add(scalar, coefficients.x);
+        green.add(scalar, coefficients.y);
+        blue.add(scalar, coefficients.z);
     }
 }
 
 /// A bound on how fast a direction turns on the way from the middle to anywhere on the tile: see the module's q.
 #[inline(always)]
-pub fn rate(swing: f64) -> f64 {
-    if swing < MOST_SWING {
-        swing / (1.0 - swing)
-    } else {
-        f64::INFINITY
-    }
+pub fn rate<N: Number>(swing: N) -> N {
+    let rate = swing * (-swing + 1.0).inverse();
+    moderate(swing).choose(rate, swing.like(f64::INFINITY))
+}
+
+/// Whether a vector that moves so far can be certified.
+#[inline(always)]
+pub fn moderate<N: Number>(swing: N) -> N::Truth {
+    swing.below(swing.like(MOST_SWING))
 }
 
 /// The error of n.l's quadratic Taylor polynomial for rates `a` of n and `b` of l.
 #[inline(always)]
-pub fn cosine_remainder(a: f64, b: f64) -> f64 {
-    /// 2 sqrt 3.
-    const CROSSED: f64 = 3.464_101_615_137_755;
-    (3.0 * (a * a * a + b * b * b) + CROSSED * a * b * (a + b)) / 6.0
+pub fn cosine_remainder<N: Number>(a: N, b: N) -> N {
+    /// 3 / 6 and 2 sqrt 3 / 6.
+    const PURE: f64 = 0.5;
+    const MIXED: f64 = 0.577_350_269_189_625_8;
+    (a * a * a + b * b * b) * PURE + a * b * (a + b) * MIXED
 }
 
 /// A power series whose coefficients are nowhere below those of another one, in size: its value at one, and its terms up
@@ -82,38 +91,42 @@ pub fn cosine_remainder(a: f64, b: f64) -> f64 {
 /// across it, 2 n n^T - 1, is the square of that number in the plane, and -1 across: (1 + z t) / (1 + z' t), at most
 /// (1 + x) / (1 - x). A product of vectors or matrices has at most the product's coefficients.
 #[derive(Clone, Copy, Debug)]
-pub struct Majorant {
-    value: f64,
-    terms: [f64; 4],
+pub struct Majorant<N> {
+    value: N,
+    terms: [N; 4],
 }
 
-impl Majorant {
+impl<N: Number> Majorant<N> {
     /// 2 (1 - x)^(-1/2) - 1 = 1 + x + 3/4 x^2 + 5/8 x^3 + ..., of a vector's direction; its swing must be below one.
     #[inline(always)]
-    pub fn direction(swing: f64) -> Self {
+    pub fn direction(swing: N) -> Self {
+        const TERMS: [f64; 4] = [1.0, 1.0, 0.75, 0.625];
+        let root = (-swing + 1.0).sqrt().inverse();
         Majorant {
-            value: 2.0 / (1.0 - swing).sqrt() - 1.0,
-            terms: [
-                1.0,
-                swing,
-                0.75 * swing * swing,
-                0.625 * swing * swing * swing,
-            ],
+            value: root + root - 1.0,
+            terms: Self::terms(swing, TERMS),
         }
     }
 
     /// (1 + x) / (1 - x) = 1 + 2 x + 2 x^2 + ..., of the mirror across a vector's direction; its swing must be below one.
     #[inline(always)]
-    pub fn mirror(swing: f64) -> Self {
+    pub fn mirror(swing: N) -> Self {
+        const TERMS: [f64; 4] = [1.0, 2.0, 2.0, 2.0];
         Majorant {
-            value: (1.0 + swing) / (1.0 - swing),
-            terms: [
-                1.0,
-                2.0 * swing,
-                2.0 * swing * swing,
-                2.0 * swing * swing * swing,
-            ],
+            value: (swing + 1.0) * (-swing + 1.0).inverse(),
+            terms: Self::terms(swing, TERMS),
         }
+    }
+
+    #[inline(always)]
+    fn terms(swing: N, [middle, first, second, third]: [f64; 4]) -> [N; 4] {
+        let square = swing * swing;
+        [
+            swing.like(middle),
+            swing * first,
+            square * second,
+            square * swing * third,
+        ]
     }
 
     /// The product.
@@ -134,31 +147,39 @@ impl Majorant {
 
     /// The terms beyond third order at t = 1, and what f64 makes of that difference.
     #[inline(always)]
-    pub fn tail(&self) -> f64 {
+    pub fn tail(&self) -> N {
+        /// With room to spare.
+        const ROUNDING: f64 = 1e-14;
         let [a, b, c, d] = self.terms;
-        self.value - (a + b + c + d) + 1e-14
+        self.value - (a + b + c + d) + ROUNDING
     }
 }
 
 /// A bound on asin(swing): the ratio grows with the swing and is 1.0472 at a half.
 #[inline(always)]
-pub fn angle(swing: f64) -> f64 {
-    if swing < MOST_SWING {
-        1.0473 * swing
-    } else {
-        f64::INFINITY
+pub fn angle<N: Number>(swing: N) -> N {
+    const RATIO: f64 = 1.0473;
+    moderate(swing).choose(swing * RATIO, swing.like(f64::INFINITY))
+}
+
+/// An upper bound of e^x, and none beyond x = 64: 1 - z <= e^(-z), and z = x / 64.
+#[inline(always)]
+pub fn exponential<N: Number>(x: N) -> N {
+    const DOUBLINGS: u32 = 6;
+    const PART: f64 = 1.0 / (1 << DOUBLINGS) as f64;
+    let mut power = (-x * PART + 1.0).or_zero().inverse();
+    for _ in 0..DOUBLINGS {
+        power = power * power;
     }
+    power
 }
 
 /// A lower bound of lambda = 1 - s on a tile: `chord` is |r - o| at its middle, `turns` what it may shrink by.
 #[inline(always)]
-pub fn least_lambda(chord: f64, turns: f64) -> f64 {
-    let shortest = chord - turns;
-    if shortest > 0.0 {
-        0.5 * shortest * shortest
-    } else {
-        0.0
-    }
+pub fn least_lambda<N: Number>(chord: N, turns: N) -> N {
+    const HALF: f64 = 0.5;
+    let shortest = (chord - turns).or_zero();
+    shortest * shortest * HALF
 }
 
 /// Perspective-correct colours, sum(e_i C_i) / sum(e_i), as a quadratic: with kappa the gradient of the quotient at the

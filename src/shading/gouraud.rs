@@ -7,11 +7,12 @@
 use super::affine::{Affine, Scalar};
 use super::certificate::quotient;
 use super::display::Exact;
-use super::patch::Patch;
-use super::polynomial::Polynomial;
+use super::number::ABREAST;
+use super::patch::{Patch, Squares};
+use super::polynomial::{Polynomial, cheapest};
 use super::triangle::Triangle;
 use super::{
-    Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit, polynomial,
+    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit,
 };
 
 /// Draws what was lit at the vertices.
@@ -20,30 +21,66 @@ pub struct Gouraud {
     pub tolerance: f64,
 }
 
-impl Shader for Gouraud {
+impl Gouraud {
+    /// For each of the squares that are wanted a certified colour, where there is one.
     #[inline(always)]
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
-        if self.tolerance == 0.0 || !patch.steady {
-            return None;
+    fn certified<const SIDE: usize>(
+        &self,
+        triangle: &Triangle,
+        squares: &Squares<SIDE>,
+    ) -> [Option<Polynomial>; ABREAST] {
+        let mut polynomials = [None; ABREAST];
+        if self.tolerance > 0.0 {
+            for (index, patch) in squares.patches.iter().enumerate() {
+                if squares.wanted[index] {
+                    let (colors, share) = patch.colors(triangle);
+                    let (color, bound) = quotient(&colors, &share, patch.half);
+                    polynomials[index] = cheapest(color, patch.half, self.tolerance - bound);
+                }
+            }
         }
-        let (colors, share) = patch.colors(triangle);
-        let (color, bound) = quotient(&colors, &share, patch.half);
-        polynomial::cheapest(color, patch.half, self.tolerance - bound)
+        polynomials
+    }
+}
+
+impl Shader for Gouraud {
+    type Survey = [Option<Polynomial>; ABREAST];
+
+    #[inline(always)]
+    fn polynomials(
+        &self,
+        triangle: &Triangle,
+        blocks: &Squares<BLOCK>,
+    ) -> [Option<Polynomial>; ABREAST] {
+        self.certified(triangle, blocks)
+    }
+
+    #[inline(always)]
+    fn survey(
+        &self,
+        triangle: &Triangle,
+        tiles: &Squares<TILE>,
+        _scratch: &mut Scratch,
+    ) -> Self::Survey {
+        self.certified(triangle, tiles)
+    }
+
+    #[inline(always)]
+    fn polynomial(survey: &Self::Survey, index: usize) -> Option<Polynomial> {
+        survey[index]
     }
 
     #[inline(always)]
     fn shade(
         &self,
         triangle: &Triangle,
-        patch: &Patch,
-        coverage: &Coverage,
+        tiles: &Squares<TILE>,
+        _survey: &Self::Survey,
+        index: usize,
         _scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        if let Some(polynomial) = self.polynomial(triangle, patch) {
-            sink.draw(&polynomial, patch.first(), coverage);
-            return Evaluations::of(polynomial.kind);
-        }
+        let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
         let (colors, share) = patch.colors(triangle);
         // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
         // colour, over the smallest sum (at least half the middle's on a steady patch).

@@ -5,16 +5,17 @@
 
 use glam::DVec3;
 
-use super::TILE;
 use super::affine::{Affine, Scalar};
+use super::number::ABREAST;
 use super::triangle::Triangle;
+use super::{Coverage, TILE};
 
 /// Overshoot, as a share of the triangle, from which a sample's weights are held inside it: coverage is decided on
 /// vertices moved by up to 1/512 pixel, which is nothing to a triangle of some pixels and everything to a sliver.
 const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// The tile's share of a triangle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Patch {
     /// The lane of the middle: lane `i` lies `i - lane` pixels right of it.
     pub lane: f64,
@@ -30,6 +31,51 @@ pub struct Patch {
     /// Whether the weights are positive in sum and unclamped all over the tile; where not, each pixel asks
     /// [`Patch::point`] for its own.
     pub steady: bool,
+}
+
+/// So few pixels of a square are evaluated faster than a certificate for them is found.
+const FEW: u32 = 24;
+
+/// Squares of pixels that are certified side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Squares<const SIDE: usize> {
+    /// Where the first pixel of each stands, in pixels right and down of the picture's first.
+    pub places: [[usize; 2]; ABREAST],
+    /// What is covered of each.
+    pub covered: [Coverage<SIDE>; ABREAST],
+    /// Their shares of a triangle.
+    pub patches: [Patch; ABREAST],
+    /// Which are worth a certificate.
+    pub wanted: [bool; ABREAST],
+}
+
+impl<const SIDE: usize> Squares<SIDE> {
+    /// Sets them up; `middle` is the picture's, in pixels right and down of its first corner.
+    #[inline(always)]
+    pub fn new(
+        triangle: &Triangle,
+        middle: [f64; 2],
+        place: impl Fn(usize) -> [usize; 2],
+        covered: impl Fn(usize) -> Coverage<SIDE>,
+    ) -> Self {
+        let mut squares = Squares {
+            places: [[0; 2]; ABREAST],
+            covered: [Coverage::NONE; ABREAST],
+            patches: [Patch::default(); ABREAST],
+            wanted: [false; ABREAST],
+        };
+        for index in 0..ABREAST {
+            let [column, row] = place(index);
+            let corner = [column as f64 - middle[0], row as f64 - middle[1]];
+            let covered = covered(index);
+            let patch = Patch::new(triangle, corner, covered.lanes, covered.rows);
+            squares.places[index] = [column, row];
+            squares.patches[index] = patch;
+            squares.covered[index] = covered;
+            squares.wanted[index] = covered.pixels > FEW && patch.steady;
+        }
+        squares
+    }
 }
 
 /// What a pixel shows of a triangle.

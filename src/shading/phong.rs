@@ -12,20 +12,28 @@ mod exact;
 mod highlight;
 mod outlook;
 mod products;
+mod remainder;
 
-use fearless_simd::Simd;
+use fearless_simd::f64x4;
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
+use super::certificate::{Color, exponential};
 use super::display::Approximate;
-use super::patch::Patch;
-use super::polynomial::Polynomial;
+use super::number::{ABREAST, Number, Truth};
+use super::patch::{Patch, Squares};
+use super::polynomial::{Polynomial, Ways};
 use super::series::Quadratic;
 use super::specular::Squarings;
 use super::triangle::Triangle;
-use super::{Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, limit, polynomial};
+use super::{
+    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow, limit,
+};
 use crate::components::PointLight;
 use crate::simd::apart;
+use outlook::Survey;
 use products::{Own, Shared, Vectors};
+use remainder::{ByPixel, GivenUp, Remainder};
 
 /// The part of the tolerance that dropped specular terms may use up together.
 const DROPPED: f64 = 0.25;
@@ -36,11 +44,8 @@ const ROUNDED: f64 = 0.5;
 /// The part of the tolerance that a cheaper power may use up.
 const POWERED: f64 = 0.125;
 
-/// Of so many lights the products are made once a triangle, of others once a tile.
+/// Of so many lights the products are made once a triangle, of others whenever squares are looked at.
 const PREPARED: usize = 16;
-
-/// So few pixels of a tile are evaluated faster than a certificate for them is found.
-const FEW: u32 = 24;
 
 /// What a triangle of a shaded object brings to all of its tiles.
 pub struct Phong<'a, S> {
@@ -86,11 +91,9 @@ impl<'a, S: Simd> Phong<'a, S> {
             (brightest / faint).powf(-1.0 / shininess),
             POWERED * tolerance / powers / brightest,
         );
-        let (normal, to_eye) = (&triangle.normal, &triangle.to_eye);
         let mut lights = [None; PREPARED];
         for (products, light) in lights.iter_mut().zip(&surface.illumination.points) {
-            let to_light = triangle.towards(light.position - surface.centre);
-            *products = Some(Own::new(normal, &to_light, to_eye));
+            *products = Some(Own::of(triangle, light.position - surface.centre));
         }
         Phong {
             simd,
@@ -101,7 +104,7 @@ impl<'a, S: Simd> Phong<'a, S> {
             brightest,
             faint,
             reach,
-            shared: Shared::new(normal, to_eye),
+            shared: Shared::new(&triangle.normal, &triangle.to_eye),
             lights,
             squarings,
         }
@@ -122,47 +125,96 @@ impl<'a, S: Simd> Phong<'a, S> {
     /// Whether a highlight that is nowhere nearer to its middle than `lambda` = 1 - s is too bright to be dropped:
     /// (1 - lambda)^rho <= exp(-rho lambda).
     #[inline(always)]
-    fn reaches(&self, light: &PointLight, lambda: f64) -> bool {
-        if lambda > self.reach {
-            return false;
-        }
+    fn reaches<N: Number>(&self, light: &PointLight, lambda: N) -> N::Truth {
+        let near = !lambda.like(self.reach).below(lambda);
         let bright = self.surface.coefficients(light)[1].max_element();
-        bright >= self.brightest
-            || bright * (-self.surface.material.shininess * lambda).exp() > self.faint
+        if bright >= self.brightest || !near.any() {
+            return near;
+        }
+        let most = exponential(lambda * -self.surface.material.shininess) * bright;
+        near & lambda.like(self.faint).below(most)
     }
 
-    /// Draws polynomials, and pixel by pixel only the terminators and highlights; `None`, and nothing drawn, where the
-    /// tolerance cannot be certified.
+    /// The colours of squares as polynomials, as far as `remainder` makes them: four side by side where the instructions
+    /// are as wide, one by one elsewhere, with the same bits.
     #[inline(always)]
-    fn shade_certified(
+    fn certified<const SIDE: usize>(
         &self,
-        vectors: &Vectors,
         triangle: &Triangle,
+        squares: &Squares<SIDE>,
+        remainder: &mut (impl Remainder<f64x4<S>> + Remainder<f64>),
+    ) -> [Option<Polynomial>; ABREAST] {
+        let mut polynomials = [None; ABREAST];
+        let patches = &squares.patches;
+        if const { size_of::<S::f64s>() >= size_of::<[f64; ABREAST]>() } {
+            let number = f64x4::splat(self.simd, 0.0);
+            let [place, half] = [
+                [
+                    number.each(|index| patches[index].middle[0]),
+                    number.each(|index| patches[index].middle[1]),
+                ],
+                [
+                    number.each(|index| patches[index].half[0]),
+                    number.each(|index| patches[index].half[1]),
+                ],
+            ];
+            let wanted = number.each(|index| f64::from(squares.wanted[index]));
+            let wanted = number.below(wanted);
+            let (color, ways) = self.look(triangle, place, half, wanted, remainder);
+            for (index, polynomial) in polynomials.iter_mut().enumerate() {
+                *polynomial = ways.polynomial(index, &color);
+            }
+        } else {
+            for (index, polynomial) in polynomials.iter_mut().enumerate() {
+                if squares.wanted[index] {
+                    let Patch { middle, half, .. } = patches[index];
+                    Remainder::<f64>::begin(remainder, index);
+                    let (color, ways) = self.look(triangle, middle, half, true, remainder);
+                    *polynomial = ways.polynomial(0, &color);
+                }
+            }
+        }
+        polynomials
+    }
+
+    /// The colours of those squares that are wanted, and how they may be drawn.
+    #[inline(always)]
+    fn look<N: Number>(
+        &self,
+        triangle: &Triangle,
+        place: [N; 2],
+        half: [N; 2],
+        wanted: N::Truth,
+        remainder: &mut impl Remainder<N>,
+    ) -> (Color<N>, Ways) {
+        let vectors = apart(
+            self.simd,
+            #[inline(always)]
+            || Vectors::new(&self.shared, place, half),
+        );
+        let Survey { color, budget } = self.survey(triangle, &vectors, wanted, remainder);
+        let ways = apart(
+            self.simd,
+            #[inline(always)]
+            || Ways::new(&color, half, budget),
+        );
+        (color, ways)
+    }
+
+    /// Draws a tile whose terminators and highlights are in the scratch already: those and the polynomial of all else.
+    #[inline(always)]
+    fn shade_mixed(
+        color: &Color,
         patch: &Patch,
         coverage: &Coverage,
-        scratch: &mut Scratch,
+        levels: &[TileRow; TILE],
         sink: &mut impl Sink,
-    ) -> Option<Evaluations> {
-        let mut pixels = Pixels::new(coverage, scratch);
-        let survey = self.survey(vectors, triangle, patch, Some(&mut pixels))?;
-        if survey.is_polynomial() {
-            let polynomial = polynomial::cheapest(survey.color, patch.half, survey.budget)?;
-            apart(
-                self.simd,
-                #[inline(always)]
-                || sink.draw(&polynomial, patch.first(), coverage),
-            );
-            return Some(Evaluations::of(polynomial.kind));
-        }
-        let budget = survey.budget - polynomial::rounding(&survey.color, patch.half);
-        if budget.is_nan() || budget < 0.0 {
-            return None;
-        }
-        let ramps = [0, 1, 2].map(|channel| survey.color.0[channel].ramps(-patch.row));
+    ) {
+        let ramps = [0, 1, 2].map(|channel| color.0[channel].ramps(-patch.row));
         let lanes = patch.lanes();
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
-                let levels = &mut scratch.levels[row];
+                let mut levels = levels[row];
                 for channel in 0..3 {
                     let [middle, slope, curve] = ramps[channel].row(row);
                     for lane in 0..TILE {
@@ -170,13 +222,9 @@ impl<'a, S: Simd> Phong<'a, S> {
                             middle + lanes[lane] * (slope + lanes[lane] * curve);
                     }
                 }
-                sink.take(row, &Approximate(levels));
+                sink.take(row, &Approximate(&levels));
             }
         }
-        Some(Evaluations {
-            specular: u64::from(coverage.pixels) * survey.highlights,
-            ..Evaluations::of(survey.kind())
-        })
     }
 
     /// Adds max(0, n.l) where its polynomial changes sign, or stays so near to zero that it may.
@@ -208,17 +256,24 @@ impl<'a, S: Simd> Phong<'a, S> {
 /// The pixels of a tile, for what has to be evaluated one by one.
 struct Pixels<'a> {
     coverage: &'a Coverage,
-    scratch: &'a mut Scratch,
-    /// Whether the scratch has unit vectors.
+    levels: &'a mut [TileRow; TILE],
+    /// Whether there are no levels yet.
+    blank: bool,
+    /// Unit normals and unit vectors to the eye, by component, row and lane.
+    vectors: &'a mut [[[f32; TILE]; TILE]; 6],
+    /// Whether these are there.
     normalised: bool,
 }
 
 impl<'a> Pixels<'a> {
+    /// Of the tile of a number.
     #[inline(always)]
-    fn new(coverage: &'a Coverage, scratch: &'a mut Scratch) -> Self {
+    fn new(tiles: &'a Squares<TILE>, index: usize, scratch: &'a mut Scratch) -> Self {
         Pixels {
-            coverage,
-            scratch,
+            coverage: &tiles.covered[index],
+            levels: &mut scratch.levels[index],
+            blank: true,
+            vectors: &mut scratch.vectors,
             normalised: false,
         }
     }
@@ -227,56 +282,124 @@ impl<'a> Pixels<'a> {
     #[inline(always)]
     fn fill(&mut self, levels: DVec3) {
         let levels = levels.as_vec3().to_array();
-        self.scratch.levels.fill(levels.map(|level| [level; TILE]));
+        self.levels.fill(levels.map(|level| [level; TILE]));
+        self.blank = false;
     }
 
     /// Adds a term to a row: a coefficient a channel, in levels, times a strength a lane.
     #[inline(always)]
     fn add(&mut self, row: usize, coefficients: [f32; 3], strength: &[f32; TILE]) {
+        let levels = &mut self.levels[row];
         for channel in 0..3 {
             for lane in 0..TILE {
-                self.scratch.levels[row][channel][lane] += coefficients[channel] * strength[lane];
+                let term = coefficients[channel] * strength[lane];
+                levels[channel][lane] = if self.blank {
+                    term
+                } else {
+                    levels[channel][lane] + term
+                };
             }
         }
     }
 }
 
+/// What is known of tiles.
+pub struct Surveyed {
+    /// Of all their light but that of which the terms are in the scratch.
+    polynomials: [Option<Polynomial>; ABREAST],
+    /// Of how many lights those are, by tile.
+    terminators: [u64; ABREAST],
+    highlights: [u64; ABREAST],
+}
+
 impl<S: Simd> Shader for Phong<'_, S> {
+    /// None where every pixel is to be exact.
+    type Survey = Option<Surveyed>;
+
     #[inline(always)]
-    fn polynomial(&self, triangle: &Triangle, patch: &Patch) -> Option<Polynomial> {
-        if self.tolerance == 0.0 || !patch.steady {
+    fn polynomials(
+        &self,
+        triangle: &Triangle,
+        blocks: &Squares<BLOCK>,
+    ) -> [Option<Polynomial>; ABREAST] {
+        if self.tolerance == 0.0 {
+            return [None; ABREAST];
+        }
+        apart(
+            self.simd,
+            #[inline(always)]
+            || self.certified(triangle, blocks, &mut GivenUp),
+        )
+    }
+
+    #[inline(always)]
+    fn survey(
+        &self,
+        triangle: &Triangle,
+        tiles: &Squares<TILE>,
+        scratch: &mut Scratch,
+    ) -> Self::Survey {
+        if self.tolerance == 0.0 || tiles.wanted == [false; ABREAST] {
             return None;
         }
-        let mut own = None;
-        let vectors = self.vectors(triangle, patch, &mut own);
-        let survey = self.survey(&vectors, triangle, patch, None)?;
-        polynomial::cheapest(survey.color, patch.half, survey.budget)
+        Some(apart(
+            self.simd,
+            #[inline(always)]
+            || {
+                let mut by_pixel = ByPixel::new(self, triangle, tiles, scratch);
+                Surveyed {
+                    polynomials: self.certified(triangle, tiles, &mut by_pixel),
+                    terminators: by_pixel.terminators,
+                    highlights: by_pixel.highlights,
+                }
+            },
+        ))
+    }
+
+    #[inline(always)]
+    fn polynomial(survey: &Self::Survey, index: usize) -> Option<Polynomial> {
+        let surveyed = survey.as_ref()?;
+        if surveyed.terminators[index] + surveyed.highlights[index] > 0 {
+            return None;
+        }
+        surveyed.polynomials[index]
     }
 
     #[inline(always)]
     fn shade(
         &self,
         triangle: &Triangle,
-        patch: &Patch,
-        coverage: &Coverage,
+        tiles: &Squares<TILE>,
+        survey: &Self::Survey,
+        index: usize,
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
-        let mut own = None;
-        let vectors = self.vectors(triangle, patch, &mut own);
-        if patch.steady
-            && self.tolerance > 0.0
-            && coverage.pixels > FEW
-            && let Some(evaluations) =
-                self.shade_certified(&vectors, triangle, patch, coverage, scratch, sink)
+        let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
+        if let Some(surveyed) = survey
+            && let Some(polynomial) = &surveyed.polynomials[index]
         {
-            return evaluations;
+            let levels = &scratch.levels[index];
+            apart(
+                self.simd,
+                #[inline(always)]
+                || Self::shade_mixed(&polynomial.color, patch, coverage, levels, sink),
+            );
+            let highlights = surveyed.highlights[index];
+            return Evaluations {
+                specular: u64::from(coverage.pixels) * highlights,
+                ..Evaluations::of(if highlights > 0 {
+                    TileKind::Highlight
+                } else {
+                    TileKind::Terminator
+                })
+            };
         }
         let in_lanes = if patch.steady {
             apart(
                 self.simd,
                 #[inline(always)]
-                || self.shade_lanes(&vectors, triangle, patch, coverage, scratch, sink),
+                || self.shade_lanes(triangle, tiles, index, scratch, sink),
             )
         } else {
             None

@@ -1,7 +1,7 @@
 //! A colour polynomial in, rows of pixels out.
 //!
 //! Rule: coefficients are gathered to the row in f64; f32 then rounds each value at most six times at the size of its
-//! largest term ([`rounding`]). Where the tolerance has 1/256 level to spare and no channel leaves the display's range,
+//! largest term. Where the tolerance has 1/256 level to spare and no channel leaves the display's range,
 //! the value is formed in multiples of 1/256 level at once, so that nothing is left to clamp and the byte only has to be
 //! cut out.
 
@@ -9,17 +9,21 @@ use std::ops::Range;
 
 use super::certificate::Color;
 use super::display::{display_bits_within, pack};
+use super::number::{Number, Truth};
 use super::{Coverage, Row, Sink, TileKind, U};
 
 /// A colour that is certified on a patch, and how it is to be evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polynomial {
-    color: Color,
+    pub(super) color: Color,
     /// Constant, linear or quadratic: how many of the terms are needed.
     pub kind: TileKind,
     /// Whether in multiples of 1/256 level.
     fixed: bool,
 }
+
+/// What f32 makes of a value, over the size of its terms.
+const ROUNDING: f64 = 6.0 * U;
 
 /// What multiples of 1/256 level cost: two roundings.
 const FIXED: f64 = 1.0 / 256.0;
@@ -37,45 +41,77 @@ fn fixed(level: f32) -> u32 {
     (PLACES + level).to_bits().wrapping_sub(PLACES.to_bits())
 }
 
+/// How the colours of some squares may be drawn: bit `i` of each stands for the `i`-th.
+#[derive(Clone, Copy, Debug)]
+pub struct Ways {
+    /// Whether at all.
+    possible: u64,
+    /// Whether in multiples of 1/256 level.
+    fixed: u64,
+    /// Whether more than a linear colour is needed.
+    curved: u64,
+    /// Whether more than one colour is needed.
+    sloped: u64,
+}
+
+impl Ways {
+    /// What is the cheapest that stays within `budget` levels of `color`, f32 included.
+    #[inline(always)]
+    pub fn new<N: Number>(color: &Color<N>, half: [N; 2], budget: N) -> Self {
+        let zero = budget.like(0.0);
+        let [mut size, mut curve, mut reach] = [zero; 3];
+        let mut possible = zero.below(budget);
+        let mut inside = possible;
+        for channel in &color.0 {
+            let middle = channel.0[0];
+            let bend = channel.quadratic_reach(half);
+            let sway = channel.linear_reach(half) + bend;
+            let rounding = (middle.abs() + sway) * ROUNDING;
+            possible = possible & rounding.below(budget);
+            inside = inside
+                & !(middle - sway).below(budget.like(FIXED_RANGE[0]))
+                & !budget.like(FIXED_RANGE[1]).below(middle + sway);
+            size = size.or_more(rounding);
+            curve = curve.or_more(bend);
+            reach = reach.or_more(sway);
+        }
+        let budget = budget - size;
+        let fixed = inside & !budget.below(budget.like(FIXED));
+        let budget = fixed.choose(budget - FIXED, budget);
+        Ways {
+            possible: possible.bits(),
+            fixed: fixed.bits(),
+            curved: budget.below(curve).bits(),
+            sloped: budget.below(reach).bits(),
+        }
+    }
+
+    /// The polynomial for one of the squares, of these colours.
+    #[inline(always)]
+    pub fn polynomial<N: Number>(&self, index: usize, colors: &Color<N>) -> Option<Polynomial> {
+        let is = |ways: u64| ways >> index & 1 == 1;
+        if !is(self.possible) {
+            return None;
+        }
+        Some(Polynomial {
+            color: colors.one(index),
+            kind: if is(self.curved) {
+                TileKind::Quadratic
+            } else if is(self.sloped) {
+                TileKind::Linear
+            } else {
+                TileKind::Constant
+            },
+            fixed: is(self.fixed),
+        })
+    }
+}
+
 /// The cheapest polynomial that stays within `budget` levels of `color`, f32 included; none where `color` itself does
 /// not.
 #[inline(always)]
 pub fn cheapest(color: Color, half: [f64; 2], budget: f64) -> Option<Polynomial> {
-    let curve = color.0.map(|channel| channel.quadratic_reach(half));
-    let reach: [f64; 3] =
-        std::array::from_fn(|channel| color.0[channel].linear_reach(half) + curve[channel]);
-    let middle = color.0.map(|channel| channel.0[0]);
-    let largest = |values: [f64; 3]| values[0].max(values[1]).max(values[2]);
-    let size = largest([0, 1, 2].map(|channel| middle[channel].abs() + reach[channel]));
-    let mut budget = budget - 6.0 * U * size;
-    if budget.is_nan() || budget < 0.0 {
-        return None;
-    }
-    let inside = (0..3).all(|channel| {
-        middle[channel] - reach[channel] >= FIXED_RANGE[0]
-            && middle[channel] + reach[channel] <= FIXED_RANGE[1]
-    });
-    let fixed = inside && budget >= FIXED;
-    if fixed {
-        budget -= FIXED;
-    }
-    let kind = if largest(curve) > budget {
-        TileKind::Quadratic
-    } else if largest(reach) > budget {
-        TileKind::Linear
-    } else {
-        TileKind::Constant
-    };
-    Some(Polynomial { color, kind, fixed })
-}
-
-/// A bound on what f32 costs, in levels.
-#[inline(always)]
-pub fn rounding(color: &Color, half: [f64; 2]) -> f64 {
-    6.0 * U
-        * color.largest(|channel| {
-            channel.0[0].abs() + channel.linear_reach(half) + channel.quadratic_reach(half)
-        })
+    Ways::new(&color, half, budget).polynomial(0, &color)
 }
 
 /// Takes the rows of a square. A trait, not a closure, because only a function can be told to become part of the loop

@@ -5,10 +5,11 @@
 
 use super::TILE;
 use super::affine::Affine;
+use super::number::{Number, Truth};
 
 /// c_0 + c_1 x + c_2 y + c_3 x^2 + c_4 xy + c_5 y^2, x and y in pixels from the middle of a tile.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Quadratic(pub [f64; 6]);
+pub struct Quadratic<N = f64>(pub [N; 6]);
 
 impl Quadratic {
     /// The product of two vectors that are affine, without loss.
@@ -24,11 +25,52 @@ impl Quadratic {
         ])
     }
 
+    /// The same for as many tiles as `like` has.
+    #[inline(always)]
+    pub fn spread<N: Number>(&self, like: N) -> Quadratic<N> {
+        let [middle, x, y, xx, xy, yy] = self.0;
+        Quadratic([
+            like.like(middle),
+            like.like(x),
+            like.like(y),
+            like.like(xx),
+            like.like(xy),
+            like.like(yy),
+        ])
+    }
+
+    /// The rows of a tile whose first lies `first` pixels below the middle, as polynomials in x in f32.
+    #[inline(always)]
+    pub fn ramps(&self, first: f64) -> Ramps {
+        let [middle, x, down, xx, xy, yy] = self.0;
+        let mut ramps = Ramps {
+            middles: [0.0; TILE],
+            slopes: [0.0; TILE],
+            curve: xx as f32,
+        };
+        for row in 0..TILE {
+            let y = first + row as f64;
+            ramps.middles[row] = (middle + y * (down + y * yy)) as f32;
+            ramps.slopes[row] = (x + y * xy) as f32;
+        }
+        ramps
+    }
+}
+
+impl<N: Number> Quadratic<N> {
     /// A multiple.
     #[inline(always)]
     #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        Quadratic(self.0.map(|coefficient| coefficient * factor))
+    pub fn scaled(&self, factor: N) -> Self {
+        let [middle, x, y, xx, xy, yy] = self.0;
+        Quadratic([
+            middle * factor,
+            x * factor,
+            y * factor,
+            xx * factor,
+            xy * factor,
+            yy * factor,
+        ])
     }
 
     /// One over the square root, to second order, of a quadratic that is one at the middle:
@@ -36,14 +78,16 @@ impl Quadratic {
     #[inline(always)]
     #[must_use]
     pub fn inverse_root(&self) -> Self {
+        const FIRST: f64 = -0.5;
+        const SECOND: f64 = 0.375;
         let [_, x, y, xx, xy, yy] = self.0;
         Quadratic([
-            1.0,
-            -0.5 * x,
-            -0.5 * y,
-            -0.5 * xx + 0.375 * x * x,
-            -0.5 * xy + 0.75 * x * y,
-            -0.5 * yy + 0.375 * y * y,
+            x.like(1.0),
+            x * FIRST,
+            y * FIRST,
+            xx * FIRST + x * SECOND * x,
+            xy * FIRST + x * (2.0 * SECOND) * y,
+            yy * FIRST + y * SECOND * y,
         ])
     }
 
@@ -64,7 +108,7 @@ impl Quadratic {
 
     /// The value at a place.
     #[inline(always)]
-    pub fn at(&self, [x, y]: [f64; 2]) -> f64 {
+    pub fn at(&self, [x, y]: [N; 2]) -> N {
         let [middle, slope, curve] = self.row(y);
         middle + x * (slope + x * curve)
     }
@@ -72,12 +116,12 @@ impl Quadratic {
     /// The same, counted from `[x, y]`.
     #[inline(always)]
     #[must_use]
-    pub fn moved(&self, [x, y]: [f64; 2]) -> Self {
+    pub fn moved(&self, [x, y]: [N; 2]) -> Self {
         let [_, right, down, xx, xy, yy] = self.0;
         Quadratic([
             self.at([x, y]),
-            right + 2.0 * x * xx + y * xy,
-            down + 2.0 * y * yy + x * xy,
+            right + (x + x) * xx + y * xy,
+            down + (y + y) * yy + x * xy,
             xx,
             xy,
             yy,
@@ -87,46 +131,72 @@ impl Quadratic {
     /// Adds a multiple of another.
     #[inline(always)]
     pub fn add(&mut self, other: &Self, factor: f64) {
-        for (coefficient, more) in self.0.iter_mut().zip(other.0) {
-            *coefficient += factor * more;
-        }
+        let (a, b) = (self.0, &other.0);
+        self.0 = [
+            a[0] + b[0] * factor,
+            a[1] + b[1] * factor,
+            a[2] + b[2] * factor,
+            a[3] + b[3] * factor,
+            a[4] + b[4] * factor,
+            a[5] + b[5] * factor,
+        ];
+    }
+
+    /// That of one of the tiles.
+    #[inline(always)]
+    pub fn one(&self, index: usize) -> Quadratic {
+        let [middle, x, y, xx, xy, yy] = &self.0;
+        Quadratic([
+            middle.one(index),
+            x.one(index),
+            y.one(index),
+            xx.one(index),
+            xy.one(index),
+            yy.one(index),
+        ])
+    }
+
+    /// Itself where `holds`, nothing elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub fn only(&self, holds: N::Truth) -> Self {
+        let zero = Quadratic([self.0[0].like(0.0); 6]);
+        self.or(!holds, &zero)
+    }
+
+    /// Itself, but another one where `holds`.
+    #[inline(always)]
+    #[must_use]
+    pub fn or(&self, holds: N::Truth, other: &Self) -> Self {
+        let (a, b) = (&self.0, &other.0);
+        Quadratic([
+            holds.choose(b[0], a[0]),
+            holds.choose(b[1], a[1]),
+            holds.choose(b[2], a[2]),
+            holds.choose(b[3], a[3]),
+            holds.choose(b[4], a[4]),
+            holds.choose(b[5], a[5]),
+        ])
     }
 
     /// A bound on the linear terms' size within `half` pixels of the middle.
     #[inline(always)]
-    pub fn linear_reach(&self, half: [f64; 2]) -> f64 {
+    pub fn linear_reach(&self, half: [N; 2]) -> N {
         self.0[1].abs() * half[0] + self.0[2].abs() * half[1]
     }
 
     /// A bound on the quadratic terms' size within `half` pixels of the middle.
     #[inline(always)]
-    pub fn quadratic_reach(&self, half: [f64; 2]) -> f64 {
+    pub fn quadratic_reach(&self, half: [N; 2]) -> N {
         let [right, down] = half;
         self.0[3].abs() * right * right
             + self.0[4].abs() * right * down
             + self.0[5].abs() * down * down
     }
 
-    /// The rows of a tile whose first lies `first` pixels below the middle, as polynomials in x in f32.
-    #[inline(always)]
-    pub fn ramps(&self, first: f64) -> Ramps {
-        let [middle, x, down, xx, xy, yy] = self.0;
-        let mut ramps = Ramps {
-            middles: [0.0; TILE],
-            slopes: [0.0; TILE],
-            curve: xx as f32,
-        };
-        for row in 0..TILE {
-            let y = first + row as f64;
-            ramps.middles[row] = (middle + y * (down + y * yy)) as f32;
-            ramps.slopes[row] = (x + y * xy) as f32;
-        }
-        ramps
-    }
-
     /// One row, `y` pixels below the middle, as a polynomial in x.
     #[inline(always)]
-    pub fn row(&self, y: f64) -> [f64; 3] {
+    pub fn row(&self, y: N) -> [N; 3] {
         let [middle, x, down, xx, xy, yy] = self.0;
         [middle + y * (down + y * yy), x + y * xy, xx]
     }
@@ -173,39 +243,18 @@ impl CubicRamps {
 /// A power series in x and y, in pixels from the middle of a tile, up to third order: the six terms of a [`Quadratic`],
 /// then x^3, x^2 y, x y^2 and y^3.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cubic(pub [f64; 10]);
+pub struct Cubic<N = f64>(pub [N; 10]);
 
-impl From<Quadratic> for Cubic {
+impl<N: Number> From<Quadratic<N>> for Cubic<N> {
     #[inline(always)]
-    fn from(quadratic: Quadratic) -> Self {
+    fn from(quadratic: Quadratic<N>) -> Self {
         let [middle, x, y, xx, xy, yy] = quadratic.0;
-        Cubic([middle, x, y, xx, xy, yy, 0.0, 0.0, 0.0, 0.0])
+        let zero = middle.like(0.0);
+        Cubic([middle, x, y, xx, xy, yy, zero, zero, zero, zero])
     }
 }
 
 impl Cubic {
-    /// A multiple.
-    #[inline(always)]
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        Cubic(self.0.map(|coefficient| coefficient * factor))
-    }
-
-    /// The difference.
-    #[inline(always)]
-    #[must_use]
-    pub fn minus(&self, other: &Self) -> Self {
-        Cubic(std::array::from_fn(|term| self.0[term] - other.0[term]))
-    }
-
-    /// The sum with a number.
-    #[inline(always)]
-    #[must_use]
-    pub fn plus(mut self, number: f64) -> Self {
-        self.0[0] += number;
-        self
-    }
-
     /// The rows of a tile whose first lies `first` pixels below the middle, as polynomials in x in f32.
     #[inline(always)]
     pub fn ramps(&self, first: f64) -> CubicRamps {
@@ -224,10 +273,58 @@ impl Cubic {
         }
         ramps
     }
+}
+
+impl<N: Number> Cubic<N> {
+    /// A multiple.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, factor: N) -> Self {
+        let [middle, x, y, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0;
+        Cubic([
+            middle * factor,
+            x * factor,
+            y * factor,
+            xx * factor,
+            xy * factor,
+            yy * factor,
+            xxx * factor,
+            xxy * factor,
+            xyy * factor,
+            yyy * factor,
+        ])
+    }
+
+    /// The difference.
+    #[inline(always)]
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        let (a, b) = (&self.0, &other.0);
+        Cubic([
+            a[0] - b[0],
+            a[1] - b[1],
+            a[2] - b[2],
+            a[3] - b[3],
+            a[4] - b[4],
+            a[5] - b[5],
+            a[6] - b[6],
+            a[7] - b[7],
+            a[8] - b[8],
+            a[9] - b[9],
+        ])
+    }
+
+    /// The sum with a number.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(mut self, number: f64) -> Self {
+        self.0[0] = self.0[0] + number;
+        self
+    }
 
     /// The terms up to second order.
     #[inline(always)]
-    fn lower(&self) -> Quadratic {
+    fn lower(&self) -> Quadratic<N> {
         let [middle, x, y, xx, xy, yy, ..] = self.0;
         Quadratic([middle, x, y, xx, xy, yy])
     }
@@ -258,17 +355,18 @@ impl Cubic {
     pub fn composed(&self, [k1, k2, k3]: [f64; 3]) -> Self {
         let [_, x, y, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0;
         let (x2, y2) = (x * x, y * y);
+        let (twice, thrice) = (2.0 * k2, 3.0 * k3);
         Cubic([
-            1.0,
-            k1 * x,
-            k1 * y,
-            k1 * xx + k2 * x2,
-            k1 * xy + 2.0 * k2 * x * y,
-            k1 * yy + k2 * y2,
-            k1 * xxx + 2.0 * k2 * x * xx + k3 * x * x2,
-            k1 * xxy + 2.0 * k2 * (x * xy + y * xx) + 3.0 * k3 * x2 * y,
-            k1 * xyy + 2.0 * k2 * (x * yy + y * xy) + 3.0 * k3 * x * y2,
-            k1 * yyy + 2.0 * k2 * y * yy + k3 * y * y2,
+            x.like(1.0),
+            x * k1,
+            y * k1,
+            xx * k1 + x2 * k2,
+            xy * k1 + x * twice * y,
+            yy * k1 + y2 * k2,
+            xxx * k1 + x * twice * xx + x * k3 * x2,
+            xxy * k1 + (x * xy + y * xx) * twice + x2 * thrice * y,
+            xyy * k1 + (x * yy + y * xy) * twice + x * thrice * y2,
+            yyy * k1 + y * twice * yy + y * k3 * y2,
         ])
     }
 
@@ -288,13 +386,13 @@ impl Cubic {
 
     /// Bounds on the size of the terms of first, second and third order within `half` pixels of the middle.
     #[inline(always)]
-    pub fn reaches(&self, half: [f64; 2]) -> [f64; 3] {
-        let [_, x, y, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0.map(f64::abs);
+    pub fn reaches(&self, half: [N; 2]) -> [N; 3] {
+        let [_, _, _, _, _, _, xxx, xxy, xyy, yyy] = self.0;
         let [h, v] = half;
         [
-            x * h + y * v,
-            xx * h * h + xy * h * v + yy * v * v,
-            h * h * (xxx * h + xxy * v) + v * v * (xyy * h + yyy * v),
+            self.lower().linear_reach(half),
+            self.lower().quadratic_reach(half),
+            h * h * (xxx.abs() * h + xxy.abs() * v) + v * v * (xyy.abs() * h + yyy.abs() * v),
         ]
     }
 
@@ -302,20 +400,22 @@ impl Cubic {
     /// economization, x^3 = (3/4) h^2 x + (h^3 / 4) T_3(x / h) and x^2 y = (h^2 / 2) y + (h^2 / 2) T_2(x / h) y (Lanczos
     /// 1938).
     #[inline(always)]
-    pub fn economized(&self, half: [f64; 2]) -> (Quadratic, f64) {
+    pub fn economized(&self, half: [N; 2]) -> (Quadratic<N>, N) {
+        const PURE: [f64; 2] = [0.75, 0.25];
+        const MIXED: f64 = 0.5;
         let [middle, x, y, xx, xy, yy, xxx, xxy, xyy, yyy] = self.0;
         let [h, v] = half;
         let (h2, v2) = (h * h, v * v);
         let quadratic = Quadratic([
             middle,
-            x + 0.75 * h2 * xxx + 0.5 * v2 * xyy,
-            y + 0.75 * v2 * yyy + 0.5 * h2 * xxy,
+            x + h2 * PURE[0] * xxx + v2 * MIXED * xyy,
+            y + v2 * PURE[0] * yyy + h2 * MIXED * xxy,
             xx,
             xy,
             yy,
         ]);
-        let error = h2 * (0.25 * h * xxx.abs() + 0.5 * v * xxy.abs())
-            + v2 * (0.5 * h * xyy.abs() + 0.25 * v * yyy.abs());
+        let error = h2 * (h * PURE[1] * xxx.abs() + v * MIXED * xxy.abs())
+            + v2 * (h * MIXED * xyy.abs() + v * PURE[1] * yyy.abs());
         (quadratic, error)
     }
 }

@@ -10,12 +10,13 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::display::Exact;
-use super::patch::Patch;
+use super::number::ABREAST;
+use super::patch::{Patch, Squares};
 use super::polynomial::Polynomial;
 use super::specular::{power, power_exact};
 use super::triangle::Triangle;
 use super::{
-    Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, doubles,
+    BLOCK, Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, doubles,
 };
 use crate::components::PointLight;
 
@@ -26,8 +27,22 @@ pub struct UnitVectors<'a> {
 }
 
 impl Shader for UnitVectors<'_> {
+    type Survey = ();
+
     #[inline(always)]
-    fn polynomial(&self, _triangle: &Triangle, _patch: &Patch) -> Option<Polynomial> {
+    fn polynomials(
+        &self,
+        _triangle: &Triangle,
+        _blocks: &Squares<BLOCK>,
+    ) -> [Option<Polynomial>; ABREAST] {
+        [None; ABREAST]
+    }
+
+    #[inline(always)]
+    fn survey(&self, _triangle: &Triangle, _tiles: &Squares<TILE>, _scratch: &mut Scratch) {}
+
+    #[inline(always)]
+    fn polynomial(_survey: &(), _index: usize) -> Option<Polynomial> {
         None
     }
 
@@ -35,11 +50,13 @@ impl Shader for UnitVectors<'_> {
     fn shade(
         &self,
         triangle: &Triangle,
-        patch: &Patch,
-        coverage: &Coverage,
+        tiles: &Squares<TILE>,
+        _survey: &(),
+        index: usize,
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
+        let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
         if patch.steady
             && let Some(factors) = triangle.screen
         {
@@ -125,7 +142,8 @@ impl UnitVectors<'_> {
         let shininess = surface.material.shininess as f32;
         let ambient = surface.ambient().as_vec3().to_array();
         let lanes = patch.lanes();
-        scratch.levels.fill(ambient.map(|level| [level; TILE]));
+        let levels = &mut scratch.levels[0];
+        levels.fill(ambient.map(|level| [level; TILE]));
         for light in &surface.illumination.points {
             let [diffuse, specular] = surface
                 .coefficients(light)
@@ -157,7 +175,7 @@ impl UnitVectors<'_> {
                     }
                     for channel in 0..3 {
                         for lane in 0..TILE {
-                            scratch.levels[row][channel][lane] += diffuse[channel] * cosine[lane]
+                            levels[row][channel][lane] += diffuse[channel] * cosine[lane]
                                 + specular[channel] * strength[lane];
                         }
                     }
@@ -166,7 +184,7 @@ impl UnitVectors<'_> {
         }
         for (row, &(from, to)) in coverage.spans.iter().enumerate() {
             if from < to {
-                sink.take(row, &Exact(&scratch.levels[row]));
+                sink.take(row, &Exact(&levels[row]));
             }
         }
         Evaluations::of(TileKind::Exact).of_every_pixel(coverage, surface)

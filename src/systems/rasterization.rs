@@ -25,18 +25,17 @@ use crate::components::{
 use crate::frame::{Band, Counts, Frame};
 use crate::shading::affine::Scalar;
 use crate::shading::gouraud::Gouraud;
-use crate::shading::patch::Patch;
+use crate::shading::number::ABREAST;
+use crate::shading::patch::Squares;
 use crate::shading::phong::Phong;
 use crate::shading::polynomial::Polynomial;
 use crate::shading::triangle::{self, Rays, Solid, Triangle};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE};
+use crate::shading::{BLOCK, Evaluations, Scratch, Shader, Sink, Surface, TILE};
+use crate::simd::apart;
 
 /// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
 const WORTH_SHARING: i64 = 100_000;
-
-/// A polynomial for a block of no more pixels than this costs more to find than it saves.
-const WORTH_A_TRY: u32 = 2 * TILE as u32;
 
 /// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
 const DEPTH_TIE: f64 = 1e-11;
@@ -249,19 +248,32 @@ fn draw<S: Simd>(
         tolerance,
     } = *object;
     match mode {
-        ShadingMode::Gouraud => draw_with(&Gouraud { tolerance }, shape, lens, band, scratch),
-        ShadingMode::Phong => {
-            let phong = Phong::new(simd, surface, tolerance, &shape.triangle);
-            draw_with(&phong, shape, lens, band, scratch)
-        }
-        ShadingMode::UnitVectors => draw_with(&UnitVectors { surface }, shape, lens, band, scratch),
+        ShadingMode::Gouraud => apart(
+            simd,
+            #[inline(always)]
+            || draw_with(simd, &Gouraud { tolerance }, shape, lens, band, scratch),
+        ),
+        ShadingMode::Phong => apart(
+            simd,
+            #[inline(always)]
+            || {
+                let phong = Phong::new(simd, surface, tolerance, &shape.triangle);
+                draw_with(simd, &phong, shape, lens, band, scratch)
+            },
+        ),
+        ShadingMode::UnitVectors => apart(
+            simd,
+            #[inline(always)]
+            || draw_with(simd, &UnitVectors { surface }, shape, lens, band, scratch),
+        ),
     }
 }
 
 /// Shades a polygon, block by block: a block that one polynomial covers within the tolerance is drawn with it, the others
-/// tile by tile.
+/// tile by tile. Polynomials are looked for in four blocks side by side, or in the four tiles of one.
 #[inline(always)]
 fn draw_with(
+    simd: impl Simd,
     shader: &impl Shader,
     shape: &Shape,
     lens: &Lens,
@@ -282,63 +294,94 @@ fn draw_with(
         let spans = scan.spans::<BLOCK>(first);
         let plain = band.takes_whole(first, BLOCK);
         let extent = spans.extent();
-        for column in (extent.start / BLOCK * BLOCK..extent.end).step_by(BLOCK) {
-            let corner = [column as f64 - lens.half[0], first as f64 - lens.half[1]];
-            // Apart from each other, so that the compiler knows the most frequent one's size.
-            let (block, (patch, polynomial)) = if spans.cover(column..column + BLOCK) {
-                let whole = Coverage::WHOLE;
-                (whole, certified(shader, triangle, corner, &whole))
-            } else {
-                let block = spans.coverage(column);
-                (block, certified(shader, triangle, corner, &block))
-            };
-            if plain && let Some(polynomial) = &polynomial {
-                let mut store = Store::new(band, [column, first], &block, *id);
-                store.draw(polynomial, patch.first(), &block);
-                counts.covered_pixels += store.stored;
-                counts.tiles[polynomial.kind as usize] += block.tiles();
-                continue;
-            }
-            for (down, right) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                let coverage = &block.tile(right, down);
-                let [right, down] = [right * TILE, down * TILE];
-                let mut store = Store::new(band, [column + right, first + down], coverage, *id);
-                if coverage.pixels == 0 || !store.is_seen() {
+        for column in (extent.start / BLOCK * BLOCK..extent.end).step_by(ABREAST * BLOCK) {
+            let blocks = Squares::new(
+                triangle,
+                lens.half,
+                |index| [column + index * BLOCK, first],
+                |index| spans.coverage(column + index * BLOCK),
+            );
+            let polynomials = shader.polynomials(triangle, &blocks);
+            for index in 0..ABREAST {
+                let (block, polynomial) = (&blocks.covered[index], &polynomials[index]);
+                if block.pixels == 0 {
                     continue;
                 }
-                let shift = [right as f64, down as f64];
-                let evaluations = if let Some(polynomial) = &polynomial {
-                    let first = [patch.first()[0] + shift[0], patch.first()[1] + shift[1]];
-                    store.draw(polynomial, first, coverage);
-                    Evaluations::of(polynomial.kind)
-                } else {
-                    let origin = [corner[0] + shift[0], corner[1] + shift[1]];
-                    let patch = Patch::new(triangle, origin, coverage.lanes, coverage.rows);
-                    shader.shade(triangle, &patch, coverage, scratch, &mut store)
-                };
-                store.mark(evaluations.kind);
-                counts += counted(evaluations, store.stored);
+                let corner = blocks.patches[index].first();
+                if plain && let Some(polynomial) = polynomial {
+                    let mut store = Store::new(band, blocks.places[index], block, *id);
+                    store.draw(polynomial, corner, block);
+                    counts.covered_pixels += store.stored;
+                    counts.tiles[polynomial.kind as usize] += block.tiles();
+                    continue;
+                }
+                let [column, row] = blocks.places[index];
+                let tiles = Squares::new(
+                    triangle,
+                    lens.half,
+                    |index| [column + index % 2 * TILE, row + index / 2 * TILE],
+                    |index| block.tile(index % 2, index / 2),
+                );
+                let common = polynomial.map(|polynomial| (polynomial, corner));
+                counts += apart(
+                    simd,
+                    #[inline(always)]
+                    || draw_tiles(simd, shader, shape, tiles, common, band, scratch),
+                );
             }
         }
     }
     counts
 }
 
-/// A block as a patch, and its colour as one polynomial where there is one.
+/// Shades the four tiles of a block: with the polynomial they have in common, where there is one, whose middle lies as far
+/// from the block's first pixel as is said, or each by itself.
 #[inline(always)]
-fn certified(
-    shader: &impl Shader,
-    triangle: &Triangle,
-    corner: [f64; 2],
-    block: &Coverage<BLOCK>,
-) -> (Patch, Option<Polynomial>) {
-    let patch = Patch::new(triangle, corner, block.lanes, block.rows);
-    let polynomial = if block.pixels > WORTH_A_TRY {
-        shader.polynomial(triangle, &patch)
-    } else {
-        None
-    };
-    (patch, polynomial)
+fn draw_tiles<S: Shader>(
+    simd: impl Simd,
+    shader: &S,
+    shape: &Shape,
+    mut tiles: Squares<TILE>,
+    common: Option<(Polynomial, [f64; 2])>,
+    band: &mut Band,
+    scratch: &mut Scratch,
+) -> Counts {
+    let Shape { triangle, id, .. } = shape;
+    let mut seen = [false; ABREAST];
+    for index in 0..ABREAST {
+        let tile = &tiles.covered[index];
+        seen[index] = tile.pixels > 0 && Store::new(band, tiles.places[index], tile, *id).is_seen();
+        tiles.wanted[index] &= seen[index] && common.is_none();
+    }
+    let survey = shader.survey(triangle, &tiles, scratch);
+    let mut counts = Counts::default();
+    for index in 0..ABREAST {
+        if !seen[index] {
+            continue;
+        }
+        let tile = &tiles.covered[index];
+        let mut store = Store::new(band, tiles.places[index], tile, *id);
+        let polynomial = if let Some((polynomial, [x, y])) = common {
+            let [right, down] = [index % 2 * TILE, index / 2 * TILE];
+            Some((polynomial, [x + right as f64, y + down as f64]))
+        } else {
+            let own = tiles.patches[index].first();
+            S::polynomial(&survey, index).map(|polynomial| (polynomial, own))
+        };
+        let evaluations = if let Some((polynomial, first)) = &polynomial {
+            apart(
+                simd,
+                #[inline(always)]
+                || store.draw(polynomial, *first, tile),
+            );
+            Evaluations::of(polynomial.kind)
+        } else {
+            shader.shade(triangle, &tiles, &survey, index, scratch, &mut store)
+        };
+        store.mark(evaluations.kind);
+        counts += counted(evaluations, store.stored);
+    }
+    counts
 }
 
 fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use shadetrade::shading::affine::{Affine, Scalar};
 use shadetrade::shading::certificate::{
-    Color, MOST_SWING, angle, cosine_remainder, quotient, rate,
+    Color, MOST_SWING, angle, cosine_remainder, exponential, quotient, rate,
 };
 use shadetrade::shading::series::{Cubic, Quadratic};
 
@@ -58,12 +58,18 @@ fn a_vector_moves_as_far_as_to_a_corner_of_its_tile() {
 }
 
 #[test]
-fn a_colour_is_as_large_as_the_largest_of_its_channels() {
-    for largest in 0..3 {
-        let mut color = Color([Quadratic([2.0, 0.0, 0.0, 0.0, 0.0, 0.0]); 3]);
-        color.0[largest].0[0] = 7.0;
-        assert_eq!(color.largest(|channel| channel.0[0]), 7.0);
+fn the_bound_of_the_exponential_is_above_it_and_near() {
+    for step in -640..640 {
+        let x = f64::from(step) / 10.0;
+        let bound = exponential(x);
+        // Rounding may take 64 roundings off.
+        assert!(bound >= x.exp() * (1.0 - 1e-13), "{x}");
+        assert!(x.abs() > 8.0 || bound < 1.8 * x.exp(), "{x}");
     }
+    assert_eq!(exponential(0.0), 1.0);
+    assert_eq!(exponential(64.0), f64::INFINITY);
+    assert_eq!(exponential(100.0), f64::INFINITY);
+    assert_eq!(exponential(f64::NAN), f64::INFINITY);
 }
 
 #[test]

@@ -7,7 +7,8 @@ use shadetrade::components::{
 };
 use shadetrade::shading::display::Row;
 use shadetrade::shading::gouraud::Gouraud;
-use shadetrade::shading::patch::Patch;
+use shadetrade::shading::number::ABREAST;
+use shadetrade::shading::patch::{Patch, Squares};
 use shadetrade::shading::phong::Phong;
 use shadetrade::shading::triangle::{Rays, Solid, Triangle};
 use shadetrade::shading::unit_vectors::UnitVectors;
@@ -81,7 +82,7 @@ fn middle(triangle: &Triangle) -> Patch {
 }
 
 /// Shades a tile both ways; returns how it was done in lanes and the largest difference in levels.
-fn compare(shader: &impl Shader, triangle: &Triangle) -> (TileKind, f64) {
+fn compare<S: Shader>(shader: &S, triangle: &Triangle) -> (TileKind, f64) {
     let steady = middle(triangle);
     let shaken = Patch {
         steady: false,
@@ -90,9 +91,22 @@ fn compare(shader: &impl Shader, triangle: &Triangle) -> (TileKind, f64) {
     let [(kind, lanes), (twin, doubles)] = [steady, shaken].map(|patch| {
         let mut tile = Tile::default();
         let scratch = &mut Scratch::default();
-        let evaluations = shader.shade(triangle, &patch, &Coverage::WHOLE, scratch, &mut tile);
+        let tiles = Squares {
+            places: [[0; 2]; ABREAST],
+            covered: [Coverage::WHOLE; ABREAST],
+            patches: [patch; ABREAST],
+            wanted: [patch.steady; ABREAST],
+        };
+        let survey = shader.survey(triangle, &tiles, scratch);
+        let kind = if let Some(polynomial) = S::polynomial(&survey, 1) {
+            tile.draw(&polynomial, patch.first(), &Coverage::WHOLE);
+            polynomial.kind
+        } else {
+            let evaluations = shader.shade(triangle, &tiles, &survey, 1, scratch, &mut tile);
+            evaluations.kind
+        };
         assert_eq!(tile.0.len(), TILE);
-        (evaluations.kind, tile.0)
+        (kind, tile.0)
     });
     assert_eq!(twin, TileKind::Double);
     let levels = |rows: &[TileRow]| rows.as_flattened().as_flattened().to_vec();

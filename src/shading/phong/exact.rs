@@ -11,17 +11,19 @@
 use fearless_simd::Simd;
 use glam::DVec3;
 
-use super::outlook::{Outlook, Side};
+use super::outlook::Outlook;
 use super::products::{ToLight, Vectors};
 use super::{Phong, Pixels, ROUNDED};
 use crate::components::{PointLight, unit};
 use crate::shading::affine::Affine;
 use crate::shading::display::Exact;
-use crate::shading::patch::Patch;
+use crate::shading::patch::{Patch, Squares};
 use crate::shading::series::Quadratic;
 use crate::shading::specular::power;
 use crate::shading::triangle::Triangle;
-use crate::shading::{Coverage, Evaluations, Scratch, Sink, TILE, TileKind, U, doubles, limit};
+use crate::shading::{
+    Coverage, Evaluations, Scratch, Sink, TILE, TileKind, TileRow, U, doubles, limit,
+};
 
 /// The steepest slope of (1 - d^2/2)^rho as a function of d = |r - o|, taken at d^2 = 2 / (2 rho - 1) for rho >= 1; it
 /// has no bound for smaller rho, where s goes to 0.
@@ -120,14 +122,14 @@ impl<S: Simd> Phong<'_, S> {
         let [normal_eye, eye_square] = vectors.to_eye();
         let most = (1.0 + normal) * (1.0 + normal) * (1.0 + light) * (1.0 + eye);
         let twice = evaluation_error(&to_light.facing, half, doubt) * (1.0 + normal) * (1.0 + eye)
-            + evaluation_error(normal_eye, half, doubt) * (1.0 + normal) * (1.0 + light)
+            + evaluation_error(&normal_eye, half, doubt) * (1.0 + normal) * (1.0 + light)
             + most * (relative_error(&vectors.normal_square, half, doubt, normal) + 3.0 * U);
         let numerator = 2.0 * twice / ((1.0 - normal) * (1.0 - normal))
             + evaluation_error(&to_light.light_eye(vectors), half, doubt)
             + U;
         let cosine = numerator / ((1.0 - light) * (1.0 - eye))
             + 0.5 * relative_error(&to_light.light_square, half, doubt, light)
-            + 0.5 * relative_error(eye_square, half, doubt, eye)
+            + 0.5 * relative_error(&eye_square, half, doubt, eye)
             + 4.0 * U;
         let shininess = self.surface.material.shininess;
         let steepest = if shininess == 0.0 || shininess >= 1.0 {
@@ -152,23 +154,27 @@ impl<S: Simd> Phong<'_, S> {
     #[inline(always)]
     pub(super) fn shade_lanes(
         &self,
-        vectors: &Vectors,
         triangle: &Triangle,
-        patch: &Patch,
-        coverage: &Coverage,
+        tiles: &Squares<TILE>,
+        index: usize,
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Option<Evaluations> {
+        let patch = &tiles.patches[index];
+        let mut pixels = Pixels::new(tiles, index, scratch);
+        let coverage = pixels.coverage;
+        let mut own = None;
+        let vectors = &self.vectors(triangle, patch, &mut own);
         let budget = limit(self.tolerance);
         let mut largest = self.surface.ambient().max_element();
         let mut error = self.dropped();
         let mut highlights = 0;
-        let mut pixels = Pixels::new(coverage, scratch);
         pixels.fill(self.ambient);
         for (index, light) in self.surface.illumination.points.iter().enumerate() {
             let mut own = None;
-            let outlook = self.outlook(index, vectors, triangle, patch, &mut own);
-            if outlook.side == Side::Dark {
+            let to_light = self.to_light(index, vectors, triangle, patch, &mut own);
+            let outlook = self.outlook(light, vectors, to_light);
+            if outlook.dark {
                 continue;
             }
             let [diffuse, specular] = self.surface.coefficients(light).map(DVec3::max_element);
@@ -184,7 +190,7 @@ impl<S: Simd> Phong<'_, S> {
         if error.is_nan() || error > budget {
             return None;
         }
-        flush(coverage, scratch, sink);
+        flush(coverage, pixels.levels, sink);
         let pixels = u64::from(coverage.pixels);
         Some(Evaluations {
             model: pixels,
@@ -282,7 +288,7 @@ impl<S: Simd> Phong<'_, S> {
                         let ramp = to_light.row(y);
                         for lane in 0..TILE {
                             let v: [f32; 6] = [0, 1, 2, 3, 4, 5]
-                                .map(|component| pixels.scratch.vectors[component][row][lane]);
+                                .map(|component| pixels.vectors[component][row][lane]);
                             let l = normalised(ramp.at(lanes[lane]));
                             let nl = v[0] * l[0] + v[1] * l[1] + v[2] * l[2];
                             let q =
@@ -362,7 +368,7 @@ fn normalise(triangle: &Triangle, patch: &Patch, pixels: &mut Pixels) {
                         normalised(ramp.at(lanes[lane]));
                 }
                 for axis in 0..3 {
-                    pixels.scratch.vectors[component + axis][row] = unit[axis];
+                    pixels.vectors[component + axis][row] = unit[axis];
                 }
             }
         }
@@ -374,7 +380,7 @@ impl Outlook<'_> {
     #[inline(always)]
     fn gate(&self, lanes: &[f32; TILE], y: f64) -> [f32; TILE] {
         let mut gate = [1.0; TILE];
-        if self.side != Side::Lit {
+        if !self.lit {
             let [middle, slope, curve] = self.to_light.facing.row(y);
             for (open, lane) in gate.iter_mut().zip(lanes) {
                 let lane = f64::from(*lane);
@@ -391,10 +397,10 @@ impl Outlook<'_> {
 
 /// Hands the finished rows on.
 #[inline(always)]
-pub(super) fn flush(coverage: &Coverage, scratch: &Scratch, sink: &mut impl Sink) {
+fn flush(coverage: &Coverage, levels: &[TileRow; TILE], sink: &mut impl Sink) {
     for (row, &(from, to)) in coverage.spans.iter().enumerate() {
         if from < to {
-            sink.take(row, &Exact(&scratch.levels[row]));
+            sink.take(row, &Exact(&levels[row]));
         }
     }
 }

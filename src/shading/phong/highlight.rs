@@ -21,7 +21,8 @@ use super::outlook::Outlook;
 use super::products::Vectors;
 use super::{Phong, Pixels, ROUNDED};
 use crate::components::PointLight;
-use crate::shading::certificate::{MOST_SWING, Majorant};
+use crate::shading::certificate::{Majorant, exponential, moderate};
+use crate::shading::number::{Number, Truth};
 use crate::shading::patch::Patch;
 use crate::shading::series::{Cubic, Quadratic};
 use crate::shading::specular::power_exact;
@@ -34,57 +35,64 @@ const CUBIC: f64 = 0.02;
 /// What f64 makes of s, relative to it, with room to spare, besides what its six products err by.
 const ROUNDING: f64 = 1e-12;
 
+/// What s errs by at most, over what its six products do.
+const PRODUCTS: f64 = 32.0;
+
 /// The least s that the binomial series is tried around.
 const LEAST: f64 = 0.25;
 
 impl<S: Simd> Phong<'_, S> {
-    /// s^rho on the tile, and a bound on what that errs by; none where that is above `most`.
+    /// s^rho on the tile, and a bound on what that errs by: infinite where it is above `most` anyway.
     #[inline(always)]
-    pub(super) fn highlight(
+    pub(super) fn highlight<N: Number>(
         &self,
-        vectors: &Vectors,
-        outlook: &Outlook,
-        patch: &Patch,
+        vectors: &Vectors<N>,
+        outlook: &Outlook<N>,
         most: f64,
-    ) -> Option<(Quadratic, f64)> {
+    ) -> (Quadratic<N>, N) {
         let rho = self.surface.material.shininess;
         let swings = swings(vectors, outlook);
-        let turns = 2.0 * swings[0] + swings[1] + swings[2];
-        let bright = (-rho * outlook.lambda).exp();
-        let expected = CUBIC * bright * turns * turns * turns * rho * rho.sqrt();
-        if expected > most || swings.iter().any(|&swing| swing >= MOST_SWING) {
-            return None;
+        let [turn, swing, sway] = swings;
+        let bright = exponential(outlook.lambda * -rho);
+        let turns = turn + turn + swing + sway;
+        let expected = bright * turns * turns * turns * (CUBIC * rho * rho.sqrt());
+        let none = turn.like(f64::INFINITY);
+        let mut hope = !turn.like(most).below(expected) & are_moderate(swings);
+        if !hope.any() {
+            return (outlook.to_light.facing, none);
         }
 
         let cosine = cosine(vectors, outlook);
         let middle = cosine.0[0];
-        if middle.is_nan() || middle < LEAST {
-            return None;
-        }
-        let shape = cosine.scaled(1.0 / middle);
-        let [first, second, third] = shape.reaches(patch.half);
-        let tail = tail(swings) / middle;
+        let shape = cosine.scaled(middle.inverse());
+        let [first, second, third] = shape.reaches(vectors.half());
+        let tail = tail(swings) * middle.inverse();
         let stray = first + second + third + tail;
-        if stray.is_nan() || stray >= MOST_SWING {
-            return None;
+        hope = hope & middle.like(LEAST).below(middle) & moderate(stray);
+        if !hope.any() {
+            return (outlook.to_light.facing, none);
         }
 
         let k2 = 0.5 * rho * (rho - 1.0);
         let k3 = k2 * (rho - 2.0) / 3.0;
         let k4 = 0.25 * k3 * (rho - 3.0);
+        let height = middle.map(|middle| power_exact(rho, 1.0 - middle));
         // A bound on s_0^rho (1 + x)^(rho - 4) and (1 + x)^(rho - 1) wherever s_0 (1 + x) is between s_0 and the s of a
         // pixel: there s^rho is no brighter than on the tile, and |x| <= stray.
-        let height = power_exact(rho, 1.0 - middle);
-        let swell = bright.min(height * (rho * stray).exp()) * (rho * tail / (1.0 - stray)).exp()
-            / (1.0 - stray).powi(4);
-        let (strength, left) = shape.composed([rho, k2, k3]).economized(patch.half);
-        let cut = k2.abs() * (second * second + third * (2.0 * (first + second) + third))
-            + k3.abs() * ((first + second + third).powi(3) - first.powi(3));
-        let beyond = swell * (rho * tail + k4.abs() * stray.powi(4));
-        let error = height * (cut + left)
-            + beyond
-            + (ROUNDING + 32.0 * outlook.to_light.doubt) * (1.0 + rho);
-        (error <= most).then(|| (strength.scaled(height), error))
+        let inverse = (-stray + 1.0).inverse();
+        let highest = bright.or_less(height * exponential(stray * rho));
+        let square = inverse * inverse;
+        let swell = highest * exponential(tail * rho * inverse) * square * square;
+        let (strength, left) = shape.composed([rho, k2, k3]).economized(vectors.half());
+        let sum = first + second;
+        let all = sum + third;
+        let cut = (second * second + third * (sum + all)) * k2.abs()
+            + (all * all * all - first * first * first) * k3.abs();
+        let square = stray * stray;
+        let beyond = swell * (tail * rho + square * square * k4.abs());
+        let rounding = (outlook.to_light.doubt * PRODUCTS + ROUNDING) * (1.0 + rho);
+        let error = height * (cut + left) + beyond + rounding;
+        (strength.scaled(height), hope.choose(error, none))
     }
 
     /// Adds a light's specular term with a series for s, and returns a bound on what that costs, in levels; none, and
@@ -100,12 +108,12 @@ impl<S: Simd> Phong<'_, S> {
     ) -> Option<f64> {
         let rho = self.surface.material.shininess;
         let swings = swings(vectors, outlook);
-        if rho < 1.0 || swings.iter().any(|&swing| swing >= MOST_SWING) {
+        if rho < 1.0 || !are_moderate(swings) {
             return None;
         }
         let specular = self.surface.coefficients(light)[1];
         let most = ROUNDED * self.share_of_tolerance() / specular.max_element();
-        let error = tail(swings) + 32.0 * outlook.to_light.doubt;
+        let error = tail(swings) + PRODUCTS * outlook.to_light.doubt;
         if rho * error > most {
             return None;
         }
@@ -139,7 +147,7 @@ impl<S: Simd> Phong<'_, S> {
 
 /// Those of N, L and O.
 #[inline(always)]
-fn swings(vectors: &Vectors, outlook: &Outlook) -> [f64; 3] {
+fn swings<N: Number>(vectors: &Vectors<N>, outlook: &Outlook<N>) -> [N; 3] {
     [
         vectors.swing_normal(),
         outlook.to_light.swing(),
@@ -147,24 +155,28 @@ fn swings(vectors: &Vectors, outlook: &Outlook) -> [f64; 3] {
     ]
 }
 
+#[inline(always)]
+fn are_moderate<N: Number>([normal, light, eye]: [N; 3]) -> N::Truth {
+    moderate(normal) & moderate(light) & moderate(eye)
+}
+
 /// s up to third order.
 #[inline(always)]
-fn cosine(vectors: &Vectors, outlook: &Outlook) -> Cubic {
+fn cosine<N: Number>(vectors: &Vectors<N>, outlook: &Outlook<N>) -> Cubic<N> {
     let to_light = &outlook.to_light;
     let [mirror, eye_root] = vectors.mirror();
     let along = Cubic::from(to_light.facing)
-        .times(mirror)
+        .times(&mirror)
         .minus(&to_light.light_eye(vectors).into());
     let roots = Cubic::from(to_light.light_square)
         .inverse_root()
-        .times(eye_root);
+        .times(&eye_root);
     along.times(&roots)
 }
 
 /// What the majorant of s is at t = 1 beyond its third order, for the swings of N, L and O.
 #[inline(always)]
-fn tail(swings: [f64; 3]) -> f64 {
-    let [normal, light, eye] = swings;
+fn tail<N: Number>([normal, light, eye]: [N; 3]) -> N {
     Majorant::mirror(normal)
         .times(&Majorant::direction(light))
         .times(&Majorant::direction(eye))

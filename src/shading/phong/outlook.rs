@@ -3,92 +3,75 @@
 //! ```text
 //!   N.N  L.L  O.O  N.L  N.O  L.O  -->  sign and polynomial of n.l, least 1 - o.r
 //! ```
-//! Rule: whatever cannot be bounded is a [`Side::Terminator`] and shines.
+//! Rule: where n.l cannot be bounded there is a terminator, where a highlight cannot be bounded it shines.
 
 use fearless_simd::Simd;
 use glam::DVec3;
 
 use super::products::{Own, Shared, ToLight, Vectors};
-use super::{Phong, Pixels, SMOOTHED};
+use super::remainder::Remainder;
+use super::{Phong, SMOOTHED};
+use crate::components::PointLight;
+use crate::shading::U;
 use crate::shading::certificate::{
-    Color, MOST_SWING, Majorant, angle, cosine_remainder, least_lambda, rate,
+    Color, Majorant, angle, cosine_remainder, least_lambda, moderate, rate,
 };
+use crate::shading::number::{Number, Truth};
 use crate::shading::patch::Patch;
 use crate::shading::series::{Cubic, Quadratic};
 use crate::shading::triangle::Triangle;
-use crate::shading::{TileKind, U};
 use crate::simd::apart;
 
 /// A diffuse term that errs by no more than this part of the tolerance need not be looked at more closely.
 const ENOUGH: f64 = 0.125;
 
-/// How a light stands to a tile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// n.l <= 0 all over.
-    Dark,
-    /// n.l > 0 all over.
-    Lit,
-    /// Neither is certain.
-    Terminator,
-}
+/// What n.l errs by at most, over what its three products do: each root of a square errs by half of what that does.
+const ROOTS: f64 = 4.0;
 
-/// What is known of one light on a tile before any pixel is looked at.
-pub struct Outlook<'a> {
-    pub to_light: ToLight<'a>,
-    pub side: Side,
+/// What 1 - o.r errs by in the middle of a tile, over what the products do.
+const PRODUCTS: f64 = 8.0;
+
+/// What is known of one light on a tile before any pixel is looked at. Where it is neither dark nor lit there may be a
+/// terminator.
+pub struct Outlook<'a, N: Number = f64> {
+    pub to_light: ToLight<'a, N>,
+    /// n.l <= 0 all over.
+    pub dark: N::Truth,
+    /// n.l > 0 all over.
+    pub lit: N::Truth,
     /// 1 - o.r is nowhere below this.
-    pub lambda: f64,
+    pub lambda: N,
     /// Whether the highlight may reach the tile.
-    pub shines: bool,
+    pub shines: N::Truth,
 }
 
 /// What is known of all lights on a tile before any pixel is looked at.
-pub struct Survey {
+pub struct Survey<N> {
     /// All terms that are polynomials of the whole tile: ambient light, the diffuse terms of the lights that are lit all
     /// over, the highlights that vary slowly.
-    pub color: Color,
+    pub color: Color<N>,
     /// What is left of the tolerance, in levels.
-    pub budget: f64,
-    pub terminators: u64,
-    pub highlights: u64,
+    pub budget: N,
 }
 
-impl Survey {
-    /// Whether no pixel was looked at.
+impl<'a, N: Number> Outlook<'a, N> {
+    /// That of one of the tiles.
     #[inline(always)]
-    pub fn is_polynomial(&self) -> bool {
-        self.terminators == 0 && self.highlights == 0
-    }
-
-    /// The pixels, where there are any, with nothing added to them yet if no light has been.
-    #[inline(always)]
-    fn look_at<'p, 's>(
-        &self,
-        pixels: &'p mut Option<&mut Pixels<'s>>,
-    ) -> Option<&'p mut Pixels<'s>> {
-        let pixels = pixels.as_deref_mut()?;
-        if self.is_polynomial() {
-            pixels.fill(DVec3::ZERO);
-        }
-        Some(pixels)
-    }
-
-    /// How a tile that is not all polynomial is drawn.
-    pub fn kind(&self) -> TileKind {
-        if self.highlights > 0 {
-            TileKind::Highlight
-        } else {
-            TileKind::Terminator
+    pub fn one(&self, index: usize) -> Outlook<'a> {
+        let is = |truth: N::Truth| truth.bits() >> index & 1 == 1;
+        Outlook {
+            to_light: self.to_light.one(index),
+            dark: is(self.dark),
+            lit: is(self.lit),
+            lambda: self.lambda.one(index),
+            shines: is(self.shines),
         }
     }
-}
 
-impl Outlook<'_> {
     /// n.l as a quadratic, and what that errs by. Taylor's serves where that is at most `enough`; elsewhere its cubic terms
     /// are taken into account.
     #[inline(always)]
-    pub fn cosine(&self, vectors: &Vectors, half: [f64; 2], enough: f64) -> (Quadratic, f64) {
+    pub fn cosine(&self, vectors: &Vectors<N>, enough: f64) -> (Quadratic<N>, N) {
         let ToLight {
             facing,
             light_square,
@@ -97,104 +80,110 @@ impl Outlook<'_> {
         } = &self.to_light;
         let normal_square = &vectors.normal_square;
         let (turn, swing) = (vectors.swing_normal(), self.to_light.swing());
-        // Each root of a square errs by half of what that does.
-        let rounding = 4.0 * doubt;
-        let error = cosine_remainder(rate(turn), rate(swing));
-        if error <= enough || turn.max(swing) >= MOST_SWING {
-            let roots = normal_square
-                .inverse_root()
-                .times(&light_square.inverse_root());
-            return (facing.times(&roots), error + rounding);
-        }
-        let roots = Cubic::from(*normal_square)
+        let roots = normal_square
             .inverse_root()
-            .times(&Cubic::from(*light_square).inverse_root());
-        let (quadratic, left) = Cubic::from(*facing).times(&roots).economized(half);
-        let directions = Majorant::direction(turn).times(&Majorant::direction(swing));
-        (quadratic, left + directions.tail() + rounding)
+            .times(&light_square.inverse_root());
+        let mut cosine = facing.times(&roots);
+        let mut error = cosine_remainder(rate(turn), rate(swing));
+        let closer = !error.below(error.like(enough)) & moderate(turn) & moderate(swing);
+        if closer.any() {
+            let roots = Cubic::from(*normal_square)
+                .inverse_root()
+                .times(&Cubic::from(*light_square).inverse_root());
+            let (quadratic, left) = Cubic::from(*facing)
+                .times(&roots)
+                .economized(vectors.half());
+            let directions = Majorant::direction(turn).times(&Majorant::direction(swing));
+            cosine = cosine.or(closer, &quadratic);
+            error = closer.choose(left + directions.tail(), error);
+        }
+        (cosine, error + *doubt * ROOTS)
     }
 }
 
 impl<S: Simd> Phong<'_, S> {
-    /// What lights do to the whole of a patch as polynomials, and what is left of the tolerance after their remainders
-    /// and all rounding. What has to be evaluated pixel by pixel is added to `pixels`; `None` where that is needed and
-    /// there are none.
+    /// What lights do to the whole of squares as polynomials, and what is left of the tolerance after their remainders and
+    /// all rounding: infinitely less than nothing on those that are not wanted, or whose products are not sure.
     #[inline(always)]
-    pub(super) fn survey(
+    pub(super) fn survey<N: Number>(
         &self,
-        vectors: &Vectors,
         triangle: &Triangle,
-        patch: &Patch,
-        mut pixels: Option<&mut Pixels>,
-    ) -> Option<Survey> {
+        vectors: &Vectors<N>,
+        wanted: N::Truth,
+        remainder: &mut impl Remainder<N>,
+    ) -> Survey<N> {
+        let like = vectors.swing_normal();
+        let [zero, everything] = [0.0, f64::INFINITY].map(|number| like.like(number));
+        let wanted = wanted & vectors.are_sure();
         let mut survey = Survey {
-            color: Color::constant(self.ambient),
-            budget: self.tolerance,
-            terminators: 0,
-            highlights: 0,
+            color: Color::constant(self.ambient, like),
+            budget: wanted.choose(like.like(self.tolerance), -everything),
         };
         for (index, light) in self.surface.illumination.points.iter().enumerate() {
-            let mut own = None;
-            let outlook = self.outlook(index, vectors, triangle, patch, &mut own);
-            if outlook.side == Side::Dark {
-                continue;
+            let possible = zero.below(survey.budget);
+            if !possible.any() {
+                break;
             }
+            let own;
+            let products = if let Some(Some(products)) = self.lights.get(index) {
+                products
+            } else {
+                own = Own::of(triangle, light.position - self.surface.centre);
+                &own
+            };
+            let outlook = apart(
+                self.simd,
+                #[inline(always)]
+                || {
+                    let to_light = ToLight::new(products, vectors.place(), vectors);
+                    self.outlook(light, vectors, to_light)
+                },
+            );
+            let sure = outlook.to_light.is_sure();
+            let possible = possible & sure;
+            let mut cost = sure.choose(zero, everything);
             let [diffuse, specular] = self.surface.coefficients(light);
-            if diffuse != DVec3::ZERO {
+            if diffuse != DVec3::ZERO && !outlook.dark.all() {
                 let bright = diffuse.max_element();
                 let enough = ENOUGH * self.tolerance / bright;
-                let (cosine, error) = outlook.cosine(vectors, patch.half, enough);
-                survey.budget -= bright * (error + 6.0 * U);
-                if outlook.side == Side::Lit {
-                    survey.color.add(&cosine, diffuse);
-                } else {
-                    let pixels = survey.look_at(&mut pixels)?;
-                    survey.terminators += 1;
-                    apart(
-                        self.simd,
-                        #[inline(always)]
-                        || self.add_terminator(light, &cosine, patch, pixels),
-                    );
+                let (cosine, error) = apart(
+                    self.simd,
+                    #[inline(always)]
+                    || outlook.cosine(vectors, enough),
+                );
+                let terminator = possible & !(outlook.lit | outlook.dark);
+                if terminator.any() {
+                    let taken = remainder.terminator(terminator, light, &cosine);
+                    cost = cost + terminator.choose(taken, zero);
                 }
+                survey.color.add(&cosine.only(outlook.lit), diffuse);
+                cost = cost + outlook.dark.choose(zero, (error + 6.0 * U) * bright);
             }
-            if outlook.shines {
+            if specular != DVec3::ZERO && !outlook.dark.all() {
                 let bright = specular.max_element();
-                let most = SMOOTHED * self.share_of_tolerance() / bright;
-                if outlook.side == Side::Lit
-                    && let Some((strength, error)) = apart(
+                let mut rest = possible & outlook.shines;
+                let dropped = !(outlook.shines | outlook.dark);
+                cost = cost + dropped.choose(like.like(self.faint), zero);
+                if (rest & outlook.lit).any() {
+                    let most = SMOOTHED * self.share_of_tolerance() / bright;
+                    let (strength, error) = apart(
                         self.simd,
                         #[inline(always)]
-                        || self.highlight(vectors, &outlook, patch, most),
-                    )
-                {
-                    survey.color.add(&strength, specular);
-                    survey.budget -= bright * error;
-                } else {
-                    let pixels = survey.look_at(&mut pixels)?;
-                    survey.highlights += 1;
-                    let cost = apart(
-                        self.simd,
-                        #[inline(always)]
-                        || {
-                            if outlook.side == Side::Lit
-                                && let Some(cost) =
-                                    self.add_raised(light, vectors, &outlook, patch, pixels)
-                            {
-                                return cost;
-                            }
-                            self.add_specular(light, vectors, &outlook, triangle, patch, pixels)
-                        },
+                        || self.highlight(vectors, &outlook, most),
                     );
-                    // A power in few steps is nothing where it is fainter than that; product and sums in f32 are three
-                    // more roundings.
-                    let cut = self.squarings.map_or(0.0, |_| self.faint);
-                    survey.budget -= cost + cut + 3.0 * U * bright;
+                    let smooth = rest & outlook.lit & error.below(like.like(most));
+                    survey.color.add(&strength.only(smooth), specular);
+                    cost = cost + smooth.choose(error * bright, zero);
+                    rest = rest & !smooth;
                 }
-            } else if specular != DVec3::ZERO {
-                survey.budget -= self.faint;
+                if rest.any() {
+                    let taken = remainder.highlight(rest, light, vectors, &outlook);
+                    cost = cost + rest.choose(taken, zero);
+                }
             }
+            survey.budget = survey.budget - cost;
         }
-        Some(survey)
+        survey
     }
 
     /// What all lights share on a tile; `own` is room for products that are the tile's.
@@ -219,7 +208,7 @@ impl<S: Simd> Phong<'_, S> {
 
     /// What the light of a number adds to them; `own` is room for products that are the tile's.
     #[inline(always)]
-    fn to_light<'a>(
+    pub(super) fn to_light<'a>(
         &'a self,
         light: usize,
         vectors: &Vectors,
@@ -248,48 +237,34 @@ impl<S: Simd> Phong<'_, S> {
         ToLight::new(own.insert(products), [0.0; 2], vectors)
     }
 
-    /// Bounds what the light of a number does to a tile; `own` is room for products that are the tile's.
+    /// Bounds what a light does to a tile.
     #[inline(always)]
-    pub(super) fn outlook<'a>(
-        &'a self,
-        light: usize,
-        vectors: &Vectors,
-        triangle: &Triangle,
-        patch: &Patch,
-        own: &'a mut Option<Own>,
-    ) -> Outlook<'a> {
-        let to_light = self.to_light(light, vectors, triangle, patch, own);
-        let light = &self.surface.illumination.points[light];
+    pub(super) fn outlook<'a, N: Number>(
+        &self,
+        light: &PointLight,
+        vectors: &Vectors<N>,
+        to_light: ToLight<'a, N>,
+    ) -> Outlook<'a, N> {
+        let ToLight { facing, doubt, .. } = to_light;
+        let middle = facing.0[0];
+        let reach = facing.linear_reach(vectors.half()) + facing.quadratic_reach(vectors.half());
+        let dark = (middle + reach).below(-doubt);
         let mut outlook = Outlook {
-            side: side(&to_light.facing, to_light.doubt, patch.half),
             to_light,
-            lambda: f64::INFINITY,
-            shines: false,
+            dark,
+            lit: doubt.below(middle - reach),
+            lambda: middle.like(f64::INFINITY),
+            shines: dark & !dark,
         };
-        if outlook.side != Side::Dark && light.specular != DVec3::ZERO {
-            let turns = 2.0 * angle(vectors.swing_normal())
-                + angle(to_light.swing())
-                + angle(vectors.swing_eye());
+        if light.specular != DVec3::ZERO && !dark.all() {
+            let normal = angle(vectors.swing_normal());
+            let turns = normal + normal + angle(to_light.swing()) + angle(vectors.swing_eye());
+            let lambda = (to_light.lambda(vectors) - doubt * PRODUCTS).or_zero();
             // |r - o| at the middle of the tile.
-            let lambda = to_light.lambda(vectors) - 8.0 * to_light.doubt;
-            let chord = (2.0 * lambda.max(0.0)).sqrt();
+            let chord = (lambda + lambda).sqrt();
             outlook.lambda = least_lambda(chord, turns);
-            outlook.shines = self.reaches(light, outlook.lambda);
+            outlook.shines = self.reaches(light, outlook.lambda) & !dark;
         }
         outlook
-    }
-}
-
-/// The sign of n.l over a tile, where N.L errs by `doubt` at most.
-#[inline(always)]
-fn side(facing: &Quadratic, doubt: f64, half: [f64; 2]) -> Side {
-    let middle = facing.0[0];
-    let reach = facing.linear_reach(half) + facing.quadratic_reach(half);
-    if middle - reach > doubt {
-        Side::Lit
-    } else if middle + reach < -doubt {
-        Side::Dark
-    } else {
-        Side::Terminator
     }
 }

@@ -9,10 +9,12 @@
 //!
 //! Rule: where that is too much, as where a vector all but vanishes, a tile makes products of its own.
 
-use std::cell::OnceCell;
+use glam::DVec3;
 
 use crate::shading::affine::Affine;
+use crate::shading::number::Number;
 use crate::shading::series::{Cubic, Quadratic};
+use crate::shading::triangle::Triangle;
 
 /// 32 roundings.
 const ROUNDINGS: f64 = 32.0 * f64::EPSILON / 2.0;
@@ -38,32 +40,47 @@ impl Square {
     }
 
     #[inline(always)]
-    fn measure(&self, place: [f64; 2], half: [f64; 2]) -> Measure {
-        let inverse = 1.0 / self.product.at(place).sqrt();
+    fn measure<N: Number>(&self, place: [N; 2], half: [N; 2]) -> Measure<N> {
+        let product = self.product.spread(place[0]);
+        let inverse = product.at(place).sqrt().inverse();
         let [centre, dx, dy] = self.sizes;
         Measure {
             inverse,
-            swing: self.product.quadratic_reach(half).sqrt() * inverse,
+            swing: product.quadratic_reach(half).sqrt() * inverse,
             stretch: inverse
-                * (centre + dx * (place[0].abs() + half[0]) + dy * (place[1].abs() + half[1])),
+                * ((place[0].abs() + half[0]) * dx + (place[1].abs() + half[1]) * dy + centre),
         }
     }
 
     /// The square over that at the middle.
     #[inline(always)]
-    fn at(&self, place: [f64; 2], inverse: f64) -> Quadratic {
-        self.product.moved(place).scaled(inverse * inverse)
+    fn at<N: Number>(&self, place: [N; 2], inverse: N) -> Quadratic<N> {
+        self.product
+            .spread(inverse)
+            .moved(place)
+            .scaled(inverse * inverse)
     }
 }
 
 /// What is to be known of a vector on a tile.
 #[derive(Clone, Copy, Debug)]
-struct Measure {
+struct Measure<N> {
     /// One over its length at the middle.
-    inverse: f64,
+    inverse: N,
     /// How far it moves, over that length.
-    swing: f64,
-    stretch: f64,
+    swing: N,
+    stretch: N,
+}
+
+impl<N: Number> Measure<N> {
+    #[inline(always)]
+    fn one(&self, index: usize) -> Measure<f64> {
+        Measure {
+            inverse: self.inverse.one(index),
+            swing: self.swing.one(index),
+            stretch: self.stretch.one(index),
+        }
+    }
 }
 
 /// The products that all lights share.
@@ -95,6 +112,12 @@ pub struct Own {
 }
 
 impl Own {
+    /// Over the whole of a triangle, for a light whose place is given from the cuboid's centre.
+    #[inline(always)]
+    pub fn of(triangle: &Triangle, light: DVec3) -> Self {
+        Own::new(&triangle.normal, &triangle.towards(light), &triangle.to_eye)
+    }
+
     /// Of the normal and the vectors to the light and the eye.
     #[inline(always)]
     pub fn new(normal: &Affine, to_light: &Affine, to_eye: &Affine) -> Self {
@@ -108,23 +131,21 @@ impl Own {
 
 /// What all lights share on a tile. All products are those of vectors of length one at its middle.
 #[derive(Debug)]
-pub struct Vectors<'a> {
+pub struct Vectors<'a, N = f64> {
     products: &'a Shared,
-    place: [f64; 2],
-    half: [f64; 2],
-    normal: Measure,
-    eye: Measure,
+    place: [N; 2],
+    half: [N; 2],
+    normal: Measure<N>,
+    eye: Measure<N>,
     /// N.N
-    pub normal_square: Quadratic,
-    shared: OnceCell<[Quadratic; 2]>,
-    mirror: OnceCell<[Cubic; 2]>,
+    pub normal_square: Quadratic<N>,
 }
 
-impl<'a> Vectors<'a> {
+impl<'a, N: Number> Vectors<'a, N> {
     /// For the tile whose middle lies `place` right and down of where the products are anchored, and that reaches `half`
     /// from there.
     #[inline(always)]
-    pub fn new(products: &'a Shared, place: [f64; 2], half: [f64; 2]) -> Self {
+    pub fn new(products: &'a Shared, place: [N; 2], half: [N; 2]) -> Self {
         let normal = products.normal.measure(place, half);
         Vectors {
             products,
@@ -133,121 +154,169 @@ impl<'a> Vectors<'a> {
             normal,
             eye: products.eye.measure(place, half),
             normal_square: products.normal.at(place, normal.inverse),
-            shared: OnceCell::new(),
-            mirror: OnceCell::new(),
+        }
+    }
+
+    /// That of one of the tiles.
+    #[inline(always)]
+    pub fn one(&self, index: usize) -> Vectors<'a> {
+        Vectors {
+            products: self.products,
+            place: one(&self.place, index),
+            half: one(&self.half, index),
+            normal: self.normal.one(index),
+            eye: self.eye.one(index),
+            normal_square: self.normal_square.one(index),
         }
     }
 
     /// Whether the products have lost too few digits to matter.
     #[inline(always)]
-    pub fn are_sure(&self) -> bool {
-        doubt([self.normal, self.eye]) <= SURE
+    pub fn are_sure(&self) -> N::Truth {
+        is_sure(doubt([self.normal, self.eye]))
+    }
+
+    /// Where the tile's middle lies, in pixels right and down of where the products are anchored.
+    #[inline(always)]
+    pub fn place(&self) -> [N; 2] {
+        self.place
+    }
+
+    /// How far the tile reaches from its middle, in pixels right and down.
+    #[inline(always)]
+    pub fn half(&self) -> [N; 2] {
+        self.half
     }
 
     /// How far the normal turns on the tile; see [`crate::shading::certificate`].
     #[inline(always)]
-    pub fn swing_normal(&self) -> f64 {
+    pub fn swing_normal(&self) -> N {
         self.normal.swing
     }
 
     /// The same of the vector to the eye.
     #[inline(always)]
-    pub fn swing_eye(&self) -> f64 {
+    pub fn swing_eye(&self) -> N {
         self.eye.swing
     }
 
-    /// N.O and O.O, worked out when the first light asks for them.
+    /// N.O and O.O
     #[inline(always)]
-    pub fn to_eye(&self) -> &[Quadratic; 2] {
-        self.shared.get_or_init(|| {
-            let scale = self.normal.inverse * self.eye.inverse;
-            [
-                self.products.normal_eye.moved(self.place).scaled(scale),
-                self.products.eye.at(self.place, self.eye.inverse),
-            ]
-        })
+    pub fn to_eye(&self) -> [Quadratic<N>; 2] {
+        let scale = self.normal.inverse * self.eye.inverse;
+        let normal_eye = self.products.normal_eye.spread(scale);
+        [
+            normal_eye.moved(self.place).scaled(scale),
+            self.products.eye.at(self.place, self.eye.inverse),
+        ]
     }
 
-    /// 2 N.O / N.N and (O.O)^(-1/2) to third order, worked out when the first light asks for them.
+    /// 2 N.O / N.N and (O.O)^(-1/2) to third order.
     #[inline(always)]
-    pub fn mirror(&self) -> &[Cubic; 2] {
-        self.mirror.get_or_init(|| {
-            let [normal_eye, eye_square] = self.to_eye().map(Cubic::from);
-            let normal_square = Cubic::from(self.normal_square);
-            [
-                normal_eye.times(&normal_square.inverse()).scaled(2.0),
-                eye_square.inverse_root(),
-            ]
-        })
+    pub fn mirror(&self) -> [Cubic<N>; 2] {
+        let [normal_eye, eye_square] = self.to_eye();
+        let normal_square = Cubic::from(self.normal_square);
+        let along = Cubic::from(normal_eye).times(&normal_square.inverse());
+        let two = self.normal.inverse.like(2.0);
+        [along.scaled(two), Cubic::from(eye_square).inverse_root()]
     }
 }
 
 /// What one light adds to them.
 #[derive(Clone, Copy, Debug)]
-pub struct ToLight<'a> {
+pub struct ToLight<'a, N = f64> {
     products: &'a Own,
-    place: [f64; 2],
-    light: Measure,
+    place: [N; 2],
+    light: Measure<N>,
     /// N.L: the sign of n.l.
-    pub facing: Quadratic,
+    pub facing: Quadratic<N>,
     /// L.L
-    pub light_square: Quadratic,
+    pub light_square: Quadratic<N>,
     /// What any of the products may err by.
-    pub doubt: f64,
+    pub doubt: N,
 }
 
-impl<'a> ToLight<'a> {
+impl<'a, N: Number> ToLight<'a, N> {
     /// As [`Vectors::new`].
     #[inline(always)]
-    pub fn new(products: &'a Own, place: [f64; 2], vectors: &Vectors) -> Self {
+    pub fn new(products: &'a Own, place: [N; 2], vectors: &Vectors<N>) -> Self {
         let light = products.light.measure(place, vectors.half);
         let scale = vectors.normal.inverse * light.inverse;
         ToLight {
             products,
             place,
             light,
-            facing: products.facing.moved(place).scaled(scale),
+            facing: products.facing.spread(scale).moved(place).scaled(scale),
             light_square: products.light.at(place, light.inverse),
             doubt: doubt([vectors.normal, vectors.eye, light]),
         }
     }
 
+    /// That of one of the tiles.
+    #[inline(always)]
+    pub fn one(&self, index: usize) -> ToLight<'a> {
+        ToLight {
+            products: self.products,
+            place: one(&self.place, index),
+            light: self.light.one(index),
+            facing: self.facing.one(index),
+            light_square: self.light_square.one(index),
+            doubt: self.doubt.one(index),
+        }
+    }
+
     /// Whether the products have lost too few digits to matter.
     #[inline(always)]
-    pub fn is_sure(&self) -> bool {
-        self.doubt <= SURE
+    pub fn is_sure(&self) -> N::Truth {
+        is_sure(self.doubt)
     }
 
     /// How far the vector turns on the tile.
     #[inline(always)]
-    pub fn swing(&self) -> f64 {
+    pub fn swing(&self) -> N {
         self.light.swing
     }
 
     /// L.O
     #[inline(always)]
-    pub fn light_eye(&self, vectors: &Vectors) -> Quadratic {
+    pub fn light_eye(&self, vectors: &Vectors<N>) -> Quadratic<N> {
         let scale = self.light.inverse * vectors.eye.inverse;
-        self.products.light_eye.moved(self.place).scaled(scale)
+        let light_eye = self.products.light_eye.spread(scale);
+        light_eye.moved(self.place).scaled(scale)
     }
 
     /// 1 - o.r at the middle.
     #[inline(always)]
-    pub fn lambda(&self, vectors: &Vectors) -> f64 {
-        let normal_eye = vectors.products.normal_eye.at(vectors.place) * vectors.normal.inverse;
-        let light_eye = self.products.light_eye.at(self.place) * self.light.inverse;
-        1.0 - (2.0 * self.facing.0[0] * normal_eye - light_eye) * vectors.eye.inverse
+    pub fn lambda(&self, vectors: &Vectors<N>) -> N {
+        let normal_eye = vectors.products.normal_eye.spread(vectors.normal.inverse);
+        let normal_eye = normal_eye.at(vectors.place) * vectors.normal.inverse;
+        let light_eye = self.products.light_eye.spread(self.light.inverse);
+        let light_eye = light_eye.at(self.place) * self.light.inverse;
+        let facing = self.facing.0[0];
+        -((facing + facing) * normal_eye - light_eye) * vectors.eye.inverse + 1.0
     }
+}
+
+/// That of one of the tiles.
+#[inline(always)]
+fn one<N: Number>([x, y]: &[N; 2], index: usize) -> [f64; 2] {
+    [x.one(index), y.one(index)]
 }
 
 /// What the products of these vectors may err by, for vectors of length one; NaN where one of them has none.
 #[inline(always)]
-fn doubt<const COUNT: usize>(vectors: [Measure; COUNT]) -> f64 {
-    let mut stretch = 0.0;
+fn doubt<N: Number, const COUNT: usize>(vectors: [Measure<N>; COUNT]) -> N {
+    let mut stretch = vectors[0].stretch.like(0.0);
     for vector in vectors {
-        stretch += vector.stretch * vector.stretch;
+        stretch = stretch + vector.stretch * vector.stretch;
     }
-    ROUNDINGS * stretch
+    stretch * ROUNDINGS
+}
+
+/// Whether that is too little to matter.
+#[inline(always)]
+fn is_sure<N: Number>(doubt: N) -> N::Truth {
+    doubt.below(doubt.like(SURE))
 }
 
 #[cfg(test)]
