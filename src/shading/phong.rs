@@ -322,7 +322,7 @@ impl<S: Simd> Shader for Phong<'_, S> {
         triangle: &Triangle,
         blocks: &Squares<BLOCK>,
     ) -> [Option<Polynomial>; ABREAST] {
-        if self.tolerance == 0.0 {
+        if self.tolerance == 0.0 || blocks.wanted == [false; ABREAST] {
             return [None; ABREAST];
         }
         apart(
