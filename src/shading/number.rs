@@ -53,12 +53,18 @@ pub trait Number:
     /// Whether it is below another.
     fn below(self, other: Self) -> Self::Truth;
 
-    /// Applies a function to each.
-    #[must_use]
-    fn map(self, function: impl Fn(f64) -> f64) -> Self;
-
     /// That of one of the squares.
     fn one(&self, index: usize) -> f64;
+
+    /// Applies a function to each.
+    #[inline(always)]
+    #[must_use]
+    fn map(self, function: impl Fn(f64) -> f64) -> Self {
+        self.each(
+            #[inline(always)]
+            |index| function(self.one(index)),
+        )
+    }
 
     /// The smaller one.
     #[inline(always)]
@@ -98,6 +104,12 @@ pub trait Truth<N>:
 
     /// Bit `i` is set where it holds for the `i`-th.
     fn bits(self) -> u64;
+
+    /// Whether it holds for one of the squares.
+    #[inline(always)]
+    fn one(self, index: usize) -> bool {
+        self.bits() >> index & 1 == 1
+    }
 }
 
 impl Number for f64 {
@@ -133,11 +145,6 @@ impl Number for f64 {
     #[inline(always)]
     fn below(self, other: Self) -> bool {
         self < other
-    }
-
-    #[inline(always)]
-    fn map(self, function: impl Fn(f64) -> f64) -> Self {
-        function(self)
     }
 
     #[inline(always)]
@@ -205,13 +212,6 @@ impl<S: Simd> Number for f64x4<S> {
     }
 
     #[inline(always)]
-    fn map(self, function: impl Fn(f64) -> f64) -> Self {
-        let [a, b, c, d] = self.into();
-        let numbers = [function(a), function(b), function(c), function(d)];
-        f64x4::simd_from(self.token(), numbers)
-    }
-
-    #[inline(always)]
     fn one(&self, index: usize) -> f64 {
         self.as_array()[index]
     }
@@ -267,7 +267,7 @@ mod tests {
         ];
         let mut answers: Vec<u64> = numbers.map(|n| n.one(index).to_bits()).to_vec();
         for truth in [a.below(b), both, !both] {
-            answers.push(truth.bits() >> index & 1);
+            answers.push(u64::from(truth.one(index)));
         }
         answers
     }

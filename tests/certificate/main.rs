@@ -10,6 +10,8 @@ mod random;
 #[path = "../support/scene.rs"]
 mod scene;
 mod scenes;
+#[path = "../support/tile.rs"]
+mod tile;
 mod tiles;
 
 /// How many random scenes are drawn.

@@ -5,11 +5,10 @@ use glam::DVec3;
 use shadetrade::components::{Illumination, Material, Mesh, PointLight, Projection, Transform};
 use shadetrade::shading::display::Row;
 use shadetrade::shading::gouraud::Gouraud;
-use shadetrade::shading::number::ABREAST;
-use shadetrade::shading::patch::{Patch, Point, Squares};
+use shadetrade::shading::patch::{Patch, Point};
 use shadetrade::shading::phong::Phong;
 use shadetrade::shading::triangle::{Rays, Solid, Triangle};
-use shadetrade::shading::{Coverage, EXACT, Scratch, Shader, Sink, Surface, TILE, TileKind};
+use shadetrade::shading::{EXACT, Shader, Sink, Surface, TILE, TileKind};
 
 use crate::cases;
 use crate::random::Random;
@@ -136,28 +135,10 @@ fn subject(random: &mut Random) -> Subject {
     }
 }
 
-/// Which of the tiles that are looked at together is held to the truth.
-const INDEX: usize = 2;
-
 /// Shades a tile; what is displayed of it, and how it was done.
-fn shade<S: Shader>(shader: &S, triangle: &Triangle, patch: &Patch) -> (TileKind, Vec<[f64; 3]>) {
+fn shade(shader: &impl Shader, triangle: &Triangle, patch: &Patch) -> (TileKind, Vec<[f64; 3]>) {
     let mut tile = Displayed::default();
-    let scratch = &mut Scratch::default();
-    let tiles = Squares {
-        places: [[0; 2]; ABREAST],
-        covered: [Coverage::WHOLE; ABREAST],
-        patches: [*patch; ABREAST],
-        wanted: [patch.steady; ABREAST],
-    };
-    let survey = shader.survey(triangle, &tiles, scratch);
-    let kind = if let Some(polynomial) = S::polynomial(&survey, INDEX) {
-        tile.draw(&polynomial, patch.first(), &Coverage::WHOLE);
-        polynomial.kind
-    } else {
-        shader
-            .shade(triangle, &tiles, &survey, INDEX, scratch, &mut tile)
-            .kind
-    };
+    let kind = crate::tile::shade(shader, triangle, patch, &mut tile);
     (kind, tile.0)
 }
 

@@ -7,14 +7,11 @@ use shadetrade::components::{
 };
 use shadetrade::shading::display::Row;
 use shadetrade::shading::gouraud::Gouraud;
-use shadetrade::shading::number::ABREAST;
-use shadetrade::shading::patch::{Patch, Squares};
+use shadetrade::shading::patch::Patch;
 use shadetrade::shading::phong::Phong;
 use shadetrade::shading::triangle::{Rays, Solid, Triangle};
 use shadetrade::shading::unit_vectors::UnitVectors;
-use shadetrade::shading::{
-    Coverage, EXACT, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow,
-};
+use shadetrade::shading::{EXACT, Shader, Sink, Surface, TILE, TileKind, TileRow};
 
 use crate::random::Random;
 
@@ -82,7 +79,7 @@ fn middle(triangle: &Triangle) -> Patch {
 }
 
 /// Shades a tile both ways; returns how it was done in lanes and the largest difference in levels.
-fn compare<S: Shader>(shader: &S, triangle: &Triangle) -> (TileKind, f64) {
+fn compare(shader: &impl Shader, triangle: &Triangle) -> (TileKind, f64) {
     let steady = middle(triangle);
     let shaken = Patch {
         steady: false,
@@ -90,21 +87,7 @@ fn compare<S: Shader>(shader: &S, triangle: &Triangle) -> (TileKind, f64) {
     };
     let [(kind, lanes), (twin, doubles)] = [steady, shaken].map(|patch| {
         let mut tile = Tile::default();
-        let scratch = &mut Scratch::default();
-        let tiles = Squares {
-            places: [[0; 2]; ABREAST],
-            covered: [Coverage::WHOLE; ABREAST],
-            patches: [patch; ABREAST],
-            wanted: [patch.steady; ABREAST],
-        };
-        let survey = shader.survey(triangle, &tiles, scratch);
-        let kind = if let Some(polynomial) = S::polynomial(&survey, 1) {
-            tile.draw(&polynomial, patch.first(), &Coverage::WHOLE);
-            polynomial.kind
-        } else {
-            let evaluations = shader.shade(triangle, &tiles, &survey, 1, scratch, &mut tile);
-            evaluations.kind
-        };
+        let kind = crate::tile::shade(shader, triangle, &patch, &mut tile);
         assert_eq!(tile.0.len(), TILE);
         (kind, tile.0)
     });

@@ -9,4 +9,6 @@ mod powers;
 mod random;
 #[path = "../support/scene.rs"]
 mod scene;
+#[path = "../support/tile.rs"]
+mod tile;
 mod truth;

@@ -58,13 +58,12 @@ impl<'a, N: Number> Outlook<'a, N> {
     /// That of one of the tiles.
     #[inline(always)]
     pub fn one(&self, index: usize) -> Outlook<'a> {
-        let is = |truth: N::Truth| truth.bits() >> index & 1 == 1;
         Outlook {
             to_light: self.to_light.one(index),
-            dark: is(self.dark),
-            lit: is(self.lit),
+            dark: self.dark.one(index),
+            lit: self.lit.one(index),
             lambda: self.lambda.one(index),
-            shines: is(self.shines),
+            shines: self.shines.one(index),
         }
     }
 

@@ -385,7 +385,7 @@ mod tests {
             assert!(lambda <= 8.0 * light.doubt, "{lambda}");
             assert!((vectors.swing_normal() / made.swing_normal() - 1.0).abs() < 1e-9);
         }
-        assert!(sure > 1900 && worst > 1e-4, "{sure} sure, worst {worst}");
+        assert!(sure > 1900 && worst > 1e-3, "{sure} sure, worst {worst}");
     }
 
     #[test]

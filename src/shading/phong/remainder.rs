@@ -108,9 +108,8 @@ impl<N: Number, S: Simd> Remainder<N> for ByPixel<'_, '_, S> {
     #[inline(always)]
     fn terminator(&mut self, squares: N::Truth, light: &PointLight, cosine: &Quadratic<N>) -> N {
         let (phong, tiles) = (self.phong, self.tiles);
-        let squares = squares.bits();
         for index in 0..N::COUNT {
-            if squares >> index & 1 == 1 {
+            if squares.one(index) {
                 let tile = self.first + index;
                 let mut pixels = self.pixels(tile);
                 let cosine = cosine.one(index);
@@ -138,9 +137,8 @@ impl<N: Number, S: Simd> Remainder<N> for ByPixel<'_, '_, S> {
         let cut = phong.squarings.map_or(0.0, |_| phong.faint);
         let bright = phong.surface.coefficients(light)[1].max_element();
         let mut costs = [cut + 3.0 * U * bright; ABREAST];
-        let squares = squares.bits();
         for index in 0..N::COUNT {
-            if squares >> index & 1 == 1 {
+            if squares.one(index) {
                 let tile = self.first + index;
                 let patch = &tiles.patches[tile];
                 let mut pixels = self.pixels(tile);
