@@ -187,34 +187,17 @@ pub trait Sink<const SIDE: usize = TILE> {
 
 /// Draws the tiles of triangles.
 pub trait Shader {
-    /// What is known of tiles before each is shaded by itself.
-    type Survey;
+    /// Finds polynomials for the blocks that are wanted, unless every pixel is to be exact.
+    fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>);
 
-    /// For each of the blocks that are wanted a colour that is certified to stay within the tolerance all over it, of the
-    /// cheapest kind that does; none where there is none, or where every pixel is to be exact.
-    fn polynomials(
-        &self,
-        triangle: &Triangle,
-        blocks: &Squares<BLOCK>,
-    ) -> [Option<Polynomial>; ABREAST];
+    /// The same for tiles. A polynomial may leave light out here that is in the scratch, pixel by pixel.
+    fn certify_tiles(&self, triangle: &Triangle, tiles: &mut Squares<TILE>, scratch: &mut Scratch);
 
-    /// Looks at tiles side by side.
-    fn survey(
-        &self,
-        triangle: &Triangle,
-        tiles: &Squares<TILE>,
-        scratch: &mut Scratch,
-    ) -> Self::Survey;
-
-    /// The colour of one of the tiles, if one polynomial is enough.
-    fn polynomial(survey: &Self::Survey, index: usize) -> Option<Polynomial>;
-
-    /// Shades the covered pixels of one of the tiles that were looked at last, where one polynomial is not enough.
+    /// Shades the covered pixels of one of the tiles that were certified last, where one polynomial is not all of its light.
     fn shade(
         &self,
         triangle: &Triangle,
         tiles: &Squares<TILE>,
-        survey: &Self::Survey,
         index: usize,
         scratch: &mut Scratch,
         sink: &mut impl Sink,
@@ -262,6 +245,8 @@ pub struct Scratch {
     pub(crate) vectors: [[[f32; TILE]; TILE]; 6],
     /// Levels so far, by tile and row.
     pub(crate) levels: [[TileRow; TILE]; ABREAST],
+    /// How many highlights are in those, by tile.
+    pub(crate) highlights: [u64; ABREAST],
 }
 
 impl Default for Scratch {
@@ -269,6 +254,7 @@ impl Default for Scratch {
         Scratch {
             vectors: [[[0.0; TILE]; TILE]; 6],
             levels: [[[[0.0; TILE]; 3]; TILE]; ABREAST],
+            highlights: [0; ABREAST],
         }
     }
 }

@@ -7,9 +7,8 @@
 use super::affine::{Affine, Scalar};
 use super::certificate::quotient;
 use super::display::Exact;
-use super::number::ABREAST;
 use super::patch::{Patch, Squares};
-use super::polynomial::{Polynomial, cheapest};
+use super::polynomial::cheapest;
 use super::triangle::Triangle;
 use super::{
     BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit,
@@ -22,52 +21,35 @@ pub struct Gouraud {
 }
 
 impl Gouraud {
-    /// For each of the squares that are wanted a certified colour, where there is one.
     #[inline(always)]
-    fn certified<const SIDE: usize>(
-        &self,
-        triangle: &Triangle,
-        squares: &Squares<SIDE>,
-    ) -> [Option<Polynomial>; ABREAST] {
-        let mut polynomials = [None; ABREAST];
+    fn certify<const SIDE: usize>(&self, triangle: &Triangle, squares: &mut Squares<SIDE>) {
         if self.tolerance > 0.0 {
             for (index, patch) in squares.patches.iter().enumerate() {
                 if squares.wanted[index] {
                     let (colors, share) = patch.colors(triangle);
                     let (color, bound) = quotient(&colors, &share, patch.half);
-                    polynomials[index] = cheapest(color, patch.half, self.tolerance - bound);
+                    squares.polynomials[index] =
+                        cheapest(color, patch.half, self.tolerance - bound);
                 }
             }
         }
-        polynomials
     }
 }
 
 impl Shader for Gouraud {
-    type Survey = [Option<Polynomial>; ABREAST];
-
     #[inline(always)]
-    fn polynomials(
-        &self,
-        triangle: &Triangle,
-        blocks: &Squares<BLOCK>,
-    ) -> [Option<Polynomial>; ABREAST] {
-        self.certified(triangle, blocks)
+    fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>) {
+        self.certify(triangle, blocks);
     }
 
     #[inline(always)]
-    fn survey(
+    fn certify_tiles(
         &self,
         triangle: &Triangle,
-        tiles: &Squares<TILE>,
+        tiles: &mut Squares<TILE>,
         _scratch: &mut Scratch,
-    ) -> Self::Survey {
-        self.certified(triangle, tiles)
-    }
-
-    #[inline(always)]
-    fn polynomial(survey: &Self::Survey, index: usize) -> Option<Polynomial> {
-        survey[index]
+    ) {
+        self.certify(triangle, tiles);
     }
 
     #[inline(always)]
@@ -75,7 +57,6 @@ impl Shader for Gouraud {
         &self,
         triangle: &Triangle,
         tiles: &Squares<TILE>,
-        _survey: &Self::Survey,
         index: usize,
         _scratch: &mut Scratch,
         sink: &mut impl Sink,

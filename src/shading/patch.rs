@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use super::affine::{Affine, Scalar};
 use super::number::ABREAST;
+use super::polynomial::Polynomial;
 use super::triangle::Triangle;
 use super::{Coverage, TILE};
 
@@ -15,7 +16,7 @@ use super::{Coverage, TILE};
 const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// The tile's share of a triangle.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Patch {
     /// The lane of the middle: lane `i` lies `i - lane` pixels right of it.
     pub lane: f64,
@@ -36,8 +37,8 @@ pub struct Patch {
 /// So few pixels of a square are evaluated faster than a certificate for them is found.
 const FEW: u32 = 24;
 
-/// Squares of pixels that are certified side by side.
-#[derive(Clone, Copy, Debug)]
+/// Squares of pixels that are certified side by side. Filled where they stand: to move them costs as much as to fill them.
+#[derive(Debug)]
 pub struct Squares<const SIDE: usize> {
     /// Where the first pixel of each stands, in pixels right and down of the picture's first.
     pub places: [[usize; 2]; ABREAST],
@@ -47,34 +48,41 @@ pub struct Squares<const SIDE: usize> {
     pub patches: [Patch; ABREAST],
     /// Which are worth a certificate.
     pub wanted: [bool; ABREAST],
+    /// What is certified of those: the cheapest polynomial that stays within the tolerance all over, if there is one.
+    pub polynomials: [Option<Polynomial>; ABREAST],
 }
 
 impl<const SIDE: usize> Squares<SIDE> {
-    /// Sets them up; `middle` is the picture's, in pixels right and down of its first corner.
+    /// None yet.
+    pub const NONE: Self = Squares {
+        places: [[0; 2]; ABREAST],
+        covered: [Coverage::NONE; ABREAST],
+        patches: [Patch::NONE; ABREAST],
+        wanted: [false; ABREAST],
+        polynomials: [None; ABREAST],
+    };
+
+    /// Sets others up, of which nothing is certified; `middle` is the picture's, in pixels right and down of its first
+    /// corner.
     #[inline(always)]
-    pub fn new(
+    pub fn renew(
+        &mut self,
         triangle: &Triangle,
         middle: [f64; 2],
         place: impl Fn(usize) -> [usize; 2],
         covered: impl Fn(usize) -> Coverage<SIDE>,
-    ) -> Self {
-        let mut squares = Squares {
-            places: [[0; 2]; ABREAST],
-            covered: [Coverage::NONE; ABREAST],
-            patches: [Patch::default(); ABREAST],
-            wanted: [false; ABREAST],
-        };
+    ) {
         for index in 0..ABREAST {
             let [column, row] = place(index);
             let corner = [column as f64 - middle[0], row as f64 - middle[1]];
             let covered = covered(index);
             let patch = Patch::new(triangle, corner, covered.lanes, covered.rows);
-            squares.places[index] = [column, row];
-            squares.patches[index] = patch;
-            squares.covered[index] = covered;
-            squares.wanted[index] = covered.pixels > FEW && patch.steady;
+            self.places[index] = [column, row];
+            self.patches[index] = patch;
+            self.covered[index] = covered;
+            self.wanted[index] = covered.pixels > FEW && patch.steady;
+            self.polynomials[index] = None;
         }
-        squares
     }
 }
 
@@ -88,6 +96,16 @@ pub struct Point {
 }
 
 impl Patch {
+    /// Of no triangle.
+    const NONE: Self = Patch {
+        lane: 0.0,
+        row: 0.0,
+        half: [0.0; 2],
+        middle: [0.0; 2],
+        share: 0.0,
+        steady: false,
+    };
+
     /// Sets up the tile whose first pixel lies `origin` pixels right and down of the picture's middle and of which the
     /// box `lanes` by `rows` (inclusive) is covered.
     #[inline(always)]

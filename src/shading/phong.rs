@@ -33,7 +33,7 @@ use crate::components::PointLight;
 use crate::simd::apart;
 use outlook::Survey;
 use products::{Own, Shared, Vectors};
-use remainder::{ByPixel, GivenUp, Remainder};
+use remainder::ByPixel;
 
 /// The part of the tolerance that dropped specular terms may use up together.
 const DROPPED: f64 = 0.25;
@@ -135,46 +135,54 @@ impl<'a, S: Simd> Phong<'a, S> {
         near & lambda.like(self.faint).below(most)
     }
 
-    /// The colours of squares as polynomials, as far as `remainder` makes them: four side by side where the instructions
-    /// are as wide, one by one elsewhere, with the same bits.
+    /// The colours of squares as polynomials: four side by side where the instructions are as wide, one by one elsewhere,
+    /// with the same bits. One function for blocks and for tiles: two would not stay in the instruction cache together.
     #[inline(always)]
-    fn certified<const SIDE: usize>(
+    fn certify(
         &self,
         triangle: &Triangle,
-        squares: &Squares<SIDE>,
-        remainder: &mut (impl Remainder<f64x4<S>> + Remainder<f64>),
-    ) -> [Option<Polynomial>; ABREAST] {
-        let mut polynomials = [None; ABREAST];
-        let patches = &squares.patches;
-        if const { size_of::<S::f64s>() >= size_of::<[f64; ABREAST]>() } {
-            let number = f64x4::splat(self.simd, 0.0);
-            let [place, half] = [
-                [
-                    number.each(|index| patches[index].middle[0]),
-                    number.each(|index| patches[index].middle[1]),
-                ],
-                [
-                    number.each(|index| patches[index].half[0]),
-                    number.each(|index| patches[index].half[1]),
-                ],
-            ];
-            let wanted = number.each(|index| f64::from(squares.wanted[index]));
-            let wanted = number.below(wanted);
-            let (color, ways) = self.look(triangle, place, half, wanted, remainder);
-            for (index, polynomial) in polynomials.iter_mut().enumerate() {
-                *polynomial = ways.polynomial(index, &color);
-            }
-        } else {
-            for (index, polynomial) in polynomials.iter_mut().enumerate() {
-                if squares.wanted[index] {
-                    let Patch { middle, half, .. } = patches[index];
-                    Remainder::<f64>::begin(remainder, index);
-                    let (color, ways) = self.look(triangle, middle, half, true, remainder);
-                    *polynomial = ways.polynomial(0, &color);
+        patches: &[Patch; ABREAST],
+        wanted: [bool; ABREAST],
+        mut pixels: Option<&mut ByPixel<S>>,
+        polynomials: &mut [Option<Polynomial>; ABREAST],
+    ) {
+        apart(
+            self.simd,
+            #[inline(always)]
+            || {
+                if const { size_of::<S::f64s>() >= size_of::<[f64; ABREAST]>() } {
+                    let number = f64x4::splat(self.simd, 0.0);
+                    let [place, half] = [
+                        [
+                            number.each(|index| patches[index].middle[0]),
+                            number.each(|index| patches[index].middle[1]),
+                        ],
+                        [
+                            number.each(|index| patches[index].half[0]),
+                            number.each(|index| patches[index].half[1]),
+                        ],
+                    ];
+                    let wanted = number.each(|index| f64::from(wanted[index]));
+                    let wanted = number.below(wanted);
+                    let (color, ways) = self.look(triangle, place, half, wanted, pixels);
+                    for (index, polynomial) in polynomials.iter_mut().enumerate() {
+                        *polynomial = ways.polynomial(index, &color);
+                    }
+                } else {
+                    for (index, polynomial) in polynomials.iter_mut().enumerate() {
+                        if wanted[index] {
+                            let Patch { middle, half, .. } = patches[index];
+                            if let Some(pixels) = &mut pixels {
+                                pixels.first = index;
+                            }
+                            let pixels = pixels.as_deref_mut();
+                            let (color, ways) = self.look(triangle, middle, half, true, pixels);
+                            *polynomial = ways.polynomial(0, &color);
+                        }
+                    }
                 }
-            }
-        }
-        polynomials
+            },
+        );
     }
 
     /// The colours of those squares that are wanted, and how they may be drawn.
@@ -185,14 +193,14 @@ impl<'a, S: Simd> Phong<'a, S> {
         place: [N; 2],
         half: [N; 2],
         wanted: N::Truth,
-        remainder: &mut impl Remainder<N>,
+        pixels: Option<&mut ByPixel<S>>,
     ) -> (Color<N>, Ways) {
         let vectors = apart(
             self.simd,
             #[inline(always)]
             || Vectors::new(&self.shared, place, half),
         );
-        let Survey { color, budget } = self.survey(triangle, &vectors, wanted, remainder);
+        let Survey { color, budget } = self.survey(triangle, &vectors, wanted, pixels);
         let ways = apart(
             self.simd,
             #[inline(always)]
@@ -268,9 +276,9 @@ struct Pixels<'a> {
 impl<'a> Pixels<'a> {
     /// Of the tile of a number.
     #[inline(always)]
-    fn new(tiles: &'a Squares<TILE>, index: usize, scratch: &'a mut Scratch) -> Self {
+    fn new(coverage: &'a Coverage, index: usize, scratch: &'a mut Scratch) -> Self {
         Pixels {
-            coverage: &tiles.covered[index],
+            coverage,
             levels: &mut scratch.levels[index],
             blank: true,
             vectors: &mut scratch.vectors,
@@ -303,66 +311,34 @@ impl<'a> Pixels<'a> {
     }
 }
 
-/// What is known of tiles.
-pub struct Surveyed {
-    /// Of all their light but that of which the terms are in the scratch.
-    polynomials: [Option<Polynomial>; ABREAST],
-    /// Of how many lights those are, by tile.
-    terminators: [u64; ABREAST],
-    highlights: [u64; ABREAST],
-}
-
 impl<S: Simd> Shader for Phong<'_, S> {
-    /// None where every pixel is to be exact.
-    type Survey = Option<Surveyed>;
-
     #[inline(always)]
-    fn polynomials(
-        &self,
-        triangle: &Triangle,
-        blocks: &Squares<BLOCK>,
-    ) -> [Option<Polynomial>; ABREAST] {
-        if self.tolerance == 0.0 || blocks.wanted == [false; ABREAST] {
-            return [None; ABREAST];
+    fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>) {
+        if self.tolerance > 0.0 && blocks.wanted != [false; ABREAST] {
+            let polynomials = &mut blocks.polynomials;
+            self.certify(triangle, &blocks.patches, blocks.wanted, None, polynomials);
         }
-        apart(
-            self.simd,
-            #[inline(always)]
-            || self.certified(triangle, blocks, &mut GivenUp),
-        )
     }
 
     #[inline(always)]
-    fn survey(
-        &self,
-        triangle: &Triangle,
-        tiles: &Squares<TILE>,
-        scratch: &mut Scratch,
-    ) -> Self::Survey {
+    fn certify_tiles(&self, triangle: &Triangle, tiles: &mut Squares<TILE>, scratch: &mut Scratch) {
         if self.tolerance == 0.0 || tiles.wanted == [false; ABREAST] {
-            return None;
+            return;
         }
-        Some(apart(
-            self.simd,
-            #[inline(always)]
-            || {
-                let mut by_pixel = ByPixel::new(self, triangle, tiles, scratch);
-                Surveyed {
-                    polynomials: self.certified(triangle, tiles, &mut by_pixel),
-                    terminators: by_pixel.terminators,
-                    highlights: by_pixel.highlights,
+        let (patches, polynomials) = (&tiles.patches, &mut tiles.polynomials);
+        let mut pixels = ByPixel::new(self, triangle, patches, &tiles.covered, scratch);
+        let pixels = &mut pixels;
+        self.certify(triangle, patches, tiles.wanted, Some(pixels), polynomials);
+        for (index, polynomial) in polynomials.iter_mut().enumerate() {
+            if let Some(polynomial) = polynomial {
+                if pixels.highlights[index] > 0 {
+                    polynomial.kind = TileKind::Highlight;
+                } else if pixels.terminators[index] > 0 {
+                    polynomial.kind = TileKind::Terminator;
                 }
-            },
-        ))
-    }
-
-    #[inline(always)]
-    fn polynomial(survey: &Self::Survey, index: usize) -> Option<Polynomial> {
-        let surveyed = survey.as_ref()?;
-        if surveyed.terminators[index] + surveyed.highlights[index] > 0 {
-            return None;
+            }
         }
-        surveyed.polynomials[index]
+        scratch.highlights = pixels.highlights;
     }
 
     #[inline(always)]
@@ -370,29 +346,21 @@ impl<S: Simd> Shader for Phong<'_, S> {
         &self,
         triangle: &Triangle,
         tiles: &Squares<TILE>,
-        survey: &Self::Survey,
         index: usize,
         scratch: &mut Scratch,
         sink: &mut impl Sink,
     ) -> Evaluations {
         let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
-        if let Some(surveyed) = survey
-            && let Some(polynomial) = &surveyed.polynomials[index]
-        {
+        if let Some(polynomial) = &tiles.polynomials[index] {
             let levels = &scratch.levels[index];
             apart(
                 self.simd,
                 #[inline(always)]
                 || Self::shade_mixed(&polynomial.color, patch, coverage, levels, sink),
             );
-            let highlights = surveyed.highlights[index];
             return Evaluations {
-                specular: u64::from(coverage.pixels) * highlights,
-                ..Evaluations::of(if highlights > 0 {
-                    TileKind::Highlight
-                } else {
-                    TileKind::Terminator
-                })
+                specular: u64::from(coverage.pixels) * scratch.highlights[index],
+                ..Evaluations::of(polynomial.kind)
             };
         }
         let in_lanes = if patch.steady {

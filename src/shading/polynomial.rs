@@ -16,7 +16,8 @@ use super::{Coverage, Row, Sink, TileKind, U};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polynomial {
     pub(super) color: Color,
-    /// Constant, linear or quadratic: how many of the terms are needed.
+    /// Constant, linear or quadratic: how many of the terms are needed. Of other kinds are those that are not all light of
+    /// their square.
     pub kind: TileKind,
     /// Whether in multiples of 1/256 level.
     fixed: bool,
@@ -138,6 +139,15 @@ impl<S: Sink<SIDE>, const SIDE: usize> Rows for Covered<'_, S, SIDE> {
 }
 
 impl Polynomial {
+    /// Whether it is all light of its square.
+    #[inline(always)]
+    pub fn is_whole(&self) -> bool {
+        matches!(
+            self.kind,
+            TileKind::Constant | TileKind::Linear | TileKind::Quadratic
+        )
+    }
+
     /// Shades the covered pixels of a square, whose first pixel lies `first` pixels right and down of the polynomial's
     /// middle. A part of a square gets the bits that it has in the whole.
     #[inline(always)]

@@ -10,9 +10,7 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::display::Exact;
-use super::number::ABREAST;
 use super::patch::{Patch, Squares};
-use super::polynomial::Polynomial;
 use super::specular::{power, power_exact};
 use super::triangle::Triangle;
 use super::{
@@ -27,23 +25,16 @@ pub struct UnitVectors<'a> {
 }
 
 impl Shader for UnitVectors<'_> {
-    type Survey = ();
+    #[inline(always)]
+    fn certify_blocks(&self, _triangle: &Triangle, _blocks: &mut Squares<BLOCK>) {}
 
     #[inline(always)]
-    fn polynomials(
+    fn certify_tiles(
         &self,
         _triangle: &Triangle,
-        _blocks: &Squares<BLOCK>,
-    ) -> [Option<Polynomial>; ABREAST] {
-        [None; ABREAST]
-    }
-
-    #[inline(always)]
-    fn survey(&self, _triangle: &Triangle, _tiles: &Squares<TILE>, _scratch: &mut Scratch) {}
-
-    #[inline(always)]
-    fn polynomial(_survey: &(), _index: usize) -> Option<Polynomial> {
-        None
+        _tiles: &mut Squares<TILE>,
+        _scratch: &mut Scratch,
+    ) {
     }
 
     #[inline(always)]
@@ -51,7 +42,6 @@ impl Shader for UnitVectors<'_> {
         &self,
         triangle: &Triangle,
         tiles: &Squares<TILE>,
-        _survey: &(),
         index: usize,
         scratch: &mut Scratch,
         sink: &mut impl Sink,

@@ -286,6 +286,8 @@ fn draw_with(
         id,
     } = shape;
     let mut counts = Counts::default();
+    let mut blocks = Squares::NONE;
+    let mut tiles = Squares::NONE;
     let rows =
         band.rows.start / BLOCK * BLOCK..band.rows.end.next_multiple_of(BLOCK).min(band.height);
     let mut scan = Scan::new(polygon, rows, band.width);
@@ -295,15 +297,15 @@ fn draw_with(
         let plain = band.takes_whole(first, BLOCK);
         let extent = spans.extent();
         for column in (extent.start / BLOCK * BLOCK..extent.end).step_by(ABREAST * BLOCK) {
-            let blocks = Squares::new(
+            blocks.renew(
                 triangle,
                 lens.half,
                 |index| [column + index * BLOCK, first],
                 |index| spans.coverage(column + index * BLOCK),
             );
-            let polynomials = shader.polynomials(triangle, &blocks);
+            shader.certify_blocks(triangle, &mut blocks);
             for index in 0..ABREAST {
-                let (block, polynomial) = (&blocks.covered[index], &polynomials[index]);
+                let (block, polynomial) = (&blocks.covered[index], &blocks.polynomials[index]);
                 if block.pixels == 0 {
                     continue;
                 }
@@ -316,17 +318,18 @@ fn draw_with(
                     continue;
                 }
                 let [column, row] = blocks.places[index];
-                let tiles = Squares::new(
+                tiles.renew(
                     triangle,
                     lens.half,
                     |index| [column + index % 2 * TILE, row + index / 2 * TILE],
                     |index| block.tile(index % 2, index / 2),
                 );
-                let common = polynomial.map(|polynomial| (polynomial, corner));
-                counts += apart(
+                let common = polynomial.as_ref().map(|polynomial| (polynomial, corner));
+                let (tiles, counts) = (&mut tiles, &mut counts);
+                apart(
                     simd,
                     #[inline(always)]
-                    || draw_tiles(simd, shader, shape, tiles, common, band, scratch),
+                    || draw_tiles(simd, shader, shape, tiles, common, band, scratch, counts),
                 );
             }
         }
@@ -341,56 +344,50 @@ fn draw_tiles<S: Shader>(
     simd: impl Simd,
     shader: &S,
     shape: &Shape,
-    mut tiles: Squares<TILE>,
-    common: Option<(Polynomial, [f64; 2])>,
+    tiles: &mut Squares<TILE>,
+    common: Option<(&Polynomial, [f64; 2])>,
     band: &mut Band,
     scratch: &mut Scratch,
-) -> Counts {
+    counts: &mut Counts,
+) {
     let Shape { triangle, id, .. } = shape;
     let mut seen = [false; ABREAST];
     for index in 0..ABREAST {
         let tile = &tiles.covered[index];
         seen[index] = tile.pixels > 0 && Store::new(band, tiles.places[index], tile, *id).is_seen();
-        tiles.wanted[index] &= seen[index] && common.is_none();
+        tiles.wanted[index] &= seen[index];
     }
-    let survey = shader.survey(triangle, &tiles, scratch);
-    let mut counts = Counts::default();
+    if common.is_none() {
+        shader.certify_tiles(triangle, tiles, scratch);
+    }
     for index in 0..ABREAST {
         if !seen[index] {
             continue;
         }
         let tile = &tiles.covered[index];
         let mut store = Store::new(band, tiles.places[index], tile, *id);
-        let polynomial = if let Some((polynomial, [x, y])) = common {
+        let whole = if let Some((polynomial, [x, y])) = common {
             let [right, down] = [index % 2 * TILE, index / 2 * TILE];
             Some((polynomial, [x + right as f64, y + down as f64]))
         } else {
-            let own = tiles.patches[index].first();
-            S::polynomial(&survey, index).map(|polynomial| (polynomial, own))
+            let own = tiles.polynomials[index].as_ref();
+            own.filter(|polynomial| polynomial.is_whole())
+                .map(|polynomial| (polynomial, tiles.patches[index].first()))
         };
-        let evaluations = if let Some((polynomial, first)) = &polynomial {
+        let evaluations = if let Some((polynomial, first)) = whole {
             apart(
                 simd,
                 #[inline(always)]
-                || store.draw(polynomial, *first, tile),
+                || store.draw(polynomial, first, tile),
             );
             Evaluations::of(polynomial.kind)
         } else {
-            shader.shade(triangle, &tiles, &survey, index, scratch, &mut store)
+            shader.shade(triangle, tiles, index, scratch, &mut store)
         };
         store.mark(evaluations.kind);
-        counts += counted(evaluations, store.stored);
+        counts.covered_pixels += store.stored;
+        counts.model_evaluations += evaluations.model;
+        counts.specular_evaluations += evaluations.specular;
+        counts.tiles[evaluations.kind as usize] += 1;
     }
-    counts
-}
-
-fn counted(evaluations: Evaluations, covered_pixels: u64) -> Counts {
-    let mut counts = Counts {
-        covered_pixels,
-        model_evaluations: evaluations.model,
-        specular_evaluations: evaluations.specular,
-        ..Counts::default()
-    };
-    counts.tiles[evaluations.kind as usize] = 1;
-    counts
 }

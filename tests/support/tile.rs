@@ -9,25 +9,26 @@ use shadetrade::shading::{Coverage, Scratch, Shader, Sink, TileKind};
 const INDEX: usize = 2;
 
 /// Shades all of a tile into a sink; how it was done.
-pub fn shade<S: Shader>(
-    shader: &S,
+pub fn shade(
+    shader: &impl Shader,
     triangle: &Triangle,
     patch: &Patch,
     sink: &mut impl Sink,
 ) -> TileKind {
     let scratch = &mut Scratch::default();
-    let tiles = Squares {
+    let mut tiles = Squares {
         places: [[0; 2]; ABREAST],
         covered: [Coverage::WHOLE; ABREAST],
         patches: [*patch; ABREAST],
         wanted: [patch.steady; ABREAST],
+        polynomials: [None; ABREAST],
     };
-    let survey = shader.survey(triangle, &tiles, scratch);
-    if let Some(polynomial) = S::polynomial(&survey, INDEX) {
-        sink.draw(&polynomial, patch.first(), &Coverage::WHOLE);
+    shader.certify_tiles(triangle, &mut tiles, scratch);
+    if let Some(polynomial) = &tiles.polynomials[INDEX]
+        && polynomial.is_whole()
+    {
+        sink.draw(polynomial, patch.first(), &Coverage::WHOLE);
         return polynomial.kind;
     }
-    shader
-        .shade(triangle, &tiles, &survey, INDEX, scratch, sink)
-        .kind
+    shader.shade(triangle, &tiles, INDEX, scratch, sink).kind
 }

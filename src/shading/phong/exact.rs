@@ -161,7 +161,7 @@ impl<S: Simd> Phong<'_, S> {
         sink: &mut impl Sink,
     ) -> Option<Evaluations> {
         let patch = &tiles.patches[index];
-        let mut pixels = Pixels::new(tiles, index, scratch);
+        let mut pixels = Pixels::new(&tiles.covered[index], index, scratch);
         let coverage = pixels.coverage;
         let mut own = None;
         let vectors = &self.vectors(triangle, patch, &mut own);

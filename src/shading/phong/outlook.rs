@@ -9,7 +9,7 @@ use fearless_simd::Simd;
 use glam::DVec3;
 
 use super::products::{Own, Shared, ToLight, Vectors};
-use super::remainder::Remainder;
+use super::remainder::ByPixel;
 use super::{Phong, SMOOTHED};
 use crate::components::PointLight;
 use crate::shading::U;
@@ -102,14 +102,15 @@ impl<'a, N: Number> Outlook<'a, N> {
 
 impl<S: Simd> Phong<'_, S> {
     /// What lights do to the whole of squares as polynomials, and what is left of the tolerance after their remainders and
-    /// all rounding: infinitely less than nothing on those that are not wanted, or whose products are not sure.
+    /// all rounding: infinitely less than nothing on those that are not wanted, or whose products are not sure. What is no
+    /// polynomial goes to the pixels, where they may have it, and ends the search where not.
     #[inline(always)]
     pub(super) fn survey<N: Number>(
         &self,
         triangle: &Triangle,
         vectors: &Vectors<N>,
         wanted: N::Truth,
-        remainder: &mut impl Remainder<N>,
+        mut pixels: Option<&mut ByPixel<S>>,
     ) -> Survey<N> {
         let like = vectors.swing_normal();
         let [zero, everything] = [0.0, f64::INFINITY].map(|number| like.like(number));
@@ -152,7 +153,10 @@ impl<S: Simd> Phong<'_, S> {
                 );
                 let terminator = possible & !(outlook.lit | outlook.dark);
                 if terminator.any() {
-                    let taken = remainder.terminator(terminator, light, &cosine);
+                    let taken = match &mut pixels {
+                        Some(pixels) => pixels.terminator(terminator, light, &cosine),
+                        None => everything,
+                    };
                     cost = cost + terminator.choose(taken, zero);
                 }
                 survey.color.add(&cosine.only(outlook.lit), diffuse);
@@ -176,7 +180,10 @@ impl<S: Simd> Phong<'_, S> {
                     rest = rest & !smooth;
                 }
                 if rest.any() {
-                    let taken = remainder.highlight(rest, light, vectors, &outlook);
+                    let taken = match &mut pixels {
+                        Some(pixels) => pixels.highlight(rest, light, vectors, &outlook),
+                        None => everything,
+                    };
                     cost = cost + rest.choose(taken, zero);
                 }
             }
