@@ -313,7 +313,7 @@ fn draw_with(
                 if plain && let Some(polynomial) = polynomial {
                     let mut store = Store::new(band, blocks.places[index], block, *id);
                     store.draw(polynomial, corner, block);
-                    counts.covered_pixels += store.stored;
+                    counts.covered_pixels += store.stored();
                     counts.tiles[polynomial.kind as usize] += block.tiles();
                     continue;
                 }
@@ -385,7 +385,7 @@ fn draw_tiles<S: Shader>(
             shader.shade(triangle, tiles, index, scratch, &mut store)
         };
         store.mark(evaluations.kind);
-        counts.covered_pixels += store.stored;
+        counts.covered_pixels += store.stored();
         counts.model_evaluations += evaluations.model;
         counts.specular_evaluations += evaluations.specular;
         counts.tiles[evaluations.kind as usize] += 1;

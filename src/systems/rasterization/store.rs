@@ -41,8 +41,8 @@ pub struct Store<'a, 'b, const SIDE: usize> {
     whole: bool,
     /// Whether, besides, it takes bytes and nothing hides them.
     plain: bool,
-    /// How many pixels were stored.
-    pub stored: u64,
+    /// How many pixels were stored where not all that are covered are.
+    seen: u64,
 }
 
 impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
@@ -65,7 +65,17 @@ impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
             first,
             whole,
             plain,
-            stored: 0,
+            seen: 0,
+        }
+    }
+
+    /// How many pixels were stored, once all were.
+    #[inline(always)]
+    pub fn stored(&self) -> u64 {
+        if self.plain {
+            u64::from(self.coverage.pixels)
+        } else {
+            self.seen
         }
     }
 
@@ -124,7 +134,6 @@ impl<const SIDE: usize> Sink<SIDE> for Store<'_, '_, SIDE> {
                 width: self.band.width,
             };
             polynomial.for_rows::<SIDE>(first, 0..SIDE, target);
-            self.stored += u64::from(coverage.pixels);
         } else {
             polynomial.shade(first, coverage, self);
         }
@@ -136,7 +145,6 @@ impl<const SIDE: usize> Sink<SIDE> for Store<'_, '_, SIDE> {
         if !self.plain {
             return self.take_seen(row, levels);
         }
-        self.stored += u64::from(to - from);
         let first = self.first.wrapping_add(row * self.band.width);
         if to - from == SIDE as u8 {
             let pixels = &mut self.band.pixels[first..first + SIDE];
@@ -170,7 +178,7 @@ impl<const SIDE: usize> Store<'_, '_, SIDE> {
                 }
                 if self.band.triangles[pixel] == self.id {
                     self.band.levels[pixel] = levels.levels(lane);
-                    self.stored += 1;
+                    self.seen += 1;
                 }
             }
             return;
@@ -182,7 +190,7 @@ impl<const SIDE: usize> Store<'_, '_, SIDE> {
         for lane in usize::from(from)..usize::from(to) {
             if !deep || self.band.triangles[first + lane] == self.id {
                 self.band.pixels[first + lane] = pixels[lane];
-                self.stored += 1;
+                self.seen += 1;
             }
         }
     }
