@@ -38,7 +38,7 @@ use remainder::ByPixel;
 /// The part of the tolerance that dropped specular terms may use up together.
 const DROPPED: f64 = 0.25;
 /// The part of the tolerance that highlights as polynomials may use up together.
-const SMOOTHED: f64 = 0.5;
+const SMOOTHED: f64 = 0.8;
 /// The part of the tolerance that the rounding of highlights should keep to.
 const ROUNDED: f64 = 0.5;
 /// The part of the tolerance that a cheaper power may use up.

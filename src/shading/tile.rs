@@ -85,16 +85,13 @@ impl Coverage<BLOCK> {
     pub fn tiles(&self) -> u64 {
         const MIDDLE: u8 = TILE as u8;
         let mut tiles = 0;
-        for half in self.spans.chunks_exact(TILE) {
-            let [mut left, mut right] = [false; 2];
+        for half in self.spans.as_chunks::<TILE>().0 {
+            let [mut left, mut right] = [0_u8; 2];
             for &(from, to) in half {
-                left |= from < to.min(MIDDLE);
-                right |= from.max(MIDDLE) < to;
-                if left && right {
-                    break;
-                }
+                left |= u8::from(from < to.min(MIDDLE));
+                right |= u8::from(from.max(MIDDLE) < to);
             }
-            tiles += u64::from(left) + u64::from(right);
+            tiles += u64::from(left + right);
         }
         tiles
     }
