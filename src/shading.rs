@@ -26,7 +26,7 @@ use glam::DVec3;
 use self::display::Row;
 use self::number::ABREAST;
 use self::patch::Squares;
-use self::polynomial::Polynomial;
+use self::polynomial::Drawing;
 pub use self::tile::{BLOCK, Coverage, TILE, TileKind, TileRow};
 use self::triangle::Triangle;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
@@ -175,13 +175,13 @@ pub trait Sink<const SIDE: usize = TILE> {
     /// Takes row `row` (0..`SIDE`).
     fn take(&mut self, row: usize, levels: &impl Row);
 
-    /// Takes the covered rows of a polynomial; the first pixel lies `first` right and down of its middle.
+    /// Takes the covered rows of a drawing.
     #[inline(always)]
-    fn draw(&mut self, polynomial: &Polynomial, first: [f64; 2], coverage: &Coverage<SIDE>)
+    fn draw(&mut self, drawing: &impl Drawing<SIDE>, coverage: &Coverage<SIDE>)
     where
         Self: Sized,
     {
-        polynomial.shade(first, coverage, self);
+        drawing.shade(coverage, self);
     }
 }
 

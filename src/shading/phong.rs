@@ -14,6 +14,8 @@ mod outlook;
 mod products;
 mod remainder;
 
+use std::ops::Range;
+
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 use glam::DVec3;
@@ -22,7 +24,7 @@ use super::certificate::{Color, exponential};
 use super::display::Approximate;
 use super::number::{ABREAST, Number, Truth};
 use super::patch::{Patch, Squares};
-use super::polynomial::{Polynomial, Ways};
+use super::polynomial::{Drawing, Polynomial, Rows, Ways};
 use super::series::Quadratic;
 use super::specular::Squarings;
 use super::triangle::Triangle;
@@ -209,32 +211,6 @@ impl<'a, S: Simd> Phong<'a, S> {
         (color, ways)
     }
 
-    /// Draws a tile whose terminators and highlights are in the scratch already: those and the polynomial of all else.
-    #[inline(always)]
-    fn shade_mixed(
-        color: &Color,
-        patch: &Patch,
-        coverage: &Coverage,
-        levels: &[TileRow; TILE],
-        sink: &mut impl Sink,
-    ) {
-        let ramps = [0, 1, 2].map(|channel| color.0[channel].ramps(-patch.row));
-        let lanes = patch.lanes();
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                let mut levels = levels[row];
-                for channel in 0..3 {
-                    let [middle, slope, curve] = ramps[channel].row(row);
-                    for lane in 0..TILE {
-                        levels[channel][lane] +=
-                            middle + lanes[lane] * (slope + lanes[lane] * curve);
-                    }
-                }
-                sink.take(row, &Approximate(&levels));
-            }
-        }
-    }
-
     /// Adds max(0, n.l) where its polynomial changes sign, or stays so near to zero that it may.
     #[inline(always)]
     fn add_terminator(
@@ -257,6 +233,31 @@ impl<'a, S: Simd> Phong<'a, S> {
                 }
                 pixels.add(row, diffuse, &cosine);
             }
+        }
+    }
+}
+
+/// A polynomial, and the levels that each pixel of a tile has besides.
+struct Mixed<'a> {
+    color: &'a Color,
+    patch: &'a Patch,
+    levels: &'a [TileRow; TILE],
+}
+
+impl Drawing<TILE> for Mixed<'_> {
+    #[inline(always)]
+    fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows) {
+        let ramps = [0, 1, 2].map(|channel| self.color.0[channel].ramps(-self.patch.row));
+        let lanes = self.patch.lanes();
+        for row in rows {
+            let mut levels = self.levels[row];
+            for channel in 0..3 {
+                let [middle, slope, curve] = ramps[channel].row(row);
+                for lane in 0..TILE {
+                    levels[channel][lane] += middle + lanes[lane] * (slope + lanes[lane] * curve);
+                }
+            }
+            target.take(row, &Approximate(&levels));
         }
     }
 }
@@ -352,11 +353,15 @@ impl<S: Simd> Shader for Phong<'_, S> {
     ) -> Evaluations {
         let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
         if let Some(polynomial) = &tiles.polynomials[index] {
-            let levels = &scratch.levels[index];
+            let mixed = Mixed {
+                color: &polynomial.color,
+                patch,
+                levels: &scratch.levels[index],
+            };
             apart(
                 self.simd,
                 #[inline(always)]
-                || Self::shade_mixed(&polynomial.color, patch, coverage, levels, sink),
+                || sink.draw(&mixed, coverage),
             );
             return Evaluations {
                 specular: u64::from(coverage.pixels) * scratch.highlights[index],

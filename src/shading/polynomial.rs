@@ -122,6 +122,19 @@ pub trait Rows {
     fn take(&mut self, row: usize, levels: &impl Row);
 }
 
+/// What can be drawn on a square, whole or in part.
+pub trait Drawing<const SIDE: usize> {
+    /// Evaluates `rows` of the square and hands them on one by one.
+    fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows);
+
+    /// Hands the covered rows to a sink.
+    #[inline(always)]
+    fn shade(&self, coverage: &Coverage<SIDE>, sink: &mut impl Sink<SIDE>) {
+        let rows = usize::from(coverage.rows[0])..usize::from(coverage.rows[1]) + 1;
+        self.for_rows(rows, &mut Covered { coverage, sink });
+    }
+}
+
 /// Hands the covered rows of a square to its sink.
 struct Covered<'a, S, const SIDE: usize> {
     coverage: &'a Coverage<SIDE>,
@@ -148,33 +161,33 @@ impl Polynomial {
         )
     }
 
-    /// Shades the covered pixels of a square, whose first pixel lies `first` pixels right and down of the polynomial's
-    /// middle. A part of a square gets the bits that it has in the whole.
+    /// Where the first pixel of a square lies `first` pixels right and down of the middle. A part of a square gets the bits
+    /// that it has in the whole.
     #[inline(always)]
-    pub fn shade<const SIDE: usize>(
-        &self,
-        first: [f64; 2],
-        coverage: &Coverage<SIDE>,
-        sink: &mut impl Sink<SIDE>,
-    ) {
-        let rows = usize::from(coverage.rows[0])..usize::from(coverage.rows[1]) + 1;
-        self.for_rows::<SIDE>(first, rows, &mut Covered { coverage, sink });
+    pub fn at(&self, first: [f64; 2]) -> Placed<'_> {
+        Placed {
+            polynomial: self,
+            first,
+        }
     }
+}
 
-    /// Evaluates `rows` of a square of `SIDE` pixels and hands them on one by one.
+/// A polynomial and where it is drawn.
+pub struct Placed<'a> {
+    polynomial: &'a Polynomial,
+    first: [f64; 2],
+}
+
+impl<const SIDE: usize> Drawing<SIDE> for Placed<'_> {
     #[inline(always)]
-    pub fn for_rows<const SIDE: usize>(
-        &self,
-        first: [f64; 2],
-        rows: Range<usize>,
-        target: &mut impl Rows,
-    ) {
-        let color = &self.color.0;
+    fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows) {
+        let Placed { polynomial, first } = *self;
+        let color = &polynomial.color.0;
         let mut lanes = [0.0; SIDE];
         for (lane, x) in lanes.iter_mut().enumerate() {
             *x = first[0] as f32 + lane as f32;
         }
-        match (self.kind, self.fixed) {
+        match (polynomial.kind, polynomial.fixed) {
             (TileKind::Constant, _) => {
                 let levels = color.map(|channel| channel.0[0] as f32);
                 let flat = Flat {
@@ -395,7 +408,8 @@ mod tests {
         };
         let polynomial = cheapest(color, HALF, budget);
         if let Some(polynomial) = &polynomial {
-            polynomial.for_rows::<TILE>([-HALF[0], -HALF[1]], 0..TILE, &mut judge);
+            let placed = polynomial.at([-HALF[0], -HALF[1]]);
+            Drawing::<TILE>::for_rows(&placed, 0..TILE, &mut judge);
         }
         (polynomial, judge)
     }

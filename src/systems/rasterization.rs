@@ -312,7 +312,7 @@ fn draw_with(
                 let corner = blocks.patches[index].first();
                 if plain && let Some(polynomial) = polynomial {
                     let mut store = Store::new(band, blocks.places[index], block, *id);
-                    store.draw(polynomial, corner, block);
+                    store.draw(&polynomial.at(corner), block);
                     counts.covered_pixels += store.stored();
                     counts.tiles[polynomial.kind as usize] += block.tiles();
                     continue;
@@ -378,7 +378,7 @@ fn draw_tiles<S: Shader>(
             apart(
                 simd,
                 #[inline(always)]
-                || store.draw(polynomial, first, tile),
+                || store.draw(&polynomial.at(first), tile),
             );
             Evaluations::of(polynomial.kind)
         } else {

@@ -27,7 +27,7 @@ pub fn shade(
     if let Some(polynomial) = &tiles.polynomials[INDEX]
         && polynomial.is_whole()
     {
-        sink.draw(polynomial, patch.first(), &Coverage::WHOLE);
+        sink.draw(&polynomial.at(patch.first()), &Coverage::WHOLE);
         return polynomial.kind;
     }
     shader.shade(triangle, &tiles, INDEX, scratch, sink).kind

@@ -5,7 +5,7 @@
 
 use crate::frame::Band;
 use crate::shading::display::Row;
-use crate::shading::polynomial::{Polynomial, Rows};
+use crate::shading::polynomial::{Drawing, Rows};
 use crate::shading::{Coverage, Sink, TileKind};
 
 /// Stores the rows of a square that is covered, held and seen all over, as bytes.
@@ -126,16 +126,16 @@ impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
 
 impl<const SIDE: usize> Sink<SIDE> for Store<'_, '_, SIDE> {
     #[inline(always)]
-    fn draw(&mut self, polynomial: &Polynomial, first: [f64; 2], coverage: &Coverage<SIDE>) {
+    fn draw(&mut self, drawing: &impl Drawing<SIDE>, coverage: &Coverage<SIDE>) {
         if self.plain && coverage.pixels == Coverage::<SIDE>::WHOLE.pixels {
             let target = &mut Whole::<SIDE> {
                 pixels: self.band.pixels,
                 first: self.first,
                 width: self.band.width,
             };
-            polynomial.for_rows::<SIDE>(first, 0..SIDE, target);
+            drawing.for_rows(0..SIDE, target);
         } else {
-            polynomial.shade(first, coverage, self);
+            drawing.shade(coverage, self);
         }
     }
 
