@@ -239,17 +239,19 @@ impl<const SIDE: usize> Drawing<SIDE> for Placed<'_> {
                     }
                 }
                 let bends = color.map(|channel| channel.0[3] as f32);
-                for row in rows {
-                    let curve = Curve {
-                        middle: [0, 1, 2].map(|channel| middles[channel][row]),
-                        slope: [0, 1, 2].map(|channel| slopes[channel][row]),
-                        bend: bends,
-                        lanes: &lanes,
-                    };
-                    if fixed {
-                        target.take(row, &Places(curve));
-                    } else {
-                        target.take(row, &curve);
+                let curve = |row: usize| Curve {
+                    middle: [0, 1, 2].map(|channel| middles[channel][row]),
+                    slope: [0, 1, 2].map(|channel| slopes[channel][row]),
+                    bend: bends,
+                    lanes: &lanes,
+                };
+                if fixed {
+                    for row in rows {
+                        target.take(row, &Places(curve(row)));
+                    }
+                } else {
+                    for row in rows {
+                        target.take(row, &curve(row));
                     }
                 }
             }
