@@ -76,7 +76,13 @@ impl<S: Simd> Phong<'_, S> {
         let k2 = 0.5 * rho * (rho - 1.0);
         let k3 = k2 * (rho - 2.0) / 3.0;
         let k4 = 0.25 * k3 * (rho - 3.0);
-        let height = middle.map(|middle| power_exact(rho, 1.0 - middle));
+        let height = middle.each(|index| {
+            if hope.one(index) {
+                power_exact(rho, 1.0 - middle.one(index))
+            } else {
+                0.0
+            }
+        });
         // A bound on s_0^rho (1 + x)^(rho - 4) and (1 + x)^(rho - 1) wherever s_0 (1 + x) is between s_0 and the s of a
         // pixel: there s^rho is no brighter than on the tile, and |x| <= stray.
         let inverse = (-stray + 1.0).inverse();

@@ -14,7 +14,7 @@ use super::{Phong, SMOOTHED};
 use crate::components::PointLight;
 use crate::shading::U;
 use crate::shading::certificate::{
-    Color, Majorant, angle, cosine_remainder, least_lambda, moderate, rate,
+    Color, Majorant, angle, cosine_remainder, least_lambda, moderate, positive_part, rate,
 };
 use crate::shading::number::{Number, Truth};
 use crate::shading::patch::Patch;
@@ -24,6 +24,9 @@ use crate::simd::apart;
 
 /// A diffuse term that errs by no more than this part of the tolerance need not be looked at more closely.
 const ENOUGH: f64 = 0.125;
+
+/// The part of what is left of the tolerance that a terminator as a polynomial may use up.
+const CROSSED: f64 = 0.75;
 
 /// What n.l errs by at most, over what its three products do: each root of a square errs by half of what that does.
 const ROOTS: f64 = 4.0;
@@ -151,7 +154,15 @@ impl<S: Simd> Phong<'_, S> {
                     #[inline(always)]
                     || outlook.cosine(vectors, enough),
                 );
-                let terminator = possible & !(outlook.lit | outlook.dark);
+                let mut terminator = possible & !(outlook.lit | outlook.dark);
+                if terminator.any() {
+                    let (part, error) = positive_part(&cosine, vectors.half());
+                    let error = error * bright;
+                    let smooth = terminator & error.below(survey.budget * CROSSED);
+                    survey.color.add(&part.only(smooth), diffuse);
+                    cost = cost + smooth.choose(error, zero);
+                    terminator = terminator & !smooth;
+                }
                 if terminator.any() {
                     let taken = match &mut pixels {
                         Some(pixels) => pixels.terminator(terminator, light, &cosine),
