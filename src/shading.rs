@@ -26,7 +26,7 @@ use glam::DVec3;
 use self::display::Row;
 use self::number::ABREAST;
 use self::patch::Squares;
-use self::polynomial::Drawing;
+use self::polynomial::Source;
 pub use self::tile::{BLOCK, Coverage, TILE, TileKind, TileRow};
 use self::triangle::Triangle;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
@@ -175,25 +175,27 @@ pub trait Sink<const SIDE: usize = TILE> {
     /// Takes row `row` (0..`SIDE`).
     fn take(&mut self, row: usize, levels: &impl Row);
 
-    /// Takes the covered rows of a drawing.
+    /// Takes the covered rows of a source.
     #[inline(always)]
-    fn draw(&mut self, drawing: &impl Drawing<SIDE>, coverage: &Coverage<SIDE>)
+    fn draw(&mut self, source: &impl Source<SIDE>, coverage: &Coverage<SIDE>)
     where
         Self: Sized,
     {
-        drawing.shade(coverage, self);
+        source.send(coverage, self);
     }
 }
 
 /// Draws the tiles of triangles.
 pub trait Shader {
-    /// Finds polynomials for the blocks that are wanted, unless every pixel is to be exact.
+    /// Finds for each block that is wanted the cheapest polynomial that keeps the tolerance with all of its light. None
+    /// stands there yet, and none is left where there is none or every pixel is to be exact.
     fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>);
 
-    /// The same for tiles. A polynomial may leave light out here that is in the scratch, pixel by pixel.
+    /// The same for tiles, but a polynomial may leave out light whose levels are then in the scratch, pixel by pixel; its
+    /// kind says so ([`Polynomial::is_whole`](polynomial::Polynomial::is_whole)).
     fn certify_tiles(&self, triangle: &Triangle, tiles: &mut Squares<TILE>, scratch: &mut Scratch);
 
-    /// Shades the covered pixels of one of the tiles that were certified last, where one polynomial is not all of its light.
+    /// Shades the covered pixels of one of the tiles that were certified last and that have no whole polynomial.
     fn shade(
         &self,
         triangle: &Triangle,
@@ -245,7 +247,7 @@ pub struct Scratch {
     pub(crate) vectors: [[[f32; TILE]; TILE]; 6],
     /// Levels so far, by tile and row.
     pub(crate) levels: [[TileRow; TILE]; ABREAST],
-    /// How many highlights are in those, by tile.
+    /// How many highlights are in those of the tiles that were certified last, where their polynomial is not whole.
     pub(crate) highlights: [u64; ABREAST],
 }
 

@@ -85,7 +85,7 @@ pub fn cosine_remainder<N: Number>(a: N, b: N) -> N {
 /// max(0, c) within `half` pixels of the middle as a quadratic, for a quadratic c that may change its sign there, and what
 /// that errs by: between -1 and 1 no even quadratic is nearer to |x| than x^2 + 1/8, which errs by 1/8 at 0, 1/2 and 1
 /// (Chebyshev's alternation). With |c| <= M that is |c| = c^2 / M + M / 8 and max(0, c) = (c + |c|) / 2; of c^2 the terms
-/// beyond second order are cut off.
+/// beyond second order are cut off. Where c is nothing all over both are NaN, which is below nothing.
 #[inline(always)]
 pub fn positive_part<N: Number>(c: &Quadratic<N>, half: [N; 2]) -> (Quadratic<N>, N) {
     const HALF: f64 = 0.5;

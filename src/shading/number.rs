@@ -56,16 +56,6 @@ pub trait Number:
     /// That of one of the squares.
     fn one(&self, index: usize) -> f64;
 
-    /// Applies a function to each.
-    #[inline(always)]
-    #[must_use]
-    fn map(self, function: impl Fn(f64) -> f64) -> Self {
-        self.each(
-            #[inline(always)]
-            |index| function(self.one(index)),
-        )
-    }
-
     /// The smaller one.
     #[inline(always)]
     #[must_use]
@@ -261,7 +251,7 @@ mod tests {
             a.or_zero(),
             b.or_zero(),
             a.like(5.0),
-            b.map(f64::exp),
+            b.each(|index| b.one(index).exp()),
             (a.below(b) & both).choose(a, b),
             a * b + b - a * 0.375 - 1.0,
         ];

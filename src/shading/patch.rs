@@ -48,7 +48,8 @@ pub struct Squares<const SIDE: usize> {
     pub patches: [Patch; ABREAST],
     /// Which are worth a certificate.
     pub wanted: [bool; ABREAST],
-    /// What is certified of those: the cheapest polynomial that stays within the tolerance all over, if there is one.
+    /// What is certified of those: the cheapest colour that stays within the tolerance all over, if there is one; where it
+    /// is not [whole](Polynomial::is_whole), together with what pixels have besides.
     pub polynomials: [Option<Polynomial>; ABREAST],
 }
 

@@ -1,18 +1,18 @@
 //! Position and normal interpolated, the model at every pixel (Phong 1975).
 //!
 //! Per tile and light, what n.l and the highlight can do is bounded first (see [`super::certificate`]): a light behind
-//! the whole tile is left out, a diffuse term becomes a certified polynomial, a specular term is dropped where it cannot
-//! reach its share of the tolerance, and becomes a polynomial too where it varies slowly (`highlight`). Only what
-//! remains is evaluated pixel by pixel.
+//! the whole tile is left out, a diffuse term becomes a certified polynomial, even one that is cut off at zero where the
+//! tolerance hardly notices, a specular term is dropped where it cannot reach its share of the tolerance, and becomes a
+//! polynomial too where it varies slowly (`highlight`). Only what remains is evaluated pixel by pixel.
 //!
-//! Rule: the shares add up to the tolerance, rounding included; at tolerance 0 there are no shares and every pixel is
-//! evaluated exactly.
+//! Rule: what every term costs, rounding included, is taken off the tolerance, and a tile that would overdraw it is
+//! evaluated exactly; at tolerance 0 every tile is.
 
+mod by_pixel;
 mod exact;
 mod highlight;
 mod outlook;
 mod products;
-mod remainder;
 
 use std::ops::Range;
 
@@ -24,7 +24,7 @@ use super::certificate::{Color, exponential};
 use super::display::Approximate;
 use super::number::{ABREAST, Number, Truth};
 use super::patch::{Patch, Squares};
-use super::polynomial::{Drawing, Polynomial, Rows, Ways};
+use super::polynomial::{Polynomial, Rows, Source, Ways};
 use super::series::Quadratic;
 use super::specular::Squarings;
 use super::triangle::Triangle;
@@ -33,9 +33,9 @@ use super::{
 };
 use crate::components::PointLight;
 use crate::simd::apart;
+use by_pixel::ByPixel;
 use outlook::Survey;
 use products::{Own, Shared, Vectors};
-use remainder::ByPixel;
 
 /// The part of the tolerance that dropped specular terms may use up together.
 const DROPPED: f64 = 0.25;
@@ -137,8 +137,15 @@ impl<'a, S: Simd> Phong<'a, S> {
         near & lambda.like(self.faint).below(most)
     }
 
+    /// Whether anything is to be certified.
+    #[inline(always)]
+    fn certifies(&self, wanted: [bool; ABREAST]) -> bool {
+        self.tolerance > 0.0 && wanted != [false; ABREAST]
+    }
+
     /// The colours of squares as polynomials: four side by side where the instructions are as wide, one by one elsewhere,
-    /// with the same bits. One function for blocks and for tiles: two would not stay in the instruction cache together.
+    /// with the same bits. `pixels` take what is no polynomial; without them such a square gets none. One function for blocks
+    /// and for tiles: two would not stay in the instruction cache together.
     #[inline(always)]
     fn certify(
         &self,
@@ -244,7 +251,7 @@ struct Mixed<'a> {
     levels: &'a [TileRow; TILE],
 }
 
-impl Drawing<TILE> for Mixed<'_> {
+impl Source<TILE> for Mixed<'_> {
     #[inline(always)]
     fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows) {
         let ramps = [0, 1, 2].map(|channel| self.color.0[channel].ramps(-self.patch.row));
@@ -315,7 +322,7 @@ impl<'a> Pixels<'a> {
 impl<S: Simd> Shader for Phong<'_, S> {
     #[inline(always)]
     fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>) {
-        if self.tolerance > 0.0 && blocks.wanted != [false; ABREAST] {
+        if self.certifies(blocks.wanted) {
             let polynomials = &mut blocks.polynomials;
             self.certify(triangle, &blocks.patches, blocks.wanted, None, polynomials);
         }
@@ -323,13 +330,13 @@ impl<S: Simd> Shader for Phong<'_, S> {
 
     #[inline(always)]
     fn certify_tiles(&self, triangle: &Triangle, tiles: &mut Squares<TILE>, scratch: &mut Scratch) {
-        if self.tolerance == 0.0 || tiles.wanted == [false; ABREAST] {
+        if !self.certifies(tiles.wanted) {
             return;
         }
         let (patches, polynomials) = (&tiles.patches, &mut tiles.polynomials);
         let mut pixels = ByPixel::new(self, triangle, patches, &tiles.covered, scratch);
-        let pixels = &mut pixels;
-        self.certify(triangle, patches, tiles.wanted, Some(pixels), polynomials);
+        let wanted = tiles.wanted;
+        self.certify(triangle, patches, wanted, Some(&mut pixels), polynomials);
         for (index, polynomial) in polynomials.iter_mut().enumerate() {
             if let Some(polynomial) = polynomial {
                 if pixels.highlights[index] > 0 {

@@ -12,12 +12,12 @@ use super::display::{display_bits_within, pack};
 use super::number::{Number, Truth};
 use super::{Coverage, Row, Sink, TileKind, U};
 
-/// A colour that is certified on a patch, and how it is to be evaluated.
+/// A colour that is certified on a patch, alone or with what its pixels have besides, and how it is to be evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polynomial {
     pub(super) color: Color,
-    /// Constant, linear or quadratic: how many of the terms are needed. Of other kinds are those that are not all light of
-    /// their square.
+    /// How a square is drawn with it. Constant, linear, quadratic: how many of the terms are needed, and it is all light of
+    /// the square. Terminator, highlight: some light is in the pixels, and all terms are used.
     pub kind: TileKind,
     /// Whether in multiples of 1/256 level.
     fixed: bool,
@@ -122,14 +122,14 @@ pub trait Rows {
     fn take(&mut self, row: usize, levels: &impl Row);
 }
 
-/// What can be drawn on a square, whole or in part.
-pub trait Drawing<const SIDE: usize> {
+/// What the rows of a square come from.
+pub trait Source<const SIDE: usize> {
     /// Evaluates `rows` of the square and hands them on one by one.
     fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows);
 
     /// Hands the covered rows to a sink.
     #[inline(always)]
-    fn shade(&self, coverage: &Coverage<SIDE>, sink: &mut impl Sink<SIDE>) {
+    fn send(&self, coverage: &Coverage<SIDE>, sink: &mut impl Sink<SIDE>) {
         let rows = usize::from(coverage.rows[0])..usize::from(coverage.rows[1]) + 1;
         self.for_rows(rows, &mut Covered { coverage, sink });
     }
@@ -161,10 +161,10 @@ impl Polynomial {
         )
     }
 
-    /// Where the first pixel of a square lies `first` pixels right and down of the middle. A part of a square gets the bits
-    /// that it has in the whole.
+    /// Itself on a square whose first pixel lies `first` pixels right and down of its middle. A part of a square gets the
+    /// bits that it has in the whole.
     #[inline(always)]
-    pub fn at(&self, first: [f64; 2]) -> Placed<'_> {
+    pub fn placed(&self, first: [f64; 2]) -> Placed<'_> {
         Placed {
             polynomial: self,
             first,
@@ -178,7 +178,7 @@ pub struct Placed<'a> {
     first: [f64; 2],
 }
 
-impl<const SIDE: usize> Drawing<SIDE> for Placed<'_> {
+impl<const SIDE: usize> Source<SIDE> for Placed<'_> {
     #[inline(always)]
     fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows) {
         let Placed { polynomial, first } = *self;
@@ -245,6 +245,7 @@ impl<const SIDE: usize> Drawing<SIDE> for Placed<'_> {
                     bend: bends,
                     lanes: &lanes,
                 };
+                // Two loops: asked in one, each row would be prepared for both.
                 if fixed {
                     for row in rows {
                         target.take(row, &Places(curve(row)));
@@ -410,8 +411,8 @@ mod tests {
         };
         let polynomial = cheapest(color, HALF, budget);
         if let Some(polynomial) = &polynomial {
-            let placed = polynomial.at([-HALF[0], -HALF[1]]);
-            Drawing::<TILE>::for_rows(&placed, 0..TILE, &mut judge);
+            let placed = polynomial.placed([-HALF[0], -HALF[1]]);
+            Source::<TILE>::for_rows(&placed, 0..TILE, &mut judge);
         }
         (polynomial, judge)
     }

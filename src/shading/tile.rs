@@ -106,9 +106,9 @@ pub enum TileKind {
     Linear,
     /// A quadratic colour, certified.
     Quadratic,
-    /// Certified polynomials of n.l, cut off at 0 pixel by pixel; no specular term.
+    /// A certified polynomial, and terms of n.l that are cut off at 0 pixel by pixel.
     Terminator,
-    /// Certified polynomials, and specular terms pixel by pixel.
+    /// A certified polynomial, and specular terms pixel by pixel; terminators too where there are any.
     Highlight,
     /// The definition at every pixel, in f32.
     Exact,

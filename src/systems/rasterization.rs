@@ -312,7 +312,7 @@ fn draw_with(
                 let corner = blocks.patches[index].first();
                 if plain && let Some(polynomial) = polynomial {
                     let mut store = Store::new(band, blocks.places[index], block, *id);
-                    store.draw(&polynomial.at(corner), block);
+                    store.draw(&polynomial.placed(corner), block);
                     counts.covered_pixels += store.stored();
                     counts.tiles[polynomial.kind as usize] += block.tiles();
                     continue;
@@ -340,9 +340,9 @@ fn draw_with(
 /// Shades the four tiles of a block: with the polynomial they have in common, where there is one, whose middle lies as far
 /// from the block's first pixel as is said, or each by itself.
 #[inline(always)]
-fn draw_tiles<S: Shader>(
+fn draw_tiles(
     simd: impl Simd,
-    shader: &S,
+    shader: &impl Shader,
     shape: &Shape,
     tiles: &mut Squares<TILE>,
     common: Option<(&Polynomial, [f64; 2])>,
@@ -378,7 +378,7 @@ fn draw_tiles<S: Shader>(
             apart(
                 simd,
                 #[inline(always)]
-                || store.draw(&polynomial.at(first), tile),
+                || store.draw(&polynomial.placed(first), tile),
             );
             Evaluations::of(polynomial.kind)
         } else {

@@ -279,3 +279,72 @@ fn a_highlight_that_varies_slowly_is_a_polynomial_and_keeps_its_tolerance() {
     assert!(most <= tolerance, "{most}");
     assert!(10 * smooth > by_pixel, "{smooth}, by pixel {by_pixel}");
 }
+
+#[test]
+fn a_terminator_that_is_hardly_noticed_is_a_polynomial_and_keeps_its_tolerance() {
+    let tolerance = 0.5;
+    let (mut smooth, mut by_pixel, mut every_pixel) = (0, 0, 0);
+    let mut most = 0.0_f64;
+    for seed in 0..60 * cases() {
+        let random = &mut Random(seed.wrapping_mul(0x1000_0000_01b3) ^ 0x7e53);
+        let mut subject = subject(random);
+        // None so dark or so bright that the display cuts it off.
+        subject.material.ambient = DVec3::ONE;
+        for light in &mut subject.illumination.points {
+            light.diffuse = light.diffuse.min(DVec3::splat(40.0));
+            light.specular = light.specular.min(DVec3::splat(20.0));
+            if seed % 2 == 0 {
+                light.specular = DVec3::ZERO;
+            }
+        }
+        let first = Illumination {
+            ambient: DVec3::ZERO,
+            points: vec![PointLight {
+                specular: DVec3::ZERO,
+                ..subject.illumination.points[0]
+            }],
+        };
+        let surface = subject.surface();
+        let Subject {
+            triangle, patch, ..
+        } = &subject;
+        let lit = Surface {
+            illumination: &first,
+            ..surface
+        };
+        let diffuse = exact(patch, triangle, |point| phong(&lit, triangle, point));
+        let brightest = diffuse.as_flattened().iter().copied().fold(0.0, f64::max);
+        let crossed = diffuse
+            .iter()
+            .any(|levels| levels.iter().all(|&level| level == 0.0));
+        if !patch.steady || !crossed || brightest < tolerance || brightest > 5.0 {
+            continue;
+        }
+        let expected = exact(patch, triangle, |point| phong(&surface, triangle, point));
+        let (kind, found) = shade(
+            &Phong::new(Fallback::new(), surface, tolerance, triangle),
+            triangle,
+            patch,
+        );
+        match kind {
+            TileKind::Linear | TileKind::Quadratic => {
+                smooth += 1;
+                for (a, b) in found.as_flattened().iter().zip(expected.as_flattened()) {
+                    most = most.max((a - b).abs());
+                }
+            }
+            TileKind::Exact => every_pixel += 1,
+            _ => by_pixel += 1,
+        }
+    }
+    println!(
+        "terminators: {smooth} polynomials with {most:.3} levels of error, {by_pixel} tiles by pixel, {every_pixel} exact"
+    );
+    assert!(most <= tolerance, "{most}");
+    assert!(5 * smooth > by_pixel, "{smooth}, by pixel {by_pixel}");
+    // Some turn too much for any certificate. A terminator that spends what other terms need would make that more.
+    assert!(
+        10 * every_pixel < 8 * (smooth + by_pixel),
+        "{every_pixel} exact, others {smooth} and {by_pixel}"
+    );
+}

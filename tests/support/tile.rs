@@ -1,4 +1,5 @@
-//! One tile, shaded as the rasterizer shades it: with a polynomial where there is one, pixel by pixel elsewhere.
+//! One tile, shaded as the rasterizer shades it: with a polynomial where one is all of its light, by its shader
+//! elsewhere.
 
 use shadetrade::shading::number::ABREAST;
 use shadetrade::shading::patch::{Patch, Squares};
@@ -27,7 +28,7 @@ pub fn shade(
     if let Some(polynomial) = &tiles.polynomials[INDEX]
         && polynomial.is_whole()
     {
-        sink.draw(&polynomial.at(patch.first()), &Coverage::WHOLE);
+        sink.draw(&polynomial.placed(patch.first()), &Coverage::WHOLE);
         return polynomial.kind;
     }
     shader.shade(triangle, &tiles, INDEX, scratch, sink).kind

@@ -76,6 +76,7 @@ impl<S: Simd> Phong<'_, S> {
         let k2 = 0.5 * rho * (rho - 1.0);
         let k3 = k2 * (rho - 2.0) / 3.0;
         let k4 = 0.25 * k3 * (rho - 3.0);
+        // A power is dear, and where there is no hope nothing is made of it.
         let height = middle.each(|index| {
             if hope.one(index) {
                 power_exact(rho, 1.0 - middle.one(index))

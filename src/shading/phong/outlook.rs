@@ -8,8 +8,8 @@
 use fearless_simd::Simd;
 use glam::DVec3;
 
+use super::by_pixel::ByPixel;
 use super::products::{Own, Shared, ToLight, Vectors};
-use super::remainder::ByPixel;
 use super::{Phong, SMOOTHED};
 use crate::components::PointLight;
 use crate::shading::U;
@@ -25,8 +25,9 @@ use crate::simd::apart;
 /// A diffuse term that errs by no more than this part of the tolerance need not be looked at more closely.
 const ENOUGH: f64 = 0.125;
 
-/// The part of what is left of the tolerance that a terminator as a polynomial may use up.
-const CROSSED: f64 = 0.75;
+/// The part of what is left of the tolerance that a terminator as a polynomial may use up: the rest is for the lights after
+/// it, and for rounding.
+const CROSSED: f64 = 0.9;
 
 /// What n.l errs by at most, over what its three products do: each root of a square errs by half of what that does.
 const ROOTS: f64 = 4.0;
@@ -51,7 +52,7 @@ pub struct Outlook<'a, N: Number = f64> {
 /// What is known of all lights on a tile before any pixel is looked at.
 pub struct Survey<N> {
     /// All terms that are polynomials of the whole tile: ambient light, the diffuse terms of the lights that are lit all
-    /// over, the highlights that vary slowly.
+    /// over, those cut off at zero where the tolerance hardly notices, the highlights that vary slowly.
     pub color: Color<N>,
     /// What is left of the tolerance, in levels.
     pub budget: N,
@@ -154,13 +155,17 @@ impl<S: Simd> Phong<'_, S> {
                     #[inline(always)]
                     || outlook.cosine(vectors, enough),
                 );
+                let loss = (error + 6.0 * U) * bright;
+                cost = cost + outlook.dark.choose(zero, loss);
                 let mut terminator = possible & !(outlook.lit | outlook.dark);
                 if terminator.any() {
-                    let (part, error) = positive_part(&cosine, vectors.half());
-                    let error = error * bright;
-                    let smooth = terminator & error.below(survey.budget * CROSSED);
+                    let (part, crossing) = positive_part(&cosine, vectors.half());
+                    let crossing = crossing * bright;
+                    // Highlights are yet to be paid for, and one that shines here goes to the pixels anyway.
+                    let spare = (survey.budget - loss - self.dropped()) * CROSSED;
+                    let smooth = terminator & !outlook.shines & crossing.below(spare);
                     survey.color.add(&part.only(smooth), diffuse);
-                    cost = cost + smooth.choose(error, zero);
+                    cost = cost + smooth.choose(crossing, zero);
                     terminator = terminator & !smooth;
                 }
                 if terminator.any() {
@@ -171,7 +176,6 @@ impl<S: Simd> Phong<'_, S> {
                     cost = cost + terminator.choose(taken, zero);
                 }
                 survey.color.add(&cosine.only(outlook.lit), diffuse);
-                cost = cost + outlook.dark.choose(zero, (error + 6.0 * U) * bright);
             }
             if specular != DVec3::ZERO && !outlook.dark.all() {
                 let bright = specular.max_element();

@@ -5,7 +5,7 @@
 
 use crate::frame::Band;
 use crate::shading::display::Row;
-use crate::shading::polynomial::{Drawing, Rows};
+use crate::shading::polynomial::{Rows, Source};
 use crate::shading::{Coverage, Sink, TileKind};
 
 /// Stores the rows of a square that is covered, held and seen all over, as bytes.
@@ -41,7 +41,7 @@ pub struct Store<'a, 'b, const SIDE: usize> {
     whole: bool,
     /// Whether, besides, it takes bytes and nothing hides them.
     plain: bool,
-    /// How many pixels were stored where not all that are covered are.
+    /// How many pixels were stored so far; not counted where `plain`, for then all that are covered are.
     seen: u64,
 }
 
@@ -126,16 +126,16 @@ impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
 
 impl<const SIDE: usize> Sink<SIDE> for Store<'_, '_, SIDE> {
     #[inline(always)]
-    fn draw(&mut self, drawing: &impl Drawing<SIDE>, coverage: &Coverage<SIDE>) {
+    fn draw(&mut self, source: &impl Source<SIDE>, coverage: &Coverage<SIDE>) {
         if self.plain && coverage.pixels == Coverage::<SIDE>::WHOLE.pixels {
             let target = &mut Whole::<SIDE> {
                 pixels: self.band.pixels,
                 first: self.first,
                 width: self.band.width,
             };
-            drawing.for_rows(0..SIDE, target);
+            source.for_rows(0..SIDE, target);
         } else {
-            drawing.shade(coverage, self);
+            source.send(coverage, self);
         }
     }
 
