@@ -15,6 +15,7 @@ pub mod number;
 pub mod patch;
 pub mod phong;
 pub mod polynomial;
+pub mod rows;
 pub mod series;
 pub mod specular;
 pub mod tile;
@@ -26,7 +27,7 @@ use glam::DVec3;
 use self::display::Row;
 use self::number::ABREAST;
 use self::patch::Squares;
-use self::polynomial::Source;
+pub use self::rows::Sink;
 pub use self::tile::{BLOCK, Coverage, TILE, TileKind, TileRow};
 use self::triangle::Triangle;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
@@ -167,21 +168,6 @@ impl Surface<'_> {
             }
         }
         levels
-    }
-}
-
-/// Takes the shaded rows of a tile or block and stores the lanes that are covered.
-pub trait Sink<const SIDE: usize = TILE> {
-    /// Takes row `row` (0..`SIDE`).
-    fn take(&mut self, row: usize, levels: &impl Row);
-
-    /// Takes the covered rows of a source.
-    #[inline(always)]
-    fn draw(&mut self, source: &impl Source<SIDE>, coverage: &Coverage<SIDE>)
-    where
-        Self: Sized,
-    {
-        source.send(coverage, self);
     }
 }
 

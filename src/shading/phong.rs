@@ -24,7 +24,8 @@ use super::certificate::{Color, exponential};
 use super::display::Approximate;
 use super::number::{ABREAST, Number, Truth};
 use super::patch::{Patch, Squares};
-use super::polynomial::{Polynomial, Rows, Source, Ways};
+use super::polynomial::{Polynomial, Ways};
+use super::rows::{Rows, Source};
 use super::series::Quadratic;
 use super::specular::Squarings;
 use super::triangle::Triangle;
@@ -232,10 +233,10 @@ impl<'a, S: Simd> Phong<'a, S> {
         let diffuse = self.surface.coefficients(light)[0].as_vec3().to_array();
         for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
             if from < to {
-                let [middle, slope, curve] = ramps.row(row);
+                let ramp = ramps.row(row);
                 let mut cosine = [0.0; TILE];
                 for lane in 0..TILE {
-                    let value = middle + lanes[lane] * (slope + lanes[lane] * curve);
+                    let value = exact::at(ramp, lanes[lane]);
                     cosine[lane] = if value > 0.0 { value } else { 0.0 };
                 }
                 pixels.add(row, diffuse, &cosine);
@@ -259,9 +260,9 @@ impl Source<TILE> for Mixed<'_> {
         for row in rows {
             let mut levels = self.levels[row];
             for channel in 0..3 {
-                let [middle, slope, curve] = ramps[channel].row(row);
+                let ramp = ramps[channel].row(row);
                 for lane in 0..TILE {
-                    levels[channel][lane] += middle + lanes[lane] * (slope + lanes[lane] * curve);
+                    levels[channel][lane] += exact::at(ramp, lanes[lane]);
                 }
             }
             target.take(row, &Approximate(&levels));

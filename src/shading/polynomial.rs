@@ -10,7 +10,8 @@ use std::ops::Range;
 use super::certificate::Color;
 use super::display::{display_bits_within, pack};
 use super::number::{Number, Truth};
-use super::{Coverage, Row, Sink, TileKind, U};
+use super::rows::{Rows, Source};
+use super::{Row, TileKind, U};
 
 /// A colour that is certified on a patch, alone or with what its pixels have besides, and how it is to be evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,42 +114,6 @@ impl Ways {
 #[inline(always)]
 pub fn cheapest(color: Color, half: [f64; 2], budget: f64) -> Option<Polynomial> {
     Ways::new(&color, half, budget).polynomial(0, &color)
-}
-
-/// Takes the rows of a square. A trait, not a closure, because only a function can be told to become part of the loop
-/// it is called from, whose SIMD level it then has.
-pub trait Rows {
-    /// Takes a row.
-    fn take(&mut self, row: usize, levels: &impl Row);
-}
-
-/// What the rows of a square come from.
-pub trait Source<const SIDE: usize> {
-    /// Evaluates `rows` of the square and hands them on one by one.
-    fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows);
-
-    /// Hands the covered rows to a sink.
-    #[inline(always)]
-    fn send(&self, coverage: &Coverage<SIDE>, sink: &mut impl Sink<SIDE>) {
-        let rows = usize::from(coverage.rows[0])..usize::from(coverage.rows[1]) + 1;
-        self.for_rows(rows, &mut Covered { coverage, sink });
-    }
-}
-
-/// Hands the covered rows of a square to its sink.
-struct Covered<'a, S, const SIDE: usize> {
-    coverage: &'a Coverage<SIDE>,
-    sink: &'a mut S,
-}
-
-impl<S: Sink<SIDE>, const SIDE: usize> Rows for Covered<'_, S, SIDE> {
-    #[inline(always)]
-    fn take(&mut self, row: usize, levels: &impl Row) {
-        let (from, to) = self.coverage.spans[row];
-        if from < to {
-            self.sink.take(row, levels);
-        }
-    }
 }
 
 impl Polynomial {

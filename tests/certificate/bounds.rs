@@ -3,9 +3,11 @@
 use glam::DVec3;
 use shadetrade::shading::affine::{Affine, Scalar};
 use shadetrade::shading::certificate::{
-    Color, MOST_SWING, angle, cosine_remainder, exponential, quotient, rate,
+    Color, MOST_SWING, angle, cosine_remainder, exponential, positive_part, quotient, rate,
 };
 use shadetrade::shading::series::{Cubic, Quadratic};
+
+use crate::random::Random;
 
 #[test]
 fn a_product_of_quadratics_is_that_of_paper_to_second_order() {
@@ -125,4 +127,25 @@ fn a_quotient_of_affine_functions_is_the_quadratic_of_paper_within_the_bound_of_
     for half in [[4.0, 2.0], [9.0, 2.0]] {
         assert_eq!(quotient(&colors, &total, half).1, f64::INFINITY);
     }
+}
+
+#[test]
+fn a_term_that_is_cut_off_at_zero_is_as_near_to_a_quadratic_as_is_said() {
+    let half = [7.5, 4.0];
+    let random = &mut Random(1);
+    let mut most = 0.0_f64;
+    for case in 0..300 {
+        let bend = if case < 100 { 0.0 } else { 0.002 };
+        let sizes = [0.1, 0.02, 0.02, bend, bend, bend];
+        let c = Quadratic(sizes.map(|size| random.within(-size, size)));
+        let (part, bound) = positive_part(&c, half);
+        for step in 0..41 * 41 {
+            let [x, y] = [f64::from(step % 41), f64::from(step / 41)];
+            let place = [half[0] * (x / 20.0 - 1.0), half[1] * (y / 20.0 - 1.0)];
+            let error = (part.at(place) - c.at(place).max(0.0)).abs();
+            assert!(error <= bound * (1.0 + 1e-12), "{error} of {bound}: {c:?}");
+            most = most.max(error / bound);
+        }
+    }
+    assert!(most > 0.99, "the bound is attained: {most}");
 }

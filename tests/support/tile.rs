@@ -18,11 +18,10 @@ pub fn shade(
 ) -> TileKind {
     let scratch = &mut Scratch::default();
     let mut tiles = Squares {
-        places: [[0; 2]; ABREAST],
         covered: [Coverage::WHOLE; ABREAST],
         patches: [*patch; ABREAST],
         wanted: [patch.steady; ABREAST],
-        polynomials: [None; ABREAST],
+        ..Squares::NONE
     };
     shader.certify_tiles(triangle, &mut tiles, scratch);
     if let Some(polynomial) = &tiles.polynomials[INDEX]

@@ -407,7 +407,7 @@ fn flush(coverage: &Coverage, levels: &[TileRow; TILE], sink: &mut impl Sink) {
 
 /// A row's quadratic at `x` pixels from the middle column.
 #[inline(always)]
-fn at([middle, slope, curve]: [f32; 3], x: f32) -> f32 {
+pub(super) fn at([middle, slope, curve]: [f32; 3], x: f32) -> f32 {
     middle + x * (slope + x * curve)
 }
 

@@ -169,11 +169,10 @@ impl<S: Simd> Phong<'_, S> {
                     terminator = terminator & !smooth;
                 }
                 if terminator.any() {
-                    let taken = match &mut pixels {
+                    match &mut pixels {
                         Some(pixels) => pixels.terminator(terminator, light, &cosine),
-                        None => everything,
-                    };
-                    cost = cost + terminator.choose(taken, zero);
+                        None => cost = cost + terminator.choose(everything, zero),
+                    }
                 }
                 survey.color.add(&cosine.only(outlook.lit), diffuse);
             }

@@ -5,7 +5,7 @@
 
 use crate::frame::Band;
 use crate::shading::display::Row;
-use crate::shading::polynomial::{Rows, Source};
+use crate::shading::rows::{Rows, Source};
 use crate::shading::{Coverage, Sink, TileKind};
 
 /// Stores the rows of a square that is covered, held and seen all over, as bytes.
