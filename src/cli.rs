@@ -108,6 +108,19 @@ Examples:
 
 Levels are unclamped; those of `drawn` come from the renderer, all else is evaluated in f64.")]
     Probe(ProbeOptions),
+    /// Proves, pixel by pixel, that a picture keeps its tolerance
+    #[command(after_help = "\
+Examples:
+  shadetrade prove
+  shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
+  shadetrade prove assignment --projection orthographic --json > proof.json
+
+Encloses every pixel's exact levels by interval arithmetic, from the scene's numbers on, and
+compares what is drawn. Says how many pixels are proven, refuted or undecided, how many are so
+near an edge that they may show either side, and how far the f64 reference may be off. The map
+shows proven pixels dim, undecided ones yellow and refuted ones red. Exit status 1 if a pixel is
+refuted.")]
+    Prove(ProveOptions),
     /// Runs the table of numerical extremes: what each ought to give, what it gives, and whether that is right
     #[command(after_help = "\
 Examples:
@@ -241,6 +254,20 @@ fn pixel(text: &str) -> Result<[usize; 2], String> {
     };
     let (x, y) = text.split_once(',').unwrap_or((text, ""));
     Ok([coordinate(x)?, coordinate(y)?])
+}
+
+/// The options of `prove`.
+#[derive(Args, Debug)]
+pub struct ProveOptions {
+    /// What is drawn, and how.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// Where a PNG of the verdicts goes; `-` is standard output, and does not go with --json
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().map(Output::from))]
+    pub output: Option<Output>,
+    /// Prints one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// The options of `extremes`.

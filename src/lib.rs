@@ -155,7 +155,8 @@
 //! ```text
 //! main
 //! cli          window       extremes
-//! trade        pictures     probe
+//! prove        pictures     probe
+//! trade
 //! drawing      systems      reference
 //! frame
 //! shading      scene        output
@@ -183,6 +184,7 @@ pub mod memory;
 pub mod output;
 pub mod pictures;
 pub mod probe;
+pub mod prove;
 pub mod reference;
 pub mod scene;
 pub mod shading;

@@ -10,7 +10,7 @@ use shadetrade::cli::{self, Command, ExtremesOptions, Failure, ProbeOptions};
 use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::{self, WindowError};
-use shadetrade::{extremes, output, pictures, probe, trade};
+use shadetrade::{extremes, output, pictures, probe, prove, trade};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -40,6 +40,14 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             Ok(trade::run(request, folder)?)
         }
         Some(Command::Probe(options)) => probe(&options),
+        Some(Command::Prove(options)) => {
+            let mut drawing = options.drawing.open()?;
+            Ok(prove::run(
+                &mut drawing,
+                options.output.as_ref(),
+                options.json,
+            )?)
+        }
         Some(Command::Extremes(options)) => extremes(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
         Some(Command::Completions { shell }) => Ok(cli::print_completions(shell)?),

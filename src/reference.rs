@@ -15,21 +15,27 @@
 //! lit in its own coordinates, so its proportions do not matter. Any number of threads gives the same bits.
 
 mod illumination;
-mod intersection;
+mod real;
+mod sight;
+mod vector;
 
+use std::cmp::Ordering;
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{self, AtomicUsize};
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use hecs::World;
+pub use maryada::Interval;
 use rayon::prelude::*;
 
 use crate::components::{
-    Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, TRIANGLES, Transform, View,
+    FACES, Light, LightKind, Material, Mesh, Name, ShadingMode, TRIANGLES, Transform, View,
 };
 use crate::frame::NO_TRIANGLE;
-use illumination::{Eye, Lamp, Surface, blend, reflection};
-use intersection::{Hit, Ray, Rays, Solid};
+use illumination::{Incidence, Lit, Surface, blend, reflection};
+pub use real::Real;
+use sight::{Line, Meeting, Sight, Solid};
+use vector::Vector;
 
 /// Hits of two cuboids whose depths differ by less than this share of the depth are at one depth: the cuboid earlier in
 /// the file is seen. It is far above what f64 makes of two faces in one plane and far below what can be seen.
@@ -86,6 +92,202 @@ pub struct LightSample {
     pub phong: DVec3,
 }
 
+/// A picture to be evaluated, in f64 or in intervals.
+pub struct Reference<R> {
+    sight: Sight<R>,
+    cuboids: Vec<Cuboid<R>>,
+    background: Vector<R>,
+    /// The names of the lights that are on, in file order.
+    names: Vec<String>,
+    width: usize,
+}
+
+/// One cuboid: where its picture is, and what it looks like there.
+struct Cuboid<R> {
+    solid: Solid<R>,
+    surface: Surface<R>,
+    mesh: Mesh,
+    mode: ShadingMode,
+}
+
+/// What a pixel may show.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<R> {
+    /// Cuboid * 6 + face; `None` is the background.
+    pub face: Option<usize>,
+    /// Unclamped.
+    pub levels: [R; 3],
+}
+
+impl<R: Real> Reference<R> {
+    /// The picture of `world` that `view` asks for; the view's tolerance has no say in it.
+    pub fn new(world: &World, view: &View) -> Self {
+        let sight = Sight::new(view);
+        let enclosed = Sight::<Interval>::new(view);
+        let (names, lights): (Vec<_>, Vec<_>) = world
+            .query::<(&Name, &Transform, &Light)>()
+            .iter()
+            .filter(|(_, _, light)| light.on)
+            .map(|(name, transform, light)| (name.0.clone(), (transform.position, *light)))
+            .unzip();
+        let cuboids = world
+            .query::<(&Transform, &Mesh, &Material, &ShadingMode)>()
+            .iter()
+            .map(|(transform, mesh, material, mode)| {
+                let solid = Solid::new(&sight, transform, mesh, enclosed.bounds(transform, mesh));
+                let places = (sight.eye, transform.position);
+                Cuboid {
+                    surface: Surface::new(&solid, mesh, material, &lights, places),
+                    solid,
+                    mesh: *mesh,
+                    mode: view.shading.unwrap_or(*mode),
+                }
+            })
+            .collect();
+        Reference {
+            sight,
+            cuboids,
+            background: Vector::exact(view.background),
+            names,
+            width: view.size[0],
+        }
+    }
+
+    /// Evaluates the pixels of row `y` from left to right. `each` hears what every one of them may show: one thing, unless
+    /// an edge, a gate that may fall either way, or another cuboid at the same depth is near.
+    pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
+        let here = |(_, cuboid): &(usize, &Cuboid<R>)| cuboid.solid.rows.contains(&y);
+        let cuboids: Vec<_> = self.cuboids.iter().enumerate().filter(here).collect();
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
+        for x in 0..self.width {
+            self.meet([x, y], &cuboids, &mut met);
+            seen.clear();
+            for met in &met {
+                for face in met.meeting.faces() {
+                    let mut see = |tied| {
+                        let lit = met.cuboid.lit(face, &met.line, tied);
+                        seen.push(Seen {
+                            face: Some(met.object * FACES.len() + face),
+                            levels: lit.levels.0,
+                        });
+                        lit.is_tied
+                    };
+                    if see(false) {
+                        see(true);
+                    }
+                }
+            }
+            if !met.iter().any(|met| met.meeting.is_certain) {
+                seen.push(Seen {
+                    face: None,
+                    levels: self.background.0,
+                });
+            }
+            each(x, &seen);
+        }
+    }
+
+    /// Overwrites `met` with what may be seen at pixel (`x`, `y`) of some cuboids, in file order.
+    fn meet<'a>(
+        &self,
+        [x, y]: [usize; 2],
+        cuboids: &[(usize, &'a Cuboid<R>)],
+        met: &mut Vec<Met<'a, R>>,
+    ) {
+        met.clear();
+        for &(object, cuboid) in cuboids {
+            if !cuboid.solid.columns.contains(&x) {
+                continue;
+            }
+            let line = cuboid.solid.line(&self.sight, x, y);
+            let Some(meeting) = cuboid.solid.meet(&line) else {
+                continue;
+            };
+            let mut is_hidden = false;
+            met.retain(|other| {
+                let nearest = other.meeting.depth * R::from(1.0 - DEPTH_TIE);
+                match (nearest - meeting.depth).sign(0.0) {
+                    Some(Ordering::Greater) => !meeting.is_certain,
+                    Some(_) => {
+                        is_hidden |= other.meeting.is_certain;
+                        true
+                    }
+                    None => true,
+                }
+            });
+            if !is_hidden {
+                met.push(Met {
+                    object,
+                    cuboid,
+                    line,
+                    meeting,
+                });
+            }
+        }
+    }
+}
+
+/// A cuboid that a line of sight meets.
+struct Met<'a, R> {
+    object: usize,
+    cuboid: &'a Cuboid<R>,
+    line: Line<R>,
+    meeting: Meeting<R>,
+}
+
+impl<R: Real> Cuboid<R> {
+    /// What the line sees on a face, with tied gates open if `tied`.
+    fn lit(&self, face: usize, line: &Line<R>, tied: bool) -> Lit<R> {
+        let place = self.solid.place(face, line);
+        if self.mode == ShadingMode::Phong {
+            return self.surface.phong(&place, line, tied);
+        }
+        let weights = Solid::weights(face, &place);
+        let on = |is_first| {
+            let (corners, weights) = arrange(face, is_first, weights);
+            match self.solid.depths(corners, &self.mesh) {
+                Some(depths) if self.mode == ShadingMode::UnitVectors => {
+                    let weights = on_screen(weights, depths);
+                    self.surface.unit_vectors(corners, weights)
+                }
+                _ if self.mode == ShadingMode::UnitVectors => {
+                    self.surface.unit_vectors(corners, weights)
+                }
+                _ => self.surface.gouraud(corners, weights, tied),
+            }
+        };
+        if let Some(is_first) = self.solid.is_on_first(face, line) {
+            return on(is_first);
+        }
+        let (first, second) = (on(true), on(false));
+        Lit {
+            levels: first.levels.zip(second.levels, R::either),
+            is_tied: first.is_tied || second.is_tied,
+        }
+    }
+}
+
+/// The corners of one of a face's two triangles, and the weights of a, c and the third corner in their order.
+fn arrange<R: Copy>(face: usize, is_first: bool, [a, c, third]: [R; 3]) -> ([usize; 3], [R; 3]) {
+    let corners = TRIANGLES[2 * face + usize::from(!is_first)].map(usize::from);
+    (
+        corners,
+        if is_first {
+            [a, third, c]
+        } else {
+            [a, c, third]
+        },
+    )
+}
+
+/// Weights in linear interpolation on the screen instead of on the triangle.
+///
+/// Areas shrink with both depths of their edge: bc / (zb zc) : ca / (zc za) : ab / (za zb).
+fn on_screen<R: Real>(weights: [R; 3], depths: [R; 3]) -> [R; 3] {
+    let [a, b, c] = Vector(weights).zip(Vector(depths), R::mul).0;
+    [a, b, c].map(|weight| weight / (a + b + c))
+}
+
 /// Evaluates `rows` of the picture of `world` that `view` asks for; the view's tolerance has no say in it.
 ///
 /// It works on rayon's current threads and takes 28 bytes a pixel of `rows`: ask for a very large picture in bands.
@@ -98,189 +300,125 @@ pub fn picture(
     cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize) + Sync),
 ) -> Option<Truth> {
-    let width = view.size[0];
-    let subjects = Subjects::of(world, view);
-    let mut levels = vec![view.background.to_array(); width * rows.len()];
-    let mut triangles = vec![NO_TRIANGLE; width * rows.len()];
-    let done = AtomicUsize::new(0);
-    levels
-        .par_chunks_mut(width)
-        .zip(triangles.par_chunks_mut(width))
-        .zip(rows.clone())
-        .try_for_each(|((levels, triangles), y)| {
-            if cancelled() {
-                return None;
-            }
-            subjects.row(y, levels, triangles);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-            Some(())
-        })?;
-    Some(Truth {
-        width,
-        rows,
-        levels,
-        triangles,
-    })
+    Reference::new(world, view).picture(rows, cancelled, progress)
 }
 
 /// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; `None` is background, or outside of it.
 pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
-    let subjects = Subjects::of(world, view);
-    let ray = subjects.rays.through(x, y);
-    let mut nearest = None;
-    for (object, subject) in subjects.list.iter().enumerate() {
-        if subject.solid.rows.contains(&y) && subject.solid.columns.contains(&x) {
-            subject.meet(object, &ray, &mut nearest);
-        }
-    }
-    let (object, hit) = nearest?;
-    let Subject {
-        surface,
-        position,
-        axes,
-        ..
-    } = &subjects.list[object];
-    let corners = TRIANGLES[hit.triangle].map(usize::from);
-    let point = surface.point(hit.place, hit.to_eye);
-    let lights =
-        surface
-            .lamps
-            .iter()
-            .zip(&subjects.names)
-            .enumerate()
-            .map(|(index, (lamp, name))| {
-                let to_light = lamp.from(point.place);
-                let exists = to_light != DVec3::ZERO;
-                LightSample {
-                    name: name.clone(),
-                    kind: lamp.kind,
-                    to_light: exists.then(|| *axes * to_light),
-                    reflected: exists.then(|| *axes * reflection(point.normal, to_light)),
-                    gouraud: blend(
-                        corners.map(|corner| surface.corner_terms[index][corner]),
-                        hit.weights,
-                    ),
-                    phong: surface.term(lamp, point.normal, to_light, point.to_eye),
+    Reference::new(world, view).at_pixel(x, y)
+}
+
+impl Reference<f64> {
+    /// Evaluates rows of the picture: see [`picture`].
+    pub fn picture(
+        &self,
+        rows: Range<usize>,
+        cancelled: &(dyn Fn() -> bool + Sync),
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Option<Truth> {
+        let width = self.width;
+        let mut levels = vec![self.background.0; width * rows.len()];
+        let mut triangles = vec![NO_TRIANGLE; width * rows.len()];
+        let done = AtomicUsize::new(0);
+        levels
+            .par_chunks_mut(width)
+            .zip(triangles.par_chunks_mut(width))
+            .zip(rows.clone())
+            .try_for_each(|((levels, triangles), y)| {
+                if cancelled() {
+                    return None;
                 }
-            });
-    Some(Sample {
-        object,
-        triangle: hit.triangle,
-        position: *position + *axes * point.place,
-        normal: *axes * point.normal,
-        to_eye: *axes * point.to_eye,
-        lights: lights.collect(),
-        gouraud: surface.gouraud(corners, hit.weights),
-        phong: surface.phong(&point),
-    })
-}
-
-/// One cuboid: where its picture is, and what it looks like there.
-struct Subject {
-    solid: Solid,
-    surface: Surface,
-    position: DVec3,
-    axes: DMat3,
-    mode: ShadingMode,
-}
-
-/// Every cuboid in file order, the names of the lights that are on, and the rays that meet them.
-struct Subjects {
-    rays: Rays,
-    list: Vec<Subject>,
-    names: Vec<String>,
-    background: [f64; 3],
-}
-
-impl Subjects {
-    fn of(world: &World, view: &View) -> Self {
-        let rays = Rays::of(view);
-        let (names, lights): (Vec<_>, Vec<_>) = world
-            .query::<(&Name, &Transform, &Light)>()
-            .iter()
-            .filter(|(_, _, light)| light.on)
-            .map(|(name, transform, light)| (name.0.clone(), (transform.position, *light)))
-            .unzip();
-        let list = world
-            .query::<(&Transform, &Mesh, &Material, &ShadingMode)>()
-            .iter()
-            .map(|(transform, mesh, material, mode)| {
-                let axes = transform.axes();
-                let along_own = |vector: DVec3| axes.transpose() * vector;
-                let eye = match view.projection {
-                    Projection::Perspective => Eye::At(along_own(rays.eye - transform.position)),
-                    Projection::Orthographic => Eye::Towards(along_own(-rays.forward())),
-                };
-                let lamps = lights.iter().map(|(position, light)| Lamp {
-                    kind: light.kind,
-                    levels: light.color * light.intensity * light.gain,
-                    position: along_own(*position - transform.position),
-                });
-                Subject {
-                    solid: Solid::new(&rays, transform, mesh),
-                    surface: Surface::new(mesh, *material, &eye, lamps.collect()),
-                    position: transform.position,
-                    axes,
-                    mode: view.shading.unwrap_or(*mode),
+                let here = |(_, cuboid): &(usize, &Cuboid<f64>)| cuboid.solid.rows.contains(&y);
+                let cuboids: Vec<_> = self.cuboids.iter().enumerate().filter(here).collect();
+                let mut met = Vec::new();
+                for x in 0..width {
+                    self.meet([x, y], &cuboids, &mut met);
+                    if let Some((met, face, triangle)) = first(&met) {
+                        levels[x] = met.cuboid.lit(face, &met.line, false).levels.0;
+                        triangles[x] = (met.object * TRIANGLES.len() + triangle) as u32;
+                    }
                 }
-            })
-            .collect();
-        Subjects {
-            rays,
-            list,
-            names,
-            background: view.background.to_array(),
-        }
+                progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);
+                Some(())
+            })?;
+        Some(Truth {
+            width,
+            rows,
+            levels,
+            triangles,
+        })
     }
 
-    /// Evaluates row `y`.
-    fn row(&self, y: usize, levels: &mut [[f64; 3]], triangles: &mut [u32]) {
-        let mut nearest = vec![None; levels.len()];
-        for (object, subject) in self
-            .list
-            .iter()
-            .enumerate()
-            .filter(|(_, subject)| subject.solid.rows.contains(&y))
-        {
-            for x in subject.solid.columns.clone() {
-                subject.meet(object, &self.rays.through(x, y), &mut nearest[x]);
-            }
-        }
-        for ((nearest, levels), triangle) in nearest.into_iter().zip(levels).zip(triangles) {
-            (*levels, *triangle) = match nearest {
-                Some((object, hit)) => (
-                    self.list[object].levels(&hit),
-                    (object * TRIANGLES.len() + hit.triangle) as u32,
-                ),
-                None => (self.background, NO_TRIANGLE),
-            };
-        }
-    }
-}
-
-impl Subject {
-    /// Takes the ray's hit on this cuboid for the nearest if it is nearer than what cuboids earlier in the file gave.
-    fn meet(&self, object: usize, ray: &Ray, nearest: &mut Option<(usize, Hit)>) {
-        if let Some(hit) = self.solid.hit(ray)
-            && nearest
-                .as_ref()
-                .is_none_or(|(_, best)| hit.depth < best.depth * (1.0 - DEPTH_TIE))
-        {
-            *nearest = Some((object, hit));
-        }
-    }
-
-    fn levels(&self, hit: &Hit) -> [f64; 3] {
-        let corners = TRIANGLES[hit.triangle].map(usize::from);
-        let levels = match self.mode {
-            ShadingMode::Gouraud => self.surface.gouraud(corners, hit.weights),
-            ShadingMode::Phong => self
-                .surface
-                .phong(&self.surface.point(hit.place, hit.to_eye)),
-            ShadingMode::UnitVectors => self
-                .surface
-                .unit_vectors(corners, self.solid.screen_weights(hit)),
+    fn at_pixel(&self, x: usize, y: usize) -> Option<Sample> {
+        let cuboids: Vec<_> = self.cuboids.iter().enumerate().collect();
+        let mut met = Vec::new();
+        self.meet([x, y], &cuboids, &mut met);
+        let (
+            Met {
+                object,
+                cuboid,
+                line,
+                ..
+            },
+            face,
+            triangle,
+        ) = first(&met)?;
+        let Cuboid { solid, surface, .. } = cuboid;
+        let place = solid.place(face, line);
+        let (corners, weights) = arrange(face, triangle % 2 == 0, Solid::weights(face, &place));
+        let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
+        let world = |v: Vector<f64>| {
+            let [x, y, z] = v.0;
+            (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
         };
-        levels.to_array()
+        let lights = surface.lamps.iter().zip(&self.names).map(|(lamp, name)| {
+            let term = |incidence: Incidence<f64>| match lamp.kind {
+                LightKind::Ambient => lamp.levels,
+                LightKind::Diffuse => lamp.levels * incidence.diffuse,
+                LightKind::Specular => lamp.levels * incidence.specular,
+            };
+            let to_light = lamp
+                .source
+                .map(|source| surface.to_light(source, &place, line));
+            let to_light = to_light.filter(|to_light| to_light.to_dvec3() != DVec3::ZERO);
+            let nothing = Incidence {
+                diffuse: 0.0,
+                specular: 0.0,
+            };
+            let at_point = to_light.map_or(nothing, |to_light| {
+                surface.incidence(normal, to_eye, to_light, false)
+            });
+            let at_corners = corners.map(|corner| {
+                let source = lamp.source;
+                term(source.map_or(nothing, |source| surface.at_corner(corner, source)))
+            });
+            LightSample {
+                name: name.clone(),
+                kind: lamp.kind,
+                to_light: to_light.map(world),
+                reflected: to_light.map(|to_light| world(reflection(normal, to_light))),
+                gouraud: blend(at_corners, weights).to_dvec3(),
+                phong: term(at_point).to_dvec3(),
+            }
+        });
+        Some(Sample {
+            object: *object,
+            triangle,
+            position: self.sight.eye
+                + world(line.offset + line.along * (place.height / place.slope)),
+            normal: world(normal),
+            to_eye: world(to_eye),
+            lights: lights.collect(),
+            gouraud: surface.gouraud(corners, weights, false).levels.to_dvec3(),
+            phong: surface.phong(&place, line, false).levels.to_dvec3(),
+        })
     }
+}
+
+/// The cuboid seen, its face and its triangle: in f64 there is one of each, or nothing.
+fn first<'a, 'b>(met: &'b [Met<'a, f64>]) -> Option<(&'b Met<'a, f64>, usize, usize)> {
+    let met = met.first()?;
+    let face = met.meeting.faces().next()?;
+    let is_first = met.cuboid.solid.is_on_first(face, &met.line)?;
+    Some((met, face, 2 * face + usize::from(!is_first)))
 }

@@ -1,4 +1,4 @@
-//! A point of a cuboid's surface in, levels out: the model in f64, and the ways to spread it over a triangle.
+//! A point of a cuboid's surface in, levels out: the model, and the ways to spread it over a triangle.
 //!
 //! ```text
 //! ambient   kA * levels                                  n  unit normal      r = 2 (n.l) n - l
@@ -6,181 +6,266 @@
 //! specular  kE * levels * max(0, o.r)^rho  if n.l > 0    o  to the eye
 //! ```
 //!
-//! Rule: everything is seen from the cuboid: places are relative to its centre, along its axes, and become directions
-//! before anything is multiplied. Two choices: a light at the very point has no direction and adds nothing, and 0^0 is 1
-//! where n.l > 0.
+//! Rule: everything is along the cuboid's axes. Lights are seen from the eye (Phong) or from the corners (Gouraud). Two
+//! choices: a light at the very point has no direction and adds nothing, and 0^0 is 1 where n.l > 0.
+
+use std::collections::HashMap;
 
 use glam::DVec3;
 
-use crate::components::{LightKind, Material, Mesh, unit};
+use super::real::Real;
+use super::sight::{Line, Place, Solid};
+use super::vector::Vector;
+use crate::components::{Light, LightKind, Material, Mesh};
 
-/// A light that is on.
-pub struct Lamp {
-    /// The term it feeds.
+/// A light that is on, as a cuboid sees it.
+pub struct Lamp<R> {
     pub kind: LightKind,
-    /// What it sends, per channel.
-    pub levels: DVec3,
-    /// From the cuboid's centre along its axes, in world units; of no meaning for an ambient light.
-    pub position: DVec3,
+    /// Which of the sources; none for an ambient light.
+    pub source: Option<usize>,
+    /// What it sends times what the material returns of it, in levels.
+    pub levels: Vector<R>,
 }
 
-/// Where o points.
-pub enum Eye {
-    /// To here, from the cuboid's centre along its axes, in world units.
-    At(DVec3),
-    /// This way from everywhere, along the cuboid's axes.
-    Towards(DVec3),
+/// A place with lights.
+struct Source<R> {
+    /// From the eye, in world units.
+    from_eye: Vector<R>,
+    /// From the cuboid's centre.
+    from_centre: Vector<R>,
+    /// Sums over its lights, in levels.
+    diffuse: Vector<R>,
+    specular: Vector<R>,
+    has_specular: bool,
 }
 
-/// What the model needs to know of a point besides the lights; along the cuboid's axes.
-pub struct Point {
-    /// From the cuboid's centre, in world units.
-    pub place: DVec3,
-    /// n.
-    pub normal: DVec3,
-    /// o.
-    pub to_eye: DVec3,
+/// What the model needs to know of a corner.
+struct Corner<R> {
+    normal: Vector<R>,
+    to_eye: Vector<R>,
+    /// l of every source.
+    to_lights: Vec<Vector<R>>,
+}
+
+/// What the lights at one place do at a point.
+#[derive(Clone, Copy)]
+pub struct Incidence<R> {
+    /// max(0, n.l).
+    pub diffuse: R,
+    /// max(0, o.r)^rho where n.l > 0, else 0.
+    pub specular: R,
+}
+
+/// Levels, and whether they rest on a gate that may fall either way.
+#[derive(Clone, Copy)]
+pub struct Lit<R> {
+    pub levels: Vector<R>,
+    pub is_tied: bool,
 }
 
 /// A cuboid's surface under its lights.
-pub struct Surface {
-    half: DVec3,
-    material: Material,
-    /// Every light, in file order.
-    pub lamps: Vec<Lamp>,
-    /// For each lamp the levels of its term at each corner.
-    pub corner_terms: Vec<[DVec3; 8]>,
-    corners: [Point; 8],
-    corner_levels: [DVec3; 8],
+pub struct Surface<R> {
+    shininess: f64,
+    ambient: Vector<R>,
+    sources: Vec<Source<R>>,
+    /// Every light that is on, in file order.
+    pub lamps: Vec<Lamp<R>>,
+    corners: [Corner<R>; 8],
+    /// The levels at the corners with tied gates closed, and open.
+    corner_levels: [[Lit<R>; 8]; 2],
 }
 
-impl Lamp {
-    /// l at a place from the cuboid's centre; zero where there is none.
-    pub fn from(&self, place: DVec3) -> DVec3 {
-        match self.kind {
-            LightKind::Ambient => DVec3::ZERO,
-            LightKind::Diffuse | LightKind::Specular => unit(self.position - place),
+impl<R: Real> Surface<R> {
+    /// The surface of a cuboid; `lights` are places and what stands there, all of them on.
+    pub fn new(
+        solid: &Solid<R>,
+        mesh: &Mesh,
+        material: &Material,
+        lights: &[(DVec3, Light)],
+        (eye, centre): (DVec3, DVec3),
+    ) -> Self {
+        let zero = Vector::exact(DVec3::ZERO);
+        let mut ambient = zero;
+        let mut sources: Vec<Source<R>> = Vec::new();
+        let mut found = HashMap::new();
+        let mut lamps = Vec::new();
+        for (position, light) in lights {
+            let coefficient = match light.kind {
+                LightKind::Ambient => material.ambient,
+                LightKind::Diffuse => material.diffuse,
+                LightKind::Specular => material.specular,
+            };
+            let sent = Vector::exact(light.color) * R::from(light.intensity) * R::from(light.gain);
+            let levels = Vector::exact(coefficient).zip(sent, R::mul);
+            let source = (light.kind != LightKind::Ambient).then(|| {
+                // -0 and 0 are one place.
+                let place = (*position + DVec3::ZERO).to_array().map(f64::to_bits);
+                *found.entry(place).or_insert_with(|| {
+                    let seen_from =
+                        |from| solid.own(Vector::exact(*position) - Vector::exact(from));
+                    sources.push(Source {
+                        from_eye: seen_from(eye),
+                        from_centre: seen_from(centre),
+                        diffuse: zero,
+                        specular: zero,
+                        has_specular: false,
+                    });
+                    sources.len() - 1
+                })
+            });
+            match (light.kind, source) {
+                (LightKind::Diffuse, Some(index)) => {
+                    sources[index].diffuse = sources[index].diffuse + levels;
+                }
+                (LightKind::Specular, Some(index)) => {
+                    sources[index].specular = sources[index].specular + levels;
+                    sources[index].has_specular |= coefficient * light.levels() != DVec3::ZERO;
+                }
+                _ => ambient = ambient + levels,
+            }
+            lamps.push(Lamp {
+                kind: light.kind,
+                source,
+                levels,
+            });
         }
-    }
-}
-
-impl Surface {
-    /// The surface of a cuboid of this shape and material.
-    pub fn new(mesh: &Mesh, material: Material, eye: &Eye, lamps: Vec<Lamp>) -> Self {
-        let corners = mesh.corners.map(|place| Point {
-            place,
-            // The three faces that meet at a corner face the way it lies: along +x or -x, +y or -y, +z or -z.
-            normal: unit(place.signum()),
-            to_eye: eye.from(place),
+        let corners = mesh.corners.map(|corner| {
+            let place = Vector::exact(corner);
+            Corner {
+                // The three faces that meet at a corner face the way it lies: along +x or -x, +y or -y, +z or -z.
+                normal: Vector::exact(corner.signum()).unit(),
+                to_eye: solid.to_eye(place),
+                to_lights: (sources
+                    .iter()
+                    .map(|source| (source.from_centre - place).unit()))
+                .collect(),
+            }
         });
         let mut surface = Surface {
-            half: mesh.corners[7],
-            material,
+            shininess: material.shininess,
+            ambient,
+            sources,
             lamps,
-            corner_terms: Vec::new(),
             corners,
-            corner_levels: [DVec3::ZERO; 8],
+            corner_levels: [[Lit {
+                levels: zero,
+                is_tied: false,
+            }; 8]; 2],
         };
-        surface.corner_terms = surface
-            .lamps
-            .iter()
-            .map(|lamp| surface.terms_at_corners(lamp))
-            .collect();
-        for terms in &surface.corner_terms {
-            surface
-                .corner_levels
-                .iter_mut()
-                .zip(terms)
-                .for_each(|(levels, term)| *levels += *term);
-        }
+        surface.corner_levels = [false, true].map(|tied| {
+            surface.corners.each_ref().map(|corner| {
+                surface.lit(
+                    corner.normal,
+                    corner.to_eye,
+                    |source| corner.to_lights[source],
+                    tied,
+                )
+            })
+        });
         surface
     }
 
-    fn terms_at_corners(&self, lamp: &Lamp) -> [DVec3; 8] {
-        self.corners
-            .each_ref()
-            .map(|corner| self.term(lamp, corner.normal, lamp.from(corner.place), corner.to_eye))
-    }
-
-    /// One light's term of the model, in levels.
-    pub fn term(&self, lamp: &Lamp, normal: DVec3, to_light: DVec3, to_eye: DVec3) -> DVec3 {
+    /// What the lights of a source do where `to_light` is l; `tied` opens tied gates.
+    pub fn incidence(
+        &self,
+        normal: Vector<R>,
+        to_eye: Vector<R>,
+        to_light: Vector<R>,
+        tied: bool,
+    ) -> Incidence<R> {
+        let (zero, one) = (R::from(0.0), R::from(1.0));
         let facing = normal.dot(to_light);
-        match lamp.kind {
-            LightKind::Ambient => self.material.ambient * lamp.levels,
-            LightKind::Diffuse => self.material.diffuse * lamp.levels * facing.max(0.0),
-            LightKind::Specular if facing > 0.0 => {
-                // o.r errs by some 1e-16, which the largest exponent, 1e6, makes some 1e-10 of the highlight.
-                let along = to_eye.dot(reflection(normal, to_light)).clamp(0.0, 1.0);
-                self.material.specular * lamp.levels * along.powf(self.material.shininess)
+        let power = || {
+            let reflected = reflection(normal, to_light);
+            // |r - o|^2 / 2 is 1 - o.r, and sharp where o.r is nearly 1.
+            let missed = (reflected - to_eye).length_squared() / R::from(2.0);
+            let along = to_eye.dot(reflected).both(one - missed);
+            along.max(zero).min(one).power(self.shininess)
+        };
+        Incidence {
+            diffuse: facing.max(zero),
+            specular: match facing.gate(tied) {
+                Some(true) => power(),
+                Some(false) => zero,
+                None => power().either(zero),
+            },
+        }
+    }
+
+    /// The model at a point; `to_light` gives l of a source, `tied` opens tied gates.
+    fn lit(
+        &self,
+        normal: Vector<R>,
+        to_eye: Vector<R>,
+        to_light: impl Fn(usize) -> Vector<R>,
+        tied: bool,
+    ) -> Lit<R> {
+        let mut levels = self.ambient;
+        let mut is_tied = false;
+        for (index, source) in self.sources.iter().enumerate() {
+            let to_light = to_light(index);
+            if source.has_specular {
+                let incidence = self.incidence(normal, to_eye, to_light, tied);
+                levels = levels + source.diffuse * incidence.diffuse;
+                levels = levels + source.specular * incidence.specular;
+                is_tied |= normal.dot(to_light).is_tied();
+            } else {
+                levels = levels + source.diffuse * normal.dot(to_light).max(R::from(0.0));
             }
-            LightKind::Specular => DVec3::ZERO,
+        }
+        Lit { levels, is_tied }
+    }
+
+    /// Phong (1975): the model at the point of a face that the line meets.
+    pub fn phong(&self, place: &Place<R>, line: &Line<R>, tied: bool) -> Lit<R> {
+        let normal = place.share.unit();
+        let to_light = |source| self.to_light(source, place, line);
+        self.lit(normal, -line.along.unit(), to_light, tied)
+    }
+
+    /// l of a source at a point: w (L - P) = w (L - O) - H d, all along the cuboid's axes.
+    pub fn to_light(&self, source: usize, place: &Place<R>, line: &Line<R>) -> Vector<R> {
+        let from_line = self.sources[source].from_eye - line.offset;
+        (from_line * place.slope - line.along * place.height).unit()
+    }
+
+    /// Gouraud (1971): the levels at the corners, interpolated over the triangle.
+    pub fn gouraud(&self, corners: [usize; 3], weights: [R; 3], tied: bool) -> Lit<R> {
+        let lit = corners.map(|corner| self.corner_levels[usize::from(tied)][corner]);
+        Lit {
+            levels: blend(lit.map(|lit| lit.levels), weights),
+            is_tied: lit.iter().any(|lit| lit.is_tied),
         }
     }
 
-    /// The point met at `place`, its normal interpolated between the corners' and normalised.
-    ///
-    /// Linear interpolation of (+-1, +-1, +-1) / sqrt(3) over a face, or either half of it, is (x / h_x, y / h_y, z / h_z)
-    /// / sqrt(3).
-    pub fn point(&self, place: DVec3, to_eye: DVec3) -> Point {
-        Point {
-            place,
-            normal: unit(place / self.half),
-            to_eye,
-        }
-    }
-
-    /// Gouraud (1971): the corners' levels, interpolated over the triangle.
-    pub fn gouraud(&self, corners: [usize; 3], weights: [f64; 3]) -> DVec3 {
-        blend(corners.map(|corner| self.corner_levels[corner]), weights)
-    }
-
-    /// Phong (1975): the model at the point.
-    pub fn phong(&self, point: &Point) -> DVec3 {
-        self.lamps
-            .iter()
-            .map(|lamp| self.term(lamp, point.normal, lamp.from(point.place), point.to_eye))
-            .sum()
+    /// What a source does at a corner.
+    pub fn at_corner(&self, corner: usize, source: usize) -> Incidence<R> {
+        let corner = &self.corners[corner];
+        self.incidence(
+            corner.normal,
+            corner.to_eye,
+            corner.to_lights[source],
+            false,
+        )
     }
 
     /// The assignment's shortcut: the corners' unit n, l and o, interpolated and left as short as that makes them.
-    pub fn unit_vectors(&self, corners: [usize; 3], screen_weights: [f64; 3]) -> DVec3 {
-        let between = |vector: &dyn Fn(&Point) -> DVec3| {
-            blend(
-                corners.map(|corner| vector(&self.corners[corner])),
-                screen_weights,
-            )
+    pub fn unit_vectors(&self, corners: [usize; 3], weights: [R; 3]) -> Lit<R> {
+        let between = |vector: &dyn Fn(&Corner<R>) -> Vector<R>| {
+            blend(corners.map(|corner| vector(&self.corners[corner])), weights)
         };
+        let to_light = |source: usize| between(&|corner| corner.to_lights[source]);
         let normal = between(&|corner| corner.normal);
-        let to_eye = between(&|corner| corner.to_eye);
-        self.lamps
-            .iter()
-            .map(|lamp| {
-                self.term(
-                    lamp,
-                    normal,
-                    between(&|corner| lamp.from(corner.place)),
-                    to_eye,
-                )
-            })
-            .sum()
-    }
-}
-
-impl Eye {
-    fn from(&self, place: DVec3) -> DVec3 {
-        match self {
-            Eye::At(position) => unit(*position - place),
-            Eye::Towards(direction) => *direction,
-        }
+        self.lit(normal, between(&|corner| corner.to_eye), to_light, false)
     }
 }
 
 /// r: `to_light` mirrored at the normal.
-pub fn reflection(normal: DVec3, to_light: DVec3) -> DVec3 {
-    2.0 * normal.dot(to_light) * normal - to_light
+pub fn reflection<R: Real>(normal: Vector<R>, to_light: Vector<R>) -> Vector<R> {
+    normal * (R::from(2.0) * normal.dot(to_light)) - to_light
 }
 
 /// What three corners have, by their weights.
-pub fn blend(values: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
+pub fn blend<R: Real>(values: [Vector<R>; 3], weights: [R; 3]) -> Vector<R> {
     values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2]
 }

@@ -1,0 +1,276 @@
+//! A picture and the enclosures of its exact levels in, a proof or what it lacks out.
+//!
+//! ```text
+//! World --FRAME--> levels, bytes, triangles --+
+//!       --reference over intervals--> what each pixel may show --judge--> proven, refuted or undecided
+//!       --reference over f64--> truth --------+  how far it strays
+//! ```
+//!
+//! Rule: a pixel is proven if it shows a face that it may show and every value of that face's enclosure is within the limit
+//! of what is drawn: within it as levels, and half a level more as the bytes that a window gets. It is refuted if no value
+//! of what it may show is, and undecided otherwise.
+
+mod command;
+
+use hecs::World;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::components::View;
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use crate::memory::{self, OutOfMemory};
+use crate::reference::{Interval, Real, Reference, Seen};
+use crate::shading::limit;
+use crate::systems;
+use crate::trade::metrics::displayed;
+pub use command::run;
+
+/// Rows that are drawn, enclosed and judged at once.
+const BAND: usize = 64;
+
+/// How many pixels that are not proven are kept as examples.
+const EXAMPLES: usize = 10;
+
+/// How a pixel was judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    Proven,
+    Undecided,
+    Refuted,
+}
+
+/// One pixel's judgement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mark {
+    pub verdict: Verdict,
+    /// An edge is so near that it may show either side.
+    pub is_outline: bool,
+    /// It shows a cuboid, or may.
+    pub is_covered: bool,
+}
+
+/// A pixel that is not proven.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Example {
+    pub pixel: [usize; 2],
+    pub verdict: Verdict,
+    /// Displayed levels.
+    pub drawn: [f64; 3],
+    /// The least and the largest displayed level, by channel.
+    pub enclosure: [[f64; 2]; 3],
+}
+
+/// A picture's proof, or what it lacks. Errors and widths are between displayed levels.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Proof {
+    pub proven: u64,
+    pub refuted: u64,
+    pub undecided: u64,
+    /// How many pixels an edge is so near to that they may show either side.
+    pub outline: u64,
+    /// How many pixels show a cuboid, or may.
+    pub covered: u64,
+    /// The largest error of a proven pixel that its enclosure leaves possible.
+    pub worst: f64,
+    pub widest_enclosure: f64,
+    /// The largest error of the f64 reference that the enclosures leave possible.
+    pub reference_error: f64,
+    /// The first pixels that are not proven.
+    pub examples: Vec<Example>,
+    /// Row by row from the top.
+    pub marks: Vec<Mark>,
+}
+
+/// What a renderer made of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    /// Cuboid * 6 + face; `None` is the background.
+    pub face: Option<usize>,
+    pub levels: [f64; 3],
+    /// As a window gets them; `None` where there are none to judge.
+    pub bytes: Option<[u8; 3]>,
+}
+
+/// How far a pixel is from a face that it may show.
+#[derive(Clone, Copy, Debug)]
+struct Distance {
+    /// From the nearest value of the enclosure, and from the farthest.
+    nearest: f64,
+    farthest: f64,
+}
+
+/// The face of a triangle's id.
+pub fn face(triangle: u32) -> Option<usize> {
+    (triangle != NO_TRIANGLE).then_some(triangle as usize / 2)
+}
+
+/// The displayed endpoints of an enclosure, by channel.
+fn ends(seen: &Seen<Interval>) -> [[f64; 2]; 3] {
+    seen.levels.map(|level| level.endpoints().map(displayed))
+}
+
+fn distance(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> Distance {
+    let mut distance = Distance {
+        nearest: 0.0,
+        farthest: 0.0,
+    };
+    for (level, [least, largest]) in levels.map(displayed).into_iter().zip(enclosure) {
+        distance.nearest = distance.nearest.max(least - level).max(level - largest);
+        distance.farthest = distance.farthest.max(largest - level).max(level - least);
+    }
+    distance
+}
+
+/// The face of `seen` that `levels` is nearest to of those it shows.
+fn nearest(shown: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) -> Option<Distance> {
+    let same = seen.iter().filter(|seen| seen.face == shown);
+    same.map(|seen| distance(levels, ends(seen)))
+        .min_by(|left, right| left.farthest.total_cmp(&right.farthest))
+}
+
+/// Judges a pixel by what it may show; also the largest error that is possible.
+pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
+    let levels = nearest(shown.face, shown.levels, seen);
+    let bytes = shown.bytes.map(|bytes| bytes.map(f64::from));
+    let bytes = bytes.and_then(|bytes| nearest(shown.face, bytes, seen));
+    let all = [(levels, limit), (bytes, limit + 0.5)];
+    let known = all
+        .iter()
+        .filter_map(|(distance, limit)| Some(((*distance)?, *limit)));
+    let is_refuted = levels.is_none()
+        || known
+            .clone()
+            .any(|(distance, limit)| distance.nearest > limit);
+    let is_proven = !is_refuted
+        && known
+            .clone()
+            .all(|(distance, limit)| distance.farthest <= limit);
+    let mark = Mark {
+        verdict: match (is_proven, is_refuted) {
+            (true, _) => Verdict::Proven,
+            (_, true) => Verdict::Refuted,
+            _ => Verdict::Undecided,
+        },
+        is_outline: seen.iter().any(|other| other.face != seen[0].face),
+        is_covered: shown.face.is_some() || seen.iter().any(|seen| seen.face.is_some()),
+    };
+    (mark, levels.map_or(255.0, |levels| levels.farthest))
+}
+
+impl Proof {
+    /// Adds what follows below.
+    fn append(&mut self, below: Proof) {
+        self.proven += below.proven;
+        self.refuted += below.refuted;
+        self.undecided += below.undecided;
+        self.outline += below.outline;
+        self.covered += below.covered;
+        self.worst = self.worst.max(below.worst);
+        self.widest_enclosure = self.widest_enclosure.max(below.widest_enclosure);
+        self.reference_error = self.reference_error.max(below.reference_error);
+        self.examples.extend(below.examples);
+        self.examples.truncate(EXAMPLES);
+        self.marks.extend(below.marks);
+    }
+
+    /// Adds one pixel.
+    fn add(&mut self, pixel: [usize; 2], shown: Shown, seen: &[Seen<Interval>], limit: f64) {
+        let (mark, error) = judge(shown, seen, limit);
+        match mark.verdict {
+            Verdict::Proven => {
+                self.proven += 1;
+                self.worst = self.worst.max(error);
+            }
+            Verdict::Undecided => self.undecided += 1,
+            Verdict::Refuted => self.refuted += 1,
+        }
+        self.outline += u64::from(mark.is_outline);
+        self.covered += u64::from(mark.is_covered);
+        let widths = seen
+            .iter()
+            .flat_map(ends)
+            .map(|[least, largest]| largest - least);
+        self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
+        if mark.verdict != Verdict::Proven && self.examples.len() < EXAMPLES {
+            let same = seen.iter().find(|seen| seen.face == shown.face);
+            self.examples.push(Example {
+                pixel,
+                verdict: mark.verdict,
+                drawn: shown.levels.map(displayed),
+                enclosure: ends(same.unwrap_or(&seen[0])),
+            });
+        }
+        self.marks.push(mark);
+    }
+
+    /// Notes what the f64 reference makes of a pixel.
+    fn add_reference(&mut self, face: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) {
+        let error = nearest(face, levels, seen).map_or(255.0, |distance| distance.farthest);
+        self.reference_error = self.reference_error.max(error);
+    }
+}
+
+/// Draws the picture that `view` asks for and proves what can be proven of it, on rayon's current threads.
+///
+/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` hears how many rows are done.
+///
+/// # Errors
+/// When the picture does not fit in memory.
+pub fn prove(
+    world: &mut World,
+    view: &View,
+    workers: [Workers; 2],
+    cancelled: &(dyn Fn() -> bool + Sync),
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Option<Proof>, OutOfMemory> {
+    let [width, height] = view.size;
+    let [mut drawn, mut displayed] = {
+        let [levels, display] = workers;
+        [
+            Frame::new(Keep::Levels, levels),
+            Frame::new(Keep::Display, display),
+        ]
+    };
+    let enclosures = Reference::<Interval>::new(world, view);
+    let reference = Reference::<f64>::new(world, view);
+    let mut proof = Proof {
+        marks: memory::room_for_pixels(view.size)?,
+        ..Proof::default()
+    };
+    for start in (0..height).step_by(BAND) {
+        let rows = start..height.min(start + BAND);
+        systems::draw_rows(world, view, rows.clone(), &mut drawn)?;
+        systems::draw_rows(world, view, rows.clone(), &mut displayed)?;
+        let Some(truth) = reference.picture(rows.clone(), cancelled, &|_| ()) else {
+            return Ok(None);
+        };
+        let prove_row = |y: usize| {
+            if cancelled() {
+                return None;
+            }
+            let mut row = Proof::default();
+            enclosures.row(y, |x, seen| {
+                let pixel = (y - start) * width + x;
+                let [_, bytes @ ..] = displayed.pixels()[pixel].to_be_bytes();
+                let shown = Shown {
+                    face: face(drawn.triangles()[pixel]),
+                    levels: drawn.levels()[pixel].map(f64::from),
+                    bytes: Some(bytes),
+                };
+                row.add([x, y], shown, seen, limit(view.tolerance));
+                row.add_reference(face(truth.triangles[pixel]), truth.levels[pixel], seen);
+            });
+            Some(row)
+        };
+        let proven: Option<Vec<Proof>> = rows.clone().into_par_iter().map(prove_row).collect();
+        let Some(proven) = proven else {
+            return Ok(None);
+        };
+        for row in proven {
+            proof.append(row);
+        }
+        progress(rows.end);
+    }
+    Ok(Some(proof))
+}

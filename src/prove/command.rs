@@ -1,0 +1,180 @@
+//! A [`Drawing`] in; its proof as text, JSON and a map out.
+//!
+//! Rule: a picture of which a pixel is refuted is work not done.
+
+use std::time::Instant;
+
+use anyhow::{Context, bail};
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::ThreadPoolBuilder;
+use serde::Serialize;
+
+use super::{Example, Mark, Proof, Verdict, prove};
+use crate::components::{ShadingMode, View};
+use crate::drawing::Drawing;
+use crate::frame::{Frame, Keep, Workers};
+use crate::output::Output;
+use crate::shading::limit;
+use crate::systems;
+
+/// The colours of pixels that are undecided, refuted, and proven to show one side of an edge.
+const UNDECIDED: u32 = 0x00ff_d500;
+const REFUTED: u32 = 0x00ff_2020;
+const OUTLINE: u32 = 0x0026_5a78;
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Record<'a> {
+    scene: &'a str,
+    camera: &'a str,
+    projection: &'static str,
+    size: [usize; 2],
+    mode: &'static str,
+    tolerance: f64,
+    limit: f64,
+    pixels: usize,
+    proven: u64,
+    refuted: u64,
+    undecided: u64,
+    outline: u64,
+    covered: u64,
+    worst: f64,
+    widest_enclosure: f64,
+    reference_error: f64,
+    seconds: f64,
+    examples: &'a [Example],
+}
+
+/// Proves what can be proven of a picture, prints it, and writes the map if one is asked for.
+///
+/// # Errors
+/// When a pixel is refuted, or the picture does not fit in memory, or something cannot be written.
+pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
+    let view = drawing.view();
+    let begin = Instant::now();
+    let proof = with_bar(drawing, &view)?;
+    if let Some(output) = map {
+        let mut frame = Frame::new(Keep::Display, drawing.workers()?);
+        systems::draw(&mut drawing.scene.world, &view, &mut frame)?;
+        let pixels = frame.pixels().iter().zip(&proof.marks);
+        let pixels: Vec<u32> = pixels.map(|(pixel, mark)| color(*pixel, *mark)).collect();
+        output.write_png(&pixels, view.size)?;
+    }
+    let cameras = drawing.scene.camera_names();
+    let record = Record {
+        scene: &drawing.scene.name,
+        camera: &cameras[drawing.camera],
+        projection: view.projection.name(),
+        size: view.size,
+        mode: mode(drawing),
+        tolerance: view.tolerance,
+        limit: limit(view.tolerance),
+        pixels: proof.marks.len(),
+        proven: proof.proven,
+        refuted: proof.refuted,
+        undecided: proof.undecided,
+        outline: proof.outline,
+        covered: proof.covered,
+        worst: proof.worst,
+        widest_enclosure: proof.widest_enclosure,
+        reference_error: proof.reference_error,
+        seconds: begin.elapsed().as_secs_f64(),
+        examples: &proof.examples,
+    };
+    let text = if as_json {
+        serde_json::to_string_pretty(&record)?
+    } else {
+        lines(&record).join("\n")
+    };
+    Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
+    if proof.refuted > 0 {
+        bail!("{} of {} pixels are refuted", proof.refuted, record.pixels);
+    }
+    Ok(())
+}
+
+fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(drawing.threads)
+        .build();
+    let pool = pool.context("cannot start the threads that prove")?;
+    let bar = ProgressBar::new(view.size[1] as u64).with_style(ProgressStyle::with_template(
+        "proving {wide_bar} {percent:>3} %, {eta} left",
+    )?);
+    let workers = [(), ()].map(|()| Workers::alone(drawing.level));
+    let progress = |rows: usize| bar.set_position(rows as u64);
+    let world = &mut drawing.scene.world;
+    let proof = pool.install(|| prove(world, view, workers, &|| false, &progress))?;
+    bar.finish_and_clear();
+    proof.context("the proof was cancelled")
+}
+
+/// The mode of all cuboids, or `scene` where they differ.
+fn mode(drawing: &Drawing) -> &'static str {
+    if let Some(mode) = drawing.shading {
+        return mode.name();
+    }
+    let mut modes = drawing.scene.world.query::<&ShadingMode>();
+    let mut modes = modes.iter().copied();
+    let first = modes.next();
+    match first.filter(|first| modes.all(|mode| mode == *first)) {
+        Some(mode) => mode.name(),
+        None => "scene",
+    }
+}
+
+/// A proven pixel is dimmed, so that the others stand out.
+fn color(pixel: u32, mark: Mark) -> u32 {
+    match mark.verdict {
+        Verdict::Refuted => REFUTED,
+        Verdict::Undecided => UNDECIDED,
+        Verdict::Proven if mark.is_outline => OUTLINE,
+        Verdict::Proven => (pixel >> 1 & 0x007f_7f7f) - (pixel >> 3 & 0x001f_1f1f),
+    }
+}
+
+fn lines(record: &Record) -> Vec<String> {
+    let [width, height] = record.size;
+    let mut lines = vec![
+        format!(
+            "{}, camera {}, {}, {width}x{height}, {}, tolerance {}",
+            record.scene, record.camera, record.projection, record.mode, record.tolerance
+        ),
+        format!("proven     {} of {} pixels", record.proven, record.pixels),
+        format!("refuted    {}", record.refuted),
+        format!("undecided  {}", record.undecided),
+        format!(
+            "outline    {} pixels are so near an edge that they may show either side",
+            record.outline
+        ),
+        format!(
+            "largest error     {:.6} levels at most, where {} are allowed",
+            record.worst, record.limit
+        ),
+        format!("widest enclosure  {:.1e} levels", record.widest_enclosure),
+        format!(
+            "f64 reference     {:.1e} levels off at most",
+            record.reference_error
+        ),
+        format!("time              {:.2} s", record.seconds),
+    ];
+    for example in record.examples {
+        let [x, y] = example.pixel;
+        let verdict = match example.verdict {
+            Verdict::Refuted => "refuted",
+            Verdict::Undecided => "undecided",
+            Verdict::Proven => "proven",
+        };
+        lines.push(format!("pixel {x},{y} is {verdict}:"));
+        for ((channel, drawn), [least, largest]) in ["red", "green", "blue"]
+            .iter()
+            .zip(example.drawn)
+            .zip(example.enclosure)
+        {
+            lines.push(format!(
+                "  {channel:<5}  drawn {drawn:>11.6}, exact {least:>11.6} to {largest:>11.6}"
+            ));
+        }
+    }
+    lines
+}

@@ -1,0 +1,510 @@
+//! A camera and a cuboid in; out, for every pixel, which faces its centre sees, where and how far away.
+//!
+//! ```text
+//!              eye O                 d(x, y) = forward + right x + down y, along the cuboid's axes     (perspective)
+//!               .                    H = distance of the eye from the face's plane, w = -m.d           m: the face's normal
+//!              /|  H                 P - O = d H / w
+//!             d |                    side of an edge: the sign of d_k to_i - d_i to_k,
+//!            /  |                    where `to` goes from the eye to the edge, which lies across the axes i and k
+//!       ----P---+---- face
+//! ```
+//!
+//! In orthographic projection d is the view direction, and O moves with the pixel. Either way a side of an edge is an
+//! affine function of the pixel. It is scaled to the distance from the edge in pixels.
+//!
+//! Rule: places are relative to the eye, so a corner of a cuboid of any size is as sure as any other. Two faces compute
+//! the side of their common edge from the same numbers with opposite sign, so in f64 a line of sight passes between them
+//! nowhere and never enters both: one exactly on the edge belongs to what is to the right of it, or below it if the edge
+//! is level (the top-left rule). An interval within [`EDGE`] of an edge is undecided.
+
+use std::cmp::Ordering;
+use std::ops::Range;
+
+use glam::DVec3;
+use maryada::Interval;
+
+use super::real::Real;
+use super::vector::Vector;
+use crate::components::{Mesh, Projection, Transform, View};
+
+/// How near to an edge, in pixels, a pixel's centre may show either side: snapping moves corners by up to 0.003 pixel.
+pub const EDGE: f64 = 0.01;
+
+/// The lines of sight of a picture.
+pub struct Sight<R> {
+    /// In world units.
+    pub eye: DVec3,
+    /// Right, up and forward: unit vectors in world space.
+    pub axes: [Vector<R>; 3],
+    projection: Projection,
+    /// Distance of the near plane, in world units.
+    near: R,
+    /// From one pixel to the next: a slope in perspective, in world units if orthographic.
+    pitch: R,
+    /// Width and height in pixels.
+    size: [usize; 2],
+}
+
+/// A cuboid before these lines of sight; everything along the cuboid's axes, in world units.
+pub struct Solid<R> {
+    /// The cuboid's axes in world space.
+    pub axes: [Vector<R>; 3],
+    /// Half the lengths of its edges.
+    half: [f64; 3],
+    /// The eye from the centre.
+    eye: Vector<R>,
+    /// What one pixel right and one pixel down add to the line's direction in perspective, to its start if orthographic.
+    step: [Vector<R>; 2],
+    forward: Vector<R>,
+    projection: Projection,
+    near: R,
+    /// The faces that look towards the eye, or may do so, in the order of [`crate::components::FACES`].
+    faces: [Option<Face<R>>; 6],
+    /// The only columns and rows of the picture it can be seen in.
+    pub columns: Range<usize>,
+    pub rows: Range<usize>,
+}
+
+/// A face and what bounds it on the screen.
+struct Face<R> {
+    /// Positive inside: the edges at either end of the next axis, and of the one after it.
+    edges: [Edge<R>; 4],
+    /// Whether what lies beyond the edge is certainly another face in sight.
+    is_shared: [bool; 4],
+    /// Positive beyond the near plane.
+    near: Edge<R>,
+    /// Positive on the first triangle's side.
+    diagonal: Edge<R>,
+}
+
+/// An affine function of the pixel: the distance from a line in pixels, from the picture's centre rightwards and downwards.
+struct Edge<R> {
+    at_centre: R,
+    right: R,
+    down: R,
+}
+
+impl<R: Real> Edge<R> {
+    /// Scales a function of the pixel, its value at the picture's centre and what a pixel right and down add to it.
+    fn new(at_centre: R, [right, down]: [R; 2]) -> Self {
+        // Parallel to the picture a face has one distance from the near plane, infinitely many pixels from it.
+        let pixels = Vector([right, down, R::from(0.0)]).length_squared().sqrt();
+        let pixels = pixels.max(R::from(f64::MIN_POSITIVE));
+        Edge {
+            at_centre: at_centre / pixels,
+            right: right / pixels,
+            down: down / pixels,
+        }
+    }
+
+    /// Whether a pixel's centre is on the positive side; an interval is undecided within `margin` pixels of the line.
+    ///
+    /// A centre on the line is on the side of what lies to the right, or below if the line is level.
+    fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
+        let distance = self.at_centre + self.right * R::from(right) + self.down * R::from(down);
+        let is_equal = |sign| sign == Some(Ordering::Equal);
+        match distance.sign(margin)? {
+            Ordering::Greater => Some(true),
+            Ordering::Less => Some(false),
+            Ordering::Equal if is_equal(self.right.sign(0.0)) => {
+                Some(self.down.sign(0.0)? != Ordering::Less)
+            }
+            Ordering::Equal => Some(self.right.sign(0.0)? == Ordering::Greater),
+        }
+    }
+}
+
+/// The line of sight through one pixel's centre: `from + along * t`, along the cuboid's axes, from its centre.
+pub struct Line<R> {
+    /// How far the line starts from the eye; zero in perspective.
+    pub offset: Vector<R>,
+    from: Vector<R>,
+    pub along: Vector<R>,
+    pixel: [f64; 2],
+}
+
+/// Where a line of sight meets a cuboid.
+#[derive(Clone, Copy)]
+pub struct Meeting<R> {
+    /// The faces it may meet, one bit each; one face, unless an edge is near.
+    faces: u8,
+    /// Whether it certainly meets one of them.
+    pub is_certain: bool,
+    /// Distance along the view direction in world units.
+    pub depth: R,
+}
+
+/// The point of a face that a line of sight meets.
+pub struct Place<R> {
+    /// How high above the face the line starts, in world units, and how much of that it loses for each unit of depth.
+    pub height: R,
+    pub slope: R,
+    /// (x / h_x, y / h_y, z / h_z): the coordinates from the cuboid's centre over half the lengths of its edges.
+    pub share: Vector<R>,
+}
+
+impl<R: Real> Sight<R> {
+    /// The lines of sight that `view` asks for.
+    pub fn new(view: &View) -> Self {
+        let camera = &view.viewpoint.camera;
+        let eye = view.viewpoint.position;
+        let to_target = Vector::exact(camera.target) - Vector::exact(eye);
+        let forward = to_target.unit();
+        let right = forward.cross(Vector::exact(camera.up).unit()).unit();
+        let seen = match view.projection {
+            Projection::Perspective => R::from(2.0) * R::radians(camera.fov / 2.0).tan(),
+            Projection::Orthographic => R::from(camera.height),
+        };
+        Sight {
+            eye,
+            axes: [right, right.cross(forward), forward],
+            projection: view.projection,
+            near: match camera.near {
+                Some(near) => R::from(near),
+                None => to_target.dot(forward) / R::from(1000.0),
+            },
+            pitch: seen / R::from(view.size[1] as f64),
+            size: view.size,
+        }
+    }
+
+    /// From the picture's centre to the centre of pixel (`x`, `y`): pixels right and down.
+    fn offset(&self, x: usize, y: usize) -> [f64; 2] {
+        let [width, height] = self.size.map(|pixels| pixels as f64);
+        [
+            ((2 * x + 1) as f64 - width) / 2.0,
+            ((2 * y + 1) as f64 - height) / 2.0,
+        ]
+    }
+}
+
+impl Sight<Interval> {
+    /// The columns and rows that a cuboid can be seen in.
+    pub fn bounds(&self, transform: &Transform, mesh: &Mesh) -> [Range<usize>; 2] {
+        let axes = own_axes(transform);
+        let centre = Vector::exact(transform.position) - Vector::exact(self.eye);
+        let seen = mesh.corners.map(|corner| {
+            let [x, y, z] = corner.to_array().map(Interval::from);
+            let from_eye = centre + axes[0] * x + axes[1] * y + axes[2] * z;
+            self.axes.map(|axis| axis.dot(from_eye))
+        });
+        let depths = seen.map(|[_, _, depth]| depth);
+        let is_before = |depth: &Interval| (*depth - self.near).sign(0.0) == Some(Ordering::Less);
+        if depths.iter().all(is_before) {
+            return [0..0, 0..0];
+        }
+        let is_behind = |depth: &Interval| depth.sign(0.0) != Some(Ordering::Greater);
+        let is_perspective = self.projection == Projection::Perspective;
+        if is_perspective && depths.iter().any(is_behind) {
+            return self.size.map(|side| 0..side);
+        }
+        [0, 1].map(|axis| {
+            let places = seen.map(|point| {
+                let place = if is_perspective {
+                    point[axis] / point[2]
+                } else {
+                    point[axis]
+                };
+                (place / self.pitch).endpoints()
+            });
+            let [mut least, mut largest] = places[0];
+            for [low, high] in places {
+                (least, largest) = (least.min(low), largest.max(high));
+            }
+            if axis == 1 {
+                (least, largest) = (-largest, -least);
+            }
+            let middle = self.size[axis] as f64 / 2.0;
+            // One pixel more for edges; the conversion to integers saturates.
+            let end = ((middle + largest + 2.0) as usize).min(self.size[axis]);
+            ((middle + least - 1.0) as usize).min(end)..end
+        })
+    }
+}
+
+/// A cuboid's axes in world space, the columns of Rz * Ry * Rx.
+fn own_axes<R: Real>(transform: &Transform) -> [Vector<R>; 3] {
+    let [[sx, cx], [sy, cy], [sz, cz]]: [[R; 2]; 3] = transform.rotation.to_array().map(sin_cos);
+    [
+        Vector([cz * cy, sz * cy, -sy]),
+        Vector([cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx]),
+        Vector([cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx]),
+    ]
+}
+
+/// Sine and cosine of an angle in degrees.
+fn sin_cos<R: Real>(degrees: f64) -> [R; 2] {
+    // The remainder of a division of floats is exact, and so is the rest of a quarter turn.
+    let turn = degrees % 360.0;
+    let quarters = (turn / 90.0).round();
+    let rest = R::radians(turn - 90.0 * quarters);
+    let (sin, cos) = (rest.sin(), rest.cos());
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => [sin, cos],
+        1 => [cos, -sin],
+        2 => [-sin, -cos],
+        _ => [-cos, sin],
+    }
+}
+
+/// Whether all are true.
+fn all(known: impl Iterator<Item = Option<bool>>) -> Option<bool> {
+    let mut all = Some(true);
+    for known in known {
+        match known {
+            Some(true) => {}
+            Some(false) => return Some(false),
+            None => all = None,
+        }
+    }
+    all
+}
+
+impl<R> Meeting<R> {
+    /// The faces that may be met, by their place in [`crate::components::FACES`].
+    pub fn faces(&self) -> impl Iterator<Item = usize> {
+        let faces = self.faces;
+        (0..6).filter(move |face| faces >> face & 1 == 1)
+    }
+}
+
+/// The axes along the face across `axis`.
+fn along(axis: usize) -> [usize; 2] {
+    [(axis + 1) % 3, (axis + 2) % 3]
+}
+
+/// The axis across a face, and the sign of its outer side.
+fn across(face: usize) -> (usize, f64) {
+    (face / 2, if face.is_multiple_of(2) { 1.0 } else { -1.0 })
+}
+
+impl<R: Real> Solid<R> {
+    /// The cuboid of this place and shape, to be looked for in these columns and rows.
+    pub fn new(
+        sight: &Sight<R>,
+        transform: &Transform,
+        mesh: &Mesh,
+        [columns, rows]: [Range<usize>; 2],
+    ) -> Self {
+        let axes = own_axes(transform);
+        let own = |v: Vector<R>| Vector(axes.map(|axis| axis.dot(v)));
+        let [right, up, forward] = sight.axes.map(own);
+        let mut solid = Solid {
+            axes,
+            half: mesh.corners[7].to_array(),
+            eye: own(Vector::exact(sight.eye) - Vector::exact(transform.position)),
+            step: [right * sight.pitch, -up * sight.pitch],
+            forward,
+            projection: sight.projection,
+            near: sight.near,
+            faces: [const { None }; 6],
+            columns,
+            rows,
+        };
+        let fronts: [Option<Ordering>; 6] = std::array::from_fn(|face| solid.front(face));
+        solid.faces = std::array::from_fn(|face| {
+            let is_away = matches!(fronts[face], Some(Ordering::Less | Ordering::Equal));
+            (!is_away).then(|| solid.face(face, fronts))
+        });
+        solid
+    }
+
+    /// A world vector along the cuboid's axes.
+    pub fn own(&self, v: Vector<R>) -> Vector<R> {
+        Vector(self.axes.map(|axis| axis.dot(v)))
+    }
+
+    /// o at a place from the centre.
+    pub fn to_eye(&self, place: Vector<R>) -> Vector<R> {
+        match self.projection {
+            Projection::Perspective => (self.eye - place).unit(),
+            Projection::Orthographic => -self.forward,
+        }
+    }
+
+    /// The eye's height above the plane of a face.
+    fn height(&self, face: usize, from: Vector<R>) -> R {
+        let (axis, outwards) = across(face);
+        R::from(outwards) * from.0[axis] - R::from(self.half[axis])
+    }
+
+    /// Greater: a face looks towards the eye.
+    fn front(&self, face: usize) -> Option<Ordering> {
+        let (axis, outwards) = across(face);
+        match self.projection {
+            Projection::Perspective => self.height(face, self.eye).sign(0.0),
+            Projection::Orthographic => (R::from(-outwards) * self.forward.0[axis]).sign(0.0),
+        }
+    }
+
+    fn face(&self, number: usize, fronts: [Option<Ordering>; 6]) -> Face<R> {
+        let (k, outwards) = across(number);
+        let [i, j] = along(k);
+        // The way from the eye to a place on the face: where an edge across `axis` is, or the middle.
+        let to = |axis: usize, end: f64| {
+            let mut way = -self.eye;
+            way.0[k] = R::from(outwards * self.half[k]) - self.eye.0[k];
+            way.0[axis] = R::from(end * self.half[axis]) - self.eye.0[axis];
+            way
+        };
+        // How far a line passes that place along `axis`, times its pace towards the face.
+        let passing = |axis: usize, to: Vector<R>, along: Vector<R>| {
+            along.0[k] * to.0[axis] - along.0[axis] * to.0[k]
+        };
+        let ends = [(i, -1.0), (i, 1.0), (j, -1.0), (j, 1.0)];
+        let edges = ends.map(|(axis, end)| {
+            let sign = R::from(-end * outwards);
+            self.edge(to(axis, end), |to, along| sign * passing(axis, to, along))
+        });
+        let is_shared = ends.map(|(axis, end)| {
+            fronts[2 * axis + usize::from(end < 0.0)] == Some(Ordering::Greater)
+        });
+        let sign = R::from(outwards);
+        // Proportions, because products of lengths leave the range of f64.
+        let [half_i, half_j] = [i, j].map(|axis| R::from(self.half[axis]));
+        let longer = half_i.max(half_j);
+        let diagonal = self.edge(to(i, 0.0), |to, along| {
+            let [of_i, of_j] = [i, j].map(|axis| passing(axis, to, along));
+            of_i * (half_j / longer) - of_j * (half_i / longer)
+        });
+        // The height over the face, less what the line loses of it up to the near plane.
+        let pace = match self.projection {
+            Projection::Perspective => self.near,
+            Projection::Orthographic => R::from(1.0),
+        };
+        let near = Edge::new(
+            self.height(number, self.eye) + sign * self.forward.0[k] * self.near,
+            self.step.map(|step| sign * step.0[k] * pace),
+        );
+        Face {
+            edges,
+            is_shared,
+            near,
+            diagonal,
+        }
+    }
+
+    /// The edge at a place `to` from the eye; `of` is linear both in the way to that place and in the line's direction.
+    fn edge(&self, to: Vector<R>, of: impl Fn(Vector<R>, Vector<R>) -> R) -> Edge<R> {
+        let steps = self.step.map(|step| match self.projection {
+            Projection::Perspective => of(to, step),
+            Projection::Orthographic => of(-step, self.forward),
+        });
+        Edge::new(of(to, self.forward), steps)
+    }
+
+    /// The line of sight through the centre of pixel (`x`, `y`).
+    pub fn line(&self, sight: &Sight<R>, x: usize, y: usize) -> Line<R> {
+        let pixel = sight.offset(x, y);
+        let moved = self.step[0] * R::from(pixel[0]) + self.step[1] * R::from(pixel[1]);
+        let (offset, along) = match self.projection {
+            Projection::Perspective => (Vector::exact(DVec3::ZERO), self.forward + moved),
+            Projection::Orthographic => (moved, self.forward),
+        };
+        Line {
+            offset,
+            from: self.eye + offset,
+            along,
+            pixel,
+        }
+    }
+
+    /// Where the line meets the cuboid beyond the near plane; `None`: certainly nowhere.
+    pub fn meet(&self, line: &Line<R>) -> Option<Meeting<R>> {
+        let mut faces = 0;
+        let mut is_certain = false;
+        let mut depth: Option<R> = None;
+        for (number, face) in self.faces() {
+            let edges = face.edges.iter().chain([&face.near]);
+            let inside = all(edges.map(|edge| edge.side(line.pixel, EDGE)));
+            if inside != Some(false) {
+                let [height, slope] = self.approach(number, line);
+                let here = height / slope;
+                faces |= 1 << number;
+                is_certain |= inside == Some(true);
+                depth = Some(depth.map_or(here, |other| other.either(here)));
+            }
+        }
+        let depth = depth?;
+        let mut meeting = Meeting {
+            faces,
+            is_certain,
+            depth,
+        };
+        if !is_certain {
+            // Near an edge between two faces one of them is met if the line passes within the outline of both.
+            let outline = self.faces().flat_map(|(_, face)| {
+                let edges = face.edges.iter().zip(face.is_shared);
+                edges.filter_map(|(edge, is_shared)| (!is_shared).then_some(edge))
+            });
+            let near = meeting
+                .faces()
+                .filter_map(|number| self.faces[number].as_ref());
+            let edges = outline.chain(near.map(|face| &face.near));
+            let inside = all(edges.map(|edge| edge.side(line.pixel, EDGE)));
+            meeting.is_certain = inside == Some(true);
+        }
+        Some(meeting)
+    }
+
+    /// The faces that may be seen.
+    fn faces(&self) -> impl Iterator<Item = (usize, &Face<R>)> {
+        let faces = self.faces.iter().enumerate();
+        faces.filter_map(|(number, face)| Some((number, face.as_ref()?)))
+    }
+
+    /// The height and the slope of a [`Place`].
+    fn approach(&self, face: usize, line: &Line<R>) -> [R; 2] {
+        let (axis, outwards) = across(face);
+        let slope = R::from(-outwards) * line.along.0[axis];
+        [self.height(face, line.from), slope]
+    }
+
+    /// Where the line meets the plane of a face.
+    pub fn place(&self, face: usize, line: &Line<R>) -> Place<R> {
+        let [height, slope] = self.approach(face, line);
+        let (axis, outwards) = across(face);
+        let depth = height / slope;
+        let share = std::array::from_fn(|i| {
+            if i == axis {
+                R::from(outwards)
+            } else {
+                (line.from.0[i] + line.along.0[i] * depth) / R::from(self.half[i])
+            }
+        });
+        Place {
+            height,
+            slope,
+            share: Vector(share),
+        }
+    }
+
+    /// Whether the line passes the first triangle of a face.
+    pub fn is_on_first(&self, face: usize, line: &Line<R>) -> Option<bool> {
+        self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0)
+    }
+
+    /// The weights of the corners a, c and of the third one on the side of the point: each 0..=1, together 1.
+    ///
+    /// ```text
+    ///     d (-, +)-----------c (+, +)      u, v: the share along the two axes of the face
+    ///        |            .'  |
+    ///        |     *   .'     |        a: (1 - max(u, v)) / 2     c: (1 + min(u, v)) / 2     b or d: |u - v| / 2
+    ///        |      .'        |
+    ///     a (-, -)-----------(+, -)
+    /// ```
+    pub fn weights(face: usize, place: &Place<R>) -> [R; 3] {
+        let [u, v] = along(across(face).0).map(|axis| place.share.0[axis]);
+        let one = R::from(1.0);
+        let (larger, smaller) = (u.max(v), u.min(v));
+        [one - larger, one + smaller, larger - smaller].map(|weight| weight / R::from(2.0))
+    }
+
+    /// Distances of corners along the view direction, unless one is nearer than the near plane.
+    pub fn depths(&self, corners: [usize; 3], mesh: &Mesh) -> Option<[R; 3]> {
+        let depths = corners
+            .map(|corner| (Vector::exact(mesh.corners[corner]) - self.eye).dot(self.forward));
+        let is_seen = |depth: &R| (*depth - self.near).sign(0.0) != Some(Ordering::Less);
+        (self.projection == Projection::Perspective && depths.iter().all(is_seen)).then_some(depths)
+    }
+}
