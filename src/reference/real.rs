@@ -213,6 +213,13 @@ impl Real for Interval {
     }
 
     fn either(self, other: Self) -> Self {
+        // The hull would forget an empty one.
+        if self.is_empty() {
+            return self;
+        }
+        if other.is_empty() {
+            return other;
+        }
         self.convex_hull(other)
     }
 }
