@@ -323,16 +323,16 @@ impl<R: Real> Solid<R> {
     }
 
     /// The eye's height above the plane of a face.
-    fn height(&self, face: usize, from: Vector<R>) -> R {
+    fn height(&self, face: usize) -> R {
         let (axis, outwards) = across(face);
-        R::from(outwards) * from.0[axis] - R::from(self.half[axis])
+        R::from(outwards) * self.eye.0[axis] - R::from(self.half[axis])
     }
 
     /// Greater: a face looks towards the eye.
     fn front(&self, face: usize) -> Option<Ordering> {
         let (axis, outwards) = across(face);
         match self.projection {
-            Projection::Perspective => self.height(face, self.eye).sign(0.0),
+            Projection::Perspective => self.height(face).sign(0.0),
             Projection::Orthographic => (R::from(-outwards) * self.forward.0[axis]).sign(0.0),
         }
     }
@@ -373,7 +373,7 @@ impl<R: Real> Solid<R> {
             Projection::Orthographic => R::from(1.0),
         };
         let near = Edge::new(
-            self.height(number, self.eye) + sign * self.forward.0[k] * self.near,
+            self.height(number) + sign * self.forward.0[k] * self.near,
             self.step.map(|step| sign * step.0[k] * pace),
         );
         Face {
@@ -457,7 +457,8 @@ impl<R: Real> Solid<R> {
     fn approach(&self, face: usize, line: &Line<R>) -> [R; 2] {
         let (axis, outwards) = across(face);
         let slope = R::from(-outwards) * line.along.0[axis];
-        [self.height(face, line.from), slope]
+        let height = self.height(face) + R::from(outwards) * line.offset.0[axis];
+        [height, slope]
     }
 
     /// Where the line meets the plane of a face.
@@ -508,3 +509,6 @@ impl<R: Real> Solid<R> {
         (self.projection == Projection::Perspective && depths.iter().all(is_seen)).then_some(depths)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,7 +4,7 @@ mod arithmetic;
 mod broken;
 mod judge;
 mod known;
-mod number;
+mod naive;
 #[path = "../support/random.rs"]
 mod random;
 #[path = "../support/random_scene.rs"]
