@@ -32,7 +32,7 @@ use crate::components::{
     FACES, Light, LightKind, Material, Mesh, Name, ShadingMode, TRIANGLES, Transform, View,
 };
 use crate::frame::NO_TRIANGLE;
-use illumination::{Incidence, Lit, Surface, blend, reflection};
+use illumination::{Incidence, Lit, Open, Surface, TIES, blend, reflection};
 pub use real::Real;
 use sight::{Line, Meeting, Sight, Solid};
 use vector::Vector;
@@ -164,16 +164,18 @@ impl<R: Real> Reference<R> {
             seen.clear();
             for met in &met {
                 for face in met.meeting.faces() {
-                    let mut see = |tied| {
-                        let lit = met.cuboid.lit(face, &met.line, tied);
+                    let mut see = |open| {
+                        let lit = met.cuboid.lit(face, &met.line, open);
                         seen.push(Seen {
                             face: Some(met.object * FACES.len() + face),
                             levels: lit.levels.0,
                         });
                         lit.is_tied
                     };
-                    if see(false) {
-                        see(true);
+                    if see(0) {
+                        for open in 1..1 << TIES {
+                            see(open);
+                        }
                     }
                 }
             }
@@ -236,11 +238,11 @@ struct Met<'a, R> {
 }
 
 impl<R: Real> Cuboid<R> {
-    /// What the line sees on a face, with tied gates open if `tied`.
-    fn lit(&self, face: usize, line: &Line<R>, tied: bool) -> Lit<R> {
+    /// What the line sees on a face.
+    fn lit(&self, face: usize, line: &Line<R>, open: Open) -> Lit<R> {
         let place = self.solid.place(face, line);
         if self.mode == ShadingMode::Phong {
-            return self.surface.phong(&place, line, tied);
+            return self.surface.phong(&place, line, open);
         }
         let weights = Solid::weights(face, &place);
         let on = |is_first| {
@@ -253,7 +255,7 @@ impl<R: Real> Cuboid<R> {
                 _ if self.mode == ShadingMode::UnitVectors => {
                     self.surface.unit_vectors(corners, weights)
                 }
-                _ => self.surface.gouraud(corners, weights, tied),
+                _ => self.surface.gouraud(corners, weights, open),
             }
         };
         if let Some(is_first) = self.solid.is_on_first(face, line) {
@@ -334,7 +336,7 @@ impl Reference<f64> {
                 for x in 0..width {
                     self.meet([x, y], &cuboids, &mut met);
                     if let Some((met, face, triangle)) = first(&met) {
-                        levels[x] = met.cuboid.lit(face, &met.line, false).levels.0;
+                        levels[x] = met.cuboid.lit(face, &met.line, 0).levels.0;
                         triangles[x] = (met.object * TRIANGLES.len() + triangle) as u32;
                     }
                 }
@@ -409,8 +411,8 @@ impl Reference<f64> {
             normal: world(normal),
             to_eye: world(to_eye),
             lights: lights.collect(),
-            gouraud: surface.gouraud(corners, weights, false).levels.to_dvec3(),
-            phong: surface.phong(&place, line, false).levels.to_dvec3(),
+            gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
+            phong: surface.phong(&place, line, 0).levels.to_dvec3(),
         })
     }
 }

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! In orthographic projection d is the view direction, and O moves with the pixel. Either way a side of an edge is an
-//! affine function of the pixel. It is scaled to the distance from the edge in pixels.
+//! affine function of the pixel.
 //!
 //! Rule: places are relative to the eye, so a corner of a cuboid of any size is as sure as any other. Two faces compute
 //! the side of their common edge from the same numbers with opposite sign, so in f64 a line of sight passes between them
@@ -77,23 +77,24 @@ struct Face<R> {
     diagonal: Edge<R>,
 }
 
-/// An affine function of the pixel: the distance from a line in pixels, from the picture's centre rightwards and downwards.
+/// An affine function of the pixel, from the picture's centre rightwards and downwards: 0 on a line.
 struct Edge<R> {
     at_centre: R,
     right: R,
     down: R,
+    /// What a pixel away from the line adds. It is not divided by: a face that is parallel to the picture has one
+    /// distance from the near plane, infinitely many pixels from it.
+    pixel: R,
 }
 
 impl<R: Real> Edge<R> {
-    /// Scales a function of the pixel, its value at the picture's centre and what a pixel right and down add to it.
+    /// A function of the pixel by its value at the picture's centre and what a pixel right and down add to it.
     fn new(at_centre: R, [right, down]: [R; 2]) -> Self {
-        // Parallel to the picture a face has one distance from the near plane, infinitely many pixels from it.
-        let pixels = Vector([right, down, R::from(0.0)]).length_squared().sqrt();
-        let pixels = pixels.max(R::from(f64::MIN_POSITIVE));
         Edge {
-            at_centre: at_centre / pixels,
-            right: right / pixels,
-            down: down / pixels,
+            at_centre,
+            right,
+            down,
+            pixel: Vector([right, down, R::from(0.0)]).length_squared().sqrt(),
         }
     }
 
@@ -103,7 +104,8 @@ impl<R: Real> Edge<R> {
     fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
         let distance = self.at_centre + self.right * R::from(right) + self.down * R::from(down);
         let is_equal = |sign| sign == Some(Ordering::Equal);
-        match distance.sign(margin)? {
+        let [_, pixel] = self.pixel.endpoints();
+        match distance.sign(margin * pixel)? {
             Ordering::Greater => Some(true),
             Ordering::Less => Some(false),
             Ordering::Equal if is_equal(self.right.sign(0.0)) => {

@@ -13,6 +13,7 @@ mod random_scene;
 mod scene;
 mod scenes;
 mod search;
+mod ties;
 
 use fearless_simd::Level;
 use hecs::World;
