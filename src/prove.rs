@@ -31,6 +31,10 @@ const BAND: usize = 64;
 /// How many pixels that are not proven are kept as examples.
 const EXAMPLES: usize = 10;
 
+/// The colours of pixels that are undecided and refuted, 0x00RRGGBB.
+pub const UNDECIDED: u32 = 0x00ff_d500;
+pub const REFUTED: u32 = 0x00ff_2020;
+
 /// How a pixel was judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -46,7 +50,7 @@ pub struct Mark {
     pub verdict: Verdict,
     /// An edge is so near that it may show either side.
     pub is_outline: bool,
-    /// It shows a cuboid, or may.
+    /// It shows a cuboid.
     pub is_covered: bool,
 }
 
@@ -69,7 +73,7 @@ pub struct Proof {
     pub undecided: u64,
     /// How many pixels an edge is so near to that they may show either side.
     pub outline: u64,
-    /// How many pixels show a cuboid, or may.
+    /// How many pixels show a cuboid.
     pub covered: u64,
     /// The largest error of a proven pixel that its enclosure leaves possible.
     pub worst: f64,
@@ -153,7 +157,7 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
             _ => Verdict::Undecided,
         },
         is_outline: seen.iter().any(|other| other.face != seen[0].face),
-        is_covered: shown.face.is_some() || seen.iter().any(|seen| seen.face.is_some()),
+        is_covered: shown.face.is_some(),
     };
     (mark, levels.map_or(255.0, |levels| levels.farthest))
 }
