@@ -51,17 +51,8 @@ pub trait Real:
     /// The smaller of two numbers.
     fn min(self, other: Self) -> Self;
 
-    /// Radians of an angle in degrees, -90..=90.
-    fn radians(degrees: f64) -> Self;
-
-    /// The sine of an angle in radians.
-    fn sin(self) -> Self;
-
-    /// The cosine of an angle in radians.
-    fn cos(self) -> Self;
-
-    /// The tangent of an angle in radians.
-    fn tan(self) -> Self;
+    /// Sine and cosine of an angle in degrees, -90..=90.
+    fn sin_cos(degrees: f64) -> [Self; 2];
 
     /// To the power of `exponent`, 0..=1e6; of a number in 0..=1. 0^0 is 1.
     fn power(self, exponent: f64) -> Self;
@@ -106,20 +97,8 @@ impl Real for f64 {
         f64::min(self, other)
     }
 
-    fn radians(degrees: f64) -> Self {
-        degrees.to_radians()
-    }
-
-    fn sin(self) -> Self {
-        f64::sin(self)
-    }
-
-    fn cos(self) -> Self {
-        f64::cos(self)
-    }
-
-    fn tan(self) -> Self {
-        f64::tan(self)
+    fn sin_cos(degrees: f64) -> [Self; 2] {
+        degrees.to_radians().sin_cos().into()
     }
 
     fn power(self, exponent: f64) -> Self {
@@ -183,21 +162,10 @@ impl Real for Interval {
         IntervalOps::min(self, other)
     }
 
-    fn radians(degrees: f64) -> Self {
+    fn sin_cos(degrees: f64) -> [Self; 2] {
         // The f64 is below pi.
-        Interval::from(degrees) * Interval::new(PI, PI.next_up()) / 180.0
-    }
-
-    fn sin(self) -> Self {
-        EnclosureOps::sin(self)
-    }
-
-    fn cos(self) -> Self {
-        EnclosureOps::cos(self)
-    }
-
-    fn tan(self) -> Self {
-        EnclosureOps::tan(self)
+        let radians = Interval::from(degrees) * Interval::new(PI, PI.next_up()) / 180.0;
+        [radians.sin(), radians.cos()]
     }
 
     fn power(self, exponent: f64) -> Self {

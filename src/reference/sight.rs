@@ -152,7 +152,10 @@ impl<R: Real> Sight<R> {
         let forward = to_target.unit();
         let right = forward.cross(Vector::exact(camera.up).unit()).unit();
         let seen = match view.projection {
-            Projection::Perspective => R::from(2.0) * R::radians(camera.fov / 2.0).tan(),
+            Projection::Perspective => {
+                let [sin, cos] = R::sin_cos(camera.fov / 2.0);
+                R::from(2.0) * sin / cos
+            }
             Projection::Orthographic => R::from(camera.height),
         };
         Sight {
@@ -237,8 +240,7 @@ fn sin_cos<R: Real>(degrees: f64) -> [R; 2] {
     // The remainder of a division of floats is exact, and so is the rest of a quarter turn.
     let turn = degrees % 360.0;
     let quarters = (turn / 90.0).round();
-    let rest = R::radians(turn - 90.0 * quarters);
-    let (sin, cos) = (rest.sin(), rest.cos());
+    let [sin, cos] = R::sin_cos(turn - 90.0 * quarters);
     match quarters.rem_euclid(4.0) as u8 {
         0 => [sin, cos],
         1 => [cos, -sin],
