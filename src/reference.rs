@@ -161,29 +161,43 @@ impl<R: Real> Reference<R> {
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.width {
             self.meet([x, y], &cuboids, &mut met);
-            seen.clear();
-            for met in &met {
-                for face in met.meeting.faces() {
-                    let mut see = |tied| {
-                        let lit = met.cuboid.lit(face, &met.line, tied);
-                        seen.push(Seen {
-                            face: Some(met.object * FACES.len() + face),
-                            levels: lit.levels.0,
-                        });
-                        lit.is_tied
-                    };
-                    if see(false) {
-                        see(true);
-                    }
+            self.see(&met, &mut seen);
+            each(x, &seen);
+        }
+    }
+
+    /// What pixel (`x`, `y`) may show.
+    pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
+        let cuboids: Vec<_> = self.cuboids.iter().enumerate().collect();
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
+        self.meet(pixel, &cuboids, &mut met);
+        self.see(&met, &mut seen);
+        seen
+    }
+
+    /// Overwrites `seen` with what the cuboids that are met look like.
+    fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
+        seen.clear();
+        for met in met {
+            for face in met.meeting.faces() {
+                let mut see = |tied| {
+                    let lit = met.cuboid.lit(face, &met.line, tied);
+                    seen.push(Seen {
+                        face: Some(met.object * FACES.len() + face),
+                        levels: lit.levels.0,
+                    });
+                    lit.is_tied
+                };
+                if see(false) {
+                    see(true);
                 }
             }
-            if !met.iter().any(|met| met.meeting.is_certain) {
-                seen.push(Seen {
-                    face: None,
-                    levels: self.background.0,
-                });
-            }
-            each(x, &seen);
+        }
+        if !met.iter().any(|met| met.meeting.is_certain) {
+            seen.push(Seen {
+                face: None,
+                levels: self.background.0,
+            });
         }
     }
 
