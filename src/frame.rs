@@ -67,6 +67,12 @@ pub enum Keep {
 /// The id of a pixel where nothing is drawn.
 pub const NO_TRIANGLE: u32 = u32::MAX;
 
+/// The face of a triangle (cuboid * 6 + its face): both triangles of a face have the same, and [`NO_TRIANGLE`] one that no
+/// cuboid has.
+pub fn face(triangle: u32) -> u32 {
+    triangle / 2
+}
+
 /// Farther than any depth.
 const FARTHEST: f64 = f64::MIN;
 

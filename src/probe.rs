@@ -8,7 +8,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::components::{LightKind, Name, ShadingMode, View};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
 use crate::reference;
 use crate::scene::Scene;
@@ -31,7 +31,7 @@ pub struct Probe {
 pub struct Surface {
     /// Its place in [`crate::components::TRIANGLES`].
     pub triangle: u32,
-    /// The point seen, in world units; `None` where the reference sees another triangle, at an edge.
+    /// The point seen, in world units; `None` where the reference sees another face, at an edge.
     pub position: Option<DVec3>,
     /// n, as Phong interpolates it.
     pub normal: Option<DVec3>,
@@ -75,7 +75,9 @@ pub struct Shaded {
 /// Both modes in f64.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reference {
-    /// As Gouraud ought to be; `None` where the reference sees another triangle.
+    /// The triangle it sees: at a diagonal perhaps the other one of the face; `None` where it sees another face.
+    pub triangle: Option<u32>,
+    /// As Gouraud ought to be; `None` where the reference sees another face.
     pub gouraud: Option<Levels>,
     /// As Phong ought to be.
     pub phong: Option<Levels>,
@@ -131,7 +133,7 @@ pub fn at(
         .get::<&Name>(cuboid)
         .map_or_else(|_| String::new(), |name| name.0.clone());
     let sample = reference::at_pixel(&scene.world, view, x, y)
-        .filter(|sample| [sample.object, sample.triangle] == [object as usize, triangle as usize]);
+        .filter(|sample| face((12 * sample.object + sample.triangle) as u32) == face(id));
     // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
     let finite = |levels: [f64; 3], exact: fn(&reference::Sample) -> DVec3| {
         std::array::from_fn(|channel| match &sample {
@@ -174,6 +176,7 @@ pub fn at(
         gouraud: shaded(gouraud, |light| light.gouraud),
         phong: shaded(phong, |light| light.phong),
         reference: Reference {
+            triangle: sample.as_ref().map(|sample| sample.triangle as u32),
             gouraud: sample.as_ref().map(|sample| Levels {
                 levels: sample.gouraud.to_array(),
             }),
@@ -189,6 +192,17 @@ pub fn at(
     })
 }
 
+impl Surface {
+    /// The triangle by its number, and the reference's where that is another.
+    pub fn triangle_label(&self) -> String {
+        let own = self.triangle;
+        match self.reference.triangle {
+            Some(other) if other != own => format!("triangle {own} (reference: {other})"),
+            _ => format!("triangle {own}"),
+        }
+    }
+}
+
 impl Probe {
     /// As lines for a person, none longer than 78 characters while names are short.
     pub fn lines(&self) -> Vec<String> {
@@ -197,7 +211,7 @@ impl Probe {
             return vec![format!("pixel {x},{y}: background")];
         };
         let mut lines = vec![
-            format!("pixel {x},{y}: {object}, triangle {}", surface.triangle),
+            format!("pixel {x},{y}: {object}, {}", surface.triangle_label()),
             format!("  position  {}", vector(surface.position)),
             format!("  normal  n {}", vector(surface.normal)),
             format!("  to eye  o {}", vector(surface.to_eye)),

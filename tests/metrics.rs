@@ -1,6 +1,7 @@
 //! Distances between pictures: every figure against a value computed by hand or by somebody else's program.
 
 use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::trade::error_map::ErrorMap;
 use shadetrade::trade::flip;
 use shadetrade::trade::metrics::{Difference, Error, Picture, compare, pixel_error};
 
@@ -105,17 +106,38 @@ fn what_is_no_number_or_infinite_is_compared_as_it_is_displayed() {
 }
 
 #[test]
-fn pixels_of_different_triangles_are_edge_pixels_and_have_no_error() {
+fn pixels_of_different_faces_are_edge_pixels_and_have_no_error() {
+    // Triangles 5 and 6 belong to two faces, 11 and 12 to two cuboids.
     let [left, right] = [
-        [3, 3, NO_TRIANGLE, 4, NO_TRIANGLE],
-        [3, NO_TRIANGLE, 3, 5, NO_TRIANGLE],
+        [3, 3, NO_TRIANGLE, 6, NO_TRIANGLE, 11],
+        [3, NO_TRIANGLE, 3, 5, NO_TRIANGLE, 12],
     ];
     let difference = compare(
-        whole(5, &[[0.0; 3]; 5], &left),
-        whole(5, &[[9.0; 3]; 5], &right),
+        whole(6, &[[0.0; 3]; 6], &left),
+        whole(6, &[[9.0; 3]; 6], &right),
     );
-    assert_eq!((difference.compared_pixels, difference.edge_pixels), (1, 3));
+    assert_eq!((difference.compared_pixels, difference.edge_pixels), (1, 4));
     assert_eq!(difference.error.map(|error| error.max), Some(9.0));
+}
+
+#[test]
+fn two_triangles_of_one_face_are_compared() {
+    // The halves of the first cuboid's first face, and of the fourth's last.
+    let [left, right] = [[0, 46], [1, 47]];
+    let [zeros, nines] = [[[0.0; 3]; 2], [[9.0; 3]; 2]];
+    let (left, right) = (whole(2, &zeros, &left), whole(2, &nines, &right));
+    let difference = compare(left, right);
+    assert_eq!((difference.compared_pixels, difference.edge_pixels), (2, 0));
+    assert_eq!(difference.error.map(|error| error.max), Some(9.0));
+    assert!(flip::mean(left, right, flip::PIXELS_PER_DEGREE).is_some());
+    let alike = Picture {
+        triangles: left.triangles,
+        ..right
+    };
+    assert_eq!(
+        ErrorMap::between(left, right),
+        ErrorMap::between(left, alike)
+    );
 }
 
 #[test]

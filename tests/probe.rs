@@ -2,9 +2,15 @@
 
 use std::process::Command;
 
+use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
-use shadetrade::probe::{Levels, Light, Probe, Reference, Shaded, Surface};
+use shadetrade::components::{Mesh, Projection, ShadingMode, Transform, View};
+use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::probe::{self, Levels, Light, Probe, Reference, Shaded, Surface};
+use shadetrade::scene::Scene;
+use shadetrade::trade::metrics::pixel_error;
+use shadetrade::{reference, systems};
 
 fn probe(arguments: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
@@ -93,6 +99,50 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
             }
         }
     }
+}
+
+#[test]
+fn where_two_triangles_of_a_face_are_seen_both_are_named_and_everything_is_given() {
+    let mut apart = 0;
+    for turn in 0..24 {
+        let mut scene = Scene::load(None).expect("it is built in");
+        for (transform, _) in scene.world.query_mut::<(&mut Transform, &Mesh)>() {
+            transform.rotation.x = 15.0 * f64::from(turn);
+        }
+        let view = View {
+            size: [480, 360],
+            viewpoint: scene.viewpoint(0),
+            projection: Projection::Perspective,
+            background: scene.background,
+            shading: Some(ShadingMode::Phong),
+            tolerance: 0.5,
+        };
+        let truth = reference::picture(&scene.world, &view, 0..360, &|| false, &|_| ())
+            .expect("nobody cancels it");
+        let workers = || Workers::alone(Level::new());
+        let mut frame = Frame::new(Keep::Levels, workers());
+        systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
+        let triangles = frame.triangles().iter().zip(&truth.triangles);
+        for (pixel, (&own, &other)) in triangles.enumerate() {
+            if own == other || own / 2 != other / 2 {
+                continue;
+            }
+            apart += 1;
+            let place = [pixel % 480, pixel / 480];
+            let probe = probe::at(&mut scene, &view, place, workers()).expect("a row fits");
+            let surface = probe.surface.expect("a face is seen");
+            assert_eq!(surface.triangle, own);
+            assert_eq!(surface.reference.triangle, Some(other));
+            assert!(surface.position.is_some() && surface.normal.is_some());
+            assert_eq!([surface.lights.len(), surface.phong.terms.len()], [4; 2]);
+            let exact = surface.reference.phong.expect("the same face").levels;
+            assert_eq!(exact, truth.levels[pixel]);
+            assert!(pixel_error(surface.phong.levels, exact) <= view.tolerance);
+            let line = format!("triangle {own} (reference: {other})");
+            assert_eq!(surface.triangle_label(), line);
+        }
+    }
+    assert!(apart > 5, "{apart} pixels show two triangles of a face");
 }
 
 #[test]
@@ -189,6 +239,7 @@ fn made_up() -> Probe {
             gouraud: shaded(12.5, 13),
             phong: shaded(100.25, 100),
             reference: Reference {
+                triangle: Some(8),
                 gouraud: None,
                 phong: Some(levels(100.0)),
             },
@@ -199,7 +250,7 @@ fn made_up() -> Probe {
 #[test]
 fn the_lines_for_a_person_say_all_of_it_in_columns() {
     let expected = "\
-pixel 31,7: cube, triangle 9
+pixel 31,7: cube, triangle 9 (reference: 8)
   position      1.000   -20.500     1.5e9
   normal  n     0.000     0.000     1.000
   to eye  o -

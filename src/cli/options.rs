@@ -11,6 +11,7 @@ use super::Failure;
 use crate::components::{Projection, ShadingMode};
 use crate::drawing::{Drawing, MOST_THREADS, all_cores};
 use crate::scene::{LightChoice, Scene};
+use crate::shading::MIN_TOLERANCE;
 use crate::simd;
 
 /// The longest side of a picture, in pixels.
@@ -36,7 +37,7 @@ pub struct DrawingOptions {
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
     pub lights: Option<LightChoice>,
-    /// The largest error of a pixel, in levels from 0 (exact) to 255 [default: 0.5]
+    /// The largest error of a pixel, in levels: 0 (exact), or 0.0001 to 255 [default: 0.5]
     #[arg(long, value_name = "LEVELS", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// The picture in pixels, 1x1 to 16384x16384
@@ -155,8 +156,10 @@ fn level() -> impl TypedValueParser<Value = Level> {
 
 fn tolerance(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(levels) if (0.0..=255.0).contains(&levels) => Ok(levels),
-        _ => Err("it is a number of levels from 0 to 255".to_owned()),
+        Ok(levels) if levels == 0.0 || (MIN_TOLERANCE..=255.0).contains(&levels) => Ok(levels),
+        _ => Err(format!(
+            "it is 0, for exact, or a number of levels from {MIN_TOLERANCE} to 255"
+        )),
     }
 }
 
@@ -226,8 +229,10 @@ mod tests {
     fn tolerances_are_numbers_of_levels() {
         assert_eq!(tolerance("0"), Ok(0.0));
         assert_eq!(tolerance("255"), Ok(255.0));
-        assert_eq!(tolerance("1e-3"), Ok(0.001));
-        for wrong in ["-0.1", "255.001", "nan", "inf", "-inf", "", "half"] {
+        assert_eq!(tolerance("1e-4"), Ok(0.0001));
+        for wrong in [
+            "-0.1", "9.9e-5", "1e-300", "255.001", "nan", "inf", "-inf", "", "half",
+        ] {
             assert!(tolerance(wrong).is_err(), "{wrong}");
         }
     }

@@ -147,7 +147,7 @@ pub const CASES: &[Case] = &[
     Case {
         name: "perspective from 1e4 times as far against orthographic",
         rule: Rule::Own(
-            "within 1 level, the same triangles off their edges",
+            "within 1 level, the same faces off their edges",
             far_perspective,
         ),
     },

@@ -17,10 +17,13 @@ pub(crate) struct Drawn {
     by_last: [u32; 2],
     /// The pixels from..to between which all lie that will be drawn.
     by_next: [u32; 2],
-    /// The sums of to - from and of to^2 - from^2 of what will be drawn: the ends of spans that meet cancel in both, and a
-    /// gap and an overlap make up for one another in neither or in one.
-    sums: [u64; 2],
+    /// Runs of pixels that will all be drawn: each is a span, or spans that meet end to end, and so has no gap. Three faces
+    /// side by side leave two runs at most, in whatever order they come.
+    runs: [[u32; 2]; 2],
 }
+
+/// No pixels, and beyond the ends of all spans.
+const NO_RUN: [u32; 2] = [u32::MAX; 2];
 
 impl Drawn {
     /// A row of which nothing is known, in a picture so wide.
@@ -28,7 +31,7 @@ impl Drawn {
         Drawn {
             by_last: [0, width as u32],
             by_next: [width as u32, 0],
-            sums: [0; 2],
+            runs: [NO_RUN; 2],
         }
     }
 }
@@ -109,8 +112,8 @@ impl Band<'_> {
         (above, below)
     }
 
-    /// Puts the background back wherever the last frame drew, except in rows of which the next one is known to draw every
-    /// pixel between the first and the last: two faces of a convex body meet without a gap.
+    /// Puts the background back wherever the last frame drew, except in one run of every row that the next one draws over:
+    /// all that is seen of a convex body, for its faces meet without a gap.
     #[inline(always)]
     pub fn clear(&mut self) {
         let [red, green, blue] = self.background.to_array().map(display_step);
@@ -119,21 +122,15 @@ impl Band<'_> {
         for (row, drawn) in self.drawn.iter_mut().enumerate() {
             let Drawn {
                 by_last: [from, to],
-                by_next: [next_from, next_to],
-                sums,
+                runs: [[run_from, run_to], ..],
+                ..
             } = *drawn;
             *drawn = Drawn {
                 by_last: drawn.by_next,
                 ..Drawn::anything(self.width)
             };
-            let whole = next_from < next_to && sums == spanned(next_from, next_to);
-            let beside = if whole {
-                [from..to.min(next_from), from.max(next_to)..to]
-            } else {
-                [from..to, to..to]
-            };
             let first = row * self.width;
-            for part in beside {
+            for part in [from..to.min(run_from), from.max(run_to)..to] {
                 if part.is_empty() {
                     continue;
                 }
@@ -151,8 +148,17 @@ impl Band<'_> {
     pub fn announce(&mut self, row: usize, from: usize, to: usize) {
         let drawn = &mut self.drawn[row - self.rows.start];
         drawn.by_next = joined(drawn.by_next, from, to);
-        let more = spanned(from as u32, to as u32);
-        drawn.sums = [drawn.sums[0] + more[0], drawn.sums[1] + more[1]];
+        let mut span = [from as u32, to as u32];
+        for run in &mut drawn.runs {
+            if run[1] == span[0] || span[1] == run[0] {
+                span = [run[0].min(span[0]), run[1].max(span[1])];
+                *run = NO_RUN;
+            }
+        }
+        // A run without a place is forgotten: its pixels are cleared, and drawn.
+        if let Some(place) = drawn.runs.iter_mut().find(|run| **run == NO_RUN) {
+            *place = span;
+        }
     }
 
     /// After clearing: notes that some of the pixels from..to of a row of the picture may be drawn.
@@ -181,13 +187,6 @@ impl Band<'_> {
     }
 }
 
-/// to - from and to^2 - from^2.
-#[inline(always)]
-fn spanned(from: u32, to: u32) -> [u64; 2] {
-    let [from, to] = [from, to].map(u64::from);
-    [to - from, to * to - from * from]
-}
-
 /// The least range that holds both.
 #[inline(always)]
 fn joined(range: [u32; 2], from: usize, to: usize) -> [u32; 2] {
@@ -204,5 +203,92 @@ fn split<T>(slice: &mut [T], index: usize) -> (&mut [T], &mut [T]) {
 fn fill<T: Copy>(slice: &mut [T], range: Range<usize>, value: T) {
     if !slice.is_empty() {
         slice[range].fill(value);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WIDTH: usize = 32;
+    const STALE: u32 = 1;
+    const BACKGROUND: u32 = 0;
+
+    /// A row in which everything is stale, cleared for a frame that will draw `spans`.
+    fn cleared(spans: &[[usize; 2]]) -> [u32; WIDTH] {
+        let mut pixels = [STALE; WIDTH];
+        let mut band = Band {
+            width: WIDTH,
+            height: 1,
+            rows: 0..1,
+            background: DVec3::ZERO,
+            pixels: &mut pixels,
+            levels: &mut [],
+            triangles: &mut [],
+            kinds: &mut [],
+            depths: &mut [],
+            drawn: &mut [Drawn::anything(WIDTH)],
+        };
+        for &[from, to] in spans {
+            band.announce(0, from, to);
+        }
+        band.clear();
+        pixels
+    }
+
+    fn is_drawn(spans: &[[usize; 2]], pixel: usize) -> bool {
+        spans.iter().any(|[from, to]| (*from..*to).contains(&pixel))
+    }
+
+    #[test]
+    fn a_gap_is_cleared_even_where_an_overlap_makes_up_for_its_length_and_place() {
+        // Pixels 10 and 21 are missing, 15 and 16 are drawn twice: 10 + 21 = 15 + 16.
+        let spans = [[0, 10], [11, 17], [15, 21], [22, 32]];
+        let row = cleared(&spans);
+        assert_eq!([row[10], row[21]], [BACKGROUND; 2]);
+    }
+
+    #[test]
+    fn whatever_will_not_be_drawn_is_cleared() {
+        // Every set of up to four spans between six places.
+        let ends = [0, 3, 10, 17, 31, 32];
+        let all: Vec<[usize; 2]> = (0..ends.len())
+            .flat_map(|from| (from + 1..ends.len()).map(move |to| [ends[from], ends[to]]))
+            .collect();
+        let sets = (0..=4).flat_map(|count| (0..all.len().pow(count)).map(move |set| (count, set)));
+        for (count, set) in sets {
+            let spans: Vec<_> = (0..count)
+                .map(|index| all[set / all.len().pow(index) % all.len()])
+                .collect();
+            let row = cleared(&spans);
+            let left = (0..WIDTH).find(|&x| row[x] == STALE && !is_drawn(&spans, x));
+            assert_eq!(left, None, "{spans:?}");
+        }
+    }
+
+    #[test]
+    fn where_faces_meet_nothing_is_cleared_whatever_their_order() {
+        // From left to right, by triangles. A face's two come one after the other.
+        let faces = [[[2, 5], [5, 9]], [[9, 10], [10, 17]], [[17, 22], [22, 30]]];
+        for order in [
+            [0, 1, 2],
+            [0, 2, 1],
+            [1, 0, 2],
+            [1, 2, 0],
+            [2, 0, 1],
+            [2, 1, 0],
+        ] {
+            for turned in 0..8 {
+                let mut faces = faces;
+                for (index, face) in faces.iter_mut().enumerate() {
+                    face.rotate_left(turned >> index & 1);
+                }
+                let spans = order.map(|index| faces[index]).concat();
+                let row = cleared(&spans);
+                for (x, pixel) in row.into_iter().enumerate() {
+                    assert_eq!(pixel == STALE, is_drawn(&spans, x), "{x} of {spans:?}");
+                }
+            }
+        }
     }
 }

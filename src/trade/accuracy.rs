@@ -3,7 +3,7 @@
 //! ```text
 //! method --draw--> levels, triangles --+-- exact Phong in f64 ------> error, FLIP, error map
 //!                                      +-- its own mode in f64 -----> own error
-//! specular lights alone: its bytes over those of exact Phong -------> share of the highlight that it keeps
+//! specular lights alone: its bytes over those of exact Phong in f64 > share of the highlight that it keeps
 //! ```
 //!
 //! Rule: nothing here is timed, so all cores work; the figures are the same however many there are.
@@ -74,7 +74,7 @@ pub(super) fn of_methods(
         .map(|method| method.mode)
         .chain([ShadingMode::Phong])
         .collect();
-    let steps = modes.len() + METHODS.len();
+    let steps = modes.len() + METHODS.len() + 1;
     let told = |done: usize, share: f64| progress((done as f64 + share) / steps as f64);
     let truths: HashMap<ShadingMode, Truth> = modes
         .iter()
@@ -99,7 +99,10 @@ pub(super) fn of_methods(
         accuracies.push(accuracy(drawn, exact, &exact_bytes, own));
         told(modes.len() + index, 1.0);
     }
-    let highlights = highlights_kept(scene, view, &mut frame)?;
+    // Their memory is needed for another.
+    drop(truths);
+    let row_done = |rows| told(steps - 1, rows as f64 / height as f64);
+    let highlights = highlights_kept(scene, view, &mut frame, cancelled, &row_done)?;
     for (accuracy, kept) in accuracies.iter_mut().zip(highlights) {
         accuracy.highlight_kept = kept;
     }
@@ -175,12 +178,14 @@ fn bytes<T: Into<f64> + Copy>(levels: &[[T; 3]]) -> Vec<[u8; 3]> {
     levels.iter().map(shown).collect()
 }
 
-/// For each method the share of exact Phong's highlight that it shows where exact Phong shows it.
+/// For each method the share of the highlight of exact Phong in f64 that it shows where exact Phong shows it.
 fn highlights_kept(
     scene: &mut Scene,
     view: &View,
     frame: &mut Frame,
-) -> Result<Vec<Option<f64>>, OutOfMemory> {
+    cancelled: &(dyn Fn() -> bool + Sync),
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Option<f64>>, TradeError> {
     for light in scene.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;
     }
@@ -188,18 +193,14 @@ fn highlights_kept(
         background: DVec3::ZERO,
         ..view.clone()
     };
-    let mut highlight = |view: &View| {
-        systems::draw(&mut scene.world, view, frame)?;
-        Ok(bytes(frame.levels()))
-    };
-    let whole = highlight(&View {
-        shading: Some(ShadingMode::Phong),
-        tolerance: 0.0,
-        ..view.clone()
-    })?;
+    let exact = truth(scene, &view, ShadingMode::Phong, cancelled, progress);
+    let whole = bytes(&exact.ok_or(TradeError::Cancelled)?.levels);
     METHODS
         .iter()
-        .map(|method| Ok(share_kept(&highlight(&drawn_by(method, &view))?, &whole)))
+        .map(|method| {
+            systems::draw(&mut scene.world, &drawn_by(method, &view), frame)?;
+            Ok(share_kept(&bytes(frame.levels()), &whole))
+        })
         .collect()
 }
 

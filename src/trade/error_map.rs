@@ -14,7 +14,7 @@ pub const KNEE: f64 = 0.25;
 /// The colour of a pixel where neither picture shows anything.
 pub const NOTHING: u32 = 0x005c_6166;
 
-/// The colour of a pixel where the pictures show different triangles, so that there is no error to show.
+/// The colour of a pixel where the pictures show different faces, so that there is no error to show.
 pub const EDGE: u32 = 0x0035_c28a;
 
 /// Coefficients of 1, t, t^2, ... for red, green and blue, 0..=1.
@@ -75,10 +75,9 @@ impl ErrorMap {
         U: Into<f64> + Copy,
     {
         let step = |pixel: usize| {
-            let shown = [left.triangles[pixel], right.triangles[pixel]];
-            if shown == [NO_TRIANGLE; 2] {
+            if [left.triangles[pixel], right.triangles[pixel]] == [NO_TRIANGLE; 2] {
                 ErrorMap::NOTHING
-            } else if shown[0] == shown[1] {
+            } else if left.shows_as(&right, pixel) {
                 let position = position(pixel_error(left.levels[pixel], right.levels[pixel]));
                 (position * f64::from(ErrorMap::STEPS - 1)).round() as u8
             } else {

@@ -36,7 +36,7 @@ const TARGET: f32 = 0.95;
 /// Rows evaluated at once: few enough to stay in the cache, many enough to outweigh the filters' overhang.
 const BAND: usize = 64;
 
-/// Mean FLIP, 0..=1, over the pixels where both pictures show the same triangle; `None` where there is no such pixel.
+/// Mean FLIP, 0..=1, over the pixels where both pictures show the same face; `None` where there is no such pixel.
 ///
 /// The pictures are of one size; their levels are taken as displayed, unrounded, and as sRGB. Only the rectangle around
 /// the pixels of the mean is evaluated, though what lies beside them (background, edges) takes part as surroundings.

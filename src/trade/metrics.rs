@@ -1,12 +1,12 @@
 //! Two pictures in, how far they are apart out.
 //!
 //! The error of a pixel is the largest difference of its three channels as displayed: both clamped to 0..=255, neither
-//! rounded. Every figure here is a statistic of that one error over the pixels where both pictures show the same
-//! triangle; where they do not, no error is taken and the pixel counts as an edge pixel.
+//! rounded. Every figure here is a statistic of that one error over the pixels where both pictures show the same face;
+//! where they do not, no error is taken and the pixel counts as an edge pixel. The diagonal of a face is no edge.
 //!
 //! Rule: every figure is a finite number or `None`. A level that is not a number is displayed, and compared, as 0.
 
-use crate::frame::NO_TRIANGLE;
+use crate::frame::{NO_TRIANGLE, face};
 
 /// A picture to compare, row by row from the top.
 #[derive(Clone, Copy, Debug)]
@@ -22,11 +22,11 @@ pub struct Picture<'a, T> {
 /// How far two pictures are apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
-    /// Over the pixels where both show the same triangle; `None` where there is no such pixel.
+    /// Over the pixels where both show the same face; `None` where there is no such pixel.
     pub error: Option<Error>,
     /// How many pixels that is.
     pub compared_pixels: u64,
-    /// Pixels where they show different triangles, or one shows a triangle and the other background.
+    /// Pixels where they show different faces, or one shows a face and the other background.
     pub edge_pixels: u64,
 }
 
@@ -69,9 +69,10 @@ pub fn pixel_error<T: Into<f64>, U: Into<f64>>(left: [T; 3], right: [U; 3]) -> f
 }
 
 impl<T> Picture<'_, T> {
-    /// Whether both pictures show the same triangle at this pixel, counted row by row.
+    /// Whether both pictures show the same face at this pixel, counted row by row.
     pub fn shows_as<U>(&self, other: &Picture<U>, pixel: usize) -> bool {
-        self.triangles[pixel] == other.triangles[pixel] && self.triangles[pixel] != NO_TRIANGLE
+        face(self.triangles[pixel]) == face(other.triangles[pixel])
+            && self.triangles[pixel] != NO_TRIANGLE
     }
 }
 
@@ -89,7 +90,7 @@ where
         .triangles
         .iter()
         .zip(right.triangles)
-        .filter(|(left, right)| left != right);
+        .filter(|(left, right)| face(**left) != face(**right));
     Difference {
         error: statistics(&mut errors, left.width),
         compared_pixels: errors.len() as u64,

@@ -39,23 +39,27 @@ fn a_wrong_command_line_ends_with_status_2_and_says_what_is_wrong() {
         ("render -o a.png --size -5x5", &["'-5x5'"]),
         (
             "render -o a.png --tolerance -0.5",
-            &["'-0.5'", "from 0 to 255"],
+            &["'-0.5'", "from 0.0001 to 255"],
+        ),
+        (
+            "render -o a.png --tolerance 0.00009",
+            &["'0.00009'", "0, ", "from 0.0001 to 255"],
         ),
         (
             "render -o a.png --tolerance 256",
-            &["'256'", "from 0 to 255"],
+            &["'256'", "from 0.0001 to 255"],
         ),
         (
             "render -o a.png --tolerance nan",
-            &["'nan'", "from 0 to 255"],
+            &["'nan'", "from 0.0001 to 255"],
         ),
         (
             "render -o a.png --tolerance inf",
-            &["'inf'", "from 0 to 255"],
+            &["'inf'", "from 0.0001 to 255"],
         ),
         (
             "render -o a.png --tolerance exact",
-            &["'exact'", "from 0 to 255"],
+            &["'exact'", "from 0.0001 to 255"],
         ),
         ("render -o a.png --threads 0", &["'0'", "from 1 to 1024"]),
         ("render -o a.png --threads -1", &["'-1'", "from 1 to 1024"]),

@@ -3,10 +3,15 @@
 use std::fs;
 use std::sync::Mutex;
 
+use fearless_simd::Level;
 use glam::DVec3;
+use shadetrade::components::{Light, LightKind, ShadingMode, View};
+use shadetrade::frame::{Frame, Keep, Workers, display_step};
 use shadetrade::shading::METHODS;
+use shadetrade::trade::accuracy::share_kept;
 use shadetrade::trade::verdict::verdict;
 use shadetrade::trade::{self, Progress, Report, Request, csv, json, plot, report};
+use shadetrade::{reference, systems};
 
 use crate::contract;
 use crate::requests::{CENTRE, GREEN, request, scene};
@@ -59,7 +64,7 @@ fn an_ordinary_view_gives_a_report_within_the_contract() {
     assert!(exact.max_error() < Some(0.05));
     assert!(gouraud.max_error() > Some(5.0));
     assert!(shortcut.max_error() > Some(5.0));
-    assert_eq!(exact.accuracy.highlight_kept, Some(1.0));
+    assert!(exact.accuracy.highlight_kept > Some(0.999));
     assert!(shortcut.accuracy.highlight_kept < Some(0.5));
     assert!(exact.accuracy.flip_mean < gouraud.accuracy.flip_mean);
     assert_eq!(gouraud.counts.model_evaluations, 8);
@@ -96,6 +101,51 @@ fn the_share_of_the_highlight_depends_neither_on_the_background_nor_on_the_views
     let expected = kept(0.0, 0.0);
     assert_eq!(kept(200.0, 0.0), expected);
     assert_eq!(kept(0.0, 255.0), expected);
+}
+
+#[test]
+fn the_share_of_the_highlight_is_judged_by_the_reference() {
+    let request = || request(scene(GREEN, CENTRE, true), [320, 240], 1);
+    let trade::Request {
+        scene: mut lit,
+        view: asked,
+        ..
+    } = request();
+    for light in lit.world.query_mut::<&mut Light>() {
+        light.on = light.kind == LightKind::Specular;
+    }
+    let view = |mode, tolerance| View {
+        background: DVec3::ZERO,
+        shading: Some(mode),
+        tolerance,
+        ..asked.clone()
+    };
+    let phong = view(ShadingMode::Phong, 0.0);
+    let truth = reference::picture(&lit.world, &phong, 0..240, &|| false, &|_| ())
+        .expect("nobody cancels it");
+    let whole: Vec<_> = truth
+        .levels
+        .iter()
+        .map(|levels| levels.map(display_step))
+        .collect();
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
+    let expected = METHODS.iter().map(|method| {
+        let view = view(method.mode, method.tolerance);
+        systems::draw(&mut lit.world, &view, &mut frame).expect("a small picture fits");
+        let levels = frame.levels().iter();
+        let shown: Vec<_> = levels
+            .map(|levels| levels.map(|level| display_step(level.into())))
+            .collect();
+        share_kept(&shown, &whole)
+    });
+    let expected: Vec<_> = expected.collect();
+    let report = measured(request());
+    let kept = report.methods.iter();
+    assert_eq!(
+        kept.map(|one| one.accuracy.highlight_kept)
+            .collect::<Vec<_>>(),
+        expected
+    );
 }
 
 #[test]

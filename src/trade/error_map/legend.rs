@@ -34,7 +34,7 @@ pub fn draw(pixels: &mut [u32], width: usize, title: &str) {
     let mut x = MARGIN;
     for (color, meaning) in [
         (color(0.0), "no error"),
-        (EDGE, "another triangle: not compared"),
+        (EDGE, "another face: not compared"),
         (NOTHING, "nothing drawn"),
     ] {
         let swatch = Rect::new(x, 78, 14, 14);

@@ -175,7 +175,7 @@ fn key(session: &Session, face: Face, area: Rect) -> Option<Key> {
             ],
             true,
             vec![
-                (EDGE, "other triangle".to_owned()),
+                (EDGE, "other face".to_owned()),
                 (NOTHING, "nothing drawn".to_owned()),
             ],
         ),

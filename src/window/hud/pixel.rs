@@ -30,7 +30,7 @@ pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
     };
     let mut lines = vec![
         Line::Title("pixel", format!("{x},{y}")),
-        Line::Text(format!("{object}, triangle {}", surface.triangle)),
+        Line::Text(format!("{object}, {}", surface.triangle_label())),
         Line::Heading("vectors"),
         vector("position", surface.position),
         vector("normal   n", surface.normal),
