@@ -161,11 +161,28 @@ impl<R: Real> Reference<R> {
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.width {
             self.meet([x, y], &cuboids, &mut met);
-            seen.clear();
-            for met in &met {
-                for face in met.meeting.faces() {
+            self.see(&met, &mut seen);
+            each(x, &seen);
+        }
+    }
+
+    /// What pixel (`x`, `y`) may show.
+    pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
+        let cuboids: Vec<_> = self.cuboids.iter().enumerate().collect();
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
+        self.meet(pixel, &cuboids, &mut met);
+        self.see(&met, &mut seen);
+        seen
+    }
+
+    /// Overwrites `seen` with what the cuboids that are met look like.
+    fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
+        seen.clear();
+        for met in met {
+            for face in met.meeting.faces() {
+                for &is_first in met.cuboid.triangles(face, &met.line) {
                     let mut see = |tied| {
-                        let lit = met.cuboid.lit(face, &met.line, tied);
+                        let lit = met.cuboid.lit(face, is_first, &met.line, tied);
                         seen.push(Seen {
                             face: Some(met.object * FACES.len() + face),
                             levels: lit.levels.0,
@@ -177,13 +194,12 @@ impl<R: Real> Reference<R> {
                     }
                 }
             }
-            if !met.iter().any(|met| met.meeting.is_certain) {
-                seen.push(Seen {
-                    face: None,
-                    levels: self.background.0,
-                });
-            }
-            each(x, &seen);
+        }
+        if !met.iter().any(|met| met.meeting.is_certain) {
+            seen.push(Seen {
+                face: None,
+                levels: self.background.0,
+            });
         }
     }
 
@@ -236,34 +252,31 @@ struct Met<'a, R> {
 }
 
 impl<R: Real> Cuboid<R> {
-    /// What the line sees on a face, with tied gates open if `tied`.
-    fn lit(&self, face: usize, line: &Line<R>, tied: bool) -> Lit<R> {
+    /// Which triangles of a face the line may see: both where the diagonal is near, and Phong's are one.
+    fn triangles(&self, face: usize, line: &Line<R>) -> &'static [bool] {
+        match self.solid.is_on_first(face, line) {
+            None if self.mode != ShadingMode::Phong => &[true, false],
+            Some(false) => &[false],
+            _ => &[true],
+        }
+    }
+
+    /// What the line sees on a triangle of a face, or on its plane beyond the diagonal, with tied gates open if `tied`.
+    fn lit(&self, face: usize, is_first: bool, line: &Line<R>, tied: bool) -> Lit<R> {
         let place = self.solid.place(face, line);
         if self.mode == ShadingMode::Phong {
             return self.surface.phong(&place, line, tied);
         }
-        let weights = Solid::weights(face, &place);
-        let on = |is_first| {
-            let (corners, weights) = arrange(face, is_first, weights);
-            match self.solid.depths(corners, &self.mesh) {
-                Some(depths) if self.mode == ShadingMode::UnitVectors => {
-                    let weights = on_screen(weights, depths);
-                    self.surface.unit_vectors(corners, weights)
-                }
-                _ if self.mode == ShadingMode::UnitVectors => {
-                    self.surface.unit_vectors(corners, weights)
-                }
-                _ => self.surface.gouraud(corners, weights, tied),
-            }
+        let weights = Solid::weights(face, is_first, &place);
+        let (corners, weights) = arrange(face, is_first, weights);
+        if self.mode != ShadingMode::UnitVectors {
+            return self.surface.gouraud(corners, weights, tied);
+        }
+        let weights = match self.solid.depths(corners, &self.mesh) {
+            Some(depths) => on_screen(weights, depths),
+            None => weights,
         };
-        if let Some(is_first) = self.solid.is_on_first(face, line) {
-            return on(is_first);
-        }
-        let (first, second) = (on(true), on(false));
-        Lit {
-            levels: first.levels.zip(second.levels, R::either),
-            is_tied: first.is_tied || second.is_tied,
-        }
+        self.surface.unit_vectors(corners, weights)
     }
 }
 
@@ -334,7 +347,8 @@ impl Reference<f64> {
                 for x in 0..width {
                     self.meet([x, y], &cuboids, &mut met);
                     if let Some((met, face, triangle)) = first(&met) {
-                        levels[x] = met.cuboid.lit(face, &met.line, false).levels.0;
+                        let is_first = triangle % 2 == 0;
+                        levels[x] = met.cuboid.lit(face, is_first, &met.line, false).levels.0;
                         triangles[x] = (met.object * TRIANGLES.len() + triangle) as u32;
                     }
                 }
@@ -365,7 +379,9 @@ impl Reference<f64> {
         ) = first(&met)?;
         let Cuboid { solid, surface, .. } = cuboid;
         let place = solid.place(face, line);
-        let (corners, weights) = arrange(face, triangle % 2 == 0, Solid::weights(face, &place));
+        let is_first = triangle % 2 == 0;
+        let weights = Solid::weights(face, is_first, &place);
+        let (corners, weights) = arrange(face, is_first, weights);
         let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
         let world = |v: Vector<f64>| {
             let [x, y, z] = v.0;

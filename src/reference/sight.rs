@@ -481,24 +481,29 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// Whether the line passes the first triangle of a face.
+    /// Whether the line passes the first triangle of a face; an interval within [`EDGE`] of the diagonal is undecided.
     pub fn is_on_first(&self, face: usize, line: &Line<R>) -> Option<bool> {
-        self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0)
+        self.faces[face].as_ref()?.diagonal.side(line.pixel, EDGE)
     }
 
-    /// The weights of the corners a, c and of the third one on the side of the point: each 0..=1, together 1.
+    /// The weights of the corners a, c and of the third one of a triangle: together 1, each 0..=1 within it.
     ///
     /// ```text
     ///     d (-, +)-----------c (+, +)      u, v: the share along the two axes of the face
     ///        |            .'  |
-    ///        |     *   .'     |        a: (1 - max(u, v)) / 2     c: (1 + min(u, v)) / 2     b or d: |u - v| / 2
+    ///        |     *   .'     |        here a: (1 - v) / 2     c: (1 + u) / 2     d: (v - u) / 2
     ///        |      .'        |
     ///     a (-, -)-----------(+, -)
     /// ```
-    pub fn weights(face: usize, place: &Place<R>) -> [R; 3] {
-        let [u, v] = along(across(face).0).map(|axis| place.share.0[axis]);
+    pub fn weights(face: usize, is_first: bool, place: &Place<R>) -> [R; 3] {
+        let (axis, outwards) = across(face);
+        let [u, v] = along(axis).map(|axis| place.share.0[axis]);
         let one = R::from(1.0);
-        let (larger, smaller) = (u.max(v), u.min(v));
+        let (larger, smaller) = if is_first == (outwards > 0.0) {
+            (u, v)
+        } else {
+            (v, u)
+        };
         [one - larger, one + smaller, larger - smaller].map(|weight| weight / R::from(2.0))
     }
 
