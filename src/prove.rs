@@ -19,7 +19,7 @@ use serde::Serialize;
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::memory::{self, OutOfMemory};
-use crate::reference::{Interval, Real, Reference, Seen};
+use crate::reference::{Interval, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::displayed;

@@ -15,6 +15,7 @@
 //! lit in its own coordinates, so its proportions do not matter. Any number of threads gives the same bits.
 
 mod illumination;
+mod interval;
 mod real;
 mod sight;
 mod vector;
@@ -25,7 +26,6 @@ use std::sync::atomic::{self, AtomicUsize};
 
 use glam::DVec3;
 use hecs::World;
-pub use maryada::Interval;
 use rayon::prelude::*;
 
 use crate::components::{
@@ -33,6 +33,7 @@ use crate::components::{
 };
 use crate::frame::NO_TRIANGLE;
 use illumination::{Incidence, Lit, Surface, blend, reflection};
+pub use interval::Interval;
 pub use real::Real;
 use sight::{Line, Meeting, Sight, Solid};
 use vector::Vector;
@@ -219,10 +220,19 @@ impl<R: Real> Reference<R> {
             let Some(meeting) = cuboid.solid.meet(&line) else {
                 continue;
             };
+            let depth = |met: &Met<R>| met.cuboid.solid.depth(met.meeting, &met.line);
+            let new = Met {
+                object,
+                cuboid,
+                line,
+                meeting,
+            };
             let mut is_hidden = false;
             met.retain(|other| {
-                let nearest = other.meeting.depth * R::from(1.0 - DEPTH_TIE);
-                match (nearest - meeting.depth).sign(0.0) {
+                let order = depth(other)
+                    .zip(depth(&new))
+                    .and_then(|(other, new)| (other * R::from(1.0 - DEPTH_TIE) - new).sign(0.0));
+                match order {
                     Some(Ordering::Greater) => !meeting.is_certain,
                     Some(_) => {
                         is_hidden |= other.meeting.is_certain;
@@ -232,12 +242,7 @@ impl<R: Real> Reference<R> {
                 }
             });
             if !is_hidden {
-                met.push(Met {
-                    object,
-                    cuboid,
-                    line,
-                    meeting,
-                });
+                met.push(new);
             }
         }
     }
@@ -248,7 +253,7 @@ struct Met<'a, R> {
     object: usize,
     cuboid: &'a Cuboid<R>,
     line: Line<R>,
-    meeting: Meeting<R>,
+    meeting: Meeting,
 }
 
 impl<R: Real> Cuboid<R> {
