@@ -126,11 +126,14 @@ fn distance(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> Distance {
     distance
 }
 
-/// The face of `seen` that `levels` is nearest to of those it shows.
+/// How far `levels` is from what `seen` has of the face shown; of several, each bound from the nearest.
 fn nearest(shown: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) -> Option<Distance> {
     let same = seen.iter().filter(|seen| seen.face == shown);
     same.map(|seen| distance(levels, ends(seen)))
-        .min_by(|left, right| left.farthest.total_cmp(&right.farthest))
+        .reduce(|left, right| Distance {
+            nearest: left.nearest.min(right.nearest),
+            farthest: left.farthest.min(right.farthest),
+        })
 }
 
 /// Judges a pixel by what it may show; also the largest error that is possible.

@@ -32,7 +32,7 @@ use crate::components::{
     FACES, Light, LightKind, Material, Mesh, Name, ShadingMode, TRIANGLES, Transform, View,
 };
 use crate::frame::NO_TRIANGLE;
-use illumination::{Incidence, Lit, Surface, blend, reflection};
+use illumination::{Incidence, Lit, Open, Surface, TIES, blend, reflection};
 pub use interval::Interval;
 pub use real::Real;
 use sight::{Line, Meeting, Sight, Solid};
@@ -182,16 +182,18 @@ impl<R: Real> Reference<R> {
         for met in met {
             for face in met.meeting.faces() {
                 for &is_first in met.cuboid.triangles(face, &met.line) {
-                    let mut see = |tied| {
-                        let lit = met.cuboid.lit(face, is_first, &met.line, tied);
+                    let mut see = |open| {
+                        let lit = met.cuboid.lit(face, is_first, &met.line, open);
                         seen.push(Seen {
                             face: Some(met.object * FACES.len() + face),
                             levels: lit.levels.0,
                         });
                         lit.is_tied
                     };
-                    if see(false) {
-                        see(true);
+                    if see(0) {
+                        for open in 1..1 << TIES {
+                            see(open);
+                        }
                     }
                 }
             }
@@ -266,16 +268,16 @@ impl<R: Real> Cuboid<R> {
         }
     }
 
-    /// What the line sees on a triangle of a face, or on its plane beyond the diagonal, with tied gates open if `tied`.
-    fn lit(&self, face: usize, is_first: bool, line: &Line<R>, tied: bool) -> Lit<R> {
+    /// What the line sees on a triangle of a face, or on its plane beyond the diagonal.
+    fn lit(&self, face: usize, is_first: bool, line: &Line<R>, open: Open) -> Lit<R> {
         let place = self.solid.place(face, line);
         if self.mode == ShadingMode::Phong {
-            return self.surface.phong(&place, line, tied);
+            return self.surface.phong(&place, line, open);
         }
         let weights = Solid::weights(face, is_first, &place);
         let (corners, weights) = arrange(face, is_first, weights);
         if self.mode != ShadingMode::UnitVectors {
-            return self.surface.gouraud(corners, weights, tied);
+            return self.surface.gouraud(corners, weights, open);
         }
         let weights = match self.solid.depths(corners, &self.mesh) {
             Some(depths) => on_screen(weights, depths),
@@ -353,7 +355,7 @@ impl Reference<f64> {
                     self.meet([x, y], &cuboids, &mut met);
                     if let Some((met, face, triangle)) = first(&met) {
                         let is_first = triangle % 2 == 0;
-                        levels[x] = met.cuboid.lit(face, is_first, &met.line, false).levels.0;
+                        levels[x] = met.cuboid.lit(face, is_first, &met.line, 0).levels.0;
                         triangles[x] = (met.object * TRIANGLES.len() + triangle) as u32;
                     }
                 }
@@ -430,8 +432,8 @@ impl Reference<f64> {
             normal: world(normal),
             to_eye: world(to_eye),
             lights: lights.collect(),
-            gouraud: surface.gouraud(corners, weights, false).levels.to_dvec3(),
-            phong: surface.phong(&place, line, false).levels.to_dvec3(),
+            gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
+            phong: surface.phong(&place, line, 0).levels.to_dvec3(),
         })
     }
 }

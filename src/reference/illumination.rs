@@ -18,6 +18,16 @@ use super::sight::{Line, Place, Solid};
 use super::vector::Vector;
 use crate::components::{Light, LightKind, Material, Mesh};
 
+/// Which tied gates are open, one bit for each corner of a triangle under Gouraud, for each source (by its place modulo
+/// [`TIES`]) elsewhere.
+pub type Open = usize;
+
+/// The bits of [`Open`].
+pub const TIES: usize = 3;
+
+/// All tied gates are open.
+const ALL: Open = (1 << TIES) - 1;
+
 /// A light that is on, as a cuboid sees it.
 pub struct Lamp<R> {
     pub kind: LightKind,
@@ -152,13 +162,13 @@ impl<R: Real> Surface<R> {
                 is_tied: false,
             }; 8]; 2],
         };
-        surface.corner_levels = [false, true].map(|tied| {
+        surface.corner_levels = [0, ALL].map(|open| {
             surface.corners.each_ref().map(|corner| {
                 surface.lit(
                     corner.normal,
                     corner.to_eye,
                     |source| corner.to_lights[source],
-                    tied,
+                    open,
                 )
             })
         });
@@ -192,19 +202,20 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// The model at a point; `to_light` gives l of a source, `tied` opens tied gates.
+    /// The model at a point; `to_light` gives l of a source.
     fn lit(
         &self,
         normal: Vector<R>,
         to_eye: Vector<R>,
         to_light: impl Fn(usize) -> Vector<R>,
-        tied: bool,
+        open: Open,
     ) -> Lit<R> {
         let mut levels = self.ambient;
         let mut is_tied = false;
         for (index, source) in self.sources.iter().enumerate() {
             let to_light = to_light(index);
             if source.has_specular {
+                let tied = open >> (index % TIES) & 1 == 1;
                 let incidence = self.incidence(normal, to_eye, to_light, tied);
                 levels = levels + source.diffuse * incidence.diffuse;
                 levels = levels + source.specular * incidence.specular;
@@ -217,10 +228,10 @@ impl<R: Real> Surface<R> {
     }
 
     /// Phong (1975): the model at the point of a face that the line meets.
-    pub fn phong(&self, place: &Place<R>, line: &Line<R>, tied: bool) -> Lit<R> {
+    pub fn phong(&self, place: &Place<R>, line: &Line<R>, open: Open) -> Lit<R> {
         let normal = place.share.unit();
         let to_light = |source| self.to_light(source, place, line);
-        self.lit(normal, -line.along.unit(), to_light, tied)
+        self.lit(normal, -line.along.unit(), to_light, open)
     }
 
     /// l of a source at a point: w (L - P) = w (L - O) - H d, all along the cuboid's axes.
@@ -230,8 +241,8 @@ impl<R: Real> Surface<R> {
     }
 
     /// Gouraud (1971): the levels at the corners, interpolated over the triangle.
-    pub fn gouraud(&self, corners: [usize; 3], weights: [R; 3], tied: bool) -> Lit<R> {
-        let lit = corners.map(|corner| self.corner_levels[usize::from(tied)][corner]);
+    pub fn gouraud(&self, corners: [usize; 3], weights: [R; 3], open: Open) -> Lit<R> {
+        let lit: [_; 3] = std::array::from_fn(|i| self.corner_levels[open >> i & 1][corners[i]]);
         Lit {
             levels: blend(lit.map(|lit| lit.levels), weights),
             is_tied: lit.iter().any(|lit| lit.is_tied),
@@ -256,7 +267,7 @@ impl<R: Real> Surface<R> {
         };
         let to_light = |source: usize| between(&|corner| corner.to_lights[source]);
         let normal = between(&|corner| corner.normal);
-        self.lit(normal, between(&|corner| corner.to_eye), to_light, false)
+        self.lit(normal, between(&|corner| corner.to_eye), to_light, 0)
     }
 }
 

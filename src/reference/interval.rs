@@ -93,14 +93,9 @@ impl Interval {
         Interval::new(self.least.min(other.least), self.largest.min(other.largest))
     }
 
-    /// The numbers in both, where there are any.
+    /// The numbers in both. That there are none is a contradiction, of which nothing follows.
     pub fn both(self, other: Self) -> Self {
-        let (least, largest) = (self.least.max(other.least), self.largest.min(other.largest));
-        if least <= largest {
-            Interval { least, largest }
-        } else {
-            self
-        }
+        Interval::new(self.least.max(other.least), self.largest.min(other.largest))
     }
 
     /// The numbers in either, and those between.

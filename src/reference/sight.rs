@@ -10,7 +10,7 @@
 //! ```
 //!
 //! In orthographic projection d is the view direction, and O moves with the pixel. Either way a side of an edge is an
-//! affine function of the pixel. It is scaled to the distance from the edge in pixels.
+//! affine function of the pixel.
 //!
 //! Rule: places are relative to the eye, so a corner of a cuboid of any size is as sure as any other. Two faces compute
 //! the side of their common edge from the same numbers with opposite sign, so in f64 a line of sight passes between them
@@ -78,23 +78,24 @@ struct Face<R> {
     diagonal: Edge<R>,
 }
 
-/// An affine function of the pixel: the distance from a line in pixels, from the picture's centre rightwards and downwards.
+/// An affine function of the pixel, from the picture's centre rightwards and downwards: 0 on a line.
 struct Edge<R> {
     at_centre: R,
     right: R,
     down: R,
+    /// What a pixel away from the line adds. It is not divided by: a face that is parallel to the picture has one
+    /// distance from the near plane, infinitely many pixels from it.
+    pixel: R,
 }
 
 impl<R: Real> Edge<R> {
-    /// Scales a function of the pixel, its value at the picture's centre and what a pixel right and down add to it.
+    /// A function of the pixel by its value at the picture's centre and what a pixel right and down add to it.
     fn new(at_centre: R, [right, down]: [R; 2]) -> Self {
-        // Parallel to the picture a face has one distance from the near plane, infinitely many pixels from it.
-        let pixels = Vector([right, down, R::from(0.0)]).length_squared().sqrt();
-        let pixels = pixels.max(R::from(f64::MIN_POSITIVE));
         Edge {
-            at_centre: at_centre / pixels,
-            right: right / pixels,
-            down: down / pixels,
+            at_centre,
+            right,
+            down,
+            pixel: Vector([right, down, R::from(0.0)]).length_squared().sqrt(),
         }
     }
 
@@ -104,7 +105,8 @@ impl<R: Real> Edge<R> {
     fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
         let distance = self.at_centre + self.right * R::from(right) + self.down * R::from(down);
         let is_equal = |sign| sign == Some(Ordering::Equal);
-        match distance.sign(margin)? {
+        let [_, pixel] = self.pixel.endpoints();
+        match distance.sign(margin * pixel)? {
             Ordering::Greater => Some(true),
             Ordering::Less => Some(false),
             Ordering::Equal if is_equal(self.right.sign(0.0)) => {
@@ -331,16 +333,16 @@ impl<R: Real> Solid<R> {
     }
 
     /// The eye's height above the plane of a face.
-    fn height(&self, face: usize, from: Vector<R>) -> R {
+    fn height(&self, face: usize) -> R {
         let (axis, outwards) = across(face);
-        signed(outwards, from.0[axis]) - R::from(self.half[axis])
+        signed(outwards, self.eye.0[axis]) - R::from(self.half[axis])
     }
 
     /// Greater: a face looks towards the eye.
     fn front(&self, face: usize) -> Option<Ordering> {
         let (axis, outwards) = across(face);
         match self.projection {
-            Projection::Perspective => self.height(face, self.eye).sign(0.0),
+            Projection::Perspective => self.height(face).sign(0.0),
             Projection::Orthographic => (R::from(-outwards) * self.forward.0[axis]).sign(0.0),
         }
     }
@@ -381,7 +383,7 @@ impl<R: Real> Solid<R> {
             Projection::Orthographic => R::from(1.0),
         };
         let near = Edge::new(
-            self.height(number, self.eye) + sign * self.forward.0[k] * self.near,
+            self.height(number) + sign * self.forward.0[k] * self.near,
             self.step.map(|step| sign * step.0[k] * pace),
         );
         Face {
@@ -465,7 +467,8 @@ impl<R: Real> Solid<R> {
     fn approach(&self, face: usize, line: &Line<R>) -> [R; 2] {
         let (axis, outwards) = across(face);
         let slope = signed(-outwards, line.along.0[axis]);
-        [self.height(face, line.from), slope]
+        let height = self.height(face) + signed(outwards, line.offset.0[axis]);
+        [height, slope]
     }
 
     /// Where the line meets the plane of a face.
@@ -521,3 +524,6 @@ impl<R: Real> Solid<R> {
         (self.projection == Projection::Perspective && depths.iter().all(is_seen)).then_some(depths)
     }
 }
+
+#[cfg(test)]
+mod tests;

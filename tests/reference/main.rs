@@ -3,6 +3,8 @@
 mod agreement;
 mod invariance;
 mod light;
+#[path = "../support/random_scene.rs"]
+mod random_scene;
 mod scenes;
 mod sight;
 mod triangles;

@@ -1,0 +1,98 @@
+//! Where a cuboid is looked for, against looking everywhere; and faces that are all but parallel to the picture.
+
+use glam::DVec3;
+
+use super::*;
+use crate::components::{Camera, Viewpoint};
+
+const SIZE: [usize; 2] = [24, 18];
+
+/// A stream of numbers in -1..1: the fractional parts of multiples of the golden ratio.
+struct Numbers(f64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = (self.0 + 0.618_033_988_749_894_9).fract();
+        2.0 * self.0 - 1.0
+    }
+
+    fn vector(&mut self, size: f64) -> DVec3 {
+        DVec3::new(self.next(), self.next(), self.next()) * size
+    }
+}
+
+fn view(position: DVec3, target: DVec3, projection: Projection) -> View {
+    View {
+        size: SIZE,
+        viewpoint: Viewpoint {
+            position,
+            camera: Camera {
+                target,
+                up: DVec3::new(0.1, 1.0, 0.2),
+                fov: 50.0,
+                height: 3.0,
+                near: Some(0.3),
+            },
+        },
+        projection,
+        background: DVec3::ZERO,
+        shading: None,
+        tolerance: 0.0,
+    }
+}
+
+#[test]
+fn every_pixel_that_may_meet_a_cuboid_is_within_its_bounds_and_these_are_not_the_whole_picture() {
+    let mut numbers = Numbers(0.5);
+    let (mut met, mut within, mut without) = (0, 0, 0);
+    for case in 0..400 {
+        let projection = Projection::ALL[case % 2];
+        let view = view(numbers.vector(3.0), numbers.vector(0.5), projection);
+        let transform = Transform {
+            position: numbers.vector(2.0),
+            rotation: numbers.vector(360.0),
+        };
+        let mesh = Mesh::cuboid(numbers.vector(1.5).abs());
+        let sight = Sight::<Interval>::new(&view);
+        let [columns, rows] = sight.bounds(&transform, &mesh);
+        let everywhere = SIZE.map(|side| 0..side);
+        let solid = Solid::new(&sight, &transform, &mesh, everywhere);
+        for (x, y) in (0..SIZE[0]).flat_map(|x| (0..SIZE[1]).map(move |y| (x, y))) {
+            let is_within = columns.contains(&x) && rows.contains(&y);
+            let is_met = solid.meet(&solid.line(&sight, x, y)).is_some();
+            assert!(is_within || !is_met, "case {case} pixel {x}, {y}");
+            met += u32::from(is_met);
+            within += u32::from(is_within);
+            without += u32::from(!is_within);
+        }
+    }
+    assert!(
+        met > 5_000 && without > 50_000,
+        "{met} met, {without} without"
+    );
+    assert!(within < 4 * met, "{within} within, {met} met");
+}
+
+#[test]
+fn a_face_turned_with_the_camera_is_certainly_met() {
+    for projection in Projection::ALL {
+        for degrees in [0.0, 10.0, 30.0, 45.0, 77.0] {
+            // The camera looks straight at a face that no number of the scene says is parallel to the picture.
+            let transform = Transform {
+                position: DVec3::ZERO,
+                rotation: DVec3::Y * degrees,
+            };
+            let (sin, cos) = f64::to_radians(degrees).sin_cos();
+            let view = view(DVec3::new(sin, 0.0, cos) * 6.0, DVec3::ZERO, projection);
+            let mesh = Mesh::cuboid(DVec3::splat(2.0));
+            let sight = Sight::<Interval>::new(&view);
+            let solid = Solid::new(&sight, &transform, &mesh, sight.bounds(&transform, &mesh));
+            let middle = SIZE.map(|side| side / 2);
+            let meeting = solid.meet(&solid.line(&sight, middle[0], middle[1]));
+            assert!(
+                meeting.is_some_and(|meeting| meeting.is_certain),
+                "{projection:?} {degrees}"
+            );
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Pictures that are wrong on purpose: each is refuted, and the right one is proven.
+
+use shadetrade::components::{LightKind, Projection, ShadingMode, View};
+use shadetrade::prove::{Shown, Verdict, judge};
+use shadetrade::reference::{Interval, Seen};
+use shadetrade::scene::Scene;
+
+use super::enclosures;
+use super::naive::{self, Model, RIGHT};
+
+const SIZE: [usize; 2] = [64, 48];
+
+/// What the contract allows a picture at tolerance 0, in levels.
+const EXACT: f64 = 0.05;
+
+/// The built-in scene in both modes and projections, and what its pixels may show.
+fn check(each: impl Fn(&naive::Scene<f64>, ShadingMode, Projection, &[Vec<Seen<Interval>>])) {
+    let scene = Scene::load(None).expect("the built-in scene is right");
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        for projection in Projection::ALL {
+            let view = View {
+                size: SIZE,
+                viewpoint: scene.viewpoint(0),
+                projection,
+                background: scene.background,
+                shading: Some(mode),
+                tolerance: 0.0,
+            };
+            let seen = enclosures(&scene.world, &view);
+            let naive = naive::Scene::new(&scene.world, &view);
+            each(&naive, mode, projection, &seen);
+        }
+    }
+}
+
+/// A pixel as a wrong model shows it.
+fn shown(scene: &naive::Scene<f64>, pixel: usize, face: Option<usize>, model: Model) -> Shown {
+    let at = [pixel % SIZE[0], pixel / SIZE[0]];
+    Shown {
+        face,
+        levels: face.map_or([20.0, 20.0, 24.0], |face| scene.levels(face, at, model)),
+        bytes: None,
+    }
+}
+
+/// How many pixels of a picture are proven, undecided and refuted.
+fn count(
+    pixels: impl Iterator<Item = Shown>,
+    seen: &[Vec<Seen<Interval>>],
+    limit: f64,
+) -> [usize; 3] {
+    let mut counts = [0; 3];
+    for (shown, seen) in pixels.zip(seen) {
+        counts[judge(shown, seen, limit).0.verdict as usize] += 1;
+    }
+    counts
+}
+
+/// How many pixels that `model` evaluates are proven, undecided and refuted.
+fn evaluated(scene: &naive::Scene<f64>, seen: &[Vec<Seen<Interval>>], model: Model) -> [usize; 3] {
+    let faces = seen.iter().map(|seen| seen[0].face).enumerate();
+    let pixels = faces.map(|(pixel, face)| shown(scene, pixel, face, model));
+    count(pixels, seen, EXACT)
+}
+
+#[test]
+fn the_model_is_proven_and_every_wrong_one_is_refuted() {
+    check(|scene, mode, projection, seen| {
+        let right = evaluated(scene, seen, RIGHT);
+        assert_eq!(right, [SIZE[0] * SIZE[1], 0, 0], "{mode:?} {projection:?}");
+        let is_phong = mode == ShadingMode::Phong;
+        let is_perspective = projection == Projection::Perspective;
+        let without = |kind| Model {
+            without: Some(kind),
+            ..RIGHT
+        };
+        let wrong = [
+            (true, without(LightKind::Ambient)),
+            (true, without(LightKind::Diffuse)),
+            // No corner is in a highlight.
+            (is_phong, without(LightKind::Specular)),
+            // Without perspective both are one.
+            (
+                is_perspective,
+                Model {
+                    is_affine: true,
+                    ..RIGHT
+                },
+            ),
+            (
+                is_phong,
+                Model {
+                    is_short: true,
+                    ..RIGHT
+                },
+            ),
+            (
+                is_phong,
+                Model {
+                    exponent: 1.001,
+                    ..RIGHT
+                },
+            ),
+        ];
+        for (_, model) in wrong.iter().filter(|(matters, _)| *matters) {
+            let [_, undecided, refuted] = evaluated(scene, seen, *model);
+            println!("{mode:?} {projection:?} {model:?}: {refuted} refuted");
+            assert_eq!(undecided, 0, "{model:?}");
+            assert!(refuted > 0, "{mode:?} {projection:?} {model:?}");
+        }
+    });
+}
+
+#[test]
+fn a_level_a_little_beyond_the_limit_is_refuted_and_one_a_little_within_it_is_proven() {
+    check(|scene, mode, projection, seen| {
+        for limit in [1e-4, 0.05, 0.5, 4.0] {
+            for (share, expected) in [(0.9999, Verdict::Proven), (1.0001, Verdict::Refuted)] {
+                let mut judged = 0;
+                for (pixel, seen) in seen.iter().enumerate() {
+                    let [Seen { face, .. }] = seen[..] else {
+                        continue;
+                    };
+                    for channel in 0..3 {
+                        let mut shown = shown(scene, pixel, face, RIGHT);
+                        // Away from where the display clamps.
+                        if !(8.0..247.0).contains(&shown.levels[channel]) {
+                            continue;
+                        }
+                        shown.levels[channel] +=
+                            share * if pixel % 2 == 0 { limit } else { -limit };
+                        let verdict = judge(shown, seen, limit).0.verdict;
+                        assert_eq!(
+                            verdict, expected,
+                            "{mode:?} {projection:?} pixel {pixel} {share} of {limit}"
+                        );
+                        judged += 1;
+                    }
+                }
+                assert!(judged > 1000, "{judged} levels were moved");
+            }
+        }
+    });
+}
+
+#[test]
+fn a_picture_moved_by_a_pixel_is_refuted_along_every_edge_it_leaves() {
+    check(|scene, mode, projection, seen| {
+        let width = SIZE[0] as isize;
+        for moved in [1, -1, width, -width] {
+            let from = |pixel: usize| (pixel as isize + moved).rem_euclid(seen.len() as isize);
+            let faces: Vec<_> = (0..seen.len())
+                .map(|pixel| seen[from(pixel) as usize][0].face)
+                .collect();
+            // Coverage alone is moved; the levels are those of the plane that is seen.
+            let pixels = (0..seen.len()).map(|pixel| shown(scene, pixel, faces[pixel], RIGHT));
+            let [_, _, refuted] = count(pixels, seen, EXACT);
+            let left = (seen.iter().zip(&faces))
+                .filter(|(seen, face)| seen.iter().all(|seen| seen.face != **face));
+            assert_eq!(refuted, left.count(), "{mode:?} {projection:?} {moved}");
+            assert!(refuted > SIZE[1] / 2, "{refuted} at {moved}");
+        }
+    });
+}

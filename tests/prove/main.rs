@@ -1,0 +1,49 @@
+//! Proofs: that they hold for what is right, that they refute what is wrong, and that the enclosures can be believed.
+
+mod arithmetic;
+mod broken;
+mod judge;
+mod known;
+mod naive;
+#[path = "../support/random.rs"]
+mod random;
+#[path = "../support/random_scene.rs"]
+mod random_scene;
+#[path = "../support/scene.rs"]
+mod scene;
+mod scenes;
+mod search;
+mod ties;
+
+use fearless_simd::Level;
+use hecs::World;
+use shadetrade::components::View;
+use shadetrade::frame::Workers;
+use shadetrade::prove::{Proof, prove};
+use shadetrade::reference::{Interval, Reference, Seen};
+
+/// The proof of the picture that the renderer draws.
+fn proof(world: &mut World, view: &View) -> Proof {
+    let workers = [(), ()].map(|()| Workers::alone(Level::new()));
+    let proof = prove(world, view, workers, &|| false, &|_| ());
+    proof
+        .expect("a small picture fits")
+        .expect("nobody cancels it")
+}
+
+/// What every pixel may show, row by row from the top.
+fn enclosures(world: &World, view: &View) -> Vec<Vec<Seen<Interval>>> {
+    let reference = Reference::<Interval>::new(world, view);
+    let mut pixels = Vec::new();
+    for y in 0..view.size[1] {
+        reference.row(y, |_, seen| pixels.push(seen.to_vec()));
+    }
+    pixels
+}
+
+/// How many cases a test is to try: `SHADETRADE_CASES`, or so many.
+fn cases(unset: usize) -> usize {
+    std::env::var("SHADETRADE_CASES").map_or(unset, |cases| {
+        cases.parse().expect("SHADETRADE_CASES is a number")
+    })
+}

@@ -1,0 +1,221 @@
+//! A search for the worst: it climbs from random small scenes towards the largest share of the tolerance that is used.
+//!
+//! A scene is a list of numbers in 0..=1. A step changes some of them and is kept if the share does not shrink. What was
+//! found is kept in [`FOUND`], where the next search starts. `SHADETRADE_SEARCH` sets for how many minutes to search in
+//! all; unset, it takes some seconds.
+
+use std::f64::consts::TAU;
+use std::time::{Duration, Instant};
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::frame::{Keep, face};
+use shadetrade::reference;
+use shadetrade::trade::metrics::pixel_error;
+
+use super::proof;
+use super::random::Random;
+use super::scene::{self, empty, spawn_cuboid, spawn_light};
+
+mod found;
+
+use found::FOUND;
+
+const SIZE: [usize; 2] = [48, 36];
+
+/// Steps without a gain after which a climb starts anew.
+const PATIENCE: usize = 150;
+
+/// Random scenes of which the best is climbed from.
+const STARTS: usize = 20;
+
+/// A scene's numbers, each 0..=1.
+type Numbers = [f64; 22];
+
+/// A number from `least` to `largest`, evenly in the logarithm.
+fn scaled(share: f64, [least, largest]: [f64; 2]) -> f64 {
+    least * (largest / least).powf(share)
+}
+
+/// A unit vector by its height and its angle.
+fn direction(height: f64, turn: f64) -> DVec3 {
+    let z = 2.0 * height - 1.0;
+    let (sin, cos) = (turn * TAU).sin_cos();
+    DVec3::new(cos, sin, 0.0) * (1.0 - z * z).sqrt() + DVec3::Z * z
+}
+
+/// A cuboid under an ambient, a diffuse and a specular light.
+fn build(numbers: &Numbers, tolerance: f64) -> (World, View) {
+    let n = |i: usize| numbers[i];
+    let size = DVec3::from([0, 1, 2].map(|i| scaled(n(i), [0.3, 10.0])));
+    let radius = size.length() / 2.0;
+    let place = |from: usize, reach: [f64; 2]| {
+        direction(n(from), n(from + 1)) * scaled(n(from + 2), reach) * radius
+    };
+    let mut world = empty();
+    let material = Material {
+        ambient: DVec3::splat(0.2),
+        diffuse: DVec3::new(1.0, 0.7, 0.4),
+        specular: DVec3::new(0.4, 0.7, 1.0),
+        shininess: scaled(n(3), [0.5, 2000.0]),
+    };
+    let transform = Transform {
+        position: DVec3::ZERO,
+        rotation: DVec3::new(n(4), n(5), n(6)) * 360.0,
+    };
+    spawn_cuboid(&mut world, size, transform, material);
+    spawn_light(
+        &mut world,
+        LightKind::Ambient,
+        DVec3::splat(200.0),
+        DVec3::ZERO,
+    );
+    let lights = [(LightKind::Diffuse, 7), (LightKind::Specular, 11)];
+    for (kind, from) in lights {
+        let levels = DVec3::splat(scaled(n(from + 3), [0.1, 400.0]));
+        spawn_light(&mut world, kind, levels, place(from, [0.6, 30.0]));
+    }
+    let is_perspective = n(15) < 0.5;
+    let mut view = scene::view(
+        SIZE,
+        place(16, [1.2, 10.0]),
+        DVec3::ZERO,
+        if is_perspective {
+            Projection::Perspective
+        } else {
+            Projection::Orthographic
+        },
+    );
+    view.viewpoint.camera.up = DVec3::new(0.1, 1.0, 0.2);
+    view.viewpoint.camera.fov = scaled(n(19), [2.0, 100.0]);
+    view.viewpoint.camera.height = scaled(n(20), [0.1, 3.0]) * radius;
+    view.shading = Some(if n(21) < 0.7 {
+        ShadingMode::Phong
+    } else {
+        ShadingMode::Gouraud
+    });
+    view.tolerance = tolerance;
+    (world, view)
+}
+
+/// The largest share of the tolerance that the f64 reference sees used.
+fn estimate(world: &mut World, view: &View) -> f64 {
+    let frame = scene::draw(world, view, Keep::Levels);
+    let truth = reference::picture(world, view, 0..SIZE[1], &|| false, &|_| ());
+    let truth = truth.expect("nobody cancels it");
+    let drawn = frame.triangles().iter().zip(frame.levels());
+    let exact = truth.triangles.iter().zip(&truth.levels);
+    let errors = drawn
+        .zip(exact)
+        .filter_map(|((drawn, levels), (seen, exact))| {
+            let is_same = face(*drawn) == face(*seen);
+            is_same.then(|| pixel_error(*levels, *exact))
+        });
+    errors.fold(0.0, f64::max) / view.tolerance
+}
+
+/// The largest share that the proof leaves possible; infinite if a pixel is not proven.
+fn proven(numbers: &Numbers, tolerance: f64) -> f64 {
+    let (mut world, view) = build(numbers, tolerance);
+    let proof = proof(&mut world, &view);
+    if proof.refuted + proof.undecided > 0 {
+        let examples = &proof.examples;
+        println!("({tolerance:e}, {numbers:?}) is not proven: {examples:?}");
+        return f64::INFINITY;
+    }
+    proof.worst / tolerance
+}
+
+/// A climb: where it is, and how often it has not gained since.
+#[derive(Clone)]
+struct Climb {
+    tolerance: f64,
+    numbers: Numbers,
+    share: f64,
+    stale: usize,
+}
+
+impl Climb {
+    fn from(numbers: Numbers, tolerance: f64) -> Self {
+        Climb {
+            tolerance,
+            numbers,
+            share: proven(&numbers, tolerance),
+            stale: 0,
+        }
+    }
+
+    fn anew(random: &mut Random, tolerance: f64) -> Self {
+        let scenes = (0..STARTS).map(|_| {
+            let numbers = std::array::from_fn(|_| random.within(0.0, 1.0));
+            let (mut world, view) = build(&numbers, tolerance);
+            (estimate(&mut world, &view), numbers)
+        });
+        let best = scenes.max_by(|(left, _), (right, _)| left.total_cmp(right));
+        let (_, numbers) = best.expect("there are some");
+        Self::from(numbers, tolerance)
+    }
+
+    fn step(&mut self, random: &mut Random) {
+        let mut numbers = self.numbers;
+        let reach = scaled(random.within(0.0, 1.0), [1e-4, 0.5]);
+        let chance = random.within(0.05, 0.5);
+        for number in &mut numbers {
+            if random.within(0.0, 1.0) < chance {
+                *number = (*number + random.within(-reach, reach)).clamp(0.0, 1.0);
+            }
+        }
+        self.stale += 1;
+        let (mut world, view) = build(&numbers, self.tolerance);
+        // A proof takes ten times as long as an estimate.
+        if estimate(&mut world, &view) < self.share {
+            return;
+        }
+        let share = proven(&numbers, self.tolerance);
+        if share >= self.share {
+            if share > self.share + 1e-4 {
+                self.stale = 0;
+            }
+            (self.numbers, self.share) = (numbers, share);
+        }
+    }
+}
+
+/// Climbs until the time is over; the best of what was found that is proven, and whether all of it is.
+fn search(climb: Climb, time: Duration, random: &mut Random) -> (Climb, bool) {
+    let begin = Instant::now();
+    let tolerance = climb.tolerance;
+    let (mut best, mut climb, mut is_proven) = (climb.clone(), climb, true);
+    while begin.elapsed() < time {
+        climb.step(random);
+        if climb.share.is_infinite() {
+            is_proven = false;
+        } else if climb.share > best.share {
+            best = climb.clone();
+        }
+        if climb.stale > PATIENCE || climb.share.is_infinite() {
+            climb = Climb::anew(random, tolerance);
+        }
+    }
+    (best, is_proven)
+}
+
+#[test]
+fn the_search_for_the_worst_comes_near_the_tolerance_and_never_beyond_it() {
+    let minutes = std::env::var("SHADETRADE_SEARCH").map_or(0.05, |minutes| {
+        minutes.parse().expect("SHADETRADE_SEARCH is a number")
+    });
+    let time = Duration::from_secs_f64(minutes * 60.0 / FOUND.len() as f64);
+    let mut random = Random(14);
+    let found = FOUND.map(|(tolerance, numbers)| {
+        let (best, is_proven) = search(Climb::from(numbers, tolerance), time, &mut random);
+        let rounded = best.numbers.map(|number| (number * 1e6).round() / 1e6);
+        println!("({tolerance:e}, {rounded:?}), // {:.4}", best.share);
+        (tolerance, best.share, is_proven)
+    });
+    for (tolerance, share, is_proven) in found {
+        assert!(is_proven, "a picture at {tolerance} is not proven");
+        assert!(share > 0.95, "at {tolerance} only {share} of it was found");
+    }
+}
