@@ -94,10 +94,10 @@ pub struct Shown {
 
 /// How far a pixel is from a face that it may show.
 #[derive(Clone, Copy, Debug)]
-struct Distance {
+pub struct Distance {
     /// From the nearest value of the enclosure, and from the farthest.
-    nearest: f64,
-    farthest: f64,
+    pub nearest: f64,
+    pub farthest: f64,
 }
 
 /// The face of a triangle's id.
@@ -122,8 +122,12 @@ fn distance(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> Distance {
     distance
 }
 
-/// The face of `seen` that `levels` is nearest to of those it shows.
-fn nearest(shown: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) -> Option<Distance> {
+/// How far `levels` are from the nearest of what a pixel may show of the face that it shows; `None` if it may not show it.
+pub fn nearest(
+    shown: Option<usize>,
+    levels: [f64; 3],
+    seen: &[Seen<Interval>],
+) -> Option<Distance> {
     let same = seen.iter().filter(|seen| seen.face == shown);
     same.map(|seen| distance(levels, ends(seen)))
         .min_by(|left, right| left.farthest.total_cmp(&right.farthest))
