@@ -19,6 +19,7 @@ mod numbers;
 mod picture;
 mod setting;
 mod shape;
+pub mod stability;
 mod strength;
 
 use anyhow::Context;
@@ -103,7 +104,8 @@ pub struct Options {
     pub level: Level,
     /// At least 1.
     pub threads: usize,
-    /// Whether to draw the largest picture at its full size, which takes a gigabyte, and every case at every tolerance.
+    /// Whether to draw the largest picture at its full size, which takes a gigabyte, and every case at its size and at every
+    /// tolerance, not at half its width and height and three.
     pub full: bool,
 }
 

@@ -141,8 +141,8 @@
 //!
 //! [`extremes`] is one table of what a scene can hold at the ends of its ranges: the near plane through a corner, a light an
 //! ulp off a face, edges as one to 1e100, sums beyond every float, ten thousand cuboids. The command prints it, the tests
-//! run it, and what is right in it comes from paper, from 128 bits, from a proof of every pixel, or from the same scene
-//! without the extreme.
+//! run it, and what is right in it comes from enclosures, from paper, from 128 bits, or from the same scene without the
+//! extreme. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 leave their limits.
 //!
 //! # What to touch to add ...
 //!
@@ -173,8 +173,8 @@
 //! ```
 //!
 //! A room imports from lower floors only, and `tests/house.rs` reads this drawing. Beyond that: [`mod@reference`] takes
-//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes one metric
-//! of [`trade`]; [`cli`] takes what a command's options are made into; and minifb is named in [`window`] alone.
+//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric
+//! of [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; and minifb is named in [`window`] alone.
 //!
 //! # What is not modelled, and why
 //!

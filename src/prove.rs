@@ -98,10 +98,10 @@ pub struct Shown {
 
 /// How far a pixel is from a face that it may show.
 #[derive(Clone, Copy, Debug)]
-struct Distance {
+pub struct Distance {
     /// From the nearest value of the enclosure, and from the farthest.
-    nearest: f64,
-    farthest: f64,
+    pub nearest: f64,
+    pub farthest: f64,
 }
 
 /// The face of a triangle's id.
@@ -126,8 +126,13 @@ fn distance(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> Distance {
     distance
 }
 
-/// How far `levels` is from what `seen` has of the face shown; of several, each bound from the nearest.
-fn nearest(shown: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) -> Option<Distance> {
+/// How far `levels` is from what `seen` has of the face shown; of several, each bound from the nearest. `None` if the pixel
+/// may not show it.
+pub fn nearest(
+    shown: Option<usize>,
+    levels: [f64; 3],
+    seen: &[Seen<Interval>],
+) -> Option<Distance> {
     let same = seen.iter().filter(|seen| seen.face == shown);
     same.map(|seen| distance(levels, ends(seen)))
         .reduce(|left, right| Distance {

@@ -173,7 +173,7 @@ fn cuboid(size: [f64; 3], position: [f64; 3]) -> Body {
 }
 
 /// So many lights of one sum, half diffuse and half specular.
-fn under_many_lights(count: u32, place: impl Fn(u32) -> DVec3) -> Setting {
+pub fn under_many_lights(count: u32, place: impl Fn(u32) -> DVec3) -> Setting {
     Setting::with(|setting| {
         setting.size = [32, 24];
         setting.lights = lights_at(DVec3::ZERO).split_off(2);

@@ -208,7 +208,7 @@ fn still_life() -> Setting {
 }
 
 /// Cuboids one unit wide and high and so long, along each axis and askew.
-fn long(length: f64) -> Vec<Setting> {
+pub fn long(length: f64) -> Vec<Setting> {
     let body = |size: [f64; 3], rotation: [f64; 3]| {
         Setting::with(|setting| {
             setting.cuboids[0].size = size.into();

@@ -106,7 +106,7 @@ pub const CASES: &[Case] = &[
 ];
 
 /// A cuboid whose highlight of so many levels is in the picture, in the mirror direction of a point of its face z = 1.
-fn mirroring(shininess: f64, levels: f64) -> Setting {
+pub fn mirroring(shininess: f64, levels: f64) -> Setting {
     Setting::with(|setting| {
         setting.cuboids[0].material.shininess = shininess;
         let point = DVec3::new(1.1, 0.7, 1.0);
