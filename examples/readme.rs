@@ -10,10 +10,11 @@ use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::drawing::{Drawing, all_cores};
 use shadetrade::frame::Workers;
 use shadetrade::output::{Output, say};
+use shadetrade::prove::prove;
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::Action;
 use shadetrade::window::composition::Composition;
-use shadetrade::window::examiner::examine;
+use shadetrade::window::examiner::{Answer, examine};
 use shadetrade::window::hud::{Hud, Shown};
 use shadetrade::window::session::Session;
 use shadetrade::window::views::ViewMode;
@@ -60,8 +61,14 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     for _ in 0..FRAMES {
         composition.draw(&mut session, SIZE)?;
     }
-    if let Some(findings) = examine(session.question(SIZE), workers()?, &|| false) {
-        session.answer(findings);
+    let mut question = session.question(SIZE);
+    if let Some(findings) = examine(&mut question, workers()?, &|| false) {
+        let revision = findings.revision;
+        session.answer(Answer::Findings(findings));
+        let (world, view) = (&mut question.scene.world, &question.view);
+        if let Some(proof) = prove(world, view, [workers()?, workers()?], &|| false, &|_| ())? {
+            session.answer(Answer::Proof(revision, proof));
+        }
     }
     let mut pixels = Vec::new();
     composition.compose(&session, &mut pixels);

@@ -127,8 +127,15 @@ Examples:
   shadetrade extremes
   shadetrade extremes --simd fallback
   shadetrade extremes --json > extremes.json
+  shadetrade extremes --chart -o stability
 
-Exit status 1 if a case fails. The largest picture takes a gigabyte of memory while it is drawn.")]
+Exit status 1 if a case fails. The largest picture takes a gigabyte of memory while it is drawn.
+
+With --chart it sweeps one number of a scene at a time instead: shininess, edge length, aspect,
+distance from the origin, of the eye and of a light, field of view, intensity, number of lights. Four
+evaluations are compared with intervals that enclose the exact levels: the textbook's formula in f32,
+this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps 0.05
+level (0.5 at tolerance 0.5); with -o also writes stability.svg, stability.csv and stability.json.")]
     Extremes(ExtremesOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "\
@@ -273,7 +280,14 @@ pub struct ProveOptions {
 /// The options of `extremes`.
 #[derive(Args, Debug)]
 pub struct ExtremesOptions {
-    /// Prints a JSON array with `name`, `expected`, `observed` and `pass` of each case
+    /// Sweeps one number of a scene at a time over its whole range instead, and shows how far f32, f64 and the renderer err
+    #[arg(long)]
+    pub chart: bool,
+    /// The folder for what --chart finds, made if absent
+    #[arg(short, long, value_name = "DIR", requires = "chart",
+          value_parser = PathBufValueParser::new().try_map(folder))]
+    pub output: Option<PathBuf>,
+    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each case; with --chart, the curves
     #[arg(long)]
     pub json: bool,
     /// Who draws.

@@ -7,8 +7,8 @@
 //!   Outcome { name, expected, observed, pass }  -->  a table, JSON, the exit status;  tests/extremes.rs
 //! ```
 //!
-//! Rule: what is right never comes from what is tried. It is a value worked out on paper, coverage decided in 128 bits,
-//! the reference in f64, or the same scene without the extreme; and every case says so itself.
+//! Rule: what is right never comes from what is tried. It is what encloses every pixel's exact levels, a value worked out
+//! on paper, coverage decided in 128 bits, or the same scene without the extreme; and every case says so itself.
 
 mod bench;
 mod camera;
@@ -16,10 +16,10 @@ pub mod coverage;
 mod crowd;
 mod light;
 mod numbers;
-mod outline;
 mod picture;
 mod setting;
 mod shape;
+pub mod stability;
 mod strength;
 
 use anyhow::Context;
@@ -30,7 +30,8 @@ use serde_json::{Value, json};
 
 use crate::components::Projection;
 use crate::output::Output;
-use bench::{Bench, Distance, EXACT, Trouble, enough, ways};
+use crate::shading::EXACT;
+use bench::{Bench, Distance, Trouble, enough, ways};
 use setting::{Setting, Way};
 
 /// Columns of the terminal.
@@ -45,8 +46,8 @@ pub struct Case {
 
 /// What decides whether a case is right.
 enum Rule {
-    /// The reference: every pixel of each setting is within its tolerance in every projection and mode.
-    Reference(fn() -> Vec<Setting>),
+    /// Enclosures: every pixel of each setting is proven in every projection and mode, at every tolerance.
+    Proven(fn() -> Vec<Setting>),
     /// Paper: nothing is seen of any of the settings in these projections.
     Nothing(&'static [Projection], fn() -> Vec<Setting>),
     /// The same scene without the extreme, which comes first: the others have its very bits.
@@ -103,7 +104,8 @@ pub struct Options {
     pub level: Level,
     /// At least 1.
     pub threads: usize,
-    /// Whether to draw the largest picture at its full size, which takes a gigabyte, and every case at every tolerance.
+    /// Whether to draw the largest picture at its full size, which takes a gigabyte, and every case at its size and at every
+    /// tolerance, not at half its width and height and three.
     pub full: bool,
 }
 
@@ -198,9 +200,7 @@ impl Case {
 impl Rule {
     fn expected(&self) -> String {
         match self {
-            Rule::Reference(_) => {
-                "within the tolerance of the reference, 0.05 level at 0".to_owned()
-            }
+            Rule::Proven(_) => "every pixel proven".to_owned(),
             Rule::Nothing(..) => "nothing is seen".to_owned(),
             Rule::SameBits(_) => "the same bits as without it".to_owned(),
             Rule::SamePicture(levels, _) => {
@@ -217,17 +217,17 @@ impl Rule {
 
     fn examine(&self, bench: &mut Bench) -> Result<String, Trouble> {
         match self {
-            Rule::Reference(settings) => {
+            Rule::Proven(settings) => {
                 let mut distance = Distance::default();
                 for setting in settings() {
-                    distance += bench.against_reference(&setting)?;
+                    distance += bench.proven(&setting)?;
                 }
                 Ok(format!(
-                    "{:.1e} levels at 0, else up to {:.0} % of the tolerance; {} pixels, {} on edges",
+                    "{} pixels, {} on edges: {:.1e} levels at 0, else up to {:.0} % of the tolerance",
+                    distance.covered,
+                    distance.outline,
                     distance.exact,
-                    100.0 * distance.share,
-                    distance.compared,
-                    distance.edges
+                    100.0 * distance.share
                 ))
             }
             Rule::Nothing(projections, settings) => {

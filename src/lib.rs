@@ -5,7 +5,8 @@
 //!                                   |  normals -> projection -> lighting -> rasterization(mode, tolerance)
 //!                                   |                                         |--> window            (view)
 //!                                   |                                         |--> PNG               (render, figures)
-//!                                   '--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
+//!                                   |--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
+//!                                   '--reference (intervals)--> enclosures --> a proof (prove, extremes, window)
 //! ```
 //!
 //! # From scene to pixel
@@ -98,9 +99,11 @@
 //! rounding included; [`shading::TileKind`] lists them, and the window's tiles view shows them. At tolerance 0 nothing is
 //! approximated, and 1 - o.r is taken as |r - o|² / 2 where f32 would cancel (Lyon 1993; [`shading::specular`]).
 //!
-//! Whether that is true is not for the renderer to say. [`mod@reference`] draws the same picture in f64 by rays through the
-//! pixels (Kay and Kajiya 1986), sharing no formula with it; [`trade::metrics`] compares the two, [`trade::flip`]
-//! as a person would (Andersson et al. 2020), and [`trade`] adds what each method costs.
+//! Whether that is true is not for the renderer to say. [`mod@reference`] draws the same picture by lines of sight through
+//! the pixels and shares no formula with it. Its one formula is evaluated over two kinds of numbers ([`reference::Real`]).
+//! In f64 it gives the truth at once: [`trade::metrics`] compares the two, [`trade::flip`] as a person would (Andersson et
+//! al. 2020), and [`trade`] adds what each method costs. In intervals with outward rounding (IEEE 1788.1) it encloses the
+//! exact level of every pixel, from the scene's numbers on: [`mod@prove`] holds what is drawn against that.
 //!
 //! ```
 //! # use shadetrade::components::{Projection, ShadingMode, View};
@@ -125,6 +128,12 @@
 //! let exact = Picture { width: 320, levels: &truth.levels, triangles: &truth.triangles };
 //! let error = compare(drawn, exact).error.expect("a cuboid is there");
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
+//! # use shadetrade::prove::prove;
+//!
+//! // The same as a fact: no value of any pixel's enclosure is farther away than half a level.
+//! let workers = [(); 2].map(|()| Workers::alone(fearless_simd::Level::new()));
+//! let proof = prove(&mut scene.world, &view, workers, &|| false, &|_| ())?.expect("not cancelled");
+//! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -132,8 +141,8 @@
 //!
 //! [`extremes`] is one table of what a scene can hold at the ends of its ranges: the near plane through a corner, a light an
 //! ulp off a face, edges as one to 1e100, sums beyond every float, ten thousand cuboids. The command prints it, the tests
-//! run it, and what is right in it comes from paper, from 128 bits, from the reference, or from the same scene without the
-//! extreme.
+//! run it, and what is right in it comes from enclosures, from paper, from 128 bits, or from the same scene without the
+//! extreme. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 leave their limits.
 //!
 //! # What to touch to add ...
 //!
@@ -164,8 +173,8 @@
 //! ```
 //!
 //! A room imports from lower floors only, and `tests/house.rs` reads this drawing. Beyond that: [`mod@reference`] takes
-//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes one metric
-//! of [`trade`]; [`cli`] takes what a command's options are made into; and minifb is named in [`window`] alone.
+//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric
+//! of [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; and minifb is named in [`window`] alone.
 //!
 //! # What is not modelled, and why
 //!

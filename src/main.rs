@@ -54,13 +54,17 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     }
 }
 
-/// Runs the table of extremes; a case that fails is work not done.
+/// Runs the table of extremes, of which a case that fails is work not done, or draws the stability charts.
 fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
     let workers = extremes::Options {
         level: options.workers.simd,
         threads: options.workers.threads(),
         full: true,
     };
+    if options.chart {
+        let folder = options.output.as_deref();
+        return Ok(extremes::stability::run(workers, folder, options.json)?);
+    }
     match extremes::run(workers, options.json)? {
         0 => Ok(()),
         failed => Err(Failure::Work(anyhow!("{failed} of the extremes fail"))),

@@ -19,7 +19,7 @@ use serde::Serialize;
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::memory::{self, OutOfMemory};
-use crate::reference::{Interval, Real, Reference, Seen};
+use crate::reference::{Interval, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::displayed;
@@ -30,6 +30,10 @@ const BAND: usize = 64;
 
 /// How many pixels that are not proven are kept as examples.
 const EXAMPLES: usize = 10;
+
+/// The colours of pixels that are undecided and refuted, 0x00RRGGBB.
+pub const UNDECIDED: u32 = 0x00ff_d500;
+pub const REFUTED: u32 = 0x00ff_2020;
 
 /// How a pixel was judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -46,7 +50,7 @@ pub struct Mark {
     pub verdict: Verdict,
     /// An edge is so near that it may show either side.
     pub is_outline: bool,
-    /// It shows a cuboid, or may.
+    /// It shows a cuboid.
     pub is_covered: bool,
 }
 
@@ -69,7 +73,7 @@ pub struct Proof {
     pub undecided: u64,
     /// How many pixels an edge is so near to that they may show either side.
     pub outline: u64,
-    /// How many pixels show a cuboid, or may.
+    /// How many pixels show a cuboid.
     pub covered: u64,
     /// The largest error of a proven pixel that its enclosure leaves possible.
     pub worst: f64,
@@ -94,10 +98,10 @@ pub struct Shown {
 
 /// How far a pixel is from a face that it may show.
 #[derive(Clone, Copy, Debug)]
-struct Distance {
+pub struct Distance {
     /// From the nearest value of the enclosure, and from the farthest.
-    nearest: f64,
-    farthest: f64,
+    pub nearest: f64,
+    pub farthest: f64,
 }
 
 /// The face of a triangle's id.
@@ -122,8 +126,13 @@ fn distance(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> Distance {
     distance
 }
 
-/// How far `levels` is from what `seen` has of the face shown; of several, each bound from the nearest.
-fn nearest(shown: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) -> Option<Distance> {
+/// How far `levels` is from what `seen` has of the face shown; of several, each bound from the nearest. `None` if the pixel
+/// may not show it.
+pub fn nearest(
+    shown: Option<usize>,
+    levels: [f64; 3],
+    seen: &[Seen<Interval>],
+) -> Option<Distance> {
     let same = seen.iter().filter(|seen| seen.face == shown);
     same.map(|seen| distance(levels, ends(seen)))
         .reduce(|left, right| Distance {
@@ -156,7 +165,7 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
             _ => Verdict::Undecided,
         },
         is_outline: seen.iter().any(|other| other.face != seen[0].face),
-        is_covered: shown.face.is_some() || seen.iter().any(|seen| seen.face.is_some()),
+        is_covered: shown.face.is_some(),
     };
     (mark, levels.map_or(255.0, |levels| levels.farthest))
 }

@@ -15,6 +15,7 @@
 //! lit in its own coordinates, so its proportions do not matter. Any number of threads gives the same bits.
 
 mod illumination;
+mod interval;
 mod real;
 mod sight;
 mod vector;
@@ -25,7 +26,6 @@ use std::sync::atomic::{self, AtomicUsize};
 
 use glam::DVec3;
 use hecs::World;
-pub use maryada::Interval;
 use rayon::prelude::*;
 
 use crate::components::{
@@ -33,6 +33,7 @@ use crate::components::{
 };
 use crate::frame::NO_TRIANGLE;
 use illumination::{Incidence, Lit, Open, Surface, TIES, blend, reflection};
+pub use interval::Interval;
 pub use real::Real;
 use sight::{Line, Meeting, Sight, Solid};
 use vector::Vector;
@@ -153,6 +154,15 @@ impl<R: Real> Reference<R> {
         }
     }
 
+    /// The same picture with every cuboid in this mode.
+    #[must_use]
+    pub fn shaded(mut self, mode: ShadingMode) -> Self {
+        for cuboid in &mut self.cuboids {
+            cuboid.mode = mode;
+        }
+        self
+    }
+
     /// Evaluates the pixels of row `y` from left to right. `each` hears what every one of them may show: one thing, unless
     /// an edge, a gate that may fall either way, or another cuboid at the same depth is near.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
@@ -161,11 +171,28 @@ impl<R: Real> Reference<R> {
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.width {
             self.meet([x, y], &cuboids, &mut met);
-            seen.clear();
-            for met in &met {
-                for face in met.meeting.faces() {
+            self.see(&met, &mut seen);
+            each(x, &seen);
+        }
+    }
+
+    /// What pixel (`x`, `y`) may show.
+    pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
+        let cuboids: Vec<_> = self.cuboids.iter().enumerate().collect();
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
+        self.meet(pixel, &cuboids, &mut met);
+        self.see(&met, &mut seen);
+        seen
+    }
+
+    /// Overwrites `seen` with what the cuboids that are met look like.
+    fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
+        seen.clear();
+        for met in met {
+            for face in met.meeting.faces() {
+                for &is_first in met.cuboid.triangles(face, &met.line) {
                     let mut see = |open| {
-                        let lit = met.cuboid.lit(face, &met.line, open);
+                        let lit = met.cuboid.lit(face, is_first, &met.line, open);
                         seen.push(Seen {
                             face: Some(met.object * FACES.len() + face),
                             levels: lit.levels.0,
@@ -179,13 +206,12 @@ impl<R: Real> Reference<R> {
                     }
                 }
             }
-            if !met.iter().any(|met| met.meeting.is_certain) {
-                seen.push(Seen {
-                    face: None,
-                    levels: self.background.0,
-                });
-            }
-            each(x, &seen);
+        }
+        if !met.iter().any(|met| met.meeting.is_certain) {
+            seen.push(Seen {
+                face: None,
+                levels: self.background.0,
+            });
         }
     }
 
@@ -205,10 +231,19 @@ impl<R: Real> Reference<R> {
             let Some(meeting) = cuboid.solid.meet(&line) else {
                 continue;
             };
+            let depth = |met: &Met<R>| met.cuboid.solid.depth(met.meeting, &met.line);
+            let new = Met {
+                object,
+                cuboid,
+                line,
+                meeting,
+            };
             let mut is_hidden = false;
             met.retain(|other| {
-                let nearest = other.meeting.depth * R::from(1.0 - DEPTH_TIE);
-                match (nearest - meeting.depth).sign(0.0) {
+                let order = depth(other)
+                    .zip(depth(&new))
+                    .and_then(|(other, new)| (other * R::from(1.0 - DEPTH_TIE) - new).sign(0.0));
+                match order {
                     Some(Ordering::Greater) => !meeting.is_certain,
                     Some(_) => {
                         is_hidden |= other.meeting.is_certain;
@@ -218,12 +253,7 @@ impl<R: Real> Reference<R> {
                 }
             });
             if !is_hidden {
-                met.push(Met {
-                    object,
-                    cuboid,
-                    line,
-                    meeting,
-                });
+                met.push(new);
             }
         }
     }
@@ -234,38 +264,35 @@ struct Met<'a, R> {
     object: usize,
     cuboid: &'a Cuboid<R>,
     line: Line<R>,
-    meeting: Meeting<R>,
+    meeting: Meeting,
 }
 
 impl<R: Real> Cuboid<R> {
-    /// What the line sees on a face.
-    fn lit(&self, face: usize, line: &Line<R>, open: Open) -> Lit<R> {
+    /// Which triangles of a face the line may see: both where the diagonal is near, and Phong's are one.
+    fn triangles(&self, face: usize, line: &Line<R>) -> &'static [bool] {
+        match self.solid.is_on_first(face, line) {
+            None if self.mode != ShadingMode::Phong => &[true, false],
+            Some(false) => &[false],
+            _ => &[true],
+        }
+    }
+
+    /// What the line sees on a triangle of a face, or on its plane beyond the diagonal.
+    fn lit(&self, face: usize, is_first: bool, line: &Line<R>, open: Open) -> Lit<R> {
         let place = self.solid.place(face, line);
         if self.mode == ShadingMode::Phong {
             return self.surface.phong(&place, line, open);
         }
-        let weights = Solid::weights(face, &place);
-        let on = |is_first| {
-            let (corners, weights) = arrange(face, is_first, weights);
-            match self.solid.depths(corners, &self.mesh) {
-                Some(depths) if self.mode == ShadingMode::UnitVectors => {
-                    let weights = on_screen(weights, depths);
-                    self.surface.unit_vectors(corners, weights)
-                }
-                _ if self.mode == ShadingMode::UnitVectors => {
-                    self.surface.unit_vectors(corners, weights)
-                }
-                _ => self.surface.gouraud(corners, weights, open),
-            }
+        let weights = Solid::weights(face, is_first, &place);
+        let (corners, weights) = arrange(face, is_first, weights);
+        if self.mode != ShadingMode::UnitVectors {
+            return self.surface.gouraud(corners, weights, open);
+        }
+        let weights = match self.solid.depths(corners, &self.mesh) {
+            Some(depths) => on_screen(weights, depths),
+            None => weights,
         };
-        if let Some(is_first) = self.solid.is_on_first(face, line) {
-            return on(is_first);
-        }
-        let (first, second) = (on(true), on(false));
-        Lit {
-            levels: first.levels.zip(second.levels, R::either),
-            is_tied: first.is_tied || second.is_tied,
-        }
+        self.surface.unit_vectors(corners, weights)
     }
 }
 
@@ -336,7 +363,8 @@ impl Reference<f64> {
                 for x in 0..width {
                     self.meet([x, y], &cuboids, &mut met);
                     if let Some((met, face, triangle)) = first(&met) {
-                        levels[x] = met.cuboid.lit(face, &met.line, 0).levels.0;
+                        let is_first = triangle % 2 == 0;
+                        levels[x] = met.cuboid.lit(face, is_first, &met.line, 0).levels.0;
                         triangles[x] = (met.object * TRIANGLES.len() + triangle) as u32;
                     }
                 }
@@ -367,7 +395,9 @@ impl Reference<f64> {
         ) = first(&met)?;
         let Cuboid { solid, surface, .. } = cuboid;
         let place = solid.place(face, line);
-        let (corners, weights) = arrange(face, triangle % 2 == 0, Solid::weights(face, &place));
+        let is_first = triangle % 2 == 0;
+        let weights = Solid::weights(face, is_first, &place);
+        let (corners, weights) = arrange(face, is_first, weights);
         let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
         let world = |v: Vector<f64>| {
             let [x, y, z] = v.0;

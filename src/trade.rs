@@ -11,7 +11,7 @@
 //! quantity that does not exist is `None`, never a number that is none.
 
 pub mod accuracy;
-mod chart;
+pub(crate) mod chart;
 pub mod csv;
 pub mod error_map;
 pub mod flip;
@@ -20,7 +20,7 @@ pub mod json;
 pub mod machine;
 pub mod metrics;
 pub mod plot;
-mod progress;
+pub(crate) mod progress;
 pub mod report;
 pub mod scale;
 pub mod subject;
@@ -260,7 +260,7 @@ pub fn run(request: Request, out: Option<&Path>) -> anyhow::Result<()> {
 }
 
 /// Makes the folder unless it is there: better to hear now than after the measurement that nothing can be written there.
-fn make_writable(folder: &Path) -> anyhow::Result<()> {
+pub(crate) fn make_writable(folder: &Path) -> anyhow::Result<()> {
     output::make_folder(folder)?;
     tempfile::tempfile_in(folder)
         .with_context(|| format!("cannot write into {}", folder.display()))?;

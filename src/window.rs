@@ -190,8 +190,8 @@ impl Window {
         for news in self.measurement.iter().flat_map(Measurement::news) {
             self.session.hear(news);
         }
-        if let Some(findings) = self.examiner.answer() {
-            self.session.answer(findings);
+        for answer in self.examiner.answers() {
+            self.session.answer(answer);
         }
         for event in self.display.take_events() {
             if let Some(gesture) = self.input.handle(event, now) {

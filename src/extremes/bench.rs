@@ -13,7 +13,7 @@ use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::memory::OutOfMemory;
 use crate::scene::{Scene, SceneError};
 use crate::systems;
-pub use comparison::{Distance, EXACT, enough, wrong};
+pub use comparison::{Distance, enclosures, enough, wrong};
 
 /// What goes wrong with a case other than its picture.
 #[derive(Debug, thiserror::Error)]

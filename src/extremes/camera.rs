@@ -13,7 +13,7 @@ use crate::scene::Scene;
 pub const CASES: &[Case] = &[
     Case {
         name: "near plane through one, two or three corners of triangles",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             let depths = depths();
             // Beyond the sixth no more than a tip is left.
             let between = depths[..6].windows(2);
@@ -24,7 +24,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "near plane through each corner, and an ulp to either side",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             let depths = depths().into_iter().take(6);
             let around = depths.flat_map(|depth| [depth.next_down(), depth, depth.next_up()]);
             around.map(near_at).collect()
@@ -45,7 +45,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "near plane a billionth of the distance",
-        rule: Rule::Reference(|| vec![near_at(1e-8), near_at(1e-100)]),
+        rule: Rule::Proven(|| vec![near_at(1e-8), near_at(1e-100)]),
     },
     Case {
         name: "the assignment's own placement",
@@ -68,7 +68,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "orthographic eye on an edge or a corner",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             let from = |eye: DVec3| {
                 Setting::with(|setting| {
                     setting.eye = eye;
@@ -83,7 +83,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "eye 1e-3, 1e-6 and 1e-9 in front of a face",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             let before = |gap: f64| {
                 Setting::with(|setting| {
                     setting.eye = DVec3::new(0.1, 0.2, 1.0 + gap);
@@ -97,7 +97,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "eye in the plane of a face, and an ulp to either side",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             let beside = |x: f64| Setting::with(|setting| setting.eye = DVec3::new(x, 3.0, 9.0));
             [2.0_f64.next_down(), 2.0, 2.0_f64.next_up()]
                 .map(beside)
@@ -106,7 +106,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "eye at the lights",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             vec![
                 Setting::with(|setting| setting.lights = lights_at(setting.eye)),
                 Setting::with(|setting| {
@@ -118,7 +118,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "a face whose depths are as 1 to a million",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             let floor = |rotation: f64| {
                 Setting::with(|setting| {
                     setting.cuboids[0].size = DVec3::new(20.0, 2.0, 2e6);
@@ -134,7 +134,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "field of view of 1e-3 and of 1e-9 degrees",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             [1e-3, 1e-9]
                 .map(|fov| Setting::with(|setting| setting.fov = fov))
                 .into()
@@ -142,7 +142,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "a cuboid as large as the picture from 1e4 to 1e9 units away",
-        rule: Rule::Reference(|| [1e3, 1e5, 1e8].map(from_afar).into()),
+        rule: Rule::Proven(|| [1e3, 1e5, 1e8].map(from_afar).into()),
     },
     Case {
         name: "perspective from 1e4 times as far against orthographic",
@@ -153,7 +153,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "field of view of 179 degrees",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             [DVec3::new(1.0, 1.0, 2.0), DVec3::new(0.1, 0.1, 1.01)]
                 .map(|eye| {
                     Setting::with(|setting| {
@@ -167,11 +167,11 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "orthographic height of 1e-6",
-        rule: Rule::Reference(|| vec![Setting::with(|setting| setting.height = 1e-6)]),
+        rule: Rule::Proven(|| vec![Setting::with(|setting| setting.height = 1e-6)]),
     },
     Case {
         name: "orthographic height of 1e6",
-        rule: Rule::Reference(|| {
+        rule: Rule::Proven(|| {
             vec![
                 Setting::with(|setting| setting.height = 1e6),
                 Setting::with(|setting| {

@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use serde::Serialize;
 
-use super::{Example, Mark, Proof, Verdict, prove};
+use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
 use crate::components::{ShadingMode, View};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, Workers};
@@ -17,9 +17,7 @@ use crate::output::Output;
 use crate::shading::limit;
 use crate::systems;
 
-/// The colours of pixels that are undecided, refuted, and proven to show one side of an edge.
-const UNDECIDED: u32 = 0x00ff_d500;
-const REFUTED: u32 = 0x00ff_2020;
+/// The colour of pixels that are proven to show one side of an edge.
 const OUTLINE: u32 = 0x0026_5a78;
 
 /// What `--json` prints.

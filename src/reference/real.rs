@@ -1,15 +1,15 @@
 //! The numbers that the formula is evaluated in: f64 gives one value, intervals enclose every value that exact
 //! arithmetic could give.
 //!
-//! Rule: an interval that straddles a bound is undecided, and nothing takes "undecided" for "no". Intervals round
-//! outwards (IEEE 1788.1, crate maryada), so the exact value of every expression lies in its interval. An operation
-//! that is undefined somewhere gives no narrower interval for it: see [`Real::endpoints`].
+//! Rule: an interval that straddles a bound is undecided, and nothing takes "undecided" for "no".
 
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use maryada::{EnclosureOps, Interval, IntervalOps};
+use maryada::EnclosureOps;
+
+use super::interval::Interval;
 
 /// Where |n.l| is smaller, the gate of a specular light may fall either way.
 pub const GATE_TIE: f64 = 1e-6;
@@ -51,17 +51,8 @@ pub trait Real:
     /// The smaller of two numbers.
     fn min(self, other: Self) -> Self;
 
-    /// Radians of an angle in degrees, -90..=90.
-    fn radians(degrees: f64) -> Self;
-
-    /// The sine of an angle in radians.
-    fn sin(self) -> Self;
-
-    /// The cosine of an angle in radians.
-    fn cos(self) -> Self;
-
-    /// The tangent of an angle in radians.
-    fn tan(self) -> Self;
+    /// Sine and cosine of an angle in degrees, -90..=90.
+    fn sin_cos(degrees: f64) -> [Self; 2];
 
     /// To the power of `exponent`, 0..=1e6; of a number in 0..=1. 0^0 is 1.
     fn power(self, exponent: f64) -> Self;
@@ -106,20 +97,8 @@ impl Real for f64 {
         f64::min(self, other)
     }
 
-    fn radians(degrees: f64) -> Self {
-        degrees.to_radians()
-    }
-
-    fn sin(self) -> Self {
-        f64::sin(self)
-    }
-
-    fn cos(self) -> Self {
-        f64::cos(self)
-    }
-
-    fn tan(self) -> Self {
-        f64::tan(self)
+    fn sin_cos(degrees: f64) -> [Self; 2] {
+        degrees.to_radians().sin_cos().into()
     }
 
     fn power(self, exponent: f64) -> Self {
@@ -136,13 +115,8 @@ impl Real for f64 {
 }
 
 impl Real for Interval {
-    /// The empty interval, which 0 / 0 gives, bounds nothing: every number is possible.
     fn endpoints(self) -> [f64; 2] {
-        if self.is_empty() {
-            [f64::NEG_INFINITY, f64::INFINITY]
-        } else {
-            [self.inf(), self.sup()]
-        }
+        Interval::endpoints(self)
     }
 
     fn sign(self, margin: f64) -> Option<Ordering> {
@@ -164,62 +138,44 @@ impl Real for Interval {
     }
 
     fn is_tied(self) -> bool {
-        self.endpoints().iter().all(|bound| bound.abs() <= GATE_TIE)
+        self.endpoints().iter().all(|end| end.abs() <= GATE_TIE)
     }
 
     fn square(self) -> Self {
-        self.sqr()
+        Interval::square(self)
     }
 
     fn sqrt(self) -> Self {
-        EnclosureOps::sqrt(self)
+        Interval::sqrt(self)
     }
 
     fn max(self, other: Self) -> Self {
-        IntervalOps::max(self, other)
+        Interval::max(self, other)
     }
 
     fn min(self, other: Self) -> Self {
-        IntervalOps::min(self, other)
+        Interval::min(self, other)
     }
 
-    fn radians(degrees: f64) -> Self {
+    fn sin_cos(degrees: f64) -> [Self; 2] {
         // The f64 is below pi.
-        Interval::from(degrees) * Interval::new(PI, PI.next_up()) / 180.0
-    }
-
-    fn sin(self) -> Self {
-        EnclosureOps::sin(self)
-    }
-
-    fn cos(self) -> Self {
-        EnclosureOps::cos(self)
-    }
-
-    fn tan(self) -> Self {
-        EnclosureOps::tan(self)
+        let radians = Interval::from(degrees) * Interval::new(PI, PI.next_up());
+        let radians = radians / Interval::from(180.0);
+        [
+            radians.map(EnclosureOps::sin),
+            radians.map(EnclosureOps::cos),
+        ]
     }
 
     fn power(self, exponent: f64) -> Self {
-        match self.endpoints() {
-            _ if exponent == 0.0 => Interval::ONE,
-            [_, largest] if largest <= 0.0 => Interval::ZERO,
-            _ => (self.log() * exponent).exp(),
-        }
+        Interval::power(self, exponent)
     }
 
     fn both(self, other: Self) -> Self {
-        self.intersection(other)
+        Interval::both(self, other)
     }
 
     fn either(self, other: Self) -> Self {
-        // The hull would forget an empty one.
-        if self.is_empty() {
-            return self;
-        }
-        if other.is_empty() {
-            return other;
-        }
-        self.convex_hull(other)
+        Interval::either(self, other)
     }
 }

@@ -20,12 +20,11 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use glam::DVec3;
-use maryada::Interval;
-
+use super::interval::Interval;
 use super::real::Real;
 use super::vector::Vector;
 use crate::components::{Mesh, Projection, Transform, View};
+use glam::DVec3;
 
 /// How near to an edge, in pixels, a pixel's centre may show either side: snapping moves corners by up to 0.003 pixel.
 pub const EDGE: f64 = 0.01;
@@ -51,6 +50,8 @@ pub struct Solid<R> {
     pub axes: [Vector<R>; 3],
     /// Half the lengths of its edges.
     half: [f64; 3],
+    /// The reciprocals of the lengths of its edges.
+    per_edge: [R; 3],
     /// The eye from the centre.
     eye: Vector<R>,
     /// What one pixel right and one pixel down add to the line's direction in perspective, to its start if orthographic.
@@ -127,13 +128,11 @@ pub struct Line<R> {
 
 /// Where a line of sight meets a cuboid.
 #[derive(Clone, Copy)]
-pub struct Meeting<R> {
+pub struct Meeting {
     /// The faces it may meet, one bit each; one face, unless an edge is near.
     faces: u8,
     /// Whether it certainly meets one of them.
     pub is_certain: bool,
-    /// Distance along the view direction in world units.
-    pub depth: R,
 }
 
 /// The point of a face that a line of sight meets.
@@ -141,7 +140,7 @@ pub struct Place<R> {
     /// How high above the face the line starts, in world units, and how much of that it loses for each unit of depth.
     pub height: R,
     pub slope: R,
-    /// (x / h_x, y / h_y, z / h_z): the coordinates from the cuboid's centre over half the lengths of its edges.
+    /// The coordinates from the cuboid's centre over the lengths of its edges: -1/2..=1/2 within the face.
     pub share: Vector<R>,
 }
 
@@ -154,7 +153,10 @@ impl<R: Real> Sight<R> {
         let forward = to_target.unit();
         let right = forward.cross(Vector::exact(camera.up).unit()).unit();
         let seen = match view.projection {
-            Projection::Perspective => R::from(2.0) * R::radians(camera.fov / 2.0).tan(),
+            Projection::Perspective => {
+                let [sin, cos] = R::sin_cos(camera.fov / 2.0);
+                R::from(2.0) * sin / cos
+            }
             Projection::Orthographic => R::from(camera.height),
         };
         Sight {
@@ -239,8 +241,7 @@ fn sin_cos<R: Real>(degrees: f64) -> [R; 2] {
     // The remainder of a division of floats is exact, and so is the rest of a quarter turn.
     let turn = degrees % 360.0;
     let quarters = (turn / 90.0).round();
-    let rest = R::radians(turn - 90.0 * quarters);
-    let (sin, cos) = (rest.sin(), rest.cos());
+    let [sin, cos] = R::sin_cos(turn - 90.0 * quarters);
     match quarters.rem_euclid(4.0) as u8 {
         0 => [sin, cos],
         1 => [cos, -sin],
@@ -262,12 +263,17 @@ fn all(known: impl Iterator<Item = Option<bool>>) -> Option<bool> {
     all
 }
 
-impl<R> Meeting<R> {
+impl Meeting {
     /// The faces that may be met, by their place in [`crate::components::FACES`].
     pub fn faces(&self) -> impl Iterator<Item = usize> {
         let faces = self.faces;
         (0..6).filter(move |face| faces >> face & 1 == 1)
     }
+}
+
+/// `x` with the sign of `sign`, -1 or 1.
+fn signed<R: Real>(sign: f64, x: R) -> R {
+    if sign < 0.0 { -x } else { x }
 }
 
 /// The axes along the face across `axis`.
@@ -291,9 +297,11 @@ impl<R: Real> Solid<R> {
         let axes = own_axes(transform);
         let own = |v: Vector<R>| Vector(axes.map(|axis| axis.dot(v)));
         let [right, up, forward] = sight.axes.map(own);
+        let half = mesh.corners[7].to_array();
         let mut solid = Solid {
             axes,
-            half: mesh.corners[7].to_array(),
+            half,
+            per_edge: half.map(|half| R::from(0.5) / R::from(half)),
             eye: own(Vector::exact(sight.eye) - Vector::exact(transform.position)),
             step: [right * sight.pitch, -up * sight.pitch],
             forward,
@@ -327,7 +335,7 @@ impl<R: Real> Solid<R> {
     /// The eye's height above the plane of a face.
     fn height(&self, face: usize) -> R {
         let (axis, outwards) = across(face);
-        R::from(outwards) * self.eye.0[axis] - R::from(self.half[axis])
+        signed(outwards, self.eye.0[axis]) - R::from(self.half[axis])
     }
 
     /// Greater: a face looks towards the eye.
@@ -412,28 +420,19 @@ impl<R: Real> Solid<R> {
     }
 
     /// Where the line meets the cuboid beyond the near plane; `None`: certainly nowhere.
-    pub fn meet(&self, line: &Line<R>) -> Option<Meeting<R>> {
+    pub fn meet(&self, line: &Line<R>) -> Option<Meeting> {
         let mut faces = 0;
         let mut is_certain = false;
-        let mut depth: Option<R> = None;
         for (number, face) in self.faces() {
             let edges = face.edges.iter().chain([&face.near]);
             let inside = all(edges.map(|edge| edge.side(line.pixel, EDGE)));
             if inside != Some(false) {
-                let [height, slope] = self.approach(number, line);
-                let here = height / slope;
                 faces |= 1 << number;
                 is_certain |= inside == Some(true);
-                depth = Some(depth.map_or(here, |other| other.either(here)));
             }
         }
-        let depth = depth?;
-        let mut meeting = Meeting {
-            faces,
-            is_certain,
-            depth,
-        };
-        if !is_certain {
+        let mut meeting = Meeting { faces, is_certain };
+        if faces > 0 && !is_certain {
             // Near an edge between two faces one of them is met if the line passes within the outline of both.
             let outline = self.faces().flat_map(|(_, face)| {
                 let edges = face.edges.iter().zip(face.is_shared);
@@ -446,7 +445,16 @@ impl<R: Real> Solid<R> {
             let inside = all(edges.map(|edge| edge.side(line.pixel, EDGE)));
             meeting.is_certain = inside == Some(true);
         }
-        Some(meeting)
+        (faces > 0).then_some(meeting)
+    }
+
+    /// How far away the line meets the cuboid, along the view direction, in world units.
+    pub fn depth(&self, meeting: Meeting, line: &Line<R>) -> Option<R> {
+        let depths = meeting.faces().map(|face| {
+            let [height, slope] = self.approach(face, line);
+            height / slope
+        });
+        depths.reduce(R::either)
     }
 
     /// The faces that may be seen.
@@ -458,8 +466,8 @@ impl<R: Real> Solid<R> {
     /// The height and the slope of a [`Place`].
     fn approach(&self, face: usize, line: &Line<R>) -> [R; 2] {
         let (axis, outwards) = across(face);
-        let slope = R::from(-outwards) * line.along.0[axis];
-        let height = self.height(face) + R::from(outwards) * line.offset.0[axis];
+        let slope = signed(-outwards, line.along.0[axis]);
+        let height = self.height(face) + signed(outwards, line.offset.0[axis]);
         [height, slope]
     }
 
@@ -470,9 +478,9 @@ impl<R: Real> Solid<R> {
         let depth = height / slope;
         let share = std::array::from_fn(|i| {
             if i == axis {
-                R::from(outwards)
+                R::from(0.5 * outwards)
             } else {
-                (line.from.0[i] + line.along.0[i] * depth) / R::from(self.half[i])
+                (line.from.0[i] + line.along.0[i] * depth) * self.per_edge[i]
             }
         });
         Place {
@@ -482,25 +490,30 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// Whether the line passes the first triangle of a face.
+    /// Whether the line passes the first triangle of a face; an interval within [`EDGE`] of the diagonal is undecided.
     pub fn is_on_first(&self, face: usize, line: &Line<R>) -> Option<bool> {
-        self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0)
+        self.faces[face].as_ref()?.diagonal.side(line.pixel, EDGE)
     }
 
-    /// The weights of the corners a, c and of the third one on the side of the point: each 0..=1, together 1.
+    /// The weights of the corners a, c and of the third one of a triangle: together 1, each 0..=1 within it.
     ///
     /// ```text
     ///     d (-, +)-----------c (+, +)      u, v: the share along the two axes of the face
     ///        |            .'  |
-    ///        |     *   .'     |        a: (1 - max(u, v)) / 2     c: (1 + min(u, v)) / 2     b or d: |u - v| / 2
+    ///        |     *   .'     |        here a: 1/2 - v     c: 1/2 + u     d: v - u
     ///        |      .'        |
     ///     a (-, -)-----------(+, -)
     /// ```
-    pub fn weights(face: usize, place: &Place<R>) -> [R; 3] {
-        let [u, v] = along(across(face).0).map(|axis| place.share.0[axis]);
-        let one = R::from(1.0);
-        let (larger, smaller) = (u.max(v), u.min(v));
-        [one - larger, one + smaller, larger - smaller].map(|weight| weight / R::from(2.0))
+    pub fn weights(face: usize, is_first: bool, place: &Place<R>) -> [R; 3] {
+        let (axis, outwards) = across(face);
+        let [u, v] = along(axis).map(|axis| place.share.0[axis]);
+        let half = R::from(0.5);
+        let (larger, smaller) = if is_first == (outwards > 0.0) {
+            (u, v)
+        } else {
+            (v, u)
+        };
+        [half - larger, half + smaller, larger - smaller]
     }
 
     /// Distances of corners along the view direction, unless one is nearer than the near plane.

@@ -13,7 +13,7 @@ pub struct Progress {
 }
 
 /// Has `work` done with a bar that shows the share of its present step, and is gone when it ends well.
-pub(super) fn with_bar<T, E>(
+pub(crate) fn with_bar<T, E>(
     work: impl FnOnce(&(dyn Fn(Progress) + Sync)) -> Result<T, E>,
 ) -> anyhow::Result<T>
 where

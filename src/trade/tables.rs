@@ -11,7 +11,7 @@ pub const WIDTH: usize = 100;
 const GAP: u16 = 2;
 
 /// A table for a terminal, its first column to the left and the others to the right.
-pub(super) fn aligned(head: &[String], rows: &[Vec<String>]) -> String {
+pub(crate) fn aligned(head: &[String], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
     table.set_style(TableComponent::HeaderLines, '\u{2500}');
@@ -37,7 +37,7 @@ pub(super) fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
 }
 
 /// The same words in lines of at most [`WIDTH`] columns, but for longer words.
-pub(super) fn wrapped(text: &str) -> String {
+pub(crate) fn wrapped(text: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
         match lines.last_mut() {

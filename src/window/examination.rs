@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use super::examiner::Findings;
+use super::examiner::{Answer, Findings};
 
 /// How long nothing changes before a picture is examined.
 pub const REST: Duration = Duration::from_millis(100);
@@ -46,11 +46,16 @@ impl Examination {
     }
 
     /// Takes an answer; returns whether it is about the present picture.
-    pub fn answer(&mut self, findings: Findings) -> bool {
-        let fits = findings.revision == self.revision;
-        if fits {
-            self.findings = Some(findings);
+    pub fn answer(&mut self, answer: Answer) -> bool {
+        match (answer, &mut self.findings) {
+            (Answer::Findings(findings), known) if findings.revision == self.revision => {
+                *known = Some(findings);
+            }
+            (Answer::Proof(revision, proof), Some(findings)) if revision == self.revision => {
+                findings.add_proof(proof);
+            }
+            _ => return false,
         }
-        fits
+        true
     }
 }

@@ -16,6 +16,7 @@ use crate::components::{ShadingMode, View};
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
+use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict, prove};
 use crate::reference::{self, Truth};
 use crate::scene::Scene;
 use crate::systems;
@@ -57,15 +58,25 @@ pub struct Findings {
     pub errors: Option<Errors>,
     /// Against the picture's own mode; `None` where nothing can be compared.
     pub own_errors: Option<Errors>,
+    /// The proof that the picture keeps its tolerance, which takes longest; `None` until it is there.
+    pub proof: Option<Proof>,
+}
+
+/// What the thread sends.
+pub enum Answer {
+    /// Everything but the proof.
+    Findings(Findings),
+    /// The proof for the findings of the same revision.
+    Proof(u64, Proof),
 }
 
 /// Finds out everything about `question`; `None` as soon as `cancelled` says yes, or where memory does not suffice.
 pub fn examine(
-    mut question: Question,
+    question: &mut Question,
     workers: Workers,
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<Findings> {
-    let view = question.view;
+    let view = question.view.clone();
     let [width, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
     let phong = View {
@@ -105,7 +116,22 @@ pub fn examine(
         error_map,
         errors: errors.statistics(),
         own_errors: own_errors.statistics(),
+        proof: None,
     })
+}
+
+impl Findings {
+    /// Takes the proof, and marks in the error map what it lacks.
+    pub fn add_proof(&mut self, proof: Proof) {
+        for (pixel, mark) in self.error_map.iter_mut().zip(&proof.marks) {
+            match mark.verdict {
+                Verdict::Proven => {}
+                Verdict::Undecided => *pixel = UNDECIDED,
+                Verdict::Refuted => *pixel = REFUTED,
+            }
+        }
+        self.proof = Some(proof);
+    }
 }
 
 fn picture_of(truth: &Truth) -> Picture<'_, f64> {
@@ -144,7 +170,7 @@ impl Sum {
 /// The thread that finds out.
 pub struct Examiner {
     questions: Option<Sender<Question>>,
-    answers: Receiver<Findings>,
+    answers: Receiver<Answer>,
     /// The revision whose findings are wanted; work on any other stops.
     wanted: Arc<AtomicU64>,
     thread: Option<JoinHandle<()>>,
@@ -194,8 +220,8 @@ impl Examiner {
     }
 
     /// What has been found out since this was last asked.
-    pub fn answer(&self) -> Option<Findings> {
-        self.answers.try_iter().last()
+    pub fn answers(&self) -> impl Iterator<Item = Answer> {
+        self.answers.try_iter()
     }
 }
 
@@ -212,22 +238,28 @@ impl Drop for Examiner {
 
 fn work(
     asked: &Receiver<Question>,
-    answer: &Sender<Findings>,
+    answer: &Sender<Answer>,
     wanted: &AtomicU64,
     level: Level,
     pool: &ThreadPool,
 ) {
-    while let Ok(question) = asked.recv() {
+    while let Ok(mut question) = asked.recv() {
         let revision = question.revision;
         let cancelled = || wanted.load(Ordering::Relaxed) != revision;
         if cancelled() {
             continue;
         }
-        let findings = pool.install(|| examine(question, Workers::alone(level), &cancelled));
-        if let Some(findings) = findings
-            && answer.send(findings).is_err()
-        {
-            return;
-        }
+        pool.install(|| {
+            // A window that no longer listens is closed, and asks nothing more.
+            let Some(findings) = examine(&mut question, Workers::alone(level), &cancelled) else {
+                return;
+            };
+            let _ = answer.send(Answer::Findings(findings));
+            let (world, view) = (&mut question.scene.world, &question.view);
+            let workers = [Workers::alone(level), Workers::alone(level)];
+            if let Ok(Some(proof)) = prove(world, view, workers, &cancelled, &|_| ()) {
+                let _ = answer.send(Answer::Proof(revision, proof));
+            }
+        });
     }
 }

@@ -14,7 +14,7 @@ use fearless_simd::Level;
 
 use super::bindings::Action;
 use super::examination::Examination;
-use super::examiner::{Findings, Question};
+use super::examiner::{Answer, Question};
 use super::looking::Looking;
 use super::measuring::{self, Measuring, News};
 use super::orbit::{Orbit, moved_camera};
@@ -110,8 +110,8 @@ impl Session {
     }
 
     /// Takes what was found out, unless it is about a picture that has changed since.
-    pub fn answer(&mut self, findings: Findings) {
-        if self.examination.answer(findings) {
+    pub fn answer(&mut self, answer: Answer) {
+        if self.examination.answer(answer) {
             self.wants(Redraw::Overlay);
         }
     }

@@ -93,7 +93,7 @@ fn what_is_no_number_is_displayed_as_0_and_judged_as_that() {
 
 #[test]
 fn an_enclosure_that_knows_nothing_proves_nothing_and_refutes_nothing() {
-    for levels in [Interval::EMPTY, Interval::ENTIRE] {
+    for levels in [Interval::from(f64::NAN), Interval::ALL] {
         let seen = [Seen {
             face: Some(0),
             levels: [levels; 3],
@@ -199,7 +199,7 @@ fn a_sign_is_known_where_all_of_the_interval_has_it() {
         assert_eq!(interval(least, largest).sign(0.5), expected);
     }
     assert_eq!(interval(0.4, 2.0).sign(0.0), Some(Ordering::Greater));
-    assert_eq!(Interval::EMPTY.sign(0.0), None);
+    assert_eq!(Interval::ALL.sign(0.0), None);
 }
 
 #[test]
@@ -216,14 +216,14 @@ fn a_gate_is_open_closed_tied_or_undecided() {
         let facing = interval(least, largest);
         assert_eq!([false, true].map(|tied| facing.gate(tied)), expected);
     }
-    assert_eq!(Interval::EMPTY.gate(true), None);
+    assert_eq!(Interval::ALL.gate(true), None);
 }
 
 #[test]
 fn what_may_be_either_of_two_is_unknown_if_one_of_them_is() {
     let [one, two] = [1.0, 2.0].map(Interval::from);
     assert_eq!(one.either(two).endpoints(), [1.0, 2.0]);
-    for unknown in [one.either(Interval::EMPTY), Interval::EMPTY.either(one)] {
+    for unknown in [one.either(Interval::ALL), Interval::ALL.either(one)] {
         assert_eq!(unknown.endpoints(), [f64::NEG_INFINITY, f64::INFINITY]);
     }
     assert_eq!(

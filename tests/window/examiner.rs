@@ -6,8 +6,9 @@ use std::time::{Duration, Instant};
 use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::frame::Workers;
+use shadetrade::prove::{Proof, REFUTED, UNDECIDED, Verdict, prove};
 use shadetrade::trade::error_map;
-use shadetrade::window::examiner::{Errors, Examiner, Findings, Question, examine};
+use shadetrade::window::examiner::{Answer, Errors, Examiner, Findings, Question, examine};
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Shown};
 use shadetrade::window::session::{Redraw, Request, Session};
@@ -17,9 +18,21 @@ use super::{default_session, press};
 /// A small picture, higher than one band of rows.
 const SMALL: [usize; 2] = [96, 80];
 
-fn found(question: Question) -> Findings {
-    let workers = Workers::new(1, Level::new()).expect("no thread is needed");
-    examine(question, workers, &|| false).expect("nobody cancels it")
+fn found(mut question: Question) -> Findings {
+    let workers = Workers::alone(Level::new());
+    examine(&mut question, workers, &|| false).expect("nobody cancels it")
+}
+
+fn proof(mut question: Question) -> Proof {
+    let workers = [(); 2].map(|()| Workers::alone(Level::new()));
+    let proof = prove(
+        &mut question.scene.world,
+        &question.view,
+        workers,
+        &|| false,
+        &|_| (),
+    );
+    proof.expect("there is memory").expect("nobody cancels it")
 }
 
 fn facts(session: &Session) -> Vec<String> {
@@ -69,10 +82,10 @@ fn an_answer_about_another_picture_is_dropped() {
     let findings = found(session.question(SMALL));
     press(&mut session, Key::R);
     session.take_redraw();
-    session.answer(findings);
+    session.answer(Answer::Findings(findings));
     assert!(session.findings().is_none());
     assert_eq!(session.take_redraw(), Redraw::Nothing);
-    session.answer(found(session.question(SMALL)));
+    session.answer(Answer::Findings(found(session.question(SMALL))));
     assert!(session.findings().is_some());
     assert_eq!(session.take_redraw(), Redraw::Overlay);
     press(&mut session, Key::P);
@@ -89,8 +102,62 @@ fn the_panel_tells_the_error_or_why_there_is_none() {
         mean: 9.934,
     });
     findings.own_errors = None;
-    session.answer(findings);
+    session.answer(Answer::Findings(findings));
     assert_eq!(facts(&session)[4..6], ["   163   9.93", "-"]);
+}
+
+#[test]
+fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
+    let mut session = default_session();
+    session.answer(Answer::Proof(
+        session.revision(),
+        proof(session.question(SMALL)),
+    ));
+    assert!(
+        facts(&session)[1].starts_with("... of"),
+        "a proof follows the findings"
+    );
+    session.answer(Answer::Findings(found(session.question(SMALL))));
+    let proven = proof(session.question(SMALL));
+    session.answer(Answer::Proof(session.revision() + 1, proven.clone()));
+    assert!(
+        facts(&session)[1].starts_with("... of"),
+        "a proof of another picture"
+    );
+    session.answer(Answer::Proof(session.revision(), proven.clone()));
+    let covered = proven.covered.to_string();
+    let told = facts(&session)[1].replace(' ', "");
+    assert!(
+        told.starts_with(&format!("{covered}of")) && proven.covered > 1000,
+        "{told}"
+    );
+
+    let mut lacking = proven.clone();
+    lacking.undecided = 2;
+    lacking.marks[3].verdict = Verdict::Undecided;
+    session.answer(Answer::Proof(session.revision(), lacking.clone()));
+    assert!(alarm(&session).contains('2'), "{}", alarm(&session));
+    lacking.refuted = 7;
+    lacking.marks[4].verdict = Verdict::Refuted;
+    session.answer(Answer::Proof(session.revision(), lacking));
+    assert!(
+        alarm(&session).contains("7 px refuted"),
+        "{}",
+        alarm(&session)
+    );
+    let map = &session.findings().expect("they were given").error_map;
+    assert_eq!(map[3..5], [UNDECIDED, REFUTED]);
+    assert_ne!(map[5], REFUTED);
+}
+
+fn alarm(session: &Session) -> String {
+    let hud = Hud::new(session, super::SIZE, Shown::All);
+    let mut rows = hud.panel().expect("there is room").rows().iter();
+    let alarm = rows.find_map(|(line, _)| match line {
+        Line::Alarm(_, value) => Some(value.clone()),
+        _ => None,
+    });
+    alarm.unwrap_or_default()
 }
 
 #[test]
@@ -132,7 +199,7 @@ fn where_nothing_is_drawn_there_is_no_error() {
     question.view.viewpoint.camera.target = question.view.viewpoint.position * 2.0;
     let findings = found(question);
     assert_eq!((findings.errors, findings.own_errors), (None, None));
-    session.answer(findings);
+    session.answer(Answer::Findings(findings));
     assert_eq!(facts(&session)[4..6], ["-", "-"]);
 }
 
@@ -142,7 +209,10 @@ fn an_examination_stops_as_soon_as_it_is_cancelled() {
     let asked = AtomicUsize::new(0);
     let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let cancelled = || asked.fetch_add(1, Ordering::Relaxed) >= 3;
-    assert_eq!(examine(session.question(SMALL), workers, &cancelled), None);
+    assert_eq!(
+        examine(&mut session.question(SMALL), workers, &cancelled),
+        None
+    );
 }
 
 #[test]
@@ -154,10 +224,10 @@ fn the_newest_question_is_answered() {
         examiner.ask(session.question([400, 300]));
     }
     let start = Instant::now();
-    while session.findings().is_none() {
+    while session.findings().is_none_or(|it| it.proof.is_none()) {
         assert!(start.elapsed() < Duration::from_secs(60));
-        if let Some(findings) = examiner.answer() {
-            session.answer(findings);
+        for answer in examiner.answers() {
+            session.answer(answer);
         }
     }
     // Asked and withdrawn: nothing comes.

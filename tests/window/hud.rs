@@ -104,7 +104,7 @@ fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state(
         facts,
         [
             "frame",
-            "shaded",
+            "proven",
             "window",
             "error",
             "vs Phong",

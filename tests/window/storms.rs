@@ -14,7 +14,7 @@ use shadetrade::scene::Scene;
 use shadetrade::trade::{self, Progress};
 use shadetrade::window::bindings::{Action, BINDINGS};
 use shadetrade::window::composition::Composition;
-use shadetrade::window::examiner::{Question, examine};
+use shadetrade::window::examiner::{Answer, Question, examine};
 use shadetrade::window::hud::{Hud, Shown, lines};
 use shadetrade::window::input::{Event, Input};
 use shadetrade::window::measuring::News;
@@ -194,9 +194,9 @@ impl Window {
                 let question = self.asked.take();
                 let workers = Workers::alone(Level::new());
                 if let Some(findings) =
-                    question.and_then(|asked| examine(asked, workers, &|| false))
+                    question.and_then(|mut asked| examine(&mut asked, workers, &|| false))
                 {
-                    self.session.answer(findings);
+                    self.session.answer(Answer::Findings(findings));
                 }
             }
             Happening::Measured(done) => self.session.hear(if *done {

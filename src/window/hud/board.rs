@@ -142,7 +142,7 @@ impl Parts {
     fn of(lines: Vec<Line>, style: &Style, room: i32, first: usize) -> Option<Parts> {
         let mut head = lines;
         let mut body = head.split_off(usize::from(matches!(head.first(), Some(Line::Title(..)))));
-        let is_foot = |line: &Line| matches!(line, Line::Fact(..) | Line::Rule);
+        let is_foot = |line: &Line| matches!(line, Line::Fact(..) | Line::Alarm(..) | Line::Rule);
         let mut foot = body.split_off(
             body.iter()
                 .rposition(|line| !is_foot(line))

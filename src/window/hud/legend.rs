@@ -10,6 +10,7 @@ use super::ink::{self, DIM, PANE, TEXT};
 use super::lines;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect};
 use crate::components::ShadingMode;
+use crate::prove::{REFUTED, UNDECIDED};
 use crate::shading::TileKind;
 use crate::trade::error_map::{self, EDGE, NOTHING};
 use crate::window::session::Session;
@@ -174,10 +175,7 @@ fn key(session: &Session, face: Face, area: Rect) -> Option<Key> {
                 "against exact Phong".to_owned(),
             ],
             true,
-            vec![
-                (EDGE, "other face".to_owned()),
-                (NOTHING, "nothing drawn".to_owned()),
-            ],
+            error_rows(session),
         ),
         ViewMode::Tiles => (vec!["tiles drawn".to_owned()], false, tile_rows(session)),
         ViewMode::Picture | ViewMode::GouraudPhong | ViewMode::MethodReference => return None,
@@ -204,6 +202,22 @@ fn key(session: &Session, face: Face, area: Rect) -> Option<Key> {
         scale,
         rows,
     })
+}
+
+/// What is no error: edges, the background, and pixels that are not proven where there are any.
+fn error_rows(session: &Session) -> Vec<(u32, String)> {
+    let proof = session.findings().and_then(|it| it.proof.as_ref());
+    let [undecided, refuted] = proof.map_or([0; 2], |proof| [proof.undecided, proof.refuted]);
+    [
+        (EDGE, "other face", true),
+        (NOTHING, "nothing drawn", true),
+        (UNDECIDED, "undecided", undecided > 0),
+        (REFUTED, "refuted", refuted > 0),
+    ]
+    .into_iter()
+    .filter(|(_, _, is_there)| *is_there)
+    .map(|(color, text, _)| (color, text.to_owned()))
+    .collect()
 }
 
 /// Every kind of tile, and how many of them were drawn.

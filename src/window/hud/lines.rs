@@ -54,6 +54,8 @@ pub enum Line {
     Text(String),
     /// Something to know: its name and its value.
     Fact(&'static str, String),
+    /// The same, and something is wrong.
+    Alarm(&'static str, String),
     /// A line drawn between what can be clicked and what can be known.
     Rule,
 }

@@ -4,7 +4,7 @@
 //! only on top of it.
 
 use super::board::{Board, Scroll};
-use super::ink::{DIM, EDGE, PANE, TEXT, THICK_PANE};
+use super::ink::{ALARM, DIM, EDGE, PANE, TEXT, THICK_PANE};
 use super::lines::{Command, Line, Mark, ON};
 use crate::canvas::{Canvas, Ink, Rect, fit};
 use crate::window::bindings::Action;
@@ -51,7 +51,8 @@ impl Board {
                     let at = [row.x, self.text_top(*row)];
                     canvas.text(self.style.face, at, TEXT, &fit(words, letters));
                 }
-                Line::Fact(name, value) => self.draw_fact(canvas, *row, name, value),
+                Line::Fact(name, value) => self.draw_fact(canvas, *row, name, (value, TEXT)),
+                Line::Alarm(name, value) => self.draw_fact(canvas, *row, name, (value, ALARM)),
                 Line::Rule => {
                     canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), EDGE);
                 }
@@ -71,7 +72,7 @@ impl Board {
     }
 
     /// A value, and its name where there is room for both.
-    fn draw_fact(&self, canvas: &mut Canvas, row: Rect, name: &str, value: &str) {
+    fn draw_fact(&self, canvas: &mut Canvas, row: Rect, name: &str, (value, ink): (&str, Ink)) {
         let (face, y) = (self.style.face, self.text_top(row));
         let letters = (row.width / face.advance()).max(0) as usize;
         let value = fit(value, letters);
@@ -79,7 +80,7 @@ impl Board {
         canvas.text(
             face,
             [row.right() - face.width(value_letters), y],
-            TEXT,
+            ink,
             &value,
         );
         if name.len() + 1 + value_letters <= letters {

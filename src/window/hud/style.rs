@@ -203,7 +203,9 @@ impl Columns {
                     words = words.max(letters + states(command));
                 }
                 Line::Text(words) => text = text.max(words.chars().count()),
-                Line::Fact(name, value) => fact = fact.max(name.len() + 2 + value.chars().count()),
+                Line::Fact(name, value) | Line::Alarm(name, value) => {
+                    fact = fact.max(name.len() + 2 + value.chars().count());
+                }
                 Line::Title(..) | Line::Heading(_) | Line::Rule => {}
             }
         }

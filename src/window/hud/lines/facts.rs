@@ -15,10 +15,7 @@ pub fn all(session: &Session) -> [Line; 6] {
     let both = |errors: Errors| columns(&short_error(errors.max), &short_error(errors.mean));
     [
         Line::Fact("frame", frame_time(session)),
-        Line::Fact(
-            "shaded",
-            format!("{} px", grouped(statistics.shaded_pixels())),
-        ),
+        proven(session),
         Line::Fact("window", format!("{width}\u{d7}{height}")),
         Line::Fact("error", columns("max", "mean")),
         Line::Fact("vs Phong", errors(session, |it| it.errors, both)),
@@ -33,6 +30,20 @@ pub fn brief(session: &Session) -> [Line; 2] {
         Line::Fact("frame", frame_time(session)),
         Line::Fact("max error", errors(session, |it| it.errors, max)),
     ]
+}
+
+/// How many of the pixels that show a cuboid are proven, or what is missing.
+fn proven(session: &Session) -> Line {
+    let name = "proven";
+    let shaded = grouped(session.statistics().shaded_pixels());
+    let Some(proof) = session.findings().and_then(|it| it.proof.as_ref()) else {
+        return Line::Fact(name, format!("... of {shaded}"));
+    };
+    match (proof.refuted, proof.undecided) {
+        (0, 0) => Line::Fact(name, format!("{} of {shaded}", grouped(proof.covered))),
+        (0, undecided) => Line::Alarm(name, format!("not {} px", grouped(undecided))),
+        (refuted, _) => Line::Alarm(name, format!("{} px refuted", grouped(refuted))),
+    }
 }
 
 fn frame_time(session: &Session) -> String {

@@ -1,0 +1,136 @@
+//! Curves in, the text of `stability.svg` out: a panel for each number, a line for each evaluation.
+//!
+//! ```text
+//!  error |      /   textbook
+//!   0.05 |- - -/- - - - - -    limit
+//!        |____/_________       ours
+//!        +-------------- number
+//! ```
+//! Rule: all axes are logarithmic, and all panels have the same axis of errors. Where a point is not decided the panel is
+//! shaded.
+
+use std::ops::Range;
+
+use plotters::prelude::*;
+
+use super::{Curve, EVALUATIONS, Point};
+use crate::prove::Verdict;
+use crate::trade::chart::{
+    self, Area, Axis, BLUE, Borders, FAINT, GREEN, INK, ORANGE, PURPLE, text_style,
+};
+
+const SIZE: (u32, u32) = (1080, 900);
+const HEADER: u32 = 84;
+
+const BORDERS: Borders = Borders {
+    top: 30,
+    right: 22,
+    other: 6,
+    labels: [40, 52],
+    letters: 10.0,
+};
+
+/// By evaluation.
+const COLORS: [RGBColor; 4] = [ORANGE, BLUE, PURPLE, GREEN];
+
+/// The axis of errors, in levels. What is less is drawn at its lower end.
+const ERRORS: Range<f64> = 1e-15..1e3;
+
+/// The plot as SVG.
+///
+/// # Errors
+/// When the plotting library gives one; it has no reason to.
+pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
+    chart::svg(SIZE, |area| {
+        let (header, panels) = area.split_vertically(HEADER);
+        let about = [(
+            "Phong, each pixel against an interval that encloses its exact value; one number of a scene varies in each panel.",
+            FAINT,
+        )];
+        chart::heading(&header, "How far a picture errs at most", &about)?;
+        key(&header)?;
+        let mut panels = panels.split_evenly((3, 3)).into_iter();
+        let mut panels = panels.by_ref().zip(curves.chunks(EVALUATIONS.len()));
+        panels.try_for_each(|(panel, curves)| draw(&panel, curves))
+    })
+}
+
+/// Which colour is which evaluation.
+fn key(area: &Area) -> anyhow::Result<()> {
+    let mut x = 24;
+    for (evaluation, color) in EVALUATIONS.iter().zip(COLORS) {
+        let line = vec![(x, 70), (x + 22, 70)];
+        area.draw(&PathElement::new(line, color.stroke_width(3)))?;
+        let text = format!("{}, limit {}", evaluation.id, evaluation.limit);
+        area.draw_text(&text, &text_style(12.0, color), (x + 28, 63))?;
+        x += 200;
+    }
+    area.draw(&Rectangle::new([(x, 63), (x + 22, 77)], UNDECIDED.filled()))?;
+    area.draw_text("not decided", &text_style(12.0, FAINT), (x + 28, 63))?;
+    Ok(())
+}
+
+/// The shade of what is not decided.
+const UNDECIDED: RGBColor = RGBColor(0xdd, 0xdf, 0xe2);
+
+/// One panel: its number, the axes, the limits and the lines.
+fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
+    area.draw_text(curves[0].number, &text_style(13.0, INK), (58, 8))?;
+    let [from, to] = curves[0].range();
+    let across = Axis {
+        name: curves[0].unit,
+        range: from..to * 1.0001,
+        ticks: decades(from, to, 6),
+        label: &|value| power(*value),
+    };
+    let up = Axis {
+        name: "levels",
+        range: ERRORS,
+        ticks: decades(ERRORS.start, ERRORS.end, 7),
+        label: &|value| power(*value),
+    };
+    let mut chart = chart::on(area, &BORDERS, across, up)?;
+    let undecided = curves.iter().flat_map(|curve| &curve.points);
+    let undecided = undecided.filter(|point| point.verdict == Verdict::Undecided);
+    let step = (to / from).powf(0.5 / (curves[0].points.len() - 1) as f64);
+    chart.draw_series(undecided.map(|point| {
+        let sides = [(point.value / step).max(from), (point.value * step).min(to)];
+        let corners = [(sides[0], ERRORS.start), (sides[1], ERRORS.end)];
+        Rectangle::new(corners, UNDECIDED.filled())
+    }))?;
+    for limit in [0.05, 0.5] {
+        let line = vec![(from, limit), (to, limit)];
+        chart.draw_series([PathElement::new(line, FAINT.stroke_width(1))])?;
+    }
+    // The reference first, the others over it.
+    for (curve, color) in curves.iter().zip(COLORS).rev() {
+        let at = |point: &Point| (point.value, point.error[1].max(ERRORS.start));
+        let line: Vec<(f64, f64)> = curve.points.iter().map(at).collect();
+        chart.draw_series([PathElement::new(line, color.stroke_width(2))])?;
+    }
+    Ok(())
+}
+
+/// At most so many powers of ten, evenly spaced, from the axis' start.
+fn decades(from: f64, to: f64, most: i32) -> Vec<f64> {
+    let [first, last] = [
+        from.log10().ceil() as i32,
+        (to * 1.0001).log10().floor() as i32,
+    ];
+    let spaces = [1, 2, 3, 5, 10, 20, 25, 50];
+    let space = spaces
+        .into_iter()
+        .find(|space| (last - first) / space < most);
+    let space = space.unwrap_or(100);
+    let exponents = (first..=last).filter(|exponent| exponent.rem_euclid(space) == 0);
+    exponents.map(|exponent| 10.0_f64.powi(exponent)).collect()
+}
+
+/// A power of ten as it is written.
+fn power(value: f64) -> String {
+    match value.log10().round() as i32 {
+        exponent @ 0..=3 => 10_i32.pow(exponent as u32).to_string(),
+        -1 => "0.1".to_owned(),
+        exponent => format!("1e{exponent}"),
+    }
+}

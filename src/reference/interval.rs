@@ -1,0 +1,321 @@
+//! Intervals of real numbers with outward rounding.
+//!
+//! ```text
+//! sum      s = a + b     the rounding error is a float: (a - (s - (s - a))) + (b - (s - a))       (Knuth's TwoSum)
+//! product  p = a b       it is exact where fma(a, b, -p) is 0, and p is no smaller than TINY
+//! ```
+//!
+//! Rule: the exact value of every operation on numbers of the intervals lies in the result. A bound that is not exact is
+//! moved outwards by one float, because f64's operations round to nearest. What is undefined somewhere, such as a division
+//! by an interval that holds 0, may be any number. Exponential, logarithm, sine and cosine are crate maryada's, which
+//! proves its bounds (IEEE 1788.1).
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use maryada::{EnclosureOps, IntervalOps};
+
+/// Every number from `least` to `largest`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    least: f64,
+    largest: f64,
+}
+
+/// Below this size the error of a product or a quotient may be no float.
+const TINY: f64 = 1e-280;
+
+impl Interval {
+    /// Every number.
+    pub const ALL: Interval = Interval {
+        least: f64::NEG_INFINITY,
+        largest: f64::INFINITY,
+    };
+
+    /// The numbers from `least` to `largest`; all of them where one of these is no number.
+    pub fn new(least: f64, largest: f64) -> Self {
+        if least <= largest {
+            Interval { least, largest }
+        } else {
+            Interval::ALL
+        }
+    }
+
+    /// The least and the largest number.
+    pub fn endpoints(self) -> [f64; 2] {
+        [self.least, self.largest]
+    }
+
+    /// What holds these floats, each exact or the nearest to the exact one.
+    fn around<const COUNT: usize>(values: [(f64, bool); COUNT]) -> Self {
+        let [mut least, mut largest] = [f64::INFINITY, f64::NEG_INFINITY];
+        for (value, is_exact) in values {
+            if value.is_nan() {
+                return Interval::ALL;
+            }
+            let [below, above] = if is_exact {
+                [value; 2]
+            } else {
+                [value.next_down(), value.next_up()]
+            };
+            (least, largest) = (least.min(below), largest.max(above));
+        }
+        Interval { least, largest }
+    }
+
+    /// `of` every pair of endpoints.
+    fn of_endpoints(self, other: Self, of: impl Fn(f64, f64) -> (f64, bool)) -> Self {
+        let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
+        Interval::around([of(a, c), of(a, d), of(b, c), of(b, d)])
+    }
+
+    /// The square.
+    pub fn square(self) -> Self {
+        let square = self * self;
+        Interval::new(square.least.max(0.0), square.largest)
+    }
+
+    /// The square root of the numbers that have one.
+    pub fn sqrt(self) -> Self {
+        Interval::around(self.endpoints().map(|value| {
+            let root = value.max(0.0).sqrt();
+            let is_exact = value == 0.0 || value > TINY;
+            (root, is_exact && root.mul_add(root, -value) == 0.0)
+        }))
+    }
+
+    /// The larger of two numbers.
+    pub fn max(self, other: Self) -> Self {
+        Interval::new(self.least.max(other.least), self.largest.max(other.largest))
+    }
+
+    /// The smaller of two numbers.
+    pub fn min(self, other: Self) -> Self {
+        Interval::new(self.least.min(other.least), self.largest.min(other.largest))
+    }
+
+    /// The numbers in both. That there are none is a contradiction, of which nothing follows.
+    pub fn both(self, other: Self) -> Self {
+        Interval::new(self.least.max(other.least), self.largest.min(other.largest))
+    }
+
+    /// The numbers in either, and those between.
+    pub fn either(self, other: Self) -> Self {
+        Interval::new(self.least.min(other.least), self.largest.max(other.largest))
+    }
+
+    /// A function of crate maryada's.
+    pub fn map(self, of: impl Fn(maryada::Interval) -> maryada::Interval) -> Self {
+        let result = of(maryada::Interval::new(self.least, self.largest));
+        // An empty interval has endpoints in the wrong order.
+        Interval::new(result.inf(), result.sup())
+    }
+
+    /// To the power of `exponent`, >= 0, of a number in 0..=1. 0^0 is 1.
+    pub fn power(self, exponent: f64) -> Self {
+        if exponent == 0.0 {
+            return Interval::from(1.0);
+        }
+        let of = |base: maryada::Interval| (base.log() * exponent).exp();
+        let largest = Interval::from(self.largest).map(of).largest;
+        if self.least > 0.0 {
+            Interval::new(Interval::from(self.least).map(of).least, largest)
+        } else if self.largest > 0.0 {
+            Interval::new(0.0, largest)
+        } else {
+            Interval::from(0.0)
+        }
+    }
+}
+
+impl From<f64> for Interval {
+    fn from(value: f64) -> Self {
+        Interval::new(value, value)
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Interval {
+            least: -self.largest,
+            largest: -self.least,
+        }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let sum = |a: f64, b: f64| {
+            let sum = a + b;
+            let part = sum - a;
+            (sum, (a - (sum - part)) + (b - part))
+        };
+        let (least, below) = sum(self.least, other.least);
+        let (largest, above) = sum(self.largest, other.largest);
+        // An error that is no number is one of an infinite sum.
+        Interval::new(
+            if below >= 0.0 {
+                least
+            } else {
+                least.next_down()
+            },
+            if above <= 0.0 {
+                largest
+            } else {
+                largest.next_up()
+            },
+        )
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.of_endpoints(other, |a, b| {
+            let product = a * b;
+            let is_exact = a == 0.0 || b == 0.0 || product.abs() > TINY;
+            (product, is_exact && a.mul_add(b, -product) == 0.0)
+        })
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        if other.least <= 0.0 && other.largest >= 0.0 {
+            return Interval::ALL;
+        }
+        self.of_endpoints(other, |a, b| {
+            let quotient = a / b;
+            let is_exact = a == 0.0 || quotient.abs() > TINY && a.abs() > TINY;
+            (quotient, is_exact && quotient.mul_add(b, -a) == 0.0)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every pair of numbers of many sizes, near ones and exact ones among them.
+    fn pairs() -> impl Iterator<Item = [f64; 2]> {
+        let values: Vec<f64> = (0..40_u32)
+            .map(|i| f64::from(i).sin() * 10_f64.powi((i as i32 * 7) % 25 - 12))
+            .chain([
+                0.0,
+                1.0,
+                -1.0,
+                0.1,
+                3.0,
+                1e-200,
+                -1e-310,
+                1e300,
+                5e-324,
+                f64::MAX,
+            ])
+            .collect();
+        let others = values.clone();
+        let pairs = move |a: f64| others.clone().into_iter().map(move |b| [a, b]);
+        values.into_iter().flat_map(pairs)
+    }
+
+    fn both_kinds([a, b]: [f64; 2]) -> (Interval, maryada::Interval) {
+        let (least, largest) = (a.min(b), a.max(b));
+        (
+            Interval::new(least, largest),
+            maryada::Interval::new(least, largest),
+        )
+    }
+
+    /// The tightest interval that holds every result is held, and no bound is more than a float farther out.
+    fn assert_close(found: Interval, tightest: maryada::Interval, what: &str) {
+        let (least, largest) = (tightest.inf(), tightest.sup());
+        let [low, high] = found.endpoints();
+        assert!(
+            low <= least && largest <= high,
+            "{what}: {found:?} does not hold {tightest:?}"
+        );
+        let is_near = low >= least.next_down() && high <= largest.next_up();
+        assert!(is_near, "{what}: {found:?} is wider than {tightest:?}");
+    }
+
+    #[test]
+    fn operations_hold_what_the_library_s_tightest_ones_hold_and_hardly_more() {
+        for left in pairs().step_by(7) {
+            for right in pairs().step_by(11) {
+                let ((a, x), (b, y)) = (both_kinds(left), both_kinds(right));
+                let what = format!("{a:?} and {b:?}");
+                assert_close(a + b, x + y, &what);
+                assert_close(a - b, x - y, &what);
+                assert_close(a * b, x * y, &what);
+                if !y.contains(0.0) {
+                    assert_close(a / b, x / y, &what);
+                }
+                assert_close(a.max(b), maryada::IntervalOps::max(x, y), &what);
+                assert_close(a.min(b), maryada::IntervalOps::min(x, y), &what);
+                assert_close(a.either(b), x.convex_hull(y), &what);
+                if x.intersects(y) {
+                    assert_close(a.both(b), x.intersection(y), &what);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn functions_of_one_number_hold_what_the_library_s_hold() {
+        for pair in pairs() {
+            let (a, x) = both_kinds(pair);
+            let what = format!("{a:?}");
+            assert_close(-a, -x, &what);
+            let [low, high] = a.square().endpoints();
+            assert!(
+                low <= x.sqr().inf() && x.sqr().sup() <= high && low >= 0.0,
+                "{what}"
+            );
+            if a.least >= 0.0 {
+                assert_close(a.sqrt(), EnclosureOps::sqrt(x), &what);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_exact_stays_exact() {
+        let [three, half] = [3.0, 0.5].map(Interval::from);
+        assert_eq!((three * half + three - half).endpoints(), [4.0; 2]);
+        assert_eq!((three / half).endpoints(), [6.0; 2]);
+        assert_eq!((three - three).endpoints(), [0.0; 2]);
+        assert_eq!(Interval::from(2.25).sqrt().endpoints(), [1.5; 2]);
+        assert_eq!(Interval::from(0.0).power(76.8).endpoints(), [0.0; 2]);
+        assert_eq!(Interval::from(0.0).power(0.0).endpoints(), [1.0; 2]);
+    }
+
+    #[test]
+    fn what_is_undefined_may_be_anything() {
+        let (zero, one) = (Interval::from(0.0), Interval::from(1.0));
+        assert_eq!(zero / zero, Interval::ALL);
+        assert_eq!(one / Interval::new(-1.0, 1.0), Interval::ALL);
+        assert_eq!(zero * Interval::ALL, Interval::ALL);
+        assert_eq!(Interval::ALL - Interval::ALL, Interval::ALL);
+        assert_eq!(Interval::from(f64::NAN), Interval::ALL);
+        let [least, largest] = (Interval::from(f64::MAX) + Interval::from(f64::MAX)).endpoints();
+        assert!(least <= f64::MAX && largest == f64::INFINITY);
+    }
+
+    #[test]
+    fn a_power_is_that_of_the_logarithm() {
+        for (base, exponent, expected) in [(0.5, 2.0, 0.25), (0.25, 0.5, 0.5), (1.0, 1e6, 1.0)] {
+            let [least, largest] = Interval::from(base).power(exponent).endpoints();
+            assert!(least <= expected && expected <= largest && largest - least < 1e-14);
+        }
+        let [least, largest] = Interval::new(0.0, 0.5).power(2.0).endpoints();
+        assert!(least == 0.0 && (0.25..0.250_001).contains(&largest));
+    }
+}

@@ -1,0 +1,153 @@
+//! The stability charts: f32 leaves its limit where paper says, the renderer nowhere, and all outputs say the same.
+
+use std::sync::LazyLock;
+
+use fearless_simd::Level;
+use serde_json::Value;
+use shadetrade::extremes::stability::{Curve, EVALUATIONS, SWEEPS, csv, json, measure, table};
+use shadetrade::prove::Verdict;
+
+static CURVES: LazyLock<Vec<Curve>> =
+    LazyLock::new(|| measure(SWEEPS, Level::new(), &|_| ()).expect("every value makes a scene"));
+
+fn of(evaluation: &str) -> impl Iterator<Item = &'static Curve> {
+    CURVES
+        .iter()
+        .filter(move |curve| curve.evaluation == evaluation)
+}
+
+/// The verdicts on an evaluation where a number is within these ends.
+fn verdicts(evaluation: &str, number: &str, [from, to]: [f64; 2]) -> Vec<Verdict> {
+    let curve = of(evaluation)
+        .find(|curve| curve.number == number)
+        .unwrap_or_else(|| panic!("{number} is swept"));
+    let points = curve.points.iter();
+    let within = points.filter(|point| (from..=to).contains(&point.value));
+    within.map(|point| point.verdict).collect()
+}
+
+#[track_caller]
+fn assert_all(verdict: Verdict, evaluation: &str, number: &str, ends: [f64; 2]) {
+    let found = verdicts(evaluation, number, ends);
+    assert!(!found.is_empty(), "{number} has values in {ends:?}");
+    assert!(
+        found.iter().all(|other| *other == verdict),
+        "{evaluation}, {number} in {ends:?}: {found:?}"
+    );
+}
+
+#[test]
+fn the_renderer_keeps_its_limit_wherever_f64_suffices_to_decide() {
+    for evaluation in ["phong-0", "phong-0.5"] {
+        for curve in of(evaluation) {
+            // Of an eye so far away, f64 does not say where it looks.
+            let most = if curve.number == "distance of the eye" {
+                1e11
+            } else {
+                f64::INFINITY
+            };
+            assert_all(Verdict::Proven, evaluation, curve.number, [0.0, most]);
+        }
+    }
+}
+
+#[test]
+fn the_textbook_in_f32_is_right_where_numbers_are_ordinary() {
+    for (number, ends) in [
+        ("shininess", [1e-3, 30.0]),
+        ("edge length", [0.1, 1e3]),
+        ("aspect of a face", [1.0, 10.0]),
+        ("distance from the origin", [1.0, 10.0]),
+        ("distance of the eye", [3.0, 30.0]),
+        ("height of a light over a face", [1.0, 100.0]),
+        ("intensity", [1.0, 100.0]),
+        ("number of lights", [1.0, 1e3]),
+    ] {
+        assert_all(Verdict::Proven, "textbook-f32", number, ends);
+    }
+}
+
+/// f32 has 24 bits, and its numbers end at 3e38 and 1e-45.
+#[test]
+fn the_textbook_in_f32_errs_where_paper_says() {
+    for (number, ends) in [
+        // A unit in the last place of 1e7 is a unit of length.
+        ("distance from the origin", [1e7, 1e15]),
+        // The square of a length is no number.
+        ("edge length", [1e20, 1e97]),
+        // The square of a length is 0.
+        ("edge length", [1e-97, 1e-24]),
+        // The slope of the power is rho, and s errs by 6e-8.
+        ("shininess", [1e6, 1e6]),
+    ] {
+        assert_all(Verdict::Refuted, "textbook-f32", number, ends);
+    }
+}
+
+#[test]
+fn csv_and_json_hold_every_point() {
+    let parsed: Value =
+        serde_json::from_str(&json(&CURVES).expect("it is text")).expect("it is JSON");
+    let text = csv(&CURVES);
+    let mut rows = text.lines().skip(1);
+    for (curve, object) in CURVES.iter().zip(parsed.as_array().expect("an array")) {
+        assert_eq!(object["number"], curve.number);
+        assert_eq!(object["evaluation"], curve.evaluation);
+        assert_eq!(object["limit"], curve.limit);
+        for (point, object) in curve
+            .points
+            .iter()
+            .zip(object["points"].as_array().expect("an array"))
+        {
+            assert_eq!(object["value"].as_f64(), Some(point.value));
+            let cells: Vec<&str> = rows.next().expect("a row").split(',').collect();
+            assert_eq!([cells[0], cells[3]], [curve.number, curve.evaluation]);
+            assert_eq!(cells[2].parse(), Ok(point.value));
+            assert_eq!(cells[5].parse(), Ok(point.error[0]));
+            assert_eq!(cells[6].parse(), Ok(point.error[1]));
+            assert_eq!(object["error"][1].as_f64(), Some(point.error[1]));
+            assert_eq!(object["verdict"], cells[7]);
+        }
+    }
+    assert_eq!(rows.next(), None);
+}
+
+/// The longest run, by trying all of them.
+#[test]
+fn the_range_that_is_kept_is_the_longest_without_a_point_that_is_not_proven() {
+    for curve in CURVES.iter() {
+        let points = &curve.points;
+        let runs = (0..points.len()).flat_map(|from| {
+            (from..points.len())
+                .map(move |to| from..to + 1)
+                .filter(|run| {
+                    points[run.clone()]
+                        .iter()
+                        .all(|point| point.error[1] <= curve.limit)
+                })
+        });
+        let longest = runs.map(|run| run.len()).max();
+        let kept = curve.keeps.map(|[from, to]| {
+            let within = points
+                .iter()
+                .filter(|point| (from..=to).contains(&point.value));
+            assert!(within.clone().all(|point| point.error[1] <= curve.limit));
+            within.count()
+        });
+        assert_eq!(kept, longest, "{}, {}", curve.number, curve.evaluation);
+    }
+}
+
+#[test]
+fn the_table_has_a_row_for_each_number_and_a_column_for_each_evaluation() {
+    let text = table(&CURVES);
+    for sweep in SWEEPS {
+        let row = text
+            .lines()
+            .find(|line| line.trim_start().starts_with(sweep.number));
+        assert!(row.is_some(), "{} is not in\n{text}", sweep.number);
+    }
+    for evaluation in EVALUATIONS {
+        assert!(text.contains(evaluation.id));
+    }
+}
