@@ -201,7 +201,7 @@ fn search(climb: Climb, time: Duration, random: &mut Random) -> (Climb, bool) {
 /// A line of [`FOUND`].
 fn parse(line: &str) -> Climb {
     let mut words = line.split_whitespace();
-    let mut number = |word: Option<&str>| -> f64 {
+    let number = |word: Option<&str>| -> f64 {
         let word = word.expect("a word more");
         word.parse().expect("a number")
     };
@@ -227,7 +227,7 @@ fn the_search_for_the_worst_comes_near_the_tolerance_and_never_beyond_it() {
         .map(|climb| {
             let (best, is_proven) = search(climb, time, &mut random);
             let (tolerance, mode) = best.asked;
-            let numbers = best.numbers.map(|number| format!("{number:.6}")).join(" ");
+            let numbers = best.numbers.map(|number| format!("{number:.9}")).join(" ");
             println!("{:.4}: {tolerance} {} {numbers}", best.share, mode.name());
             (best, is_proven)
         })
