@@ -313,7 +313,7 @@ fn map_file(path: PathBuf) -> Result<Output, &'static str> {
         Output::Stdout => {
             Err("it is a file: standard output takes the counts; ./- is a file of that name")
         }
-        file => Ok(file),
+        file @ Output::File(_) => Ok(file),
     }
 }
 
