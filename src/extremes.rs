@@ -105,7 +105,7 @@ pub struct Options {
     /// At least 1.
     pub threads: usize,
     /// Whether to draw the largest picture at its full size, which takes a gigabyte, and every case at its size and at every
-    /// tolerance, not at half its width and height and three.
+    /// tolerance, not at two thirds of its width and height and at three.
     pub full: bool,
 }
 

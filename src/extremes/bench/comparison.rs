@@ -55,7 +55,7 @@ impl Bench {
     fn sized(&self, setting: &Setting) -> Setting {
         setting.clone().and(|setting| {
             if !self.full {
-                setting.size = setting.size.map(|pixels| pixels.div_ceil(2));
+                setting.size = setting.size.map(|pixels| (2 * pixels).div_ceil(3));
             }
         })
     }
