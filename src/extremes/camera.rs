@@ -234,6 +234,7 @@ fn near_at(depth: f64) -> Setting {
     Setting::with(|setting| {
         setting.cuboids[0].rotation = TURN;
         setting.near = Some(depth);
+        setting.size = [192, 144];
     })
 }
 

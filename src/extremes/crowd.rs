@@ -199,10 +199,7 @@ fn many_cuboids() -> Setting {
             )
         }
     });
-    of(cuboids.collect()).and(|setting| {
-        setting.fov = 45.0;
-        setting.size = [48, 36];
-    })
+    of(cuboids.collect()).and(|setting| setting.fov = 45.0)
 }
 
 /// Asserts that wherever anything is seen it is this cuboid; how many pixels that is.

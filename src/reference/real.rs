@@ -57,9 +57,6 @@ pub trait Real:
     /// The sine of an angle in radians.
     fn sin(self) -> Self;
 
-    /// The cosine of an angle in radians.
-    fn cos(self) -> Self;
-
     /// The tangent of an angle in radians.
     fn tan(self) -> Self;
 
@@ -112,10 +109,6 @@ impl Real for f64 {
 
     fn sin(self) -> Self {
         f64::sin(self)
-    }
-
-    fn cos(self) -> Self {
-        f64::cos(self)
     }
 
     fn tan(self) -> Self {
@@ -190,10 +183,6 @@ impl Real for Interval {
 
     fn sin(self) -> Self {
         EnclosureOps::sin(self)
-    }
-
-    fn cos(self) -> Self {
-        EnclosureOps::cos(self)
     }
 
     fn tan(self) -> Self {

@@ -238,7 +238,9 @@ fn sin_cos<R: Real>(degrees: f64) -> [R; 2] {
     let turn = degrees % 360.0;
     let quarters = (turn / 90.0).round();
     let rest = R::radians(turn - 90.0 * quarters);
-    let (sin, cos) = (rest.sin(), rest.cos());
+    // At most 45 degrees, where this is as sharp as the cosine's own series and takes a fraction of its time.
+    let sin = rest.sin();
+    let cos = (R::from(1.0) - sin.square()).sqrt();
     match quarters.rem_euclid(4.0) as u8 {
         0 => [sin, cos],
         1 => [cos, -sin],
