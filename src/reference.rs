@@ -112,15 +112,6 @@ impl<R: Real> Reference<R> {
         }
     }
 
-    /// The same picture with every cuboid in this mode.
-    #[must_use]
-    pub fn shaded(mut self, mode: ShadingMode) -> Self {
-        for cuboid in &mut self.cuboids {
-            cuboid.mode = mode;
-        }
-        self
-    }
-
     /// Evaluates the pixels of row `y` from left to right. `each` hears what every one of them may show: one thing, unless
     /// an edge, a gate that may fall either way, or another cuboid at the same depth is near.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
