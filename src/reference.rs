@@ -147,7 +147,7 @@ impl<R: Real> Reference<R> {
             for face in meeting.faces() {
                 let place = cuboid.solid.place(face, line);
                 // Where an edge is near, the centre may lie beside the face: its plane is seen there, or what is nearest.
-                let held = (!meeting.is_sure()).then(|| cuboid.solid.held(&place));
+                let held = (!meeting.is_sure()).then(|| cuboid.solid.held(face, line));
                 for place in [Some(place), held].into_iter().flatten() {
                     for &is_first in cuboid.triangles(face, line, &place) {
                         let mut see = |open| {

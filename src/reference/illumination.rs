@@ -144,7 +144,7 @@ impl<R: Real> Surface<R> {
             Corner {
                 // The three faces that meet at a corner face the way it lies: along +x or -x, +y or -y, +z or -z.
                 normal: Vector::exact(corner.signum()).unit(),
-                to_eye: solid.to_eye(place),
+                to_eye: solid.to_eye(place - solid.eye),
                 to_lights: (sources
                     .iter()
                     .map(|source| (source.from_centre - place).unit()))
@@ -236,7 +236,7 @@ impl<R: Real> Surface<R> {
     /// l of a source at a point: w (L - P) = w (L - O) - H d, all along the cuboid's axes.
     pub fn to_light(&self, source: usize, place: &Place<R>, line: &Line<R>) -> Vector<R> {
         if let Some(point) = place.point {
-            return (self.sources[source].from_centre - point).unit();
+            return (self.sources[source].from_eye - point).unit();
         }
         let from_line = self.sources[source].from_eye - line.offset;
         (from_line * place.slope - line.along * place.height).unit()

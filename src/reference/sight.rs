@@ -53,7 +53,7 @@ pub struct Solid<R> {
     /// The reciprocals of the lengths of its edges.
     per_edge: [R; 3],
     /// The eye from the centre.
-    eye: Vector<R>,
+    pub eye: Vector<R>,
     /// What one pixel right and one pixel down add to the line's direction in perspective, to its start if orthographic.
     step: [Vector<R>; 2],
     forward: Vector<R>,
@@ -142,7 +142,7 @@ pub struct Place<R> {
     pub slope: R,
     /// The coordinates from the cuboid's centre over the lengths of its edges: -1/2..=1/2 within the face.
     pub share: Vector<R>,
-    /// The point itself, from the cuboid's centre, where it is not on the line but held inside the face.
+    /// The point itself, from the eye, where it is not on the line but held inside the face.
     pub point: Option<Vector<R>>,
 }
 
@@ -331,10 +331,10 @@ impl<R: Real> Solid<R> {
         Vector(self.axes.map(|axis| axis.dot(v)))
     }
 
-    /// o at a place from the centre.
+    /// o at a place from the eye.
     pub fn to_eye(&self, place: Vector<R>) -> Vector<R> {
         match self.projection {
-            Projection::Perspective => (self.eye - place).unit(),
+            Projection::Perspective => -place.unit(),
             Projection::Orthographic => -self.forward,
         }
     }
@@ -499,14 +499,27 @@ impl<R: Real> Solid<R> {
     }
 
     /// The place held inside the face: each coordinate along it stops at the edge.
-    pub fn held(&self, place: &Place<R>) -> Place<R> {
-        let half = R::from(0.5);
-        let share = place.share.0.map(|x| x.max(-half).min(half));
-        let point = std::array::from_fn(|i| share[i] * R::from(2.0 * self.half[i]));
+    pub fn held(&self, face: usize, line: &Line<R>) -> Place<R> {
+        let place = self.place(face, line);
+        let depth = place.height / place.slope;
+        let (axis, outwards) = across(face);
+        let end = |i: usize, sign: f64| R::from(sign * self.half[i]) - self.eye.0[i];
+        let point: [R; 3] = std::array::from_fn(|i| {
+            if i == axis {
+                end(i, outwards)
+            } else {
+                let on_line = line.offset.0[i] + line.along.0[i] * depth;
+                on_line.max(end(i, -1.0)).min(end(i, 1.0))
+            }
+        });
+        let mut share = Vector(std::array::from_fn(|i| {
+            (self.eye.0[i] + point[i]) * self.per_edge[i]
+        }));
+        share.0[axis] = place.share.0[axis];
         Place {
-            share: Vector(share),
+            share,
             point: Some(Vector(point)),
-            ..*place
+            ..place
         }
     }
 
