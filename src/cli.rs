@@ -269,8 +269,8 @@ pub struct ProveOptions {
     /// What is drawn, and how.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// Where a PNG of the verdicts goes; `-` is standard output, and does not go with --json
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().map(Output::from))]
+    /// Where a PNG of the verdicts goes
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(map_file))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -306,6 +306,16 @@ pub struct FiguresOptions {
 
 /// The folder for figures when none is named.
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
+
+/// Standard output takes the counts.
+fn map_file(path: PathBuf) -> Result<Output, &'static str> {
+    match Output::from(path) {
+        Output::Stdout => {
+            Err("it is a file: standard output takes the counts; ./- is a file of that name")
+        }
+        file @ Output::File(_) => Ok(file),
+    }
+}
 
 /// Several files need a folder.
 fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {

@@ -17,6 +17,7 @@
 mod illumination;
 mod interval;
 mod real;
+mod sample;
 mod sight;
 mod vector;
 
@@ -24,18 +25,16 @@ use std::cmp::Ordering;
 use std::ops::Range;
 use std::sync::atomic::{self, AtomicUsize};
 
-use glam::DVec3;
 use hecs::World;
 use rayon::prelude::*;
 
-use crate::components::{
-    FACES, Light, LightKind, Material, Mesh, Name, ShadingMode, TRIANGLES, Transform, View,
-};
+use crate::components::{FACES, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View};
 use crate::frame::NO_TRIANGLE;
-use illumination::{Incidence, Lit, Open, Surface, TIES, blend, reflection};
+use illumination::{Lit, Open, Surface, TIES};
 pub use interval::Interval;
 pub use real::Real;
-use sight::{Line, Meeting, Sight, Solid};
+pub use sample::{LightSample, Sample, at_pixel};
+use sight::{Line, Meeting, Place, Sight, Solid};
 use vector::Vector;
 
 /// Hits of two cuboids whose depths differ by less than this share of the depth are at one depth: the cuboid earlier in
@@ -55,51 +54,11 @@ pub struct Truth {
     pub triangles: Vec<u32>,
 }
 
-/// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sample {
-    /// The cuboid's place in the file, from 0.
-    pub object: usize,
-    /// The triangle's place in [`TRIANGLES`].
-    pub triangle: usize,
-    /// The point seen, in world units.
-    pub position: DVec3,
-    /// n as Phong has it: interpolated and normalised.
-    pub normal: DVec3,
-    /// o: to the eye, or against the view direction if the projection is orthographic.
-    pub to_eye: DVec3,
-    /// Every light that is on, in file order.
-    pub lights: Vec<LightSample>,
-    /// Gouraud's levels, unclamped.
-    pub gouraud: DVec3,
-    /// Phong's levels, unclamped.
-    pub phong: DVec3,
-}
-
-/// What one light does at a [`Sample`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct LightSample {
-    /// The light's name.
-    pub name: String,
-    /// The term it feeds.
-    pub kind: LightKind,
-    /// l; `None` for an ambient light and for one that stands at the very point.
-    pub to_light: Option<DVec3>,
-    /// r = 2 (n.l) n - l; exists where l does.
-    pub reflected: Option<DVec3>,
-    /// Its term in levels under Gouraud, unclamped.
-    pub gouraud: DVec3,
-    /// Its term in levels under Phong, unclamped.
-    pub phong: DVec3,
-}
-
 /// A picture to be evaluated, in f64 or in intervals.
 pub struct Reference<R> {
     sight: Sight<R>,
     cuboids: Vec<Cuboid<R>>,
     background: Vector<R>,
-    /// The names of the lights that are on, in file order.
-    names: Vec<String>,
     width: usize,
 }
 
@@ -125,12 +84,12 @@ impl<R: Real> Reference<R> {
     pub fn new(world: &World, view: &View) -> Self {
         let sight = Sight::new(view);
         let enclosed = Sight::<Interval>::new(view);
-        let (names, lights): (Vec<_>, Vec<_>) = world
-            .query::<(&Name, &Transform, &Light)>()
+        let lights: Vec<_> = world
+            .query::<(&Transform, &Light)>()
             .iter()
-            .filter(|(_, _, light)| light.on)
-            .map(|(name, transform, light)| (name.0.clone(), (transform.position, *light)))
-            .unzip();
+            .filter(|(_, light)| light.on)
+            .map(|(transform, light)| (transform.position, *light))
+            .collect();
         let cuboids = world
             .query::<(&Transform, &Mesh, &Material, &ShadingMode)>()
             .iter()
@@ -149,18 +108,8 @@ impl<R: Real> Reference<R> {
             sight,
             cuboids,
             background: Vector::exact(view.background),
-            names,
             width: view.size[0],
         }
-    }
-
-    /// The same picture with every cuboid in this mode.
-    #[must_use]
-    pub fn shaded(mut self, mode: ShadingMode) -> Self {
-        for cuboid in &mut self.cuboids {
-            cuboid.mode = mode;
-        }
-        self
     }
 
     /// Evaluates the pixels of row `y` from left to right. `each` hears what every one of them may show: one thing, unless
@@ -189,19 +138,30 @@ impl<R: Real> Reference<R> {
     fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
         seen.clear();
         for met in met {
-            for face in met.meeting.faces() {
-                for &is_first in met.cuboid.triangles(face, &met.line) {
-                    let mut see = |open| {
-                        let lit = met.cuboid.lit(face, is_first, &met.line, open);
-                        seen.push(Seen {
-                            face: Some(met.object * FACES.len() + face),
-                            levels: lit.levels.0,
-                        });
-                        lit.is_tied
-                    };
-                    if see(0) {
-                        for open in 1..1 << TIES {
-                            see(open);
+            let Met {
+                cuboid,
+                line,
+                meeting,
+                ..
+            } = met;
+            for face in meeting.faces() {
+                let place = cuboid.solid.place(face, line);
+                // Where an edge is near, the centre may lie beside the face: its plane is seen there, or what is nearest.
+                let held = (!meeting.is_sure()).then(|| cuboid.solid.held(&place));
+                for place in [Some(place), held].into_iter().flatten() {
+                    for &is_first in cuboid.triangles(face, line, &place) {
+                        let mut see = |open| {
+                            let lit = cuboid.lit(face, is_first, line, &place, open);
+                            seen.push(Seen {
+                                face: Some(met.object * FACES.len() + face),
+                                levels: lit.levels.0,
+                            });
+                            lit.is_tied
+                        };
+                        if see(0) {
+                            for open in 1..1 << TIES {
+                                see(open);
+                            }
                         }
                     }
                 }
@@ -269,8 +229,12 @@ struct Met<'a, R> {
 
 impl<R: Real> Cuboid<R> {
     /// Which triangles of a face the line may see: both where the diagonal is near, and Phong's are one.
-    fn triangles(&self, face: usize, line: &Line<R>) -> &'static [bool] {
-        match self.solid.is_on_first(face, line) {
+    fn triangles(&self, face: usize, line: &Line<R>, place: &Place<R>) -> &'static [bool] {
+        let is_on_first = match place.point {
+            Some(_) => Solid::is_held_on_first(face, place),
+            None => self.solid.is_on_first(face, line),
+        };
+        match is_on_first {
             None if self.mode != ShadingMode::Phong => &[true, false],
             Some(false) => &[false],
             _ => &[true],
@@ -278,12 +242,22 @@ impl<R: Real> Cuboid<R> {
     }
 
     /// What the line sees on a triangle of a face, or on its plane beyond the diagonal.
-    fn lit(&self, face: usize, is_first: bool, line: &Line<R>, open: Open) -> Lit<R> {
-        let place = self.solid.place(face, line);
+    fn lit(
+        &self,
+        face: usize,
+        is_first: bool,
+        line: &Line<R>,
+        place: &Place<R>,
+        open: Open,
+    ) -> Lit<R> {
         if self.mode == ShadingMode::Phong {
-            return self.surface.phong(&place, line, open);
+            let to_eye = match place.point {
+                Some(point) => self.solid.to_eye(point),
+                None => -line.along.unit(),
+            };
+            return self.surface.phong(place, line, to_eye, open);
         }
-        let weights = Solid::weights(face, is_first, &place);
+        let weights = Solid::weights(face, is_first, place);
         let (corners, weights) = arrange(face, is_first, weights);
         if self.mode != ShadingMode::UnitVectors {
             return self.surface.gouraud(corners, weights, open);
@@ -332,11 +306,6 @@ pub fn picture(
     Reference::new(world, view).picture(rows, cancelled, progress)
 }
 
-/// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; `None` is background, or outside of it.
-pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
-    Reference::new(world, view).at_pixel(x, y)
-}
-
 impl Reference<f64> {
     /// Evaluates rows of the picture: see [`picture`].
     pub fn picture(
@@ -364,7 +333,9 @@ impl Reference<f64> {
                     self.meet([x, y], &cuboids, &mut met);
                     if let Some((met, face, triangle)) = first(&met) {
                         let is_first = triangle % 2 == 0;
-                        levels[x] = met.cuboid.lit(face, is_first, &met.line, 0).levels.0;
+                        let place = met.cuboid.solid.place(face, &met.line);
+                        let lit = met.cuboid.lit(face, is_first, &met.line, &place, 0);
+                        levels[x] = lit.levels.0;
                         triangles[x] = (met.object * TRIANGLES.len() + triangle) as u32;
                     }
                 }
@@ -376,73 +347,6 @@ impl Reference<f64> {
             rows,
             levels,
             triangles,
-        })
-    }
-
-    fn at_pixel(&self, x: usize, y: usize) -> Option<Sample> {
-        let cuboids: Vec<_> = self.cuboids.iter().enumerate().collect();
-        let mut met = Vec::new();
-        self.meet([x, y], &cuboids, &mut met);
-        let (
-            Met {
-                object,
-                cuboid,
-                line,
-                ..
-            },
-            face,
-            triangle,
-        ) = first(&met)?;
-        let Cuboid { solid, surface, .. } = cuboid;
-        let place = solid.place(face, line);
-        let is_first = triangle % 2 == 0;
-        let weights = Solid::weights(face, is_first, &place);
-        let (corners, weights) = arrange(face, is_first, weights);
-        let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
-        let world = |v: Vector<f64>| {
-            let [x, y, z] = v.0;
-            (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
-        };
-        let lights = surface.lamps.iter().zip(&self.names).map(|(lamp, name)| {
-            let term = |incidence: Incidence<f64>| match lamp.kind {
-                LightKind::Ambient => lamp.levels,
-                LightKind::Diffuse => lamp.levels * incidence.diffuse,
-                LightKind::Specular => lamp.levels * incidence.specular,
-            };
-            let to_light = lamp
-                .source
-                .map(|source| surface.to_light(source, &place, line));
-            let to_light = to_light.filter(|to_light| to_light.to_dvec3() != DVec3::ZERO);
-            let nothing = Incidence {
-                diffuse: 0.0,
-                specular: 0.0,
-            };
-            let at_point = to_light.map_or(nothing, |to_light| {
-                surface.incidence(normal, to_eye, to_light, false)
-            });
-            let at_corners = corners.map(|corner| {
-                let source = lamp.source;
-                term(source.map_or(nothing, |source| surface.at_corner(corner, source)))
-            });
-            LightSample {
-                name: name.clone(),
-                kind: lamp.kind,
-                to_light: to_light.map(world),
-                reflected: to_light.map(|to_light| world(reflection(normal, to_light))),
-                gouraud: blend(at_corners, weights).to_dvec3(),
-                phong: term(at_point).to_dvec3(),
-            }
-        });
-        Some(Sample {
-            object: *object,
-            triangle,
-            position: self.sight.eye
-                + world(line.offset + line.along * (place.height / place.slope)),
-            normal: world(normal),
-            to_eye: world(to_eye),
-            lights: lights.collect(),
-            gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
-            phong: surface.phong(&place, line, 0).levels.to_dvec3(),
         })
     }
 }

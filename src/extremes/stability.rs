@@ -30,7 +30,7 @@ use super::setting::{Setting, Way};
 use crate::components::{Projection, ShadingMode};
 use crate::output::{self, Output};
 use crate::prove::{Verdict, face, nearest};
-use crate::reference::{self, Reference};
+use crate::reference;
 use crate::shading::EXACT;
 use crate::trade::make_writable;
 use crate::trade::progress::{Progress, with_bar};
@@ -170,7 +170,7 @@ fn errors(setting: &Setting, level: Level) -> Result<Errors, Trouble> {
     };
     let scene = setting.scene()?;
     let view = setting.view(&scene, way(0.0));
-    let enclosures = enclosures(&Reference::new(&scene.world, &view), view.size[1]);
+    let enclosures = enclosures(&scene, &view);
     let mut bench = Bench::alone(level);
     let exact = bench.picture(setting, way(0.0))?;
     let half = bench.picture(setting, way(0.5))?;

@@ -105,11 +105,14 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// A cuboid whose highlight of so many levels is in the picture, in the mirror direction of a point of its face z = 1.
+/// A point of the default cuboid's face z = 1.
+pub const MIRRORING: DVec3 = DVec3::new(1.1, 0.7, 1.0);
+
+/// A cuboid whose highlight of so many levels is in the picture, in the mirror direction of [`MIRRORING`].
 pub fn mirroring(shininess: f64, levels: f64) -> Setting {
     Setting::with(|setting| {
         setting.cuboids[0].material.shininess = shininess;
-        let point = DVec3::new(1.1, 0.7, 1.0);
+        let point = MIRRORING;
         let normal = (point / DVec3::new(2.0, 1.5, 1.0)).normalize();
         let to_eye = (setting.eye - point).normalize();
         let mirrored = 2.0 * normal.dot(to_eye) * normal - to_eye;

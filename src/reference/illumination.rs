@@ -228,14 +228,16 @@ impl<R: Real> Surface<R> {
     }
 
     /// Phong (1975): the model at the point of a face that the line meets.
-    pub fn phong(&self, place: &Place<R>, line: &Line<R>, open: Open) -> Lit<R> {
-        let normal = place.share.unit();
+    pub fn phong(&self, place: &Place<R>, line: &Line<R>, to_eye: Vector<R>, open: Open) -> Lit<R> {
         let to_light = |source| self.to_light(source, place, line);
-        self.lit(normal, -line.along.unit(), to_light, open)
+        self.lit(place.share.unit(), to_eye, to_light, open)
     }
 
     /// l of a source at a point: w (L - P) = w (L - O) - H d, all along the cuboid's axes.
     pub fn to_light(&self, source: usize, place: &Place<R>, line: &Line<R>) -> Vector<R> {
+        if let Some(point) = place.point {
+            return (self.sources[source].from_centre - point).unit();
+        }
         let from_line = self.sources[source].from_eye - line.offset;
         (from_line * place.slope - line.along * place.height).unit()
     }

@@ -142,6 +142,8 @@ pub struct Place<R> {
     pub slope: R,
     /// The coordinates from the cuboid's centre over the lengths of its edges: -1/2..=1/2 within the face.
     pub share: Vector<R>,
+    /// The point itself, from the cuboid's centre, where it is not on the line but held inside the face.
+    pub point: Option<Vector<R>>,
 }
 
 impl<R: Real> Sight<R> {
@@ -264,6 +266,11 @@ fn all(known: impl Iterator<Item = Option<bool>>) -> Option<bool> {
 }
 
 impl Meeting {
+    /// Whether no edge is near.
+    pub fn is_sure(self) -> bool {
+        self.is_certain && self.faces.is_power_of_two()
+    }
+
     /// The faces that may be met, by their place in [`crate::components::FACES`].
     pub fn faces(&self) -> impl Iterator<Item = usize> {
         let faces = self.faces;
@@ -487,7 +494,28 @@ impl<R: Real> Solid<R> {
             height,
             slope,
             share: Vector(share),
+            point: None,
         }
+    }
+
+    /// The place held inside the face: each coordinate along it stops at the edge.
+    pub fn held(&self, place: &Place<R>) -> Place<R> {
+        let half = R::from(0.5);
+        let share = place.share.0.map(|x| x.max(-half).min(half));
+        let point = std::array::from_fn(|i| share[i] * R::from(2.0 * self.half[i]));
+        Place {
+            share: Vector(share),
+            point: Some(Vector(point)),
+            ..*place
+        }
+    }
+
+    /// Whether a place that is held inside a face lies on its first triangle.
+    pub fn is_held_on_first(face: usize, place: &Place<R>) -> Option<bool> {
+        let (axis, outwards) = across(face);
+        let [u, v] = along(axis).map(|axis| place.share.0[axis]);
+        let order = signed(outwards, u - v).sign(0.0)?;
+        Some(order != Ordering::Less)
     }
 
     /// Whether the line passes the first triangle of a face; an interval that holds the diagonal is undecided.

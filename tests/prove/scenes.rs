@@ -37,10 +37,18 @@ fn every_pixel_of_random_scenes_is_proven() {
         let (mut world, view) = case.build(SIZE, tolerance);
         let proof = proof(&mut world, &view);
         if proof.refuted + proof.undecided > 0 {
-            let examples = &proof.examples;
+            let examples = proof.examples.iter();
+            let examples = examples.map(|example| {
+                let [x, y] = example.pixel;
+                let mark = proof.marks[y * SIZE[0] + x];
+                let outline = if mark.is_outline { "outline " } else { "" };
+                format!("{outline}{example:?}")
+            });
             unproven.push(format!(
-                "scene {number}, tolerance {tolerance}: {} refuted, {} undecided\n{case:?}\n{examples:?}",
-                proof.refuted, proof.undecided
+                "scene {number}, tolerance {tolerance}: {} refuted, {} undecided\n{case:?}\n{}",
+                proof.refuted,
+                proof.undecided,
+                examples.collect::<Vec<_>>().join("\n")
             ));
         }
         let limit = if tolerance > 0.0 { tolerance } else { 0.05 };

@@ -7,7 +7,7 @@ use std::ops::AddAssign;
 use rayon::prelude::*;
 
 use super::{Bench, MODES, Trouble};
-use crate::components::{Projection, ShadingMode, View};
+use crate::components::{Projection, View};
 use crate::extremes::setting::{Setting, Way};
 use crate::frame::NO_TRIANGLE;
 use crate::prove::{self, Shown, Verdict, face};
@@ -51,39 +51,27 @@ impl Bench {
         }
     }
 
-    /// A setting in the size in which it is proven.
-    fn sized(&self, setting: &Setting) -> Setting {
-        setting.clone().and(|setting| {
-            if !self.full {
-                setting.size = setting.size.map(|pixels| pixels.div_ceil(2));
-            }
-        })
-    }
-
-    /// Proves every pixel of a setting in every projection and mode and at every tolerance.
+    /// Proves every pixel of a setting in every projection and mode and at every tolerance. Unless everything is to be
+    /// drawn, each projection has one of the modes, the other at an odd `turn`.
     ///
     /// # Errors
     /// When a pixel is not proven.
-    pub fn proven(&mut self, setting: &Setting) -> Result<Distance, Trouble> {
-        let setting = self.sized(setting);
+    pub fn proven(&mut self, setting: &Setting, turn: usize) -> Result<Distance, Trouble> {
         let mut scene = setting.scene()?;
         let mut distance = Distance::default();
-        for projection in Projection::ALL {
-            let view = |scene: &Scene, mode, tolerance| {
-                let way = Way {
+        for (first, projection) in Projection::ALL.into_iter().enumerate() {
+            for (second, mode) in MODES.into_iter().enumerate() {
+                if !self.full && (first + second + turn) % 2 == 1 {
+                    continue;
+                }
+                let way = |tolerance| Way {
                     projection,
                     mode,
                     tolerance,
                 };
-                setting.view(scene, way)
-            };
-            let any = view(&scene, ShadingMode::Phong, 0.0);
-            let mut reference = Reference::new(&scene.world, &any);
-            for mode in MODES {
-                reference = reference.shaded(mode);
-                let enclosures = enclosures(&reference, any.size[1]);
+                let enclosures = enclosures(&scene, &setting.view(&scene, way(0.0)));
                 for &tolerance in self.tolerances() {
-                    let view = view(&scene, mode, tolerance);
+                    let view = setting.view(&scene, way(tolerance));
                     distance += self.judge(&mut scene, &view, &enclosures)?;
                 }
             }
@@ -175,9 +163,10 @@ impl Bench {
     }
 }
 
-/// What every pixel of a picture of this height may show, row by row from the top.
-pub fn enclosures(reference: &Reference<Interval>, height: usize) -> Vec<Vec<Seen<Interval>>> {
-    let rows = (0..height).into_par_iter().map(|y| {
+/// What every pixel of a picture may show, row by row from the top.
+pub fn enclosures(scene: &Scene, view: &View) -> Vec<Vec<Seen<Interval>>> {
+    let reference = Reference::<Interval>::new(&scene.world, view);
+    let rows = (0..view.size[1]).into_par_iter().map(|y| {
         let mut row = Vec::new();
         reference.row(y, |_, seen| row.push(seen.to_vec()));
         row

@@ -24,7 +24,7 @@ const HEADER: u32 = 84;
 
 const BORDERS: Borders = Borders {
     top: 30,
-    right: 22,
+    right: 34,
     other: 6,
     labels: [40, 52],
     letters: 10.0,
@@ -47,10 +47,14 @@ pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
             "Phong, each pixel against an interval that encloses its exact value; one number of a scene varies in each panel.",
             FAINT,
         )];
-        chart::heading(&header, "How far a picture errs at most", &about)?;
+        chart::heading(
+            &header,
+            "How far a picture errs at most, in levels of 255",
+            &about,
+        )?;
         key(&header)?;
-        let mut panels = panels.split_evenly((3, 3)).into_iter();
-        let mut panels = panels.by_ref().zip(curves.chunks(EVALUATIONS.len()));
+        let panels = panels.split_evenly((3, 3)).into_iter();
+        let mut panels = panels.zip(curves.chunks(EVALUATIONS.len()));
         panels.try_for_each(|(panel, curves)| draw(&panel, curves))
     })
 }
@@ -98,9 +102,13 @@ fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
         let corners = [(sides[0], ERRORS.start), (sides[1], ERRORS.end)];
         Rectangle::new(corners, UNDECIDED.filled())
     }))?;
+    let (columns, rows) = area.get_pixel_range();
     for limit in [0.05, 0.5] {
         let line = vec![(from, limit), (to, limit)];
-        chart.draw_series([PathElement::new(line, FAINT.stroke_width(1))])?;
+        chart.draw_series([PathElement::new(line, INK.mix(0.6).stroke_width(1))])?;
+        let (x, y) = chart.backend_coord(&(to, limit));
+        let beside = (x - columns.start + 4, y - rows.start - 6);
+        area.draw_text(&limit.to_string(), &text_style(9.0, INK), beside)?;
     }
     // The reference first, the others over it.
     for (curve, color) in curves.iter().zip(COLORS).rev() {

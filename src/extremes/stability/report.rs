@@ -9,16 +9,10 @@ use crate::trade::tables::{aligned, wrapped};
 /// What a terminal shows: for each number, the range in which each evaluation keeps its limit.
 pub fn table(curves: &[Curve]) -> String {
     let ids = EVALUATIONS.map(|evaluation| evaluation.id.to_owned());
-    let head = [
-        &["number".to_owned(), "from".to_owned(), "to".to_owned()],
-        &ids[..],
-    ]
-    .concat();
+    let head = [vec!["number".to_owned(), "swept".to_owned()], ids.into()].concat();
     let rows = curves.chunks(EVALUATIONS.len()).map(|curves| {
-        let ends = curves[0].range().map(rounded);
-        let cells = curves.iter().map(kept);
-        let start = [vec![curves[0].number.to_owned()], ends.into()].concat();
-        start.into_iter().chain(cells).collect()
+        let start = [curves[0].number.to_owned(), span(curves[0].range())];
+        start.into_iter().chain(curves.iter().map(kept)).collect()
     });
     let rows: Vec<Vec<String>> = rows.collect();
     format!("{}\n\n{}\n", aligned(&head, &rows), wrapped(LEGEND))
@@ -33,22 +27,23 @@ const LEGEND: &str = "The range in which the largest error of a picture is prove
 fn kept(curve: &Curve) -> String {
     let verdicts = || curve.points.iter().map(|point| point.verdict);
     match curve.keeps {
-        None => "nowhere".to_owned(),
+        None => "none".to_owned(),
         Some(_) if verdicts().all(|verdict| verdict == Verdict::Proven) => "all".to_owned(),
         Some(ends) => {
-            let [from, to] = ends.map(rounded);
             let is_refuted = verdicts().any(|verdict| verdict == Verdict::Refuted);
-            format!("{from} to {to}{}", if is_refuted { "" } else { " ?" })
+            span(ends) + if is_refuted { "" } else { " ?" }
         }
     }
 }
 
-/// A number with two digits that matter.
-pub(super) fn rounded(value: f64) -> String {
-    if (0.01..1e4).contains(&value) {
-        let text = format!("{value:.2}");
-        let digits = text.trim_end_matches('0').trim_end_matches('.');
-        digits.to_owned()
+fn span(ends: [f64; 2]) -> String {
+    ends.map(rounded).join(" to ")
+}
+
+/// A number with as many digits as matter.
+fn rounded(value: f64) -> String {
+    if (1.0..1e4).contains(&value) {
+        format!("{value:.0}")
     } else {
         format!("{value:.1e}").replace(".0e", "e")
     }

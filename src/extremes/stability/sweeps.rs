@@ -29,7 +29,13 @@ pub const SWEEPS: &[Sweep] = &[
         unit: "",
         range: [1e-3, 1e6],
         is_whole: false,
-        setting: |shininess| small(strength::mirroring(shininess, 255.0)),
+        // A highlight is as wide as 1 / sqrt(shininess).
+        setting: |shininess| {
+            small(strength::mirroring(shininess, 255.0)).and(|setting| {
+                setting.target = strength::MIRRORING;
+                setting.fov /= shininess.sqrt().max(1.0);
+            })
+        },
     },
     Sweep {
         number: "edge length",

@@ -1,0 +1,111 @@
+//! One pixel in; what is seen there out, and why it looks as it does.
+
+use glam::DVec3;
+use hecs::World;
+
+use super::illumination::{Incidence, blend, reflection};
+use super::sight::Solid;
+use super::vector::Vector;
+use super::{Cuboid, Reference, arrange, first};
+use crate::components::{Light, LightKind, Name, View};
+
+/// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// The cuboid's place in the file, from 0.
+    pub object: usize,
+    /// The triangle's place in [`TRIANGLES`].
+    pub triangle: usize,
+    /// The point seen, in world units.
+    pub position: DVec3,
+    /// n as Phong has it: interpolated and normalised.
+    pub normal: DVec3,
+    /// o: to the eye, or against the view direction if the projection is orthographic.
+    pub to_eye: DVec3,
+    /// Every light that is on, in file order.
+    pub lights: Vec<LightSample>,
+    /// Gouraud's levels, unclamped.
+    pub gouraud: DVec3,
+    /// Phong's levels, unclamped.
+    pub phong: DVec3,
+}
+
+/// What one light does at a [`Sample`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightSample {
+    /// The light's name.
+    pub name: String,
+    /// The term it feeds.
+    pub kind: LightKind,
+    /// l; `None` for an ambient light and for one that stands at the very point.
+    pub to_light: Option<DVec3>,
+    /// r = 2 (n.l) n - l; exists where l does.
+    pub reflected: Option<DVec3>,
+    /// Its term in levels under Gouraud, unclamped.
+    pub gouraud: DVec3,
+    /// Its term in levels under Phong, unclamped.
+    pub phong: DVec3,
+}
+
+/// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; `None` is background, or outside of it.
+pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
+    let reference = Reference::new(world, view);
+    let cuboids: Vec<_> = reference.cuboids.iter().enumerate().collect();
+    let mut met = Vec::new();
+    reference.meet([x, y], &cuboids, &mut met);
+    let (met, face, triangle) = first(&met)?;
+    let Cuboid { solid, surface, .. } = met.cuboid;
+    let line = &met.line;
+    let place = solid.place(face, line);
+    let is_first = triangle % 2 == 0;
+    let weights = Solid::weights(face, is_first, &place);
+    let (corners, weights) = arrange(face, is_first, weights);
+    let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
+    let to_world = |v: Vector<f64>| {
+        let [x, y, z] = v.0;
+        (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
+    };
+    let mut query = world.query::<(&Name, &Light)>();
+    let names = query.iter().filter(|(_, light)| light.on);
+    let lights = surface.lamps.iter().zip(names).map(|(lamp, (name, _))| {
+        let term = |incidence: Incidence<f64>| match lamp.kind {
+            LightKind::Ambient => lamp.levels,
+            LightKind::Diffuse => lamp.levels * incidence.diffuse,
+            LightKind::Specular => lamp.levels * incidence.specular,
+        };
+        let to_light = lamp
+            .source
+            .map(|source| surface.to_light(source, &place, line));
+        let to_light = to_light.filter(|to_light| to_light.to_dvec3() != DVec3::ZERO);
+        let nothing = Incidence {
+            diffuse: 0.0,
+            specular: 0.0,
+        };
+        let at_point = to_light.map_or(nothing, |to_light| {
+            surface.incidence(normal, to_eye, to_light, false)
+        });
+        let at_corners = corners.map(|corner| {
+            let source = lamp.source;
+            term(source.map_or(nothing, |source| surface.at_corner(corner, source)))
+        });
+        LightSample {
+            name: name.0.clone(),
+            kind: lamp.kind,
+            to_light: to_light.map(to_world),
+            reflected: to_light.map(|to_light| to_world(reflection(normal, to_light))),
+            gouraud: blend(at_corners, weights).to_dvec3(),
+            phong: term(at_point).to_dvec3(),
+        }
+    });
+    Some(Sample {
+        object: met.object,
+        triangle,
+        position: reference.sight.eye
+            + to_world(line.offset + line.along * (place.height / place.slope)),
+        normal: to_world(normal),
+        to_eye: to_world(to_eye),
+        lights: lights.collect(),
+        gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
+        phong: surface.phong(&place, line, to_eye, 0).levels.to_dvec3(),
+    })
+}
