@@ -152,6 +152,14 @@ impl Surface<'_> {
             .count()
     }
 
+    /// What the sum of all terms errs by in f32, over the sum of their sizes: an addition for each, and four roundings
+    /// of a term.
+    pub fn rounding(&self) -> f64 {
+        let lights = self.illumination.points.iter();
+        let terms = lights.flat_map(|light| self.coefficients(light));
+        U * (4 + terms.filter(|levels| *levels != DVec3::ZERO).count()) as f64
+    }
+
     /// The illumination model (Phong 1975, as the contract writes it) at `offset` from the centre, with unit normal and
     /// unit vector to the eye; in levels, unclamped.
     pub fn levels(&self, offset: DVec3, normal: DVec3, to_eye: DVec3) -> DVec3 {

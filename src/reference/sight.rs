@@ -531,9 +531,9 @@ impl<R: Real> Solid<R> {
         Some(order != Ordering::Less)
     }
 
-    /// Whether the line passes the first triangle of a face; an interval within [`EDGE`] of the diagonal is undecided.
+    /// Whether the line passes the first triangle of a face; an interval that holds the diagonal is undecided.
     pub fn is_on_first(&self, face: usize, line: &Line<R>) -> Option<bool> {
-        self.faces[face].as_ref()?.diagonal.side(line.pixel, EDGE)
+        self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0)
     }
 
     /// The weights of the corners a, c and of the third one of a triangle: together 1, each 0..=1 within it.

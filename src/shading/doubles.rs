@@ -1,6 +1,6 @@
 //! Pixel by pixel in f64: what is left where f32 cannot keep its promise, and for slivers.
 //!
-//! Rule: a sliver's weights are held inside the triangle, so no colour leaves what its vertices span.
+//! Rule: a sliver's weights are held inside its face, so no colour leaves what its vertices span.
 
 use glam::DVec3;
 

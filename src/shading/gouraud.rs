@@ -2,7 +2,8 @@
 //!
 //! Rule: with weights e_i the colour is sum(e_i C_i) / sum(e_i), both affine in the pixel. Where the tolerance allows it
 //! that quotient is drawn as a certified polynomial; otherwise with one division a pixel, in f32 where its rounding stays
-//! below the tolerance and in f64 elsewhere.
+//! below the tolerance and in f64 elsewhere. Where snapping puts pixels beyond the face's diagonal, what the other triangle
+//! has there is taken off the tolerance, and shown where that is too much.
 
 use super::affine::{Affine, Scalar};
 use super::certificate::quotient;
@@ -28,8 +29,12 @@ impl Gouraud {
                 if squares.wanted[index] {
                     let (colors, share) = patch.colors(triangle);
                     let (color, bound) = quotient(&colors, &share, patch.half);
-                    squares.polynomials[index] =
-                        cheapest(color, patch.half, self.tolerance - bound);
+                    let beyond = patch.beyond_diagonal(triangle, &squares.covered[index]);
+                    squares.polynomials[index] = cheapest(
+                        color,
+                        patch.half,
+                        self.tolerance - bound - beyond * triangle.crease,
+                    );
                 }
             }
         }
@@ -68,12 +73,13 @@ impl Shader for Gouraud {
         let largest =
             colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
         let rounding = 20.0 * U * largest.max_element();
-        if patch.steady && rounding <= limit(self.tolerance) {
+        let beyond = patch.beyond_diagonal(triangle, coverage) * triangle.crease;
+        if patch.steady && rounding + beyond <= limit(self.tolerance) {
             shade_lanes(&colors, &share, patch, coverage, sink);
             Evaluations::of(TileKind::Exact)
         } else {
             doubles::shade(triangle, patch, coverage, sink, |point| {
-                Triangle::blend(point.weights, &triangle.levels)
+                Triangle::blend(point.weights, &point.vertices.levels)
             });
             Evaluations::of(TileKind::Double)
         }

@@ -8,10 +8,10 @@ use glam::DVec3;
 use super::affine::{Affine, Scalar};
 use super::number::ABREAST;
 use super::polynomial::Polynomial;
-use super::triangle::Triangle;
+use super::triangle::{Triangle, Vertices};
 use super::{Coverage, TILE};
 
-/// Overshoot, as a share of the triangle, from which a sample's weights are held inside it: coverage is decided on
+/// Overshoot, as a share of the triangle, from which a sample's weights are held inside its face: coverage is decided on
 /// vertices moved by up to 1/512 pixel, which is nothing to a triangle of some pixels and everything to a sliver.
 const OVERSHOOT: f64 = 1.0 / 128.0;
 
@@ -89,7 +89,9 @@ impl<const SIDE: usize> Squares<SIDE> {
 
 /// What a pixel shows of a triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct Point {
+pub struct Point<'a> {
+    /// Of the triangle of the face that it lies in.
+    pub vertices: &'a Vertices,
     /// Barycentric coordinates; their sum is one.
     pub weights: DVec3,
     /// From the cuboid's centre, in world units.
@@ -129,26 +131,57 @@ impl Patch {
         }
     }
 
-    /// What the pixel `x` right and `y` down of the middle shows; on an unsteady patch held inside the triangle.
-    pub fn point(&self, triangle: &Triangle, x: f64, y: f64) -> Point {
+    /// What the pixel `x` right and `y` down of the middle shows; on an unsteady patch held inside the face. Beyond the
+    /// diagonal, where snapping may put a pixel of this triangle, that is the other triangle.
+    pub fn point<'a>(&self, triangle: &'a Triangle, x: f64, y: f64) -> Point<'a> {
         let [x, y] = [self.middle[0] + x, self.middle[1] + y];
         let own = triangle.weights.at(x, y);
-        let inside = own.max(DVec3::ZERO);
-        let held = !self.steady && own != inside;
-        let weights = if held { inside } else { own };
-        let total = weights.x + weights.y + weights.z;
+        let total = own.element_sum();
         if !(total > 0.0 && total.is_finite()) {
             let weights = DVec3::splat(1.0 / 3.0);
-            let offset = Triangle::blend(weights, &triangle.offsets);
-            return Point { weights, offset };
+            return Point {
+                vertices: &triangle.own,
+                weights,
+                offset: Triangle::blend(weights, &triangle.own.offsets),
+            };
         }
+        let held = triangle.held(own).filter(|_| !self.steady);
+        let (vertices, weights) = triangle.interpolated(held.unwrap_or(own));
         let weights = weights / total;
-        let offset = if held {
-            Triangle::blend(weights, &triangle.offsets)
-        } else {
-            triangle.position.at(x, y) / total
+        let offset = match held {
+            Some(_) => Triangle::blend(weights, &vertices.offsets),
+            None => triangle.position.at(x, y) / total,
         };
-        Point { weights, offset }
+        Point {
+            vertices,
+            weights,
+            offset,
+        }
+    }
+
+    /// How far covered pixels of a steady patch lie beyond the face's diagonal at most, as a barycentric coordinate.
+    #[inline(always)]
+    pub fn beyond_diagonal<const SIDE: usize>(
+        &self,
+        triangle: &Triangle,
+        coverage: &Coverage<SIDE>,
+    ) -> f64 {
+        let Scalar { centre, dx, dy } = triangle.before_diagonal;
+        let middle = centre + dx * self.middle[0] + dy * self.middle[1];
+        if middle >= dx.abs() * self.half[0] + dy.abs() * self.half[1] {
+            return 0.0;
+        }
+        let mut least = 0.0_f64;
+        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
+            if from < to {
+                let start = middle + dy * (row as f64 - self.row);
+                for lane in [from, to - 1] {
+                    least = least.min(start + dx * (f64::from(lane) - self.lane));
+                }
+            }
+        }
+        // A steady patch has at least half the middle's w everywhere.
+        -least / (0.5 * self.share)
     }
 
     /// The barycentric coordinates times w.

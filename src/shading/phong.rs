@@ -57,6 +57,8 @@ pub struct Phong<'a, S> {
     surface: Surface<'a>,
     /// As asked for, in levels.
     tolerance: f64,
+    /// See [`Surface::rounding`].
+    rounding: f64,
     /// In levels.
     ambient: DVec3,
     /// What a level of specular coefficient may lose by a radian of error in |r - o|, in levels.
@@ -102,6 +104,7 @@ impl<'a, S: Simd> Phong<'a, S> {
             simd,
             surface,
             tolerance,
+            rounding: surface.rounding(),
             ambient: surface.ambient(),
             slope: exact::steepest(shininess),
             brightest,

@@ -63,18 +63,52 @@ pub struct Triangle {
     pub(super) share: Scalar,
     /// How much a coordinate e_i w moves from a pixel to the next at most.
     pub(super) pace: f64,
-    /// Its vertices, from the cuboid's centre, in world units.
-    pub offsets: [DVec3; 3],
-    /// Unit normals at its vertices.
-    pub normals: [DVec3; 3],
-    /// Levels at its vertices.
-    pub levels: [DVec3; 3],
-    /// Vertices' depth, for interpolation that is linear on the screen; `None` where one is nearer than the near plane.
-    pub screen: Option<[f64; 3]>,
+    /// Which vertex is not on the face's diagonal: 1 of the face's first triangle, 2 of its second.
+    third: usize,
+    /// Its barycentric coordinate times w, which is negative beyond the diagonal.
+    pub(super) before_diagonal: Scalar,
+    /// The most that the levels of the face's two triangles differ beyond the diagonal, over that coordinate.
+    pub(super) crease: f64,
+    /// Its vertices.
+    pub own: Vertices,
+    /// The vertices of the face's other triangle, beyond the diagonal.
+    pub other: Vertices,
     /// The eye from the cuboid's centre, in world units; `None` where rays are parallel.
     pub eye: Option<DVec3>,
     /// The unit vector against the view direction.
     pub backward: DVec3,
+}
+
+/// What is known at the vertices of a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Vertices {
+    /// Their places, from the cuboid's centre, in world units.
+    pub offsets: [DVec3; 3],
+    /// Unit normals.
+    pub normals: [DVec3; 3],
+    /// Levels.
+    pub levels: [DVec3; 3],
+    /// Their depths, for interpolation that is linear on the screen; `None` where one is nearer than the near plane.
+    pub screen: Option<[f64; 3]>,
+}
+
+impl Vertices {
+    fn new(number: usize, solid: &Solid, screen: Option<[f64; 3]>) -> Self {
+        let corners = TRIANGLES[number].map(usize::from);
+        let [offsets, normals, levels] = [solid.offsets, solid.normals, solid.colors]
+            .map(|values| corners.map(|corner| values[corner]));
+        Vertices {
+            offsets,
+            normals,
+            levels,
+            screen,
+        }
+    }
+
+    /// Unit vectors to a light, whose place is given from the cuboid's centre.
+    pub fn to_light(&self, light: DVec3) -> [DVec3; 3] {
+        self.offsets.map(|offset| unit(light - offset))
+    }
 }
 
 /// A face before the rays, in the cuboid's own axes, where its normal m is one of them.
@@ -196,11 +230,16 @@ pub fn nearness(number: usize, solid: &Solid, rays: &Rays) -> Scalar {
 }
 
 impl Triangle {
-    /// Triangle `number` of a solid, on the side that is seen; `screen` as in the field.
-    pub fn new(number: usize, solid: &Solid, rays: &Rays, screen: Option<[f64; 3]>) -> Self {
+    /// Triangle `number` of a solid, on the side that is seen; `screen` as in [`Vertices`], by number.
+    pub fn new(
+        number: usize,
+        solid: &Solid,
+        rays: &Rays,
+        screen: impl Fn(usize) -> Option<[f64; 3]>,
+    ) -> Self {
         let corners = TRIANGLES[number].map(usize::from);
-        let [offsets, normals, levels] = [solid.offsets, solid.normals, solid.colors]
-            .map(|values| corners.map(|corner| values[corner]));
+        let [own, other] =
+            [number, number ^ 1].map(|number| Vertices::new(number, solid, screen(number)));
         let face = Face::new(number, solid, rays);
         let (share, place) = (face.share(), face.place());
         // On the face, from -1 to 1 along both of its axes; at a corner the sign of its bit.
@@ -222,19 +261,24 @@ impl Triangle {
             dy: to_weights * coordinates(place.dy, share.dy),
         };
         let blend = |values: &[DVec3; 3]| weights.map(|weights| Triangle::blend(weights, values));
+        let third = 1 + number % 2;
+        let [a, b, c] = own.levels;
         let turned = |vector: &Affine| vector.map(|vector| solid.axes * vector);
         Triangle {
             position: turned(&place),
-            normal: blend(&normals),
+            normal: blend(&own.normals),
             to_eye: turned(&face.to_eye()),
-            colors: blend(&levels),
+            colors: blend(&own.levels),
             share,
             pace: (weights.dx.abs() + weights.dy.abs()).max_element(),
             weights,
-            offsets,
-            normals,
-            levels,
-            screen,
+            before_diagonal: weights.measure(|weights| weights[third]),
+            crease: (a + b + c - 2.0 * own.levels[third] - other.levels[3 - third])
+                .abs()
+                .max_element(),
+            third,
+            own,
+            other,
             eye: match rays.projection {
                 Projection::Perspective => Some(rays.eye),
                 Projection::Orthographic => None,
@@ -244,9 +288,38 @@ impl Triangle {
     }
 
     /// Unit vectors from the vertices to the eye.
-    pub fn to_eye(&self) -> [DVec3; 3] {
-        self.offsets
-            .map(|offset| self.eye.map_or(self.backward, |eye| unit(eye - offset)))
+    pub fn to_eye(&self, vertices: &Vertices) -> [DVec3; 3] {
+        let eye = |offset| self.eye.map_or(self.backward, |eye| unit(eye - offset));
+        vertices.offsets.map(eye)
+    }
+
+    /// Barycentric coordinates times w as those of the diagonal's ends and of the third vertex, or these as the former.
+    fn arranged(third: usize, [a, b, c]: [f64; 3]) -> [f64; 3] {
+        if third == 1 { [a, c, b] } else { [a, b, c] }
+    }
+
+    /// The vertices that are interpolated where the barycentric coordinates times w are `weights`, and theirs.
+    ///
+    /// The fourth corner of the face is A + C - B where A and C are the diagonal's ends and B is the third.
+    pub(super) fn interpolated(&self, weights: DVec3) -> (&Vertices, DVec3) {
+        let [a, c, b] = Self::arranged(self.third, weights.to_array());
+        if b >= 0.0 {
+            return (&self.own, weights);
+        }
+        let weights = Self::arranged(3 - self.third, [a + b, c + b, -b]);
+        (&self.other, DVec3::from(weights))
+    }
+
+    /// Barycentric coordinates times w, held inside the face along each of its axes; `None` where they are inside.
+    pub(super) fn held(&self, weights: DVec3) -> Option<DVec3> {
+        let [a, c, b] = Self::arranged(self.third, weights.to_array());
+        if a.min(c).min(a + b).min(c + b) >= 0.0 {
+            return None;
+        }
+        // From A to C, along B's side first: the shares of either axis.
+        let [first, second] = [c + b, c].map(|share| share.max(0.0).min(a + b + c));
+        let held = [a + b + c - first, second, first - second];
+        Some(DVec3::from(Self::arranged(self.third, held)))
     }
 
     /// The vector to a light, whose place is given from the cuboid's centre, times w.
@@ -257,11 +330,6 @@ impl Triangle {
             dx: light * self.share.dx - self.position.dx,
             dy: light * self.share.dy - self.position.dy,
         }
-    }
-
-    /// Unit vectors from the vertices to a light, whose place is given from the cuboid's centre.
-    pub fn to_light(&self, light: DVec3) -> [DVec3; 3] {
-        self.offsets.map(|offset| unit(light - offset))
     }
 
     /// A linear combination of three vertex values.

@@ -4,7 +4,7 @@
 //! no pixel divides. A triangle with a vertex nearer than the near plane has no three screen positions: its vectors are
 //! interpolated perspective-correctly instead, as everything else is. Between unit vectors o.r is at most one; where a
 //! pixel lies just outside its triangle it is held to that. In f32 where its rounding is bounded, pixel by
-//! pixel in f64 elsewhere and for slivers.
+//! pixel in f64 elsewhere, for slivers, and where snapping puts pixels beyond the face's diagonal, on the other triangle.
 
 use glam::DVec3;
 
@@ -48,7 +48,8 @@ impl Shader for UnitVectors<'_> {
     ) -> Evaluations {
         let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
         if patch.steady
-            && let Some(factors) = triangle.screen
+            && patch.beyond_diagonal(triangle, coverage) <= 0.0
+            && let Some(factors) = triangle.own.screen
         {
             let vectors = Vectors::new(triangle, factors, patch);
             if self.rounding(&vectors, patch) <= EXACT {
@@ -74,15 +75,15 @@ impl<'a> Vectors<'a> {
         Vectors {
             triangle,
             weights,
-            normal: blend(&weights, &triangle.normals),
-            to_eye: blend(&weights, &triangle.to_eye()),
+            normal: blend(&weights, &triangle.own.normals),
+            to_eye: blend(&weights, &triangle.to_eye(&triangle.own)),
         }
     }
 
     #[inline(always)]
     fn to_light(&self, light: &PointLight, surface: &Surface) -> Affine {
         let place = light.position - surface.centre;
-        blend(&self.weights, &self.triangle.to_light(place))
+        blend(&self.weights, &self.triangle.own.to_light(place))
     }
 }
 
@@ -116,7 +117,7 @@ impl UnitVectors<'_> {
                 bound += specular * (steepest * (4.0 * n + 3.0 * (l + o) + 21.0 * U) + 16.0 * U);
             }
         }
-        bound + 6.0 * U * largest
+        bound + self.surface.rounding() * largest
     }
 
     #[inline(always)]
@@ -189,17 +190,17 @@ impl UnitVectors<'_> {
         sink: &mut impl Sink,
     ) -> Evaluations {
         let surface = &self.surface;
-        let factors = DVec3::from(triangle.screen.unwrap_or([1.0; 3]));
         doubles::shade(triangle, patch, coverage, sink, |point| {
-            let weights = point.weights * factors;
+            let vertices = point.vertices;
+            let weights = point.weights * DVec3::from(vertices.screen.unwrap_or([1.0; 3]));
             let weights = weights / (weights.x + weights.y + weights.z);
-            let n = Triangle::blend(weights, &triangle.normals);
-            let o = Triangle::blend(weights, &triangle.to_eye());
+            let n = Triangle::blend(weights, &vertices.normals);
+            let o = Triangle::blend(weights, &triangle.to_eye(vertices));
             let mut levels = surface.ambient();
             for light in &surface.illumination.points {
                 let [diffuse, specular] = surface.coefficients(light);
                 let l =
-                    Triangle::blend(weights, &triangle.to_light(light.position - surface.centre));
+                    Triangle::blend(weights, &vertices.to_light(light.position - surface.centre));
                 let cosine = n.dot(l);
                 if cosine > 0.0 {
                     let lambda = (1.0 - o.dot(2.0 * cosine * n - l)).max(0.0);

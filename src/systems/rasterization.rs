@@ -168,11 +168,12 @@ fn triangle(
     lens: &Lens,
     rays: &Rays,
 ) -> Triangle {
-    let seen = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)]);
-    let screen = seen
-        .iter()
-        .all(|seen| seen.z >= lens.near)
-        .then(|| seen.map(|seen| lens.homogeneous(seen).z));
+    let screen = |number: usize| {
+        let seen = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)]);
+        seen.iter()
+            .all(|seen| seen.z >= lens.near)
+            .then(|| seen.map(|seen| lens.homogeneous(seen).z))
+    };
     Triangle::new(number, solid, rays, screen)
 }
 

@@ -90,7 +90,7 @@ fn subject(random: &mut Random) -> Subject {
         },
         projection,
     };
-    let triangle = Triangle::new(number, &solid, &rays, None);
+    let triangle = Triangle::new(number, &solid, &rays, |_| None);
     let origin = [
         random.within(-20.0, 4.0).round(),
         random.within(-20.0, 4.0).round(),
@@ -158,7 +158,7 @@ fn exact(patch: &Patch, triangle: &Triangle, levels: impl Fn(&Point) -> DVec3) -
 }
 
 fn phong(surface: &Surface, triangle: &Triangle, point: &Point) -> DVec3 {
-    let normal = Triangle::blend(point.weights, &triangle.normals).normalize();
+    let normal = Triangle::blend(point.weights, &point.vertices.normals).normalize();
     let to_eye = triangle
         .eye
         .map_or(triangle.backward, |eye| eye - point.offset);
@@ -204,7 +204,7 @@ fn no_certified_tile_exceeds_its_tolerance() {
                 kind,
                 found,
                 exact(patch, triangle, |point| {
-                    Triangle::blend(point.weights, &triangle.levels)
+                    Triangle::blend(point.weights, &point.vertices.levels)
                 }),
             )
         };

@@ -6,8 +6,9 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View}
 use shadetrade::prove::{Shown, Verdict, judge};
 use shadetrade::reference::Real;
 
-use super::enclosures;
+use super::random::Random;
 use super::scene::{at, empty, shaded, spawn_cuboid, spawn_light, view};
+use super::{enclosures, proof};
 
 const WHITE: Material = Material {
     ambient: DVec3::ONE,
@@ -57,6 +58,43 @@ fn a_sum_that_loses_twenty_thousand_faint_lights_is_refuted() {
     let (mark, error) = judged(200.0);
     assert_eq!(mark.verdict, Verdict::Refuted);
     assert!((error - 0.14).abs() < 1e-9, "{error}");
+}
+
+#[test]
+fn twenty_thousand_faint_lights_are_summed_within_the_tolerance() {
+    let (mut world, view) = faint_lights(20_000);
+    for mode in [ShadingMode::Phong, ShadingMode::UnitVectors] {
+        let proof = proof(&mut world, &shaded(mode, &view));
+        assert_eq!(proof.proven, 1, "{mode:?}: {:?}", proof.examples);
+    }
+}
+
+/// Snapping puts pixels of one triangle beyond the face's diagonal, where the other one may be brighter by hundreds of
+/// thousands of levels in a pixel.
+#[test]
+fn every_pixel_beside_a_diagonal_is_proven() {
+    let modes = [
+        ShadingMode::Gouraud,
+        ShadingMode::Phong,
+        ShadingMode::UnitVectors,
+    ];
+    for seed in 0..24 {
+        let mut random = Random(seed);
+        let mut world = empty();
+        let mut vector = |from: f64, to: f64| DVec3::ZERO.map(|_| random.within(from, to));
+        let size = vector(1.0, 4.0);
+        spawn_cuboid(&mut world, size, at(DVec3::ZERO), WHITE);
+        let [eye, light] = [12.0, 8.0].map(|far| vector(-1.0, 1.0).normalize() * far);
+        spawn_light(&mut world, LightKind::Diffuse, DVec3::splat(1e5), light);
+        for projection in Projection::ALL {
+            let view = view([64, 48], eye, DVec3::ZERO, projection);
+            for mode in modes {
+                let proof = proof(&mut world, &shaded(mode, &view));
+                let unproven = proof.refuted + proof.undecided;
+                assert_eq!(unproven, 0, "{seed}, {mode:?}: {:?}", proof.examples);
+            }
+        }
+    }
 }
 
 /// A cuboid of 2e14 units, lit and seen from a few units before its corner.

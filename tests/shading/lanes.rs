@@ -63,8 +63,9 @@ fn triangle(random: &mut Random) -> Triangle {
         pitch: 1e-3,
         projection: Projection::Perspective,
     };
-    let depths = TRIANGLES[TOP].map(|corner| eye.z - offsets[usize::from(corner)].z);
-    Triangle::new(TOP, &solid, &rays, Some(depths))
+    Triangle::new(TOP, &solid, &rays, |number| {
+        Some(TRIANGLES[number].map(|corner| eye.z - offsets[usize::from(corner)].z))
+    })
 }
 
 /// The first triangle of the face +z.
@@ -72,7 +73,7 @@ const TOP: usize = 8;
 
 /// The tile over the middle of the triangle.
 fn middle(triangle: &Triangle) -> Patch {
-    let centre = (triangle.offsets[0] + triangle.offsets[1] + triangle.offsets[2]) / 3.0;
+    let centre = triangle.own.offsets.iter().sum::<DVec3>() / 3.0;
     let seen = centre - triangle.eye.expect("in perspective");
     let origin = [seen.x, -seen.y].map(|place| (place / -seen.z / 1e-3).round());
     Patch::new(triangle, origin, [0, TILE as u8 - 1], [0, TILE as u8 - 1])

@@ -24,7 +24,7 @@ fn a_pixel_that_sees_nothing_of_the_triangles_plane_shows_the_triangles_middle()
         projection: Projection::Perspective,
     };
     // The first triangle of the face +z.
-    let triangle = Triangle::new(8, &solid, &rays, None);
+    let triangle = Triangle::new(8, &solid, &rays, |_| None);
     let patch = Patch::new(
         &triangle,
         [0.0; 2],
@@ -34,6 +34,6 @@ fn a_pixel_that_sees_nothing_of_the_triangles_plane_shows_the_triangles_middle()
     assert!(!patch.steady);
     let point = patch.point(&triangle, 0.0, 0.0);
     assert_eq!(point.weights, DVec3::splat(1.0 / 3.0));
-    let [a, b, c] = triangle.offsets;
+    let [a, b, c] = triangle.own.offsets;
     assert!((point.offset - (a + b + c) / 3.0).length() < 1e-15);
 }

@@ -12,7 +12,7 @@ use crate::shading::number::{ABREAST, Number, Truth};
 use crate::shading::patch::Patch;
 use crate::shading::series::Quadratic;
 use crate::shading::triangle::Triangle;
-use crate::shading::{Coverage, Scratch, U};
+use crate::shading::{Coverage, Scratch};
 use crate::simd::apart;
 
 /// Adds what is missing to the pixels of tiles, in the scratch.
@@ -93,10 +93,10 @@ impl<'a, 's, S: Simd> ByPixel<'a, 's, S> {
         outlook: &Outlook<N>,
     ) -> N {
         let (phong, triangle, patches) = (self.phong, self.triangle, self.patches);
-        // A power in few steps is nothing where it is fainter than that; product and sums in f32 are three more roundings.
+        // A power in few steps is nothing where it is fainter than that; the product and sums in f32 round too.
         let cut = phong.squarings.map_or(0.0, |_| phong.faint);
         let bright = phong.surface.coefficients(light)[1].max_element();
-        let mut costs = [cut + 3.0 * U * bright; ABREAST];
+        let mut costs = [cut + phong.rounding * bright; ABREAST];
         for index in 0..N::COUNT {
             if squares.one(index) {
                 let tile = self.first + index;

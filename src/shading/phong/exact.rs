@@ -186,7 +186,7 @@ impl<S: Simd> Phong<'_, S> {
                 error += self.add_specular(light, vectors, &outlook, triangle, patch, &mut pixels);
             }
         }
-        let error = error + 6.0 * U * largest;
+        let error = error + self.rounding * largest;
         if error.is_nan() || error > budget {
             return None;
         }
@@ -335,7 +335,7 @@ impl<S: Simd> Phong<'_, S> {
         sink: &mut impl Sink,
     ) -> Evaluations {
         doubles::shade(triangle, patch, coverage, sink, |point| {
-            let normal = unit(Triangle::blend(point.weights, &triangle.normals));
+            let normal = unit(Triangle::blend(point.weights, &point.vertices.normals));
             let to_eye = triangle
                 .eye
                 .map_or(triangle.backward, |eye| unit(eye - point.offset));

@@ -12,7 +12,6 @@ use super::by_pixel::ByPixel;
 use super::products::{Own, Shared, ToLight, Vectors};
 use super::{Phong, SMOOTHED};
 use crate::components::PointLight;
-use crate::shading::U;
 use crate::shading::certificate::{
     Color, Majorant, angle, cosine_remainder, least_lambda, moderate, positive_part, rate,
 };
@@ -155,7 +154,7 @@ impl<S: Simd> Phong<'_, S> {
                     #[inline(always)]
                     || outlook.cosine(vectors, enough),
                 );
-                let loss = (error + 6.0 * U) * bright;
+                let loss = (error + self.rounding) * bright;
                 cost = cost + outlook.dark.choose(zero, loss);
                 let mut terminator = possible & !(outlook.lit | outlook.dark);
                 if terminator.any() {
