@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::View;
-use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
 use crate::memory::{self, OutOfMemory};
 use crate::reference::{Interval, Reference, Seen};
 use crate::shading::limit;
@@ -104,9 +104,9 @@ pub struct Distance {
     pub farthest: f64,
 }
 
-/// The face of a triangle's id.
-pub fn face(triangle: u32) -> Option<usize> {
-    (triangle != NO_TRIANGLE).then_some(triangle as usize / 2)
+/// The face that a triangle's id shows.
+pub fn shown_face(triangle: u32) -> Option<usize> {
+    (triangle != NO_TRIANGLE).then_some(face(triangle) as usize)
 }
 
 /// The displayed endpoints of an enclosure, by channel.
@@ -266,12 +266,16 @@ pub fn prove(
                 let pixel = (y - start) * width + x;
                 let [_, bytes @ ..] = displayed.pixels()[pixel].to_be_bytes();
                 let shown = Shown {
-                    face: face(drawn.triangles()[pixel]),
+                    face: shown_face(drawn.triangles()[pixel]),
                     levels: drawn.levels()[pixel].map(f64::from),
                     bytes: Some(bytes),
                 };
                 row.add([x, y], shown, seen, limit(view.tolerance));
-                row.add_reference(face(truth.triangles[pixel]), truth.levels[pixel], seen);
+                row.add_reference(
+                    shown_face(truth.triangles[pixel]),
+                    truth.levels[pixel],
+                    seen,
+                );
             });
             Some(row)
         };

@@ -29,7 +29,7 @@ use super::bench::{Bench, Trouble, enclosures};
 use super::setting::{Setting, Way};
 use crate::components::{Projection, ShadingMode};
 use crate::output::{self, Output};
-use crate::prove::{Verdict, face, nearest};
+use crate::prove::{Verdict, nearest, shown_face};
 use crate::reference;
 use crate::shading::EXACT;
 use crate::trade::make_writable;
@@ -185,14 +185,14 @@ fn errors(setting: &Setting, level: Level) -> Result<Errors, Trouble> {
         let shown = [
             met.map(|face| (Some(face), textbook.levels(face, place).map(f64::from))),
             Some((
-                face(exact.triangles[pixel]),
+                shown_face(exact.triangles[pixel]),
                 exact.levels[pixel].map(f64::from),
             )),
             Some((
-                face(half.triangles[pixel]),
+                shown_face(half.triangles[pixel]),
                 half.levels[pixel].map(f64::from),
             )),
-            Some((face(truth.triangles[pixel]), truth.levels[pixel])),
+            Some((shown_face(truth.triangles[pixel]), truth.levels[pixel])),
         ];
         for (worst, shown) in errors.iter_mut().zip(shown) {
             let Some((face, levels)) = shown else {

@@ -33,7 +33,7 @@ pub trait Real:
     /// from 0, or it is 0 exactly.
     fn sign(self, margin: f64) -> Option<Ordering>;
 
-    /// Whether a specular light with this n.l is seen. An interval within [`GATE_TIE`] of 0 is open if `tied` says so.
+    /// Whether a specular light with this n.l is seen. An interval within 1e-6 of 0 is open if `tied` says so.
     fn gate(self, tied: bool) -> Option<bool>;
 
     /// Whether the gate is tied.

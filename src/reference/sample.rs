@@ -14,7 +14,7 @@ use crate::components::{Light, LightKind, Name, View};
 pub struct Sample {
     /// The cuboid's place in the file, from 0.
     pub object: usize,
-    /// The triangle's place in [`TRIANGLES`].
+    /// The triangle's place in [`crate::components::TRIANGLES`].
     pub triangle: usize,
     /// The point seen, in world units.
     pub position: DVec3,

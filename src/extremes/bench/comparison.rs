@@ -10,7 +10,7 @@ use super::{Bench, MODES, Trouble};
 use crate::components::{Projection, View};
 use crate::extremes::setting::{Setting, Way};
 use crate::frame::NO_TRIANGLE;
-use crate::prove::{self, Shown, Verdict, face};
+use crate::prove::{self, Shown, Verdict, shown_face};
 use crate::reference::{Interval, Reference, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
@@ -114,7 +114,7 @@ impl Bench {
         let mut worst = 0.0_f64;
         for (pixel, ids) in drawn.triangles.iter().zip(&expected.triangles).enumerate() {
             let place = [pixel % view.size[0], pixel / view.size[0]];
-            let faces = [*ids.0, *ids.1].map(face);
+            let faces = [*ids.0, *ids.1].map(shown_face);
             if faces[0] == faces[1] {
                 worst = worst.max(pixel_error(drawn.levels[pixel], expected.levels[pixel]));
             } else if !reference.at(place).iter().any(|seen| seen.face == faces[0]) {
@@ -141,7 +141,7 @@ impl Bench {
         for (pixel, seen) in enclosures.iter().enumerate() {
             let [_, bytes @ ..] = self.display.pixels()[pixel].to_be_bytes();
             let shown = Shown {
-                face: face(self.frame.triangles()[pixel]),
+                face: shown_face(self.frame.triangles()[pixel]),
                 levels: self.frame.levels()[pixel].map(f64::from),
                 bytes: Some(bytes),
             };
