@@ -102,7 +102,7 @@
 //! Whether that is true is not for the renderer to say. [`mod@reference`] draws the same picture by lines of sight through
 //! the pixels and shares no formula with it. Its one formula is evaluated over two kinds of numbers ([`reference::Real`]).
 //! In f64 it gives the truth at once: [`trade::metrics`] compares the two, [`trade::flip`] as a person would (Andersson et
-//! al. 2020), and [`trade`] adds what each method costs. In intervals with outward rounding (IEEE 1788.1) it encloses the
+//! al. 2020), and [`trade`] adds what each method costs. In intervals with outward rounding it encloses the
 //! exact level of every pixel, from the scene's numbers on: [`mod@prove`] holds what is drawn against that.
 //!
 //! ```
