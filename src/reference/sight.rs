@@ -17,10 +17,13 @@
 //! nowhere and never enters both: one exactly on the edge belongs to what is to the right of it, or below it if the edge
 //! is level (the top-left rule). An interval within [`EDGE`] of an edge is undecided.
 
+mod bounds;
+mod edge;
+
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use super::interval::Interval;
+use self::edge::Edge;
 use super::real::Real;
 use super::vector::Vector;
 use crate::components::{Mesh, Projection, Transform, View};
@@ -76,45 +79,6 @@ struct Face<R> {
     near: Edge<R>,
     /// Positive on the first triangle's side.
     diagonal: Edge<R>,
-}
-
-/// An affine function of the pixel, from the picture's centre rightwards and downwards: 0 on a line.
-struct Edge<R> {
-    at_centre: R,
-    right: R,
-    down: R,
-    /// What a pixel away from the line adds. It is not divided by: a face that is parallel to the picture has one
-    /// distance from the near plane, infinitely many pixels from it.
-    pixel: R,
-}
-
-impl<R: Real> Edge<R> {
-    /// A function of the pixel by its value at the picture's centre and what a pixel right and down add to it.
-    fn new(at_centre: R, [right, down]: [R; 2]) -> Self {
-        Edge {
-            at_centre,
-            right,
-            down,
-            pixel: Vector([right, down, R::from(0.0)]).length_squared().sqrt(),
-        }
-    }
-
-    /// Whether a pixel's centre is on the positive side; an interval is undecided within `margin` pixels of the line.
-    ///
-    /// A centre on the line is on the side of what lies to the right, or below if the line is level.
-    fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
-        let distance = self.at_centre + self.right * R::from(right) + self.down * R::from(down);
-        let is_equal = |sign| sign == Some(Ordering::Equal);
-        let [_, pixel] = self.pixel.endpoints();
-        match distance.sign(margin * pixel)? {
-            Ordering::Greater => Some(true),
-            Ordering::Less => Some(false),
-            Ordering::Equal if is_equal(self.right.sign(0.0)) => {
-                Some(self.down.sign(0.0)? != Ordering::Less)
-            }
-            Ordering::Equal => Some(self.right.sign(0.0)? == Ordering::Greater),
-        }
-    }
 }
 
 /// The line of sight through one pixel's centre: `from + along * t`, along the cuboid's axes, from its centre.
@@ -181,50 +145,6 @@ impl<R: Real> Sight<R> {
             ((2 * x + 1) as f64 - width) / 2.0,
             ((2 * y + 1) as f64 - height) / 2.0,
         ]
-    }
-}
-
-impl Sight<Interval> {
-    /// The columns and rows that a cuboid can be seen in.
-    pub fn bounds(&self, transform: &Transform, mesh: &Mesh) -> [Range<usize>; 2] {
-        let axes = own_axes(transform);
-        let centre = Vector::exact(transform.position) - Vector::exact(self.eye);
-        let seen = mesh.corners.map(|corner| {
-            let [x, y, z] = corner.to_array().map(Interval::from);
-            let from_eye = centre + axes[0] * x + axes[1] * y + axes[2] * z;
-            self.axes.map(|axis| axis.dot(from_eye))
-        });
-        let depths = seen.map(|[_, _, depth]| depth);
-        let is_before = |depth: &Interval| (*depth - self.near).sign(0.0) == Some(Ordering::Less);
-        if depths.iter().all(is_before) {
-            return [0..0, 0..0];
-        }
-        let is_behind = |depth: &Interval| depth.sign(0.0) != Some(Ordering::Greater);
-        let is_perspective = self.projection == Projection::Perspective;
-        if is_perspective && depths.iter().any(is_behind) {
-            return self.size.map(|side| 0..side);
-        }
-        [0, 1].map(|axis| {
-            let places = seen.map(|point| {
-                let place = if is_perspective {
-                    point[axis] / point[2]
-                } else {
-                    point[axis]
-                };
-                (place / self.pitch).endpoints()
-            });
-            let [mut least, mut largest] = places[0];
-            for [low, high] in places {
-                (least, largest) = (least.min(low), largest.max(high));
-            }
-            if axis == 1 {
-                (least, largest) = (-largest, -least);
-            }
-            let middle = self.size[axis] as f64 / 2.0;
-            // One pixel more for edges; the conversion to integers saturates.
-            let end = ((middle + largest + 2.0) as usize).min(self.size[axis]);
-            ((middle + least - 1.0) as usize).min(end)..end
-        })
     }
 }
 
