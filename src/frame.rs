@@ -4,6 +4,7 @@
 //! bits however many threads drew it.
 
 mod band;
+mod draw_list;
 
 use std::collections::TryReserveError;
 use std::ops::{AddAssign, Range};
@@ -13,9 +14,10 @@ use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 pub(crate) use self::band::{Band, Drawn};
+pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::memory::{self, OutOfMemory};
 pub use crate::shading::display::display_step;
-use crate::shading::{BLOCK, TileKind};
+use crate::shading::{Scratch, TileKind};
 
 /// Who draws: the SIMD level and the threads.
 pub struct Workers {
@@ -63,6 +65,9 @@ pub enum Keep {
     /// Unclamped, unrounded levels, the triangle seen, and how its tile was drawn.
     Levels,
 }
+
+/// Set in the kind of pixels on the upper or left edge of their square.
+pub const OUTLINE: u8 = 0x80;
 
 /// The id of a pixel where nothing is drawn.
 pub const NO_TRIANGLE: u32 = u32::MAX;
@@ -113,6 +118,8 @@ pub struct Frame {
     kinds: Vec<u8>,
     depths: Vec<f64>,
     drawn: Vec<Drawn>,
+    list: DrawList,
+    scratch: Box<Scratch>,
     counts: Counts,
 }
 
@@ -131,6 +138,8 @@ impl Frame {
             kinds: Vec::new(),
             depths: Vec::new(),
             drawn: Vec::new(),
+            list: DrawList::default(),
+            scratch: Box::default(),
             counts: Counts::default(),
         }
     }
@@ -235,12 +244,17 @@ impl Frame {
         self.drawn = Vec::new();
     }
 
-    /// Has `draw` fill the frame, band by band, and adds up what it counts. `alone`: on the calling thread.
+    /// What is to be drawn, taken out while it is worked on.
+    pub(crate) fn take_list(&mut self) -> DrawList {
+        std::mem::take(&mut self.list)
+    }
+
+    /// Has `draw` fill the frame with what is listed, band by band, adds up what it counts, and keeps the list's memory.
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
-        alone: bool,
-        draw: impl Fn(&mut Band) -> Counts + Sync,
+        list: DrawList,
+        draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
     ) {
         if self.background != background {
             self.background = background;
@@ -248,7 +262,6 @@ impl Frame {
         }
         let mut band = Band {
             width: self.size[0],
-            height: self.size[1],
             rows: self.rows.clone(),
             background,
             pixels: &mut self.pixels,
@@ -259,18 +272,23 @@ impl Frame {
             drawn: &mut self.drawn,
         };
         self.counts += match &self.workers.pool {
-            Some(pool) if !alone => {
-                let rows = self
-                    .rows
-                    .len()
-                    .div_ceil(4 * pool.current_num_threads())
-                    .next_multiple_of(BLOCK);
-                pool.install(|| band.split_and(rows, &draw))
+            Some(pool) if list.covered() >= WORTH_SHARING => {
+                let cuts = list.cuts(&self.rows, PARTS * pool.current_num_threads());
+                pool.install(|| {
+                    band.split_and(&cuts, &|band| draw(&list, band, &mut Scratch::default()))
+                })
             }
-            _ => draw(&mut band),
+            _ => draw(&list, &mut band, &mut self.scratch),
         };
+        self.list = list;
     }
 }
+
+/// Below this many covered pixels a second thread costs more than it saves.
+const WORTH_SHARING: usize = 50_000;
+
+/// Bands for each thread, so that one that is done early helps the others.
+const PARTS: usize = 4;
 
 /// Fills an empty vector.
 fn renew<T: Clone>(vector: &mut Vec<T>, len: usize, value: T) -> Result<(), TryReserveError> {

@@ -23,7 +23,7 @@
 //!    by depth and snapped to 1/256 pixel.
 //! 3. [`systems::lighting`]: the lights that are on, and the model at the vertices of what Gouraud will interpolate.
 //! 4. [`systems::rasterization`]: [`systems::coverage`] finds the pixels, each once, in integers, after the top-left rule;
-//!    tiles of 16 x 16 of them go to a shader, and [`frame`] applies the display step, once and last:
+//!    squares of 32 x 32 of them go to a shader, and the display step comes once and last:
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
@@ -60,12 +60,12 @@
 //! r = 2 (n.l) n - l      l = unit(L - P)      o = unit(O - P)
 //! ```
 //!
-//! Over a triangle everything is interpolated with the weights e_i / (e_0 + e_1 + e_2), each e_i affine in the pixel
-//! ([`shading::triangle`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in what "everything" is:
+//! Over a face everything is interpolated: times a positive factor w it is affine in the pixel ([`shading::face`];
+//! Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in what "everything" is:
 //!
-//! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = sum(e_i I_i) / sum(e_i)`;
+//! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
-//!   sum(e_i n_i) is the true normal times one positive factor, and so are L - P and O - P;
+//!   w n, w (L - P) and w (O - P) point where n, L - P and O - P do;
 //! - [`shading::unit_vectors`], the assignment's shortcut, interpolates n, l and o and does not normalise them.
 //!
 //! Ask one pixel what happened there: [`probe`] evaluates every light's term, and both modes beside the reference.
@@ -93,11 +93,15 @@
 //!
 //! # What a tolerance buys
 //!
-//! Most tiles do not need the formula. On a tile every vector is affine up to a factor, so Taylor's theorem bounds how far
-//! n.l and o.r stray from a polynomial ([`shading::certificate`] derives it), and a specular light whose (o.r)^rho stays
-//! below its share of the tolerance is left out. A tile takes the cheapest evaluation that provably keeps the tolerance,
-//! rounding included; [`shading::TileKind`] lists them, and the window's tiles view shows them. At tolerance 0 nothing is
-//! approximated, and 1 - o.r is taken as |r - o|² / 2 where f32 would cancel (Lyon 1993; [`shading::specular`]).
+//! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
+//! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
+//! derivatives and so how far it strays. What the tolerance leaves decides how the biquadratic is drawn
+//! ([`shading::interpolation`]); where it leaves nothing the square is cut in four, and a square of 16 pixels is evaluated
+//! pixel by pixel. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
+//!
+//! Rounding is part of the tolerance ([`shading::kernel`] counts it). At tolerance 0 the model is evaluated at every pixel;
+//! only highlights that are certified to stay below an eightieth of a level are left out. 1 - o.r is taken as
+//! |r - o|² / 2 where f32 would cancel (Lyon 1993; [`shading::specular`]).
 //!
 //! Whether that is true is not for the renderer to say. [`mod@reference`] draws the same picture by lines of sight through
 //! the pixels and shares no formula with it. Its one formula is evaluated over two kinds of numbers ([`reference::Real`]).
@@ -146,8 +150,8 @@
 //!
 //! # What to touch to add ...
 //!
-//! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of the one `match` in
-//!   [`systems::rasterization`], a row of [`shading::METHODS`]; its own definition in the reference; what it is called
+//! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of [`shading::Shader`] and of the
+//!   one `match` in [`systems::rasterization`], a row of [`shading::METHODS`]; its own definition in the reference; what it is called
 //!   in the window and how it is marked in the plot, which the compiler asks for;
 //! - a light kind: a variant of [`components::LightKind`] and its name in `scene/format.rs`, its sum in
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;

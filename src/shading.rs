@@ -1,36 +1,38 @@
-//! What is evaluated at a pixel: the methods, the illumination model, and the seam between tiles and shaders.
+//! What is evaluated at a pixel: the methods, the illumination model, and the seam between squares and shaders.
 //!
 //! ```text
-//!  triangle + tile --Patch--> weights, normal, position as affine functions of the pixel --Shader--> levels, tile row by row
+//!  face --affine N, L, O--> square --the model at nine nodes--> biquadratic --cheapest rows--> levels
+//!                             |         where a bound on third derivatives keeps the tolerance
+//!                             '-- elsewhere: four squares; at 8 pixels the model at each
 //! ```
-//! Rule: a [`patch::Patch`] is set up in f64 from unsnapped vertices and anchored at the middle of what the tile covers; what a
-//! shader does in f32 it may do only where its rounding error is bounded below the tolerance, and in f64 elsewhere.
+//! Rule: a face is set up in f64 from unsnapped corners; what is done in f32 is done only where its rounding error is
+//! bounded below the tolerance, and in f64 elsewhere.
 
 pub mod affine;
-pub mod certificate;
+pub mod bound;
 pub mod display;
-mod doubles;
+pub mod face;
 pub mod gouraud;
-pub mod number;
-pub mod patch;
+pub mod interpolation;
+pub mod kernel;
 pub mod phong;
-pub mod polynomial;
-pub mod rows;
-pub mod series;
 pub mod specular;
-pub mod tile;
-pub mod triangle;
+pub mod square;
 pub mod unit_vectors;
 
+use fearless_simd::Simd;
 use glam::DVec3;
 
-use self::display::Row;
-use self::number::ABREAST;
-use self::patch::Squares;
-pub use self::rows::Sink;
-pub use self::tile::{BLOCK, Coverage, TILE, TileKind, TileRow};
-use self::triangle::Triangle;
+use self::bound::Places;
+use self::display::{Levels, Rows};
+use self::gouraud::Gouraud;
+use self::interpolation::Interpolant;
+use self::kernel::Light;
+use self::phong::{Active, Phong};
+use self::square::{Spans, Square};
+use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
+use crate::simd::apart;
 
 /// A way to draw: what the picture means, and how far it may stray from that.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,11 +165,18 @@ impl Surface<'_> {
     /// The illumination model (Phong 1975, as the contract writes it) at `offset` from the centre, with unit normal and
     /// unit vector to the eye; in levels, unclamped.
     pub fn levels(&self, offset: DVec3, normal: DVec3, to_eye: DVec3) -> DVec3 {
+        self.sum(normal, to_eye, |light| {
+            unit(light.position - self.centre - offset)
+        })
+    }
+
+    /// The same, with the unit vector to each light as it is given.
+    fn sum(&self, normal: DVec3, to_eye: DVec3, to_light: impl Fn(&PointLight) -> DVec3) -> DVec3 {
         let mut levels = self.ambient();
         for light in &self.illumination.points {
             let [diffuse, specular] = self.coefficients(light);
             // A light at the very point has no direction: its l is zero, n.l is zero, and it contributes nothing.
-            let to_light = unit(light.position - self.centre - offset);
+            let to_light = to_light(light);
             let cosine = normal.dot(to_light);
             if cosine > 0.0 {
                 levels += diffuse * cosine;
@@ -182,31 +191,123 @@ impl Surface<'_> {
     }
 }
 
-/// Draws the tiles of triangles.
-pub trait Shader {
-    /// Finds for each block that is wanted the cheapest polynomial that keeps the tolerance with all of its light. None
-    /// stands there yet, and none is left where there is none or every pixel is to be exact.
-    fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>);
-
-    /// The same for tiles, but a polynomial may leave out light whose levels are then in the scratch, pixel by pixel; its
-    /// kind says so ([`Polynomial::is_whole`](polynomial::Polynomial::is_whole)).
-    fn certify_tiles(&self, triangle: &Triangle, tiles: &mut Squares<TILE>, scratch: &mut Scratch);
-
-    /// Shades the covered pixels of one of the tiles that were certified last and that have no whole polynomial.
-    fn shade(
-        &self,
-        triangle: &Triangle,
-        tiles: &Squares<TILE>,
-        index: usize,
-        scratch: &mut Scratch,
-        sink: &mut impl Sink,
-    ) -> Evaluations;
+/// How a square was drawn, from cheap to dear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TileKind {
+    /// One colour, certified.
+    Constant,
+    /// A colour linear in x and y, certified.
+    Linear,
+    /// A biquadratic colour, certified.
+    Quadratic,
+    /// The same, and n.l of one light that is cut off at zero at every pixel.
+    Terminator,
+    /// The definition at every pixel, in f32.
+    Exact,
+    /// The definition at every pixel, in f64.
+    Double,
 }
 
-/// What a shader has done to a tile.
+impl TileKind {
+    /// All of them, in order.
+    pub const ALL: [TileKind; 6] = [
+        TileKind::Constant,
+        TileKind::Linear,
+        TileKind::Quadratic,
+        TileKind::Terminator,
+        TileKind::Exact,
+        TileKind::Double,
+    ];
+
+    /// The word panels and reports use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            TileKind::Constant => "constant",
+            TileKind::Linear => "linear",
+            TileKind::Quadratic => "quadratic",
+            TileKind::Terminator => "terminator",
+            TileKind::Exact => "exact",
+            TileKind::Double => "exact in f64",
+        }
+    }
+}
+
+/// Takes the rows of a square.
+pub trait Sink<S: Simd> {
+    /// Takes what is covered of them.
+    fn draw(&mut self, rows: &mut impl Rows<S>);
+}
+
+/// What shades the squares of a face: one of the definitions.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one at a time, on the stack"
+)]
+pub enum Shader<'a> {
+    Gouraud(Gouraud<'a>),
+    Phong(Phong<'a>),
+    UnitVectors(UnitVectors<'a>),
+}
+
+impl Shader<'_> {
+    /// Colours of four squares that keep the tolerance where they leave something of it; none where no square has one.
+    #[inline(always)]
+    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+        match self {
+            Shader::Gouraud(gouraud) => apart(
+                simd,
+                #[inline(always)]
+                || gouraud.interpolate(simd, places),
+            ),
+            Shader::Phong(phong) => apart(
+                simd,
+                #[inline(always)]
+                || phong.interpolate(simd, places),
+            ),
+            Shader::UnitVectors(_) => None,
+        }
+    }
+
+    /// Evaluates every covered pixel of a square in lanes, into the scratch; nothing where that could not keep the
+    /// tolerance. `picture`: the picture's middle, in pixels from its corner.
+    pub fn evaluate<S: Simd>(
+        &self,
+        simd: S,
+        square: &Square,
+        spans: &Spans,
+        picture: [f64; 2],
+        scratch: &mut Scratch,
+    ) -> Option<Evaluations> {
+        match self {
+            Shader::Gouraud(gouraud) => gouraud.evaluate(simd, square, spans, picture, scratch),
+            Shader::Phong(phong) => phong.evaluate(simd, square, spans, picture, scratch),
+            Shader::UnitVectors(vectors) => vectors.evaluate(simd, square, spans, picture, scratch),
+        }
+    }
+
+    /// The definition, in f64, at the pixel `x` right and `y` down of the picture's middle, in levels.
+    pub fn define(&self, x: f64, y: f64) -> DVec3 {
+        match self {
+            Shader::Gouraud(gouraud) => gouraud.define(x, y),
+            Shader::Phong(phong) => phong.define(x, y),
+            Shader::UnitVectors(vectors) => vectors.define(x, y),
+        }
+    }
+
+    /// How many powers one evaluation takes at most.
+    pub fn powers(&self) -> usize {
+        match self {
+            Shader::Gouraud(_) => 0,
+            Shader::Phong(phong) => phong.surface.powers(),
+            Shader::UnitVectors(vectors) => vectors.surface.powers(),
+        }
+    }
+}
+
+/// What a shader has done to a square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Evaluations {
-    /// How the tile was drawn.
+    /// How it was drawn.
     pub kind: TileKind,
     /// Evaluations of the illumination model.
     pub model: u64,
@@ -214,48 +315,13 @@ pub struct Evaluations {
     pub specular: u64,
 }
 
-impl Evaluations {
-    /// A tile of a kind, nothing counted yet.
-    #[inline(always)]
-    pub fn of(kind: TileKind) -> Self {
-        Evaluations {
-            kind,
-            model: 0,
-            specular: 0,
-        }
-    }
-
-    /// The same, with the whole model evaluated at every covered pixel.
-    #[inline(always)]
-    #[must_use]
-    fn of_every_pixel(self, coverage: &Coverage, surface: &Surface) -> Self {
-        let pixels = u64::from(coverage.pixels);
-        Evaluations {
-            model: pixels,
-            specular: pixels * surface.powers() as u64,
-            ..self
-        }
-    }
-}
-
-/// Room for tiles' intermediate values, kept so that no tile has to clear it.
+/// Room for the levels of one square, and for the lights that are evaluated there.
+#[derive(Debug, Default)]
 pub struct Scratch {
-    /// Unit normals and unit vectors to the eye, by component, row and lane.
-    pub(crate) vectors: [[[f32; TILE]; TILE]; 6],
-    /// Levels so far, by tile and row.
-    pub(crate) levels: [[TileRow; TILE]; ABREAST],
-    /// How many highlights are in those of the tiles that were certified last, where their polynomial is not whole.
-    pub(crate) highlights: [u64; ABREAST],
-}
-
-impl Default for Scratch {
-    fn default() -> Self {
-        Scratch {
-            vectors: [[[0.0; TILE]; TILE]; 6],
-            levels: [[[[0.0; TILE]; 3]; TILE]; ABREAST],
-            highlights: [0; ABREAST],
-        }
-    }
+    pub levels: Levels,
+    active: Vec<Active>,
+    single: Vec<Light<f32>>,
+    double: Vec<Light<f64>>,
 }
 
 #[cfg(test)]

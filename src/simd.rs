@@ -1,16 +1,19 @@
-//! The SIMD levels by name, a word of the command line in, a level this machine has out; and work done at one of them.
+//! The SIMD levels by name, a word of the command line in, a level this machine has out.
 //!
 //! Rule: a level the machine lacks is never replaced by another one.
 
 use fearless_simd::{Level, Simd};
 
-/// The levels that can be asked for, besides the best one there is.
+pub(crate) use fearless_simd::dispatch;
+
+/// The levels that can be asked for, besides the best one there is. The fallback is what every machine of a kind has: SSE2
+/// on 64-bit x86.
 pub const NAMES: [&str; 5] = ["fallback", "sse4.2", "avx2", "avx512", "neon"];
 
 /// The level called `name`, if it is one of [`NAMES`] and this machine has it.
 pub fn named(name: &str) -> Option<Level> {
     match name {
-        "fallback" => Some(Level::fallback()),
+        "fallback" => Some(Level::baseline()),
         #[cfg(target_arch = "x86_64")]
         "sse4.2" => Level::new().as_sse4_2().map(Level::Sse4_2),
         #[cfg(target_arch = "x86_64")]
@@ -23,21 +26,60 @@ pub fn named(name: &str) -> Option<Level> {
     }
 }
 
-/// Does `work` at a SIMD level, in a function of its own: where that is one of several things that may have to be done in
-/// a loop, the compiler would else prepare for all of them each time round.
+/// The lanes that every machine of a kind has.
+#[cfg(target_arch = "x86_64")]
+pub type Baseline = fearless_simd::x86::Sse2;
+/// The lanes that every machine of a kind has.
+#[cfg(target_arch = "aarch64")]
+pub type Baseline = fearless_simd::aarch64::Neon;
+/// The lanes that every machine of a kind has.
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+pub type Baseline = fearless_simd::Fallback;
+
+/// A token for those, for what has no level of its own.
+pub fn baseline() -> Option<Baseline> {
+    #[cfg(target_arch = "x86_64")]
+    return Level::baseline().as_sse2();
+    #[cfg(target_arch = "aarch64")]
+    return Level::baseline().as_neon();
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    return Some(fearless_simd::Fallback::new());
+}
+
+/// Does `work` at a SIMD level, in a function of its own.
 #[inline(never)]
 pub(crate) fn apart<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
     simd.vectorize(work)
 }
 
+/// One of `make` for each of 0, 1, 2. Unlike [`array::map`](array#method.map), which is a function of its own, it becomes
+/// part of the loop it is called from and so has its SIMD level.
+#[inline(always)]
+pub(crate) fn three<T>(mut make: impl FnMut(usize) -> T) -> [T; 3] {
+    [make(0), make(1), make(2)]
+}
+
+/// A closure as it is: only one that is handed to a function can be told to become part of its caller.
+#[inline(always)]
+pub(crate) fn inlined<F>(closure: F) -> F {
+    closure
+}
+
+/// The same for 0, 1, 2 and 3.
+#[inline(always)]
+pub(crate) fn four<T>(mut make: impl FnMut(usize) -> T) -> [T; 4] {
+    [make(0), make(1), make(2), make(3)]
+}
+
+/// The same for 0 and 1.
+#[inline(always)]
+pub(crate) fn two<T>(mut make: impl FnMut(usize) -> T) -> [T; 2] {
+    [make(0), make(1)]
+}
+
 /// What `level` is called.
-///
-/// Besides [`NAMES`] there is `sse2`: what the best level comes to on the oldest 64-bit x86 machines.
 pub fn name(level: Level) -> &'static str {
     match level {
-        Level::Fallback(_) => "fallback",
-        #[cfg(target_arch = "x86_64")]
-        Level::Sse2(_) => "sse2",
         #[cfg(target_arch = "x86_64")]
         Level::Sse4_2(_) => "sse4.2",
         #[cfg(target_arch = "x86_64")]
@@ -46,7 +88,7 @@ pub fn name(level: Level) -> &'static str {
         Level::Avx512(_) => "avx512",
         #[cfg(target_arch = "aarch64")]
         Level::Neon(_) => "neon",
-        _ => "unknown",
+        _ => "fallback",
     }
 }
 

@@ -1,14 +1,12 @@
 //! The rows of a frame that one thread draws.
 //!
-//! Rule: bands meet where blocks of tiles do, so none is cut in two, and clearing touches only what was drawn and will not
-//! be drawn over.
+//! Rule: clearing touches only what was drawn, and leaves out only what is known to be drawn over.
 
 use std::ops::Range;
 
 use glam::DVec3;
 
 use super::{Counts, FARTHEST, NO_TRIANGLE, display_step};
-use crate::shading::BLOCK;
 
 /// What is drawn in one row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,13 +32,17 @@ impl Drawn {
             runs: [NO_RUN; 2],
         }
     }
+
+    /// After clearing: notes that some of the pixels from..to may be drawn.
+    #[inline(always)]
+    pub fn touch(&mut self, from: usize, to: usize) {
+        self.by_last = joined(self.by_last, from, to);
+    }
 }
 
 /// Some rows of a frame, owned by one thread; every slice holds those rows, or nothing where the frame keeps none.
 pub(crate) struct Band<'a> {
     pub width: usize,
-    /// Of the whole picture.
-    pub height: usize,
     /// Which rows of the picture these are.
     pub rows: Range<usize>,
     pub background: DVec3,
@@ -55,23 +57,20 @@ pub(crate) struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Draws in parts of about `rows` rows, in parallel. Parts meet where blocks of tiles do, so none is cut in two.
+    /// Draws the parts between these rows of the picture, in parallel.
     pub fn split_and(
         &mut self,
-        rows: usize,
+        cuts: &[usize],
         draw: &(impl Fn(&mut Band) -> Counts + Sync),
     ) -> Counts {
-        if self.rows.len() <= rows {
+        if cuts.is_empty() {
             return draw(self);
         }
-        let middle = (self.rows.start + self.rows.len() / 2).next_multiple_of(BLOCK);
-        if middle >= self.rows.end {
-            return draw(self);
-        }
-        let (mut upper, mut lower) = self.split(middle);
+        let middle = cuts.len() / 2;
+        let (mut upper, mut lower) = self.split(cuts[middle]);
         let (mut counts, more) = rayon::join(
-            || upper.split_and(rows, draw),
-            || lower.split_and(rows, draw),
+            || upper.split_and(&cuts[..middle], draw),
+            || lower.split_and(&cuts[middle + 1..], draw),
         );
         counts += more;
         counts
@@ -89,7 +88,6 @@ impl Band<'_> {
         let (drawn, more_drawn) = split(self.drawn, rows);
         let above = Band {
             width: self.width,
-            height: self.height,
             rows: self.rows.start..row,
             background: self.background,
             pixels: bytes,
@@ -161,23 +159,9 @@ impl Band<'_> {
         }
     }
 
-    /// After clearing: notes that some of the pixels from..to of a row of the picture may be drawn.
-    #[inline(always)]
-    pub fn touch(&mut self, row: usize, from: usize, to: usize) {
-        let drawn = &mut self.drawn[row - self.rows.start];
-        drawn.by_last = joined(drawn.by_last, from, to);
-    }
-
-    /// Whether these rows of the picture are all here.
-    #[inline(always)]
-    pub fn holds(&self, first: usize, rows: usize) -> bool {
-        self.rows.start <= first && first + rows <= self.rows.end
-    }
-
-    /// Whether these rows are here and take bytes, and nothing hides them.
-    #[inline(always)]
-    pub fn takes_whole(&self, first: usize, rows: usize) -> bool {
-        self.holds(first, rows) && self.depths.is_empty() && !self.pixels.is_empty()
+    /// Whether it takes bytes, and nothing hides them.
+    pub fn is_plain(&self) -> bool {
+        self.depths.is_empty() && !self.pixels.is_empty()
     }
 
     /// Where the pixel `x` of a row of the picture stands in the slices.
@@ -219,7 +203,6 @@ mod tests {
         let mut pixels = [STALE; WIDTH];
         let mut band = Band {
             width: WIDTH,
-            height: 1,
             rows: 0..1,
             background: DVec3::ZERO,
             pixels: &mut pixels,

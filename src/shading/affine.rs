@@ -1,11 +1,11 @@
-//! Values that are affine in a pixel's place, and their rows in f32.
+//! Values that are affine in a pixel's place.
 //!
-//! Rule: whoever makes one says where it is anchored: at the picture's middle or at a tile's.
+//! Rule: x goes right and y down, in pixels from the middle of the picture or, where that is said, of a square.
 
 use glam::DVec3;
 
-/// A vector that is affine in the pixel's place: `centre + dx * x + dy * y`, x and y in pixels from where it is anchored.
-#[derive(Clone, Copy, Debug, Default)]
+/// A vector that is affine in the pixel's place: `centre + dx * x + dy * y`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Affine {
     /// At the middle.
     pub centre: DVec3,
@@ -17,13 +17,13 @@ pub struct Affine {
 
 impl Affine {
     /// The value `x` pixels right and `y` pixels down of the middle.
-    #[inline(always)]
+    #[inline]
     pub fn at(&self, x: f64, y: f64) -> DVec3 {
         self.centre + self.dx * x + self.dy * y
     }
 
     /// Applies a linear form.
-    pub(super) fn measure(&self, form: impl Fn(DVec3) -> f64) -> Scalar {
+    pub fn measure(&self, form: impl Fn(DVec3) -> f64) -> Scalar {
         Scalar {
             centre: form(self.centre),
             dx: form(self.dx),
@@ -32,35 +32,18 @@ impl Affine {
     }
 
     /// Applies a linear map.
-    #[inline(always)]
     #[must_use]
-    pub fn map(&self, f: impl Fn(DVec3) -> DVec3) -> Affine {
+    pub fn map(&self, map: impl Fn(DVec3) -> DVec3) -> Affine {
         Affine {
-            centre: f(self.centre),
-            dx: f(self.dx),
-            dy: f(self.dy),
-        }
-    }
-
-    /// How far the value moves within `half` pixels of the middle at most: to one of the corners.
-    #[inline(always)]
-    pub fn reach(&self, half: [f64; 2]) -> f64 {
-        let (right, down) = (self.dx * half[0], self.dy * half[1]);
-        (right.length_squared() + down.length_squared() + 2.0 * right.dot(down).abs()).sqrt()
-    }
-
-    /// One row in f32, `y` pixels below the middle: what stands at the middle column, and the step to the right.
-    #[inline(always)]
-    pub fn row(&self, y: f64) -> Ramp {
-        Ramp {
-            middle: (self.centre + self.dy * y).as_vec3().to_array(),
-            step: self.dx.as_vec3().to_array(),
+            centre: map(self.centre),
+            dx: map(self.dx),
+            dy: map(self.dy),
         }
     }
 }
 
 /// A number that is affine in the pixel's place, as [`Affine`] is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scalar {
     /// At the middle.
     pub centre: f64,
@@ -71,26 +54,40 @@ pub struct Scalar {
 }
 
 impl Scalar {
-    pub(super) fn over(&self, divisor: f64) -> Self {
+    /// The value `x` pixels right and `y` pixels down of the middle.
+    #[inline]
+    pub fn at(&self, x: f64, y: f64) -> f64 {
+        self.centre + self.dx * x + self.dy * y
+    }
+
+    /// Divided by a number.
+    #[must_use]
+    pub fn over(&self, divisor: f64) -> Self {
         Scalar {
             centre: self.centre / divisor,
             dx: self.dx / divisor,
             dy: self.dy / divisor,
         }
     }
+
+    /// A vector times this.
+    pub fn times(&self, vector: DVec3) -> Affine {
+        Affine {
+            centre: vector * self.centre,
+            dx: vector * self.dx,
+            dy: vector * self.dy,
+        }
+    }
 }
 
-/// One row of an [`Affine`] in f32.
-#[derive(Clone, Copy, Debug)]
-pub struct Ramp {
-    middle: [f32; 3],
-    step: [f32; 3],
-}
+impl std::ops::Add for Affine {
+    type Output = Affine;
 
-impl Ramp {
-    /// The value `x` pixels right of the middle column.
-    #[inline(always)]
-    pub fn at(&self, x: f32) -> [f32; 3] {
-        [0, 1, 2].map(|axis| self.middle[axis] + self.step[axis] * x)
+    fn add(self, other: Affine) -> Affine {
+        Affine {
+            centre: self.centre + other.centre,
+            dx: self.dx + other.dx,
+            dy: self.dy + other.dy,
+        }
     }
 }

@@ -2,44 +2,140 @@
 //!
 //! Rule: `byte = floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0; no gamma, levels are display-referred.
 
-use super::TileRow;
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16, u32x16};
+use glam::DVec3;
 
-/// One row of a tile or block, ready to be shown, lane by lane.
-pub trait Row {
-    /// 0x00RRGGBB.
-    fn pixel(&self, lane: usize) -> u32;
+use super::square::{MAX_SIDE, Spans, Square};
+use crate::simd::three;
 
-    /// The levels of which that is the display step, unclamped.
-    fn levels(&self, lane: usize) -> [f32; 3];
+/// Rows of a square, one at a time, ready to be shown sixteen pixels at a time.
+pub trait Rows<S: Simd> {
+    /// Goes to a row, counted from the square's first.
+    fn go_to(&mut self, row: usize);
+
+    /// The levels of a part of the row, unclamped: of the sixteen pixels from 16 `part` on.
+    fn levels(&self, part: usize) -> [f32x16<S>; 3];
+
+    /// Their display step, 0x00RRGGBB.
+    #[inline(always)]
+    fn pixels(&self, part: usize) -> u32x16<S> {
+        let levels = self.levels(part);
+        pack(three(
+            #[inline(always)]
+            |channel| display_bits(levels[channel]),
+        ))
+    }
 }
 
-/// Levels whose every bit counts.
-pub struct Exact<'a>(pub &'a TileRow);
+/// The levels of a square's pixels, by row and channel.
+#[derive(Clone, Copy, Debug)]
+pub struct Levels {
+    rows: [[[f32; MAX_SIDE]; 3]; MAX_SIDE],
+    row: usize,
+}
 
-impl Row for Exact<'_> {
-    #[inline(always)]
-    fn pixel(&self, lane: usize) -> u32 {
-        pack(self.levels(lane).map(display_bits))
-    }
-
-    #[inline(always)]
-    fn levels(&self, lane: usize) -> [f32; 3] {
-        [0, 1, 2].map(|channel| self.0[channel][lane])
+impl Default for Levels {
+    fn default() -> Self {
+        Levels {
+            rows: [[[0.0; MAX_SIDE]; 3]; MAX_SIDE],
+            row: 0,
+        }
     }
 }
 
-/// Levels whose last bit may be rounded away.
-pub struct Approximate<'a>(pub &'a TileRow);
+impl Levels {
+    /// Those of a pixel, counted from the square's first.
+    pub fn at(&self, column: usize, row: usize) -> [f32; 3] {
+        self.rows[row].map(|channel| channel[column])
+    }
 
-impl Row for Approximate<'_> {
+    /// Takes what is covered of a square.
     #[inline(always)]
-    fn pixel(&self, lane: usize) -> u32 {
-        pack(self.levels(lane).map(display_bits_within))
+    pub fn fill<S: Simd>(&mut self, square: &Square, spans: &Spans, rows: &mut impl Rows<S>) {
+        let [left, top] = square.place;
+        for (row, span) in spans.clipped(square.rows[0]..square.rows[1] + 1, square.columns) {
+            if span.is_empty() {
+                continue;
+            }
+            rows.go_to(row - top);
+            for part in (span.start - left) / 16..(span.end - left).div_ceil(16) {
+                let levels = rows.levels(part);
+                for channel in 0..3 {
+                    self.rows[row - top][channel][16 * part..16 * part + 16]
+                        .copy_from_slice(levels[channel].as_slice());
+                }
+            }
+        }
+    }
+
+    /// Takes what is covered of a square where `wanted`, which is told a pixel's column and row in the picture.
+    #[inline(always)]
+    pub fn fill_where<S: Simd>(
+        &mut self,
+        square: &Square,
+        spans: &Spans,
+        rows: &mut impl Rows<S>,
+        wanted: impl Fn([usize; 2]) -> bool,
+    ) {
+        let [left, top] = square.place;
+        for (row, span) in spans.clipped(square.rows[0]..square.rows[1] + 1, square.columns) {
+            if span.is_empty() {
+                continue;
+            }
+            rows.go_to(row - top);
+            for part in (span.start - left) / 16..(span.end - left).div_ceil(16) {
+                let levels = rows.levels(part);
+                for lane in 0..16 {
+                    let column = 16 * part + lane;
+                    if wanted([left + column, row]) {
+                        for channel in 0..3 {
+                            self.rows[row - top][channel][column] = levels[channel][lane];
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes what is covered of a square, one pixel at a time; `evaluate` is told its column and row in the picture.
+    pub fn fill_each(
+        &mut self,
+        square: &Square,
+        spans: &Spans,
+        evaluate: impl Fn([usize; 2]) -> DVec3,
+    ) {
+        let [left, top] = square.place;
+        for (row, span) in spans.clipped(square.rows[0]..square.rows[1] + 1, square.columns) {
+            for column in span {
+                let levels = evaluate([column, row]).as_vec3();
+                for channel in 0..3 {
+                    self.rows[row - top][channel][column - left] = levels[channel];
+                }
+            }
+        }
+    }
+}
+
+/// Rows of levels that were evaluated before.
+pub struct Evaluated<'a, S: Simd> {
+    pub simd: S,
+    pub levels: &'a mut Levels,
+}
+
+impl<S: Simd> Rows<S> for Evaluated<'_, S> {
+    #[inline(always)]
+    fn go_to(&mut self, row: usize) {
+        self.levels.row = row;
     }
 
     #[inline(always)]
-    fn levels(&self, lane: usize) -> [f32; 3] {
-        [0, 1, 2].map(|channel| self.0[channel][lane])
+    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
+        let row = &self.levels.rows[self.levels.row];
+        three(
+            #[inline(always)]
+            |channel| f32x16::from_slice(self.simd, &row[channel][16 * part..16 * part + 16]),
+        )
     }
 }
 
@@ -52,38 +148,37 @@ pub fn display_step(level: f64) -> u8 {
 /// 2^23: adding it to a float of 0..=255 leaves the nearest integer, halves to even, in the low bits.
 const INTEGERS: f32 = 8_388_608.0;
 
+/// The display step of levels in f32, the byte in the low bits and the rest as in [`INTEGERS`], without the saturating casts
+/// that keep loops from vectorising: halves go up, and so does the one float below an odd half.
 #[inline(always)]
-fn clamped(level: f32) -> f32 {
-    let positive = if level > 0.0 { level } else { 0.0 };
-    if positive < 255.0 { positive } else { 255.0 }
+pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
+    let simd = level.token();
+    // The other way round what is not a number would stay.
+    let positive = level.max(f32x16::splat(simd, 0.0));
+    let clamped = positive.min(f32x16::splat(simd, 255.0));
+    (f32x16::from_bits(clamped.to_bits() + 1) + INTEGERS).to_bits()
 }
 
-/// The display step of f32 levels, the byte in the low bits and the rest as in [`INTEGERS`]: for every float
-/// `floor(clamp(level) + 0.5)` in real arithmetic, without the saturating casts that keep loops from vectorising.
+/// Three display bits as 0x00RRGGBB; what is shifted out is not the byte.
 #[inline(always)]
-pub(super) fn display_bits(level: f32) -> u32 {
-    let level = clamped(level);
-    let nearest = level + INTEGERS;
-    // The subtraction is exact; a half that went down to even is put right.
-    let half = level - (nearest - INTEGERS) == 0.5;
-    nearest.to_bits() + u32::from(half)
-}
-
-/// The same where levels are approximations anyway: halves go up, and so does the one float below an odd half.
-#[inline(always)]
-pub(super) fn display_bits_within(level: f32) -> u32 {
-    (f32::from_bits(clamped(level).to_bits() + 1) + INTEGERS).to_bits()
-}
-
-/// Three display bits as 0x00RRGGBB; shifting drops what is not the byte.
-#[inline(always)]
-pub(super) fn pack([red, green, blue]: [u32; 3]) -> u32 {
-    red << 16 | green << 8 | blue & 0xff
+pub(super) fn pack<S: Simd>([red, green, blue]: [u32x16<S>; 3]) -> u32x16<S> {
+    (red << 16) | (green << 8) | (blue & 0xff)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simd::{Baseline, baseline};
+
+    fn token() -> Baseline {
+        baseline().expect("every machine has them")
+    }
+
+    /// The byte of one level by the fast step, in all three places.
+    fn shown(level: f32) -> u32 {
+        let bits = display_bits(f32x16::splat(token(), level));
+        pack([bits; 3]).as_array()[0]
+    }
 
     #[test]
     fn the_display_step_rounds_halves_up_and_survives_anything() {
@@ -105,21 +200,12 @@ mod tests {
             assert_eq!(display_step(level), byte, "{level}");
             let byte = u32::from(display_step(f64::from(level as f32)));
             let level = level as f32;
-            assert_eq!(
-                pack([display_bits(level); 3]),
-                byte * 0x0001_0101,
-                "{level} in f32"
-            );
-            assert_eq!(
-                pack([display_bits_within(level); 3]),
-                byte * 0x0001_0101,
-                "{level} in f32, within"
-            );
+            assert_eq!(shown(level), byte * 0x0001_0101, "{level} in f32");
         }
     }
 
     #[test]
-    fn the_fast_display_steps_are_the_plain_one_on_every_kind_of_float() {
+    fn the_fast_display_step_is_the_plain_one_on_every_kind_of_float() {
         // Every 257th of all floats, and all those next to a half.
         let everywhere = (0..=u32::MAX / 257).map(|step| f32::from_bits(step * 257));
         let halves = (0..=255).flat_map(|level| {
@@ -128,11 +214,10 @@ mod tests {
         });
         for level in everywhere.chain(halves) {
             let byte = u32::from(display_step(f64::from(level)));
-            assert_eq!(display_bits(level) & 0xff, byte, "{level}");
             let early = u32::from(display_step(f64::from(f32::from_bits(
                 level.to_bits().wrapping_add(1),
             ))));
-            let within = display_bits_within(level) & 0xff;
+            let within = shown(level) & 0xff;
             assert!(
                 within == byte || within == early,
                 "{level}: {within}, not {byte}"

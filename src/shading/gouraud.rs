@@ -1,114 +1,229 @@
 //! Vertex colours in, perspective-correct colours out (Gouraud 1971; Heckbert and Moreton 1991 for the division).
 //!
-//! Rule: with weights e_i the colour is sum(e_i C_i) / sum(e_i), both affine in the pixel. Where the tolerance allows it
-//! that quotient is drawn as a certified polynomial; otherwise with one division a pixel, in f32 where its rounding stays
-//! below the tolerance and in f64 elsewhere. Where snapping puts pixels beyond the face's diagonal, what the other triangle
-//! has there is taken off the tolerance, and shown where that is too much.
+//! Rule: the colour is w C / w, both affine in the pixel; on the second triangle of a face C has a fold more, so which
+//! triangle a pixel is on is decided where its point is. The quotient is interpolated through nine samples where a bound
+//! keeps the tolerance, and divided at every pixel elsewhere.
 
-use super::affine::{Affine, Scalar};
-use super::certificate::quotient;
-use super::display::Exact;
-use super::patch::{Patch, Squares};
-use super::polynomial::cheapest;
-use super::triangle::Triangle;
-use super::{
-    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, TILE, TileKind, U, doubles, limit,
-};
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16, mask64x4};
+use glam::DVec3;
+
+use super::bound::{self, Lanes, Places};
+use super::display::Rows;
+use super::face::Face;
+use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
+use super::kernel::Reals;
+use super::square::{Spans, Square};
+use super::{Evaluations, Scratch, TileKind, U, limit};
+use crate::simd::{apart, inlined, three};
 
 /// Draws what was lit at the vertices.
-pub struct Gouraud {
+pub struct Gouraud<'a> {
+    /// What is interpolated.
+    pub face: &'a Face,
     /// In levels.
     pub tolerance: f64,
 }
 
-impl Gouraud {
+/// What f64 makes of a sample and of the biquadratic, relative to the colours: less than this many roundings.
+const SAMPLING: f64 = 64.0 * f64::EPSILON;
+
+impl Gouraud<'_> {
+    /// See [`super::Shader::interpolate`].
     #[inline(always)]
-    fn certify<const SIDE: usize>(&self, triangle: &Triangle, squares: &mut Squares<SIDE>) {
-        if self.tolerance > 0.0 {
-            for (index, patch) in squares.patches.iter().enumerate() {
-                if squares.wanted[index] {
-                    let (colors, share) = patch.colors(triangle);
-                    let (color, bound) = quotient(&colors, &share, patch.half);
-                    let beyond = patch.beyond_diagonal(triangle, &squares.covered[index]);
-                    squares.polynomials[index] = cheapest(
-                        color,
-                        patch.half,
-                        self.tolerance - bound - beyond * triangle.crease,
-                    );
-                }
-            }
+    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+        if self.tolerance <= 0.0 {
+            return None;
         }
+        let Face {
+            w,
+            colors,
+            fold,
+            diagonal,
+            ..
+        } = self.face;
+        let [middle, e, g] = bound::relative(w, places);
+        let inverse = 1.0 / middle;
+        // All three relative to w at the middle.
+        let scaled = inlined(
+            #[inline(always)]
+            |centre: f64, dx: f64, dy: f64| {
+                let [x, y] = places.middle;
+                [
+                    (x * dx + y * dy + centre) * inverse,
+                    places.half[0] * inverse * dx,
+                    places.half[1] * inverse * dy,
+                ]
+            },
+        );
+        let across = scaled(diagonal.centre, diagonal.dx, diagonal.dy);
+        let sway = across[1].abs() + across[2].abs();
+        let (first, second) = (across[0].simd_ge(sway), across[0].simd_le(-sway));
+        let zero = Lanes::splat(simd, 0.0);
+        let node = |index: usize| NODE * (index as f64 - 1.0);
+        let inverses: Nine<S> = three(
+            #[inline(always)]
+            |row| {
+                three(
+                    #[inline(always)]
+                    |column| 1.0 / (e * node(column) + g * node(row) + 1.0),
+                )
+            },
+        );
+        let mut error = zero;
+        let colors = three(
+            #[inline(always)]
+            |channel| {
+                let plain = scaled(
+                    colors.centre[channel],
+                    colors.dx[channel],
+                    colors.dy[channel],
+                );
+                let color = three(
+                    #[inline(always)]
+                    |term| plain[term] - second.select(across[term] * fold[channel], zero),
+                );
+                let bound = bound::quotient_error(color, [e, g]);
+                let size = color[0].abs() + color[1].abs() + color[2].abs();
+                error = error.max(bound + size * SAMPLING);
+                let samples = three(
+                    #[inline(always)]
+                    |row| {
+                        three(
+                            #[inline(always)]
+                            |column| {
+                                let moved = color[1] * node(column) + color[2] * node(row);
+                                (color[0] + moved) * inverses[row][column]
+                            },
+                        )
+                    },
+                );
+                biquadratic(&samples)
+            },
+        );
+        let budget = (first | second).select(
+            self.tolerance - error,
+            Lanes::splat(simd, f64::NEG_INFINITY),
+        );
+        let [red, green, blue] = colors;
+        Some(Interpolant::new(Colors {
+            terms: [red, green, blue, [[zero; 3]; 3]],
+            crossing: [zero; 3],
+            crosses: mask64x4::splat(simd, false),
+            budget,
+        }))
+    }
+
+    /// See [`super::Shader::evaluate`].
+    pub fn evaluate<S: Simd>(
+        &self,
+        simd: S,
+        square: &Square,
+        spans: &Spans,
+        picture: [f64; 2],
+        scratch: &mut Scratch,
+    ) -> Option<Evaluations> {
+        let Face {
+            w,
+            colors,
+            fold,
+            diagonal,
+            ..
+        } = self.face;
+        let ([left, top], half) = (square.middle(), square.half());
+        let [x, y] = [left - picture[0], top - picture[1]];
+        let scale = 1.0 / w.at(x, y);
+        let reach = |dx: f64, dy: f64| (dx.abs() * half[0] + dy.abs() * half[1]) * scale;
+        let beyond = diagonal.at(x, y) * scale;
+        let mut largest = 0.0_f64;
+        let middle = colors.at(x, y);
+        for channel in 0..3 {
+            let sway = reach(colors.dx[channel], colors.dy[channel]);
+            let fold = fold[channel].abs() * (beyond.abs() + reach(diagonal.dx, diagonal.dy));
+            largest = largest.max((middle[channel] * scale).abs() + sway + fold);
+        }
+        // Each affine value is rounded five times, the fold is multiplied and added, and the sum is divided: twenty roundings
+        // of the largest colour, over the smallest w, at least half the middle's; and the display may be that of the next float.
+        let rounding = 42.0 * U * largest;
+        if !(self.face.is_steady(w.at(x, y))
+            && reach(w.dx, w.dy) < 0.5
+            && rounding <= limit(self.tolerance))
+        {
+            return None;
+        }
+        let affine =
+            |centre: f64, dx: f64, dy: f64| [centre, dx, dy].map(|term| (term * scale) as f32);
+        let mut quotient = Quotient {
+            simd,
+            colors: [0, 1, 2]
+                .map(|channel| affine(middle[channel], colors.dx[channel], colors.dy[channel])),
+            beyond: affine(-diagonal.at(x, y), -diagonal.dx, -diagonal.dy),
+            fold: fold.as_vec3().to_array(),
+            folded: beyond < reach(diagonal.dx, diagonal.dy),
+            w: affine(w.at(x, y), w.dx, w.dy),
+            first: square.first().map(|first| first as f32),
+            y: 0.0,
+        };
+        apart(
+            simd,
+            #[inline(always)]
+            || scratch.levels.fill(square, spans, &mut quotient),
+        );
+        Some(Evaluations {
+            kind: TileKind::Exact,
+            model: 0,
+            specular: 0,
+        })
+    }
+
+    /// See [`super::Shader::define`].
+    pub fn define(&self, x: f64, y: f64) -> DVec3 {
+        self.face.levels_at(self.face.point(x, y).place)
     }
 }
 
-impl Shader for Gouraud {
-    #[inline(always)]
-    fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>) {
-        self.certify(triangle, blocks);
-    }
-
-    #[inline(always)]
-    fn certify_tiles(
-        &self,
-        triangle: &Triangle,
-        tiles: &mut Squares<TILE>,
-        _scratch: &mut Scratch,
-    ) {
-        self.certify(triangle, tiles);
-    }
-
-    #[inline(always)]
-    fn shade(
-        &self,
-        triangle: &Triangle,
-        tiles: &Squares<TILE>,
-        index: usize,
-        _scratch: &mut Scratch,
-        sink: &mut impl Sink,
-    ) -> Evaluations {
-        let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
-        let (colors, share) = patch.colors(triangle);
-        // Each affine value is rounded four times, numerator and denominator are divided: ten roundings of the largest
-        // colour, over the smallest sum (at least half the middle's on a steady patch).
-        let largest =
-            colors.centre.abs() + colors.dx.abs() * patch.half[0] + colors.dy.abs() * patch.half[1];
-        let rounding = 20.0 * U * largest.max_element();
-        let beyond = patch.beyond_diagonal(triangle, coverage) * triangle.crease;
-        if patch.steady && rounding + beyond <= limit(self.tolerance) {
-            shade_lanes(&colors, &share, patch, coverage, sink);
-            Evaluations::of(TileKind::Exact)
-        } else {
-            doubles::shade(triangle, patch, coverage, sink, |point| {
-                Triangle::blend(point.weights, &point.vertices.levels)
-            });
-            Evaluations::of(TileKind::Double)
-        }
-    }
+/// Rows of w C / w. Its affine functions are given by their values at the square's middle and what a pixel to the right and
+/// one down add.
+struct Quotient<S: Simd> {
+    simd: S,
+    colors: [[f32; 3]; 3],
+    /// How far beyond the diagonal, times w; what that adds, and whether any pixel is there.
+    beyond: [f32; 3],
+    fold: [f32; 3],
+    folded: bool,
+    w: [f32; 3],
+    /// The square's first pixel from the middle, in pixels, and the row.
+    first: [f32; 2],
+    y: f32,
 }
 
-#[inline(always)]
-fn shade_lanes(
-    colors: &Affine,
-    share: &Scalar,
-    patch: &Patch,
-    coverage: &Coverage,
-    sink: &mut impl Sink,
-) {
-    let lanes = patch.lanes();
-    let mut levels = [[0.0; TILE]; 3];
-    for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-        if from < to {
-            let y = row as f64 - patch.row;
-            let color = colors.row(y);
-            let (middle, step) = ((share.centre + share.dy * y) as f32, share.dx as f32);
-            for lane in 0..TILE {
-                let inverse = 1.0 / (middle + step * lanes[lane]);
-                let [red, green, blue] = color.at(lanes[lane]);
-                levels[0][lane] = red * inverse;
-                levels[1][lane] = green * inverse;
-                levels[2][lane] = blue * inverse;
+impl<S: Simd> Rows<S> for Quotient<S> {
+    #[inline(always)]
+    fn go_to(&mut self, row: usize) {
+        self.y = self.first[1] + row as f32;
+    }
+
+    #[inline(always)]
+    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
+        let x = f32x16::count(self.simd, 16 * part) + self.first[0];
+        let at = inlined(
+            #[inline(always)]
+            |[middle, right, down]: [f32; 3]| x * right + (middle + down * self.y),
+        );
+        let inverse = 1.0 / at(self.w);
+        let mut levels = three(
+            #[inline(always)]
+            |channel| at(self.colors[channel]),
+        );
+        if self.folded {
+            let beyond = at(self.beyond).max(f32x16::splat(self.simd, 0.0));
+            for channel in 0..3 {
+                levels[channel] += beyond * self.fold[channel];
             }
-            sink.take(row, &Exact(&levels));
         }
+        three(
+            #[inline(always)]
+            |channel| levels[channel] * inverse,
+        )
     }
 }

@@ -1,86 +1,52 @@
-//! Position and normal interpolated, the model at every pixel (Phong 1975).
+//! Position and normal interpolated, the model at every pixel (Phong 1975): the whole of it, certified square by square.
 //!
-//! Per tile and light, what n.l and the highlight can do is bounded first (see [`super::certificate`]): a light behind
-//! the whole tile is left out, a diffuse term becomes a certified polynomial, even one that is cut off at zero where the
-//! tolerance hardly notices, a specular term is dropped where it cannot reach its share of the tolerance, and becomes a
-//! polynomial too where it varies slowly (`highlight`). Only what remains is evaluated pixel by pixel.
+//! A light behind the whole square is left out, and a highlight that stays below its share of the tolerance. What remains
+//! is interpolated through nine samples where [`super::bound`] shows that this keeps the tolerance, and evaluated at every
+//! pixel elsewhere.
 //!
-//! Rule: what every term costs, rounding included, is taken off the tolerance, and a tile that would overdraw it is
-//! evaluated exactly; at tolerance 0 every tile is.
+//! Rule: what every term costs, rounding included, is taken off the tolerance. At tolerance 0 every pixel is evaluated, and
+//! the tolerance is what the contract calls exact.
 
-mod by_pixel;
-mod exact;
-mod highlight;
-mod outlook;
-mod products;
-
-use std::ops::Range;
-
-use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 use glam::DVec3;
 
-use super::certificate::{Color, exponential};
-use super::display::Approximate;
-use super::number::{ABREAST, Number, Truth};
-use super::patch::{Patch, Squares};
-use super::polynomial::{Polynomial, Ways};
-use super::rows::{Rows, Source};
-use super::series::Quadratic;
-use super::specular::Squarings;
-use super::triangle::Triangle;
-use super::{
-    BLOCK, Coverage, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, TileRow, limit,
-};
-use crate::components::PointLight;
-use crate::simd::apart;
-use by_pixel::ByPixel;
-use outlook::Survey;
-use products::{Own, Shared, Vectors};
+use super::affine::Affine;
+use super::bound::{self, Field, Highlight, Lanes, Moving, Places};
+use super::face::Face;
+use super::interpolation::{Colors, Interpolant, LEBESGUE, Nine, biquadratic};
+use super::kernel::{self, Extent, Light, Model, Power, Reals, Rounding, Vector};
+use super::square::{Spans, Square};
+use super::{Evaluations, Scratch, Surface, TileKind, U, limit};
+use crate::components::{Material, PointLight, length, unit};
+use crate::simd::{apart, inlined, three, two};
 
-/// The part of the tolerance that dropped specular terms may use up together.
+/// The part of the tolerance that dropped highlights may use up together.
 const DROPPED: f64 = 0.25;
-/// The part of the tolerance that highlights as polynomials may use up together.
-const SMOOTHED: f64 = 0.8;
-/// The part of the tolerance that the rounding of highlights should keep to.
-const ROUNDED: f64 = 0.5;
-/// The part of the tolerance that a cheaper power may use up.
+
+/// The part of the tolerance that cheaper powers may use up together.
 const POWERED: f64 = 0.125;
 
-/// Of so many lights the products are made once a triangle, of others whenever squares are looked at.
-const PREPARED: usize = 16;
-
-/// What a triangle of a shaded object brings to all of its tiles.
-pub struct Phong<'a, S> {
-    /// The instructions there are.
-    simd: S,
-    surface: Surface<'a>,
-    /// As asked for, in levels.
+/// What the highlights of one material need in every square.
+#[derive(Clone, Copy, Debug)]
+pub struct Gloss {
+    material: Material,
     tolerance: f64,
-    /// See [`Surface::rounding`].
-    rounding: f64,
-    /// In levels.
-    ambient: DVec3,
-    /// What a level of specular coefficient may lose by a radian of error in |r - o|, in levels.
-    slope: f64,
-    /// The largest specular term of any light where s is one, in levels.
-    brightest: f64,
-    /// What one light's highlight may lose by being dropped, in levels.
+    /// For any s.
+    every: Power,
+    /// Perhaps cheaper, and nothing where s is below `least`.
+    bright: Power,
+    /// What bounds are worked out with.
+    bound: Highlight,
+    /// A highlight whose s stays below this is too faint to be drawn.
+    least: f64,
+    /// What one highlight may lose by that, in levels.
     faint: f64,
-    /// 1 - s beyond which the brightest highlight is as faint as that.
-    reach: f64,
-    shared: Shared,
-    /// The products of the first lights: so many that most scenes need no more, and a place for more would have to be
-    /// allocated.
-    lights: [Option<Own>; PREPARED],
-    /// The power of a highlight in few steps, where the tolerance allows one.
-    squarings: Option<Squarings>,
 }
 
-impl<'a, S: Simd> Phong<'a, S> {
-    /// Prepares a triangle of an object; `tolerance` in levels.
-    #[inline(always)]
-    pub fn new(simd: S, surface: Surface<'a>, tolerance: f64, triangle: &Triangle) -> Self {
+impl Gloss {
+    /// For an object under its light.
+    pub fn new(surface: &Surface, tolerance: f64) -> Self {
         let shininess = surface.material.shininess;
         let powers = surface.powers().max(1) as f64;
         let brightest = surface
@@ -89,305 +55,435 @@ impl<'a, S: Simd> Phong<'a, S> {
             .iter()
             .map(|light| surface.coefficients(light)[1].max_element())
             .fold(0.0, f64::max);
-        let faint = DROPPED * limit(tolerance) / powers;
-        let reach = (brightest / faint).ln() / shininess;
-        let squarings = Squarings::new(
-            shininess,
-            (brightest / faint).powf(-1.0 / shininess),
-            POWERED * tolerance / powers / brightest,
+        let share = limit(tolerance) / powers;
+        let faint = DROPPED * share;
+        let least = if brightest <= faint {
+            f64::INFINITY
+        } else if shininess == 0.0 {
+            f64::NEG_INFINITY
+        } else {
+            (faint / brightest).powf(1.0 / shininess)
+        };
+        Gloss {
+            material: *surface.material,
+            tolerance,
+            every: Power::new(shininess, 0.0, 0.0),
+            bright: Power::new(shininess, least, POWERED * share / brightest),
+            bound: Highlight::new(shininess),
+            least,
+            faint,
+        }
+    }
+
+    /// The power of any s.
+    pub fn power(&self) -> Power {
+        self.every
+    }
+
+    /// Whether it serves another object as well.
+    pub fn serves(&self, surface: &Surface, tolerance: f64) -> bool {
+        self.material == *surface.material && self.tolerance == tolerance
+    }
+}
+
+/// A point light as a face sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct FaceLight {
+    /// w (L - P).
+    towards: Moving,
+    /// What n.l and s^rho are multiplied with, in levels.
+    diffuse: DVec3,
+    specular: DVec3,
+    /// Whether it lights all of the face.
+    lit: bool,
+}
+
+impl FaceLight {
+    /// A light that lights a face at all; `eye` in world units.
+    pub fn new(face: &Face, surface: &Surface, light: &PointLight, eye: DVec3) -> Option<Self> {
+        let [diffuse, specular] = surface.coefficients(light);
+        if diffuse == DVec3::ZERO && specular == DVec3::ZERO {
+            return None;
+        }
+        let position = light.position - eye;
+        let [most, least] = face.light_from(position);
+        // Not below: what is not a number may light.
+        let dark = most < 0.0;
+        (!dark).then(|| FaceLight {
+            towards: face
+                .towards(position, light.position - surface.centre)
+                .into(),
+            diffuse,
+            specular,
+            lit: least > 0.0,
+        })
+    }
+}
+
+/// What a face of a shaded object brings to all of its squares.
+pub struct Phong<'a> {
+    /// What is interpolated.
+    pub face: &'a Face,
+    /// What is shaded.
+    pub surface: Surface<'a>,
+    /// The eye, in world units.
+    pub eye: DVec3,
+    /// Its highlights.
+    pub gloss: &'a Gloss,
+    /// The lights that reach it.
+    pub lights: &'a [FaceLight],
+    /// As asked for, in levels.
+    pub tolerance: f64,
+    /// The face's normal, and the vector to the eye.
+    normal: Moving,
+    to_eye: Moving,
+    /// What f64 makes of the samples, in levels.
+    sampling: f64,
+}
+
+/// A light that is evaluated on one square, and which of its terms.
+#[derive(Clone, Copy, Debug)]
+pub struct Active {
+    light: usize,
+    terms: [bool; 2],
+}
+
+impl<'a> Phong<'a> {
+    /// A face of an object.
+    pub fn new(
+        face: &'a Face,
+        surface: Surface<'a>,
+        eye: DVec3,
+        gloss: &'a Gloss,
+        lights: &'a [FaceLight],
+        tolerance: f64,
+    ) -> Self {
+        let mut rounding = Rounding::new(
+            kernel::DOUBLE,
+            [Extent::CALM; 2],
+            surface.ambient().max_element(),
         );
-        let mut lights = [None; PREPARED];
-        for (products, light) in lights.iter_mut().zip(&surface.illumination.points) {
-            *products = Some(Own::of(triangle, light.position - surface.centre));
+        for light in lights {
+            rounding.diffuse(Extent::CALM, light.diffuse.max_element());
+            if light.specular != DVec3::ZERO {
+                rounding.specular(Extent::CALM, light.specular.max_element(), &gloss.every);
+            }
         }
         Phong {
-            simd,
+            face,
             surface,
-            tolerance,
-            rounding: surface.rounding(),
-            ambient: surface.ambient(),
-            slope: exact::steepest(shininess),
-            brightest,
-            faint,
-            reach,
-            shared: Shared::new(&triangle.normal, &triangle.to_eye),
+            eye,
+            gloss,
             lights,
-            squarings,
+            tolerance,
+            normal: face.normal.into(),
+            to_eye: face.to_eye.into(),
+            sampling: rounding.levels() * LEBESGUE,
         }
     }
 
-    /// What dropped specular terms may cost together, in levels.
+    /// Whether a light's highlight is drawn on squares, and whether it may be left out where it is.
     #[inline(always)]
-    fn dropped(&self) -> f64 {
-        DROPPED * limit(self.tolerance)
-    }
-
-    /// What one highlight may cost if all cost the same, in levels.
-    #[inline(always)]
-    fn share_of_tolerance(&self) -> f64 {
-        limit(self.tolerance) / self.surface.powers().max(1) as f64
-    }
-
-    /// Whether a highlight that is nowhere nearer to its middle than `lambda` = 1 - s is too bright to be dropped:
-    /// (1 - lambda)^rho <= exp(-rho lambda).
-    #[inline(always)]
-    fn reaches<N: Number>(&self, light: &PointLight, lambda: N) -> N::Truth {
-        let near = !lambda.like(self.reach).below(lambda);
-        let bright = self.surface.coefficients(light)[1].max_element();
-        if bright >= self.brightest || !near.any() {
-            return near;
+    fn shines<S: Simd>(&self, light: &FaceLight, most: Lanes<S>, dark: mask64x4<S>) -> mask64x4<S> {
+        let simd = most.token();
+        if light.specular == DVec3::ZERO {
+            mask64x4::splat(simd, false)
+        } else {
+            most.simd_gt(self.gloss.least) & !dark
         }
-        let most = exponential(lambda * -self.surface.material.shininess) * bright;
-        near & lambda.like(self.faint).below(most)
     }
 
-    /// Whether anything is to be certified.
+    /// See [`super::Shader::interpolate`].
     #[inline(always)]
-    fn certifies(&self, wanted: [bool; ABREAST]) -> bool {
-        self.tolerance > 0.0 && wanted != [false; ABREAST]
-    }
-
-    /// The colours of squares as polynomials: four side by side where the instructions are as wide, one by one elsewhere,
-    /// with the same bits. `pixels` take what is no polynomial; without them such a square gets none. One function for blocks
-    /// and for tiles: two would not stay in the instruction cache together.
-    #[inline(always)]
-    fn certify(
-        &self,
-        triangle: &Triangle,
-        patches: &[Patch; ABREAST],
-        wanted: [bool; ABREAST],
-        mut pixels: Option<&mut ByPixel<S>>,
-        polynomials: &mut [Option<Polynomial>; ABREAST],
-    ) {
-        apart(
-            self.simd,
-            #[inline(always)]
-            || {
-                if const { size_of::<S::f64s>() >= size_of::<[f64; ABREAST]>() } {
-                    let number = f64x4::splat(self.simd, 0.0);
-                    let [place, half] = [
-                        [
-                            number.each(|index| patches[index].middle[0]),
-                            number.each(|index| patches[index].middle[1]),
-                        ],
-                        [
-                            number.each(|index| patches[index].half[0]),
-                            number.each(|index| patches[index].half[1]),
-                        ],
-                    ];
-                    let wanted = number.each(|index| f64::from(wanted[index]));
-                    let wanted = number.below(wanted);
-                    let (color, ways) = self.look(triangle, place, half, wanted, pixels);
-                    for (index, polynomial) in polynomials.iter_mut().enumerate() {
-                        *polynomial = ways.polynomial(index, &color);
-                    }
-                } else {
-                    for (index, polynomial) in polynomials.iter_mut().enumerate() {
-                        if wanted[index] {
-                            let Patch { middle, half, .. } = patches[index];
-                            if let Some(pixels) = &mut pixels {
-                                pixels.first = index;
-                            }
-                            let pixels = pixels.as_deref_mut();
-                            let (color, ways) = self.look(triangle, middle, half, true, pixels);
-                            *polynomial = ways.polynomial(0, &color);
-                        }
+    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+        if self.tolerance <= 0.0 {
+            return None;
+        }
+        let zero = Lanes::splat(simd, 0.0);
+        let never = Lanes::splat(simd, f64::NEG_INFINITY);
+        let normal = Field::new(&self.normal, places);
+        let eye = Field::new(&self.to_eye, places);
+        let steady = normal.is_calm() & eye.is_calm();
+        let mut budget = steady.select(Lanes::splat(simd, self.tolerance - self.sampling), never);
+        let ambient = self.surface.ambient();
+        let mut colors: [Nine<S>; 4] = [[[zero; 3]; 3]; 4];
+        for channel in 0..3 {
+            colors[channel][0][0] += ambient[channel];
+        }
+        let mut crossing = [zero; 3];
+        let mut crosses = mask64x4::splat(simd, false);
+        for light in self.lights {
+            let to_light = Field::new(&light.towards, places);
+            let side = bound::side(&normal, &to_light);
+            let mut error = bound::cosine_error(&normal, &to_light) * light.diffuse.max_element();
+            let mut shines = mask64x4::splat(simd, false);
+            if light.specular != DVec3::ZERO {
+                let reflection = bound::reflection(&normal, &to_light, &eye, side.cosine);
+                shines = self.shines(light, reflection.most, side.dark);
+                let power = bound::power(&self.gloss.every, reflection.most);
+                let mut highlight = power;
+                if shines.any_true() {
+                    let bound =
+                        self.gloss
+                            .bound
+                            .error(&normal, &to_light, &eye, &reflection, power);
+                    highlight = shines.select(bound, power);
+                }
+                let highlight = highlight * light.specular.max_element();
+                error += highlight;
+            }
+            // One light of a square may be cut off, if its highlight is too faint to be cut off with it.
+            let cut = !(side.lit | side.dark | shines | crosses);
+            crosses |= cut;
+            let sure = to_light.is_calm() & (side.lit | side.dark | cut);
+            budget -= side.dark.select(zero, error);
+            budget = sure.select(budget, never);
+            if !budget.simd_gt(0.0).any_true() {
+                return None;
+            }
+            let (any_cut, any_shines) = (cut.any_true(), shines.any_true());
+            let [mut cosines, mut powers]: [Nine<S>; 2] = [[[zero; 3]; 3]; 2];
+            for row in 0..3 {
+                for column in 0..3 {
+                    let [n, l] = [&normal, &to_light].map(
+                        #[inline(always)]
+                        |field| field.node(row, column),
+                    );
+                    if any_shines {
+                        let (n, o) = (
+                            kernel::unit(simd, n),
+                            kernel::unit(simd, eye.node(row, column)),
+                        );
+                        [cosines[row][column], powers[row][column]] =
+                            kernel::highlight(simd, &self.gloss.every, &n, &l, &o);
+                    } else {
+                        cosines[row][column] = kernel::cosine(&n, kernel::dot(&n, &n), &l);
                     }
                 }
+            }
+            let cosines = biquadratic(&cosines);
+            add_to(&mut colors, &cosines, light.diffuse, side.lit);
+            if any_shines {
+                add_to(&mut colors, &biquadratic(&powers), light.specular, shines);
+            }
+            if any_cut {
+                for channel in 0..3 {
+                    let levels = Lanes::splat(simd, light.diffuse[channel]);
+                    crossing[channel] = cut.select(levels, crossing[channel]);
+                }
+                for j in 0..3 {
+                    for i in 0..3 {
+                        colors[3][j][i] = cut.select(cosines[j][i], colors[3][j][i]);
+                    }
+                }
+            }
+        }
+        Some(Interpolant::new(Colors {
+            terms: colors,
+            crossing,
+            crosses,
+            budget,
+        }))
+    }
+
+    /// See [`super::Shader::evaluate`].
+    pub fn evaluate<S: Simd>(
+        &self,
+        simd: S,
+        square: &Square,
+        spans: &Spans,
+        picture: [f64; 2],
+        scratch: &mut Scratch,
+    ) -> Option<Evaluations> {
+        let [x, y] = two(
+            #[inline(always)]
+            |axis| square.middle()[axis] - picture[axis],
+        );
+        let Face { w, .. } = self.face;
+        let [right, down] = square.half();
+        if !self
+            .face
+            .is_steady(w.at(x, y) - w.dx.abs() * right - w.dy.abs() * down)
+        {
+            return None;
+        }
+        let places = Places::single(simd, [x, y], square.half());
+        let Scratch {
+            levels,
+            active,
+            single,
+            double,
+        } = scratch;
+        let found = apart(
+            simd,
+            #[inline(always)]
+            || self.survey(&places, active),
+        )?;
+        let shines = found.highlights > 0;
+        if found.kind == TileKind::Exact {
+            let mut model: Model<'_, S, f32x16<S>, false> =
+                self.model(simd, square, [x, y], active, shines, single);
+            apart(
+                simd,
+                #[inline(always)]
+                || levels.fill(square, spans, &mut model),
+            );
+        } else {
+            let mut model: Model<'_, S, f64x4<S>, false> =
+                self.model(simd, square, [x, y], active, shines, double);
+            apart(
+                simd,
+                #[inline(always)]
+                || levels.fill(square, spans, &mut model),
+            );
+        }
+        Some(Evaluations {
+            kind: found.kind,
+            model: square.pixels as u64,
+            specular: square.pixels as u64 * found.highlights,
+        })
+    }
+
+    /// Finds the lights that are evaluated on a square, and in which arithmetic; none where neither keeps the tolerance.
+    #[inline(always)]
+    fn survey<S: Simd>(&self, places: &Places<S>, active: &mut Vec<Active>) -> Option<Found> {
+        let normal = Field::new(&self.normal, places);
+        let eye = Field::new(&self.to_eye, places);
+        let extents = [(&normal).into(), (&eye).into()];
+        let ambient = self.surface.ambient().max_element();
+        let mut roundings = two(
+            #[inline(always)]
+            |index| Rounding::new([U, kernel::DOUBLE][index], extents, ambient),
+        );
+        let (mut dropped, mut gated) = (0.0, false);
+        active.clear();
+        let mut highlights = 0;
+        for (index, light) in self.lights.iter().enumerate() {
+            let to_light = Field::new(&light.towards, places);
+            let extent = Extent::from(&to_light);
+            let side = bound::side(&normal, &to_light);
+            if side.dark.test(0) {
+                continue;
+            }
+            let mut specular = false;
+            if light.specular != DVec3::ZERO {
+                let reflection = bound::reflection(&normal, &to_light, &eye, side.cosine);
+                specular = self.shines(light, reflection.most, side.dark).test(0);
+                // Where it is drawn, a cheaper power may still leave out what is as faint.
+                dropped += self.gloss.faint;
+                if specular {
+                    highlights += 1;
+                    gated |= !(light.lit || side.lit.test(0));
+                }
+            }
+            for rounding in &mut roundings {
+                rounding.diffuse(extent, light.diffuse.max_element());
+                if specular {
+                    rounding.specular(extent, light.specular.max_element(), &self.gloss.bright);
+                }
+            }
+            active.push(Active {
+                light: index,
+                terms: [light.diffuse != DVec3::ZERO, specular],
+            });
+        }
+        let budget = limit(self.tolerance) - dropped;
+        let [single, double] = roundings.map(|rounding| rounding.levels());
+        let kind = if single <= budget && !gated {
+            TileKind::Exact
+        } else if double <= budget {
+            TileKind::Double
+        } else {
+            return None;
+        };
+        Some(Found { kind, highlights })
+    }
+
+    /// The model on a square whose middle lies so from the picture's.
+    #[inline(always)]
+    fn model<'b, S: Simd, V: Reals<S>>(
+        &'b self,
+        simd: S,
+        square: &Square,
+        middle: [f64; 2],
+        active: &[Active],
+        shines: bool,
+        lights: &'b mut Vec<Light<V::Element>>,
+    ) -> Model<'b, S, V, false>
+    where
+        V::Element: Copy + std::ops::Add<Output = V::Element> + std::ops::Mul<Output = V::Element>,
+    {
+        let vector = inlined(
+            #[inline(always)]
+            |vector: &Affine| {
+                let centre = vector.at(middle[0], middle[1]);
+                Vector::new::<S, V>(&Affine { centre, ..*vector }, 1.0 / length(centre))
             },
         );
-    }
-
-    /// The colours of those squares that are wanted, and how they may be drawn.
-    #[inline(always)]
-    fn look<N: Number>(
-        &self,
-        triangle: &Triangle,
-        place: [N; 2],
-        half: [N; 2],
-        wanted: N::Truth,
-        pixels: Option<&mut ByPixel<S>>,
-    ) -> (Color<N>, Ways) {
-        let vectors = apart(
-            self.simd,
+        let all = inlined(
             #[inline(always)]
-            || Vectors::new(&self.shared, place, half),
+            |color: DVec3| {
+                three(
+                    #[inline(always)]
+                    |channel| V::element(color[channel]),
+                )
+            },
         );
-        let Survey { color, budget } = self.survey(triangle, &vectors, wanted, pixels);
-        let ways = apart(
-            self.simd,
-            #[inline(always)]
-            || Ways::new(&color, half, budget),
-        );
-        (color, ways)
-    }
-
-    /// Adds max(0, n.l) where its polynomial changes sign, or stays so near to zero that it may.
-    #[inline(always)]
-    fn add_terminator(
-        &self,
-        light: &PointLight,
-        cosine: &Quadratic,
-        patch: &Patch,
-        pixels: &mut Pixels,
-    ) {
-        let ramps = cosine.ramps(-patch.row);
-        let lanes = patch.lanes();
-        let diffuse = self.surface.coefficients(light)[0].as_vec3().to_array();
-        for (row, &(from, to)) in pixels.coverage.spans.iter().enumerate() {
-            if from < to {
-                let ramp = ramps.row(row);
-                let mut cosine = [0.0; TILE];
-                for lane in 0..TILE {
-                    let value = exact::at(ramp, lanes[lane]);
-                    cosine[lane] = if value > 0.0 { value } else { 0.0 };
-                }
-                pixels.add(row, diffuse, &cosine);
-            }
+        lights.clear();
+        for &Active { light, terms } in active {
+            let light = &self.lights[light];
+            lights.push(Light {
+                vector: vector(&light.towards.vector),
+                levels: [all(light.diffuse), all(light.specular)],
+                is: terms,
+            });
         }
-    }
-}
-
-/// A polynomial, and the levels that each pixel of a tile has besides.
-struct Mixed<'a> {
-    color: &'a Color,
-    patch: &'a Patch,
-    levels: &'a [TileRow; TILE],
-}
-
-impl Source<TILE> for Mixed<'_> {
-    #[inline(always)]
-    fn for_rows(&self, rows: Range<usize>, target: &mut impl Rows) {
-        let ramps = [0, 1, 2].map(|channel| self.color.0[channel].ramps(-self.patch.row));
-        let lanes = self.patch.lanes();
-        for row in rows {
-            let mut levels = self.levels[row];
-            for channel in 0..3 {
-                let ramp = ramps[channel].row(row);
-                for lane in 0..TILE {
-                    levels[channel][lane] += exact::at(ramp, lanes[lane]);
-                }
-            }
-            target.take(row, &Approximate(&levels));
-        }
-    }
-}
-
-/// The pixels of a tile, for what has to be evaluated one by one.
-struct Pixels<'a> {
-    coverage: &'a Coverage,
-    levels: &'a mut [TileRow; TILE],
-    /// Whether there are no levels yet.
-    blank: bool,
-    /// Unit normals and unit vectors to the eye, by component, row and lane.
-    vectors: &'a mut [[[f32; TILE]; TILE]; 6],
-    /// Whether these are there.
-    normalised: bool,
-}
-
-impl<'a> Pixels<'a> {
-    /// Of the tile of a number.
-    #[inline(always)]
-    fn new(coverage: &'a Coverage, index: usize, scratch: &'a mut Scratch) -> Self {
-        Pixels {
-            coverage,
-            levels: &mut scratch.levels[index],
-            blank: true,
-            vectors: &mut scratch.vectors,
-            normalised: false,
+        Model {
+            simd,
+            normal: vector(&self.face.normal),
+            eye: vector(&self.face.to_eye),
+            lights,
+            ambient: all(self.surface.ambient()),
+            power: &self.gloss.bright,
+            x: V::element(square.first()[0]),
+            y: V::element(square.first()[1]),
+            shines,
         }
     }
 
-    /// Begins with the same levels everywhere.
-    #[inline(always)]
-    fn fill(&mut self, levels: DVec3) {
-        let levels = levels.as_vec3().to_array();
-        self.levels.fill(levels.map(|level| [level; TILE]));
-        self.blank = false;
-    }
-
-    /// Adds a term to a row: a coefficient a channel, in levels, times a strength a lane.
-    #[inline(always)]
-    fn add(&mut self, row: usize, coefficients: [f32; 3], strength: &[f32; TILE]) {
-        let levels = &mut self.levels[row];
-        for channel in 0..3 {
-            for lane in 0..TILE {
-                let term = coefficients[channel] * strength[lane];
-                levels[channel][lane] = if self.blank {
-                    term
-                } else {
-                    levels[channel][lane] + term
-                };
-            }
-        }
-    }
-}
-
-impl<S: Simd> Shader for Phong<'_, S> {
-    #[inline(always)]
-    fn certify_blocks(&self, triangle: &Triangle, blocks: &mut Squares<BLOCK>) {
-        if self.certifies(blocks.wanted) {
-            let polynomials = &mut blocks.polynomials;
-            self.certify(triangle, &blocks.patches, blocks.wanted, None, polynomials);
-        }
-    }
-
-    #[inline(always)]
-    fn certify_tiles(&self, triangle: &Triangle, tiles: &mut Squares<TILE>, scratch: &mut Scratch) {
-        if !self.certifies(tiles.wanted) {
-            return;
-        }
-        let (patches, polynomials) = (&tiles.patches, &mut tiles.polynomials);
-        let mut pixels = ByPixel::new(self, triangle, patches, &tiles.covered, scratch);
-        let wanted = tiles.wanted;
-        self.certify(triangle, patches, wanted, Some(&mut pixels), polynomials);
-        for (index, polynomial) in polynomials.iter_mut().enumerate() {
-            if let Some(polynomial) = polynomial {
-                if pixels.highlights[index] > 0 {
-                    polynomial.kind = TileKind::Highlight;
-                } else if pixels.terminators[index] > 0 {
-                    polynomial.kind = TileKind::Terminator;
-                }
-            }
-        }
-        scratch.highlights = pixels.highlights;
-    }
-
-    #[inline(always)]
-    fn shade(
-        &self,
-        triangle: &Triangle,
-        tiles: &Squares<TILE>,
-        index: usize,
-        scratch: &mut Scratch,
-        sink: &mut impl Sink,
-    ) -> Evaluations {
-        let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
-        if let Some(polynomial) = &tiles.polynomials[index] {
-            let mixed = Mixed {
-                color: &polynomial.color,
-                patch,
-                levels: &scratch.levels[index],
-            };
-            apart(
-                self.simd,
-                #[inline(always)]
-                || sink.draw(&mixed, coverage),
-            );
-            return Evaluations {
-                specular: u64::from(coverage.pixels) * scratch.highlights[index],
-                ..Evaluations::of(polynomial.kind)
-            };
-        }
-        let in_lanes = if patch.steady {
-            apart(
-                self.simd,
-                #[inline(always)]
-                || self.shade_lanes(triangle, tiles, index, scratch, sink),
-            )
+    /// See [`super::Shader::define`].
+    pub fn define(&self, x: f64, y: f64) -> DVec3 {
+        let point = self.face.point(x, y);
+        let normal = unit(self.face.normal_at(point.place));
+        let to_eye = if point.held {
+            self.face.held_to_eye(&point)
         } else {
-            None
+            self.face.to_eye.at(x, y)
         };
-        in_lanes.unwrap_or_else(|| self.shade_doubles(triangle, patch, coverage, sink))
+        self.surface.sum(normal, unit(to_eye), |light| {
+            let [from_eye, from_centre] =
+                [self.eye, self.surface.centre].map(|origin| light.position - origin);
+            unit(self.face.to_light(&point, from_eye, from_centre, [x, y]))
+        })
     }
+}
+
+/// Adds a light's term on some of the squares: a value times what it is multiplied with.
+#[inline(always)]
+fn add_to<S: Simd>(colors: &mut [Nine<S>; 4], term: &Nine<S>, levels: DVec3, on: mask64x4<S>) {
+    let zero = Lanes::splat(term[0][0].token(), 0.0);
+    for channel in 0..3 {
+        let levels = on.select(Lanes::splat(zero.token(), levels[channel]), zero);
+        for j in 0..3 {
+            for i in 0..3 {
+                colors[channel][j][i] += term[j][i] * levels;
+            }
+        }
+    }
+}
+
+/// How a square is evaluated.
+struct Found {
+    kind: TileKind,
+    highlights: u64,
 }

@@ -4,219 +4,272 @@
 //! no pixel divides. A triangle with a vertex nearer than the near plane has no three screen positions: its vectors are
 //! interpolated perspective-correctly instead, as everything else is. Between unit vectors o.r is at most one; where a
 //! pixel lies just outside its triangle it is held to that. In f32 where its rounding is bounded, pixel by
-//! pixel in f64 elsewhere, for slivers, and where snapping puts pixels beyond the face's diagonal, on the other triangle.
+//! pixel in f64 elsewhere and for slivers.
 
+use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
-use super::affine::Affine;
-use super::display::Exact;
-use super::patch::{Patch, Squares};
-use super::specular::{power, power_exact};
-use super::triangle::Triangle;
-use super::{
-    BLOCK, Coverage, EXACT, Evaluations, Scratch, Shader, Sink, Surface, TILE, TileKind, U, doubles,
-};
-use crate::components::PointLight;
+use super::affine::{Affine, Scalar};
+use super::face::{Face, places};
+use super::kernel::{DOUBLE, Light, Model, Power, Reals, Vector};
+use super::specular::power_exact;
+use super::square::{Spans, Square};
+use super::{EXACT, Evaluations, Scratch, Surface, TileKind, U};
+use crate::components::{PointLight, unit};
+use crate::simd::apart;
 
 /// Draws the shortcut; it has no tolerance to keep.
 pub struct UnitVectors<'a> {
+    /// What is interpolated over.
+    pub face: &'a Face,
     /// What is shaded.
     pub surface: Surface<'a>,
+    /// The eye, in world units.
+    pub eye: DVec3,
+    /// Against the view direction, where lines of sight are parallel.
+    pub backward: Option<DVec3>,
+    /// The face's two triangles.
+    pub triangles: [Triangle; 2],
+    /// The power of its highlights.
+    pub power: Power,
 }
 
-impl Shader for UnitVectors<'_> {
-    #[inline(always)]
-    fn certify_blocks(&self, _triangle: &Triangle, _blocks: &mut Squares<BLOCK>) {}
-
-    #[inline(always)]
-    fn certify_tiles(
-        &self,
-        _triangle: &Triangle,
-        _tiles: &mut Squares<TILE>,
-        _scratch: &mut Scratch,
-    ) {
-    }
-
-    #[inline(always)]
-    fn shade(
-        &self,
-        triangle: &Triangle,
-        tiles: &Squares<TILE>,
-        index: usize,
-        scratch: &mut Scratch,
-        sink: &mut impl Sink,
-    ) -> Evaluations {
-        let (patch, coverage) = (&tiles.patches[index], &tiles.covered[index]);
-        if patch.steady
-            && patch.beyond_diagonal(triangle, coverage) <= 0.0
-            && let Some(factors) = triangle.own.screen
-        {
-            let vectors = Vectors::new(triangle, factors, patch);
-            if self.rounding(&vectors, patch) <= EXACT {
-                return self.shade_lanes(&vectors, patch, coverage, scratch, sink);
-            }
-        }
-        self.shade_doubles(triangle, patch, coverage, sink)
-    }
-}
-
-/// What is interpolated: the weights that are linear on the screen, and the vectors all lights share.
-struct Vectors<'a> {
-    triangle: &'a Triangle,
+/// A triangle of a face.
+#[derive(Clone, Copy, Debug)]
+pub struct Triangle {
+    /// Its corners, from the eye, in world units.
+    corners: [DVec3; 3],
+    /// Unit normals there.
+    normals: [DVec3; 3],
+    /// Weights times w, and times the vertices' own w where they have screen positions.
     weights: Affine,
-    normal: Affine,
-    to_eye: Affine,
+    /// The sum of those is the same everywhere.
+    linear: bool,
 }
 
-impl<'a> Vectors<'a> {
-    #[inline(always)]
-    fn new(triangle: &'a Triangle, factors: [f64; 3], patch: &Patch) -> Self {
-        let weights = screen_weights(factors, &patch.weights(triangle));
-        Vectors {
-            triangle,
-            weights,
-            normal: blend(&weights, &triangle.own.normals),
-            to_eye: blend(&weights, &triangle.to_eye(&triangle.own)),
+impl Triangle {
+    /// Triangle 0 or 1 of face `number`; `depths`: of its corners in the order of the face's, as w in screen coordinates,
+    /// if none is nearer than the near plane.
+    pub fn new(face: &Face, number: usize, second: usize, depths: [Option<f64>; 4]) -> Self {
+        let corners = if second == 0 { [0, 1, 2] } else { [0, 2, 3] };
+        let all = places(number);
+        let weights = face.weights(corners.map(|corner| all[corner]));
+        let factors = corners.map(|corner| depths[corner]);
+        let screen = match factors {
+            [Some(a), Some(b), Some(c)] => Some(DVec3::new(a, b, c)),
+            _ => None,
+        };
+        Triangle {
+            corners: corners.map(|corner| face.from_eye(all[corner])),
+            normals: corners.map(|corner| face.normal_at(all[corner])),
+            weights: weights.map(|weights| weights * screen.unwrap_or(DVec3::ONE)),
+            linear: screen.is_some(),
         }
     }
 
-    #[inline(always)]
-    fn to_light(&self, light: &PointLight, surface: &Surface) -> Affine {
-        let place = light.position - surface.centre;
-        blend(&self.weights, &self.triangle.own.to_light(place))
+    /// The weights as they are interpolated on the screen, anchored at a place from the picture's middle.
+    fn weights_at(&self, [x, y]: [f64; 2]) -> Affine {
+        let centre = self.weights.at(x, y);
+        let total = centre.x + centre.y + centre.z;
+        Affine {
+            centre,
+            ..self.weights
+        }
+        .map(|weights| weights / total)
     }
 }
 
-#[inline(always)]
-fn blend(weights: &Affine, values: &[DVec3; 3]) -> Affine {
-    weights.map(|weights| Triangle::blend(weights, values))
+fn blend(weights: DVec3, values: &[DVec3; 3]) -> DVec3 {
+    values[0] * weights.x + values[1] * weights.y + values[2] * weights.z
 }
 
 impl UnitVectors<'_> {
-    /// A bound, in levels, on what f32 costs on this tile; infinite where it cannot be given.
+    fn to_eye(&self, triangle: &Triangle) -> [DVec3; 3] {
+        triangle
+            .corners
+            .map(|corner| self.backward.unwrap_or_else(|| unit(-corner)))
+    }
+
+    fn to_light(&self, triangle: &Triangle, light: &PointLight) -> [DVec3; 3] {
+        let light = light.position - self.eye;
+        triangle.corners.map(|corner| unit(light - corner))
+    }
+
+    /// A bound, in levels, on what rounding by `u` costs on a square; infinite where it cannot be given.
     ///
-    /// A vector, no longer than one, errs by two roundings and three of what it moves; a dot product by its vectors'
-    /// errors and three more; so o.r errs by four, three and three times the errors of n, l and o and 21 roundings, and
-    /// s^rho by rho times that and sixteen.
-    #[inline(always)]
-    fn rounding(&self, vectors: &Vectors, patch: &Patch) -> f64 {
-        let error = |v: &Affine| U * (2.0 + 3.0 * v.reach(patch.half));
+    /// A vector errs by three roundings of what it is at the middle and four of what it moves; a dot product by its vectors'
+    /// errors and three more; so o.r errs by four, three and three times the errors of n, l and o and 19 roundings, and
+    /// s^rho by rho times that and by the power's own error.
+    fn rounding(&self, u: f64, [middle, moved]: [f64; 2]) -> f64 {
+        let error = u * (3.0 * middle + 4.0 * moved);
         let steepest = match self.surface.material.shininess {
             shininess if shininess > 0.0 && shininess < 1.0 => f64::INFINITY,
             shininess => shininess,
         };
-        let [n, o] = [&vectors.normal, &vectors.to_eye].map(error);
-        let mut largest = self.surface.ambient().max_element();
+        let (mut largest, mut terms) = (self.surface.ambient().max_element(), 1.0);
         let mut bound = 0.0;
         for light in &self.surface.illumination.points {
-            let l = error(&vectors.to_light(light, &self.surface));
             let [diffuse, specular] = self.surface.coefficients(light).map(DVec3::max_element);
             largest += diffuse + specular;
-            bound += diffuse * (n + l + 3.0 * U);
+            terms += 2.0;
+            bound += diffuse * (2.0 * error + 3.0 * u);
             if specular > 0.0 {
-                bound += specular * (steepest * (4.0 * n + 3.0 * (l + o) + 21.0 * U) + 16.0 * U);
+                bound += specular * (steepest * (10.0 * error + 19.0 * u) + self.power.error);
             }
         }
-        bound + self.surface.rounding() * largest
+        bound + ((2.0 + terms) * u + 3.0 * U) * largest
     }
 
-    #[inline(always)]
-    fn shade_lanes(
+    /// See [`super::Shader::evaluate`].
+    pub fn evaluate<S: Simd>(
         &self,
-        vectors: &Vectors,
-        patch: &Patch,
-        coverage: &Coverage,
+        simd: S,
+        square: &Square,
+        spans: &Spans,
+        picture: [f64; 2],
         scratch: &mut Scratch,
-        sink: &mut impl Sink,
-    ) -> Evaluations {
-        let surface = &self.surface;
-        let shininess = surface.material.shininess as f32;
-        let ambient = surface.ambient().as_vec3().to_array();
-        let lanes = patch.lanes();
-        let levels = &mut scratch.levels[0];
-        levels.fill(ambient.map(|level| [level; TILE]));
-        for light in &surface.illumination.points {
-            let [diffuse, specular] = surface
-                .coefficients(light)
-                .map(|levels| levels.as_vec3().to_array());
-            let to_light = vectors.to_light(light, surface);
-            for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-                if from < to {
-                    let y = row as f64 - patch.row;
-                    let (n, l, o) = (
-                        vectors.normal.row(y),
-                        to_light.row(y),
-                        vectors.to_eye.row(y),
-                    );
-                    let mut cosine = [0.0; TILE];
-                    let mut strength = [0.0; TILE];
-                    for lane in 0..TILE {
-                        let (n, l, o) = (n.at(lanes[lane]), l.at(lanes[lane]), o.at(lanes[lane]));
-                        let nl = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
-                        let no = n[0] * o[0] + n[1] * o[1] + n[2] * o[2];
-                        let lo = l[0] * o[0] + l[1] * o[1] + l[2] * o[2];
-                        let lambda = 1.0 - (2.0 * nl * no - lo);
-                        let raised = if shininess > 0.0 {
-                            power(shininess, if lambda > 0.0 { lambda } else { 0.0 })
-                        } else {
-                            1.0
-                        };
-                        cosine[lane] = if nl > 0.0 { nl } else { 0.0 };
-                        strength[lane] = if nl > 0.0 { raised } else { 0.0 };
-                    }
-                    for channel in 0..3 {
-                        for lane in 0..TILE {
-                            levels[row][channel][lane] += diffuse[channel] * cosine[lane]
-                                + specular[channel] * strength[lane];
-                        }
-                    }
-                }
+    ) -> Option<Evaluations> {
+        let ([left, top], half) = (square.middle(), square.half());
+        let middle = [left - picture[0], top - picture[1]];
+        let Face { diagonal, w, .. } = self.face;
+        let beyond = diagonal.at(middle[0], middle[1]);
+        let reach = |value: &Scalar| value.dx.abs() * half[0] + value.dy.abs() * half[1];
+        if !self.face.is_steady(w.at(middle[0], middle[1]) - reach(w)) {
+            return None;
+        }
+        let used = [beyond > -reach(diagonal), beyond < reach(diagonal)];
+        let mut roundings = [0.0_f64; 2];
+        for (triangle, used) in self.triangles.iter().zip(used) {
+            let weights = triangle.weights_at(middle);
+            let moved = weights.dx.abs() * half[0] + weights.dy.abs() * half[1];
+            let sizes =
+                [weights.centre.abs(), moved].map(|weights| weights.x + weights.y + weights.z);
+            if used && !(triangle.linear && sizes[0] + sizes[1] < 2.0) {
+                return None;
+            }
+            if used {
+                roundings = [0, 1].map(|precision| {
+                    roundings[precision].max(self.rounding([U, DOUBLE][precision], sizes))
+                });
             }
         }
-        for (row, &(from, to)) in coverage.spans.iter().enumerate() {
-            if from < to {
-                sink.take(row, &Exact(&levels[row]));
+        let [single, double] = roundings;
+        let kind = if single <= EXACT {
+            TileKind::Exact
+        } else if double <= EXACT {
+            TileKind::Double
+        } else {
+            return None;
+        };
+        for (index, triangle) in self.triangles.iter().enumerate() {
+            if !used[index] {
+                continue;
+            }
+            // Pixels that the diagonal divides get the first triangle's levels, and where they are beyond the second's.
+            let wanted = |[column, row]: [usize; 2]| {
+                let [x, y] = [column, row].map(|pixel| pixel as f64 + 0.5);
+                index == 0 || !used[0] || diagonal.at(x - picture[0], y - picture[1]) < 0.0
+            };
+            let weights = triangle.weights_at(middle);
+            let Scratch {
+                levels,
+                single,
+                double,
+                ..
+            } = scratch;
+            if kind == TileKind::Exact {
+                let mut model =
+                    self.model::<S, f32x16<S>>(simd, triangle, &weights, square, single);
+                apart(
+                    simd,
+                    #[inline(always)]
+                    || levels.fill_where(square, spans, &mut model, wanted),
+                );
+            } else {
+                let mut model = self.model::<S, f64x4<S>>(simd, triangle, &weights, square, double);
+                apart(
+                    simd,
+                    #[inline(always)]
+                    || levels.fill_where(square, spans, &mut model, wanted),
+                );
             }
         }
-        Evaluations::of(TileKind::Exact).of_every_pixel(coverage, surface)
+        Some(Evaluations {
+            kind,
+            model: square.pixels as u64,
+            specular: (square.pixels * self.surface.powers()) as u64,
+        })
     }
 
-    /// The same in f64 at every covered pixel.
-    fn shade_doubles(
-        &self,
+    /// The model with a triangle's vectors on a square.
+    fn model<'b, S: Simd, V: Reals<S>>(
+        &'b self,
+        simd: S,
         triangle: &Triangle,
-        patch: &Patch,
-        coverage: &Coverage,
-        sink: &mut impl Sink,
-    ) -> Evaluations {
-        let surface = &self.surface;
-        doubles::shade(triangle, patch, coverage, sink, |point| {
-            let vertices = point.vertices;
-            let weights = point.weights * DVec3::from(vertices.screen.unwrap_or([1.0; 3]));
-            let weights = weights / (weights.x + weights.y + weights.z);
-            let n = Triangle::blend(weights, &vertices.normals);
-            let o = Triangle::blend(weights, &triangle.to_eye(vertices));
-            let mut levels = surface.ambient();
-            for light in &surface.illumination.points {
-                let [diffuse, specular] = surface.coefficients(light);
-                let l =
-                    Triangle::blend(weights, &vertices.to_light(light.position - surface.centre));
-                let cosine = n.dot(l);
-                if cosine > 0.0 {
-                    let lambda = (1.0 - o.dot(2.0 * cosine * n - l)).max(0.0);
-                    levels += diffuse * cosine
-                        + specular * power_exact(surface.material.shininess, lambda);
-                }
-            }
-            levels
-        });
-        Evaluations::of(TileKind::Double).of_every_pixel(coverage, surface)
+        weights: &Affine,
+        square: &Square,
+        lights: &'b mut Vec<Light<V::Element>>,
+    ) -> Model<'b, S, V, true>
+    where
+        V::Element: Copy + std::ops::Add<Output = V::Element> + std::ops::Mul<Output = V::Element>,
+    {
+        let vector = |values: &[DVec3; 3]| {
+            Vector::new::<S, V>(&weights.map(|weights| blend(weights, values)), 1.0)
+        };
+        let all = |levels: DVec3| levels.to_array().map(V::element);
+        lights.clear();
+        for light in &self.surface.illumination.points {
+            let terms = self.surface.coefficients(light);
+            lights.push(Light {
+                vector: vector(&self.to_light(triangle, light)),
+                levels: terms.map(all),
+                is: terms.map(|levels| levels != DVec3::ZERO),
+            });
+        }
+        let [x, y] = square.first().map(V::element);
+        Model {
+            simd,
+            normal: vector(&triangle.normals),
+            eye: vector(&self.to_eye(triangle)),
+            lights,
+            ambient: all(self.surface.ambient()),
+            power: &self.power,
+            x,
+            y,
+            shines: self.surface.powers() > 0,
+        }
     }
-}
 
-/// The three coordinates that are linear on the screen: the weights times the vertices' w.
-fn screen_weights(factors: [f64; 3], weights: &Affine) -> Affine {
-    let linear = weights.map(|weights| weights * DVec3::from_array(factors));
-    let total = linear.centre.x + linear.centre.y + linear.centre.z;
-    linear.map(|weights| weights / total)
+    /// See [`super::Shader::define`].
+    pub fn define(&self, x: f64, y: f64) -> DVec3 {
+        let point = self.face.point(x, y);
+        let second = self.face.across(point.place) < 0.0;
+        let triangle = &self.triangles[usize::from(second)];
+        let own = triangle.weights.at(x, y);
+        let inside = if point.held {
+            own.max(DVec3::ZERO)
+        } else {
+            own
+        };
+        let total = inside.x + inside.y + inside.z;
+        let weights = if total > 0.0 && total.is_finite() {
+            inside / total
+        } else {
+            DVec3::splat(1.0 / 3.0)
+        };
+        let n = blend(weights, &triangle.normals);
+        let o = blend(weights, &self.to_eye(triangle));
+        let mut levels = self.surface.ambient();
+        for light in &self.surface.illumination.points {
+            let [diffuse, specular] = self.surface.coefficients(light);
+            let l = blend(weights, &self.to_light(triangle, light));
+            let cosine = n.dot(l);
+            if cosine > 0.0 {
+                let lambda = (1.0 - o.dot(2.0 * cosine * n - l)).max(0.0);
+                levels += diffuse * cosine
+                    + specular * power_exact(self.surface.material.shininess, lambda);
+            }
+        }
+        levels
+    }
 }

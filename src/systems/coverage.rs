@@ -11,7 +11,6 @@
 use std::ops::Range;
 
 use crate::components::Polygon;
-use crate::shading::Coverage;
 
 /// One edge on its way down the rows: the first pixel whose centre is not left of it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -68,7 +67,7 @@ impl Edge {
     }
 
     /// The boundary on the present row; goes on to the next.
-    #[inline(always)]
+    #[inline]
     fn advance(&mut self) -> i64 {
         let boundary = self.pixel + 1;
         self.pixel += self.step;
@@ -147,7 +146,7 @@ impl Scan {
     }
 
     /// The span of the present row, which may be empty, and on to the next.
-    #[inline(always)]
+    #[inline]
     fn span(&mut self) -> (i64, i64) {
         if self.row >= self.until {
             self.settle();
@@ -182,7 +181,7 @@ impl Scan {
     }
 
     /// The next row that is covered, and its pixels from..to.
-    #[inline(always)]
+    #[inline]
     pub fn next_span(&mut self) -> Option<(usize, usize, usize)> {
         while self.row < self.end {
             let row = self.row as usize;
@@ -192,78 +191,5 @@ impl Scan {
             }
         }
         None
-    }
-
-    /// The next row that may be covered.
-    pub fn next_row(&self) -> Option<usize> {
-        (self.row < self.end).then_some(self.row as usize)
-    }
-
-    /// The spans of the `ROWS` rows from `first` on; what lies above must have been taken already.
-    #[inline(always)]
-    pub fn spans<const ROWS: usize>(&mut self, first: usize) -> Spans<ROWS> {
-        let mut spans = Spans {
-            from: [0; ROWS],
-            to: [0; ROWS],
-            outer: [usize::MAX, 0],
-            inner: [0, usize::MAX],
-        };
-        let mut rows = 0;
-        while self.row < self.end && (self.row as usize) < first + ROWS {
-            let row = self.row as usize - first;
-            let (from, to) = self.span();
-            if from < to {
-                (spans.from[row], spans.to[row]) = (from as i32, to as i32);
-                let (from, to) = (from as usize, to as usize);
-                spans.outer = [spans.outer[0].min(from), spans.outer[1].max(to)];
-                spans.inner = [spans.inner[0].max(from), spans.inner[1].min(to)];
-                rows += 1;
-            }
-        }
-        if rows < ROWS {
-            spans.inner = [0, 0];
-        }
-        spans
-    }
-}
-
-/// The spans of some rows, one below the other.
-pub struct Spans<const ROWS: usize> {
-    /// Pixels from..to of each row.
-    from: [i32; ROWS],
-    to: [i32; ROWS],
-    /// Where any of the spans begins, and the last ends.
-    outer: [usize; 2],
-    /// Where all of them have begun, and the first ends; empty if a row is.
-    inner: [usize; 2],
-}
-
-impl<const ROWS: usize> Spans<ROWS> {
-    /// The pixels between which all spans lie; empty where there is none.
-    pub fn extent(&self) -> Range<usize> {
-        self.outer[0].min(self.outer[1])..self.outer[1]
-    }
-
-    /// Whether all of these pixels are covered in every row.
-    #[inline(always)]
-    pub fn cover(&self, columns: Range<usize>) -> bool {
-        self.inner[0] <= columns.start && columns.end <= self.inner[1]
-    }
-
-    /// What is covered of the square that begins at pixel `column`.
-    #[inline(always)]
-    pub fn coverage(&self, column: usize) -> Coverage<ROWS> {
-        if self.cover(column..column + ROWS) {
-            return Coverage::WHOLE;
-        }
-        if column >= self.outer[1] || column + ROWS <= self.outer[0] {
-            return Coverage::NONE;
-        }
-        let lane = |pixel: i32| (pixel - column as i32).clamp(0, ROWS as i32) as u8;
-        let mut spans = [(0, 0); ROWS];
-        for row in 0..ROWS {
-            spans[row] = (lane(self.from[row]), lane(self.to[row]));
-        }
-        Coverage::new(spans)
     }
 }

@@ -1,394 +1,523 @@
 //! Screen polygons in, shaded pixels out.
 //!
 //! ```text
-//!  polygon --scan conversion--> spans --cut by a grid of 16x16--> tiles --shader--> rows of levels --display step--> frame
+//!  polygons --scan conversion--> spans --quadtree of 32 and 16 pixels--> squares --shader--> rows of levels --display step--> frame
 //! ```
 //! Rules: a pixel is covered if its centre is inside the snapped polygon, or on its top or left edge; the arithmetic is in
 //! integers and exact, so pixels along a shared edge are drawn once. A depth buffer exists only while there is more than
-//! one cuboid, and then only pixels that are seen are shaded. Tiles hang on the picture's own grid and are set up from all
-//! they cover, so neither threads nor parts of a picture change a bit.
+//! one cuboid, and then only squares that are seen are shaded. Everything is made once a face and frame; squares are set up
+//! from all they cover, so neither threads nor parts of a picture change a bit.
 
 mod store;
 
 use std::ops::Range;
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 use hecs::World;
 
 use self::store::Store;
 use super::coverage::Scan;
 use super::projection::Lens;
 use crate::components::{
-    Illumination, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode, TRIANGLES,
+    FACES, Illumination, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode,
     Transform, VertexColors, View,
 };
-use crate::frame::{Band, Counts, Frame};
-use crate::shading::affine::Scalar;
+use crate::frame::{Band, Counts, DrawList, Frame, Object, Piece};
+use crate::shading::bound::{Lanes, Places};
+use crate::shading::display::Evaluated;
+use crate::shading::face::{Face, Rays, Solid};
 use crate::shading::gouraud::Gouraud;
-use crate::shading::number::ABREAST;
-use crate::shading::patch::Squares;
-use crate::shading::phong::Phong;
-use crate::shading::polynomial::Polynomial;
-use crate::shading::triangle::{self, Rays, Solid, Triangle};
-use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{BLOCK, Evaluations, Scratch, Shader, Sink, Surface, TILE};
-use crate::simd::apart;
-
-/// Below this many pixels in the polygons' boxes a second thread costs more than it saves.
-const WORTH_SHARING: i64 = 100_000;
+use crate::shading::interpolation::{self, Form, Interpolant};
+use crate::shading::phong::{FaceLight, Gloss, Phong};
+use crate::shading::square::{MAX_SIDE, MIN_SIDE, Spans, Square};
+use crate::shading::unit_vectors::{self, UnitVectors};
+use crate::shading::{Evaluations, Scratch, Shader, Sink, Surface, TileKind};
+use crate::simd::{apart, dispatch, inlined};
 
 /// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
 const DEPTH_TIE: f64 = 1e-11;
 
+/// So few pixels of a square are evaluated faster than an interpolant for them is found.
+const FEW: usize = 24;
+
 /// Draws every cuboid into the frame.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
-    let lens = Lens::new(view);
     let world = &*world;
-    let area: i64 = world
-        .query::<&Projected>()
-        .iter()
-        .flat_map(|projected| projected.polygons.iter())
-        .map(|polygon| box_area(polygon, view.size))
-        .sum();
+    let lens = Lens::new(view);
+    let mut light = world.query::<&Illumination>();
+    let Some(illumination) = light.iter().next() else {
+        return;
+    };
+    let mut list = frame.take_list();
+    list.clear();
+    let mut cuboids = world.query::<(
+        &Transform,
+        &Mesh,
+        &Material,
+        &ShadingMode,
+        &Normals,
+        &VertexColors,
+        &Projected,
+    )>();
+    for (index, (transform, mesh, material, own, normals, colors, projected)) in
+        cuboids.iter().enumerate()
+    {
+        let object = Object {
+            id: 12 * index as u32,
+            material: *material,
+            centre: transform.position,
+            mode: view.shading.unwrap_or(*own),
+            gloss: 0,
+        };
+        let solid = Solid {
+            centre: transform.position - lens.eye,
+            axes: projected.axes,
+            half: mesh.corners[7],
+            normals: &normals.0,
+            colors: &colors.0,
+        };
+        add(
+            &mut list,
+            object,
+            &solid,
+            projected,
+            illumination,
+            view,
+            &lens,
+        );
+    }
     let level = frame.workers().level();
-    frame.paint(view.background, area < WORTH_SHARING, |band| {
-        let rows = band.rows.clone();
-        if band.depths.is_empty() {
-            for projected in world.query::<&Projected>().iter() {
-                for polygon in projected.polygons.iter().filter(|polygon| touches(polygon, &rows)) {
-                    announce(polygon, band);
-                }
-            }
-        }
-        dispatch!(level, _simd => band.clear());
+    frame.paint(view.background, list, |list, band, scratch| {
+        dispatch!(level, _simd => prepare(list, band, &lens));
         let mut counts = Counts::default();
-        if !band.depths.is_empty() {
-            let mut cuboids = world.query::<(&Transform, &Mesh, &Normals, &VertexColors, &Projected)>();
-            for (index, (transform, mesh, normals, colors, projected)) in cuboids.iter().enumerate() {
-                let (solid, rays) = before(transform, mesh, normals, colors, projected, &lens);
-                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| touches(polygon, &rows)) {
-                    let nearness = Nearness::new(number, &solid, projected, &lens, &rays);
-                    dispatch!(level, _simd => see(polygon, &nearness, index as u32 * 12 + number as u32, &lens, band));
-                }
+        for piece in &list.pieces {
+            let spans = list.spans(piece);
+            let held = spans.rows().start.max(band.rows.start)..spans.rows().end.min(band.rows.end);
+            if held.is_empty() {
+                continue;
             }
-        }
-        let mut scratch = Scratch::default();
-        for illumination in world.query::<&Illumination>().iter() {
-            let mut cuboids = world.query::<(&Transform, &Mesh, &Material, &ShadingMode, &Normals, &VertexColors, &Projected)>();
-            for (index, (transform, mesh, material, own, normals, colors, projected)) in cuboids.iter().enumerate() {
-                let object = Object {
-                    surface: Surface { material, illumination, centre: transform.position },
-                    mode: view.shading.unwrap_or(*own),
-                    tolerance: view.tolerance,
-                };
-                let (solid, rays) = before(transform, mesh, normals, colors, projected, &lens);
-                for (number, polygon) in projected.polygons.iter().enumerate().filter(|(_, polygon)| touches(polygon, &rows)) {
-                    let shape = Shape {
-                        polygon,
-                        triangle: triangle(number, &solid, projected, &lens, &rays),
-                        id: index as u32 * 12 + number as u32,
-                    };
-                    counts += dispatch!(level, simd => draw(simd, &shape, &object, &lens, band, &mut scratch));
-                }
-            }
+            let shader = shader(list, piece, illumination, view, &lens);
+            let interpolates = view.tolerance > 0.0 && !matches!(shader, Shader::UnitVectors(_));
+            let mut drawing = Drawing {
+                spans,
+                id: piece.id,
+                picture: lens.half,
+                few: if interpolates { FEW } else { usize::MAX },
+                shader,
+                band,
+                scratch,
+                counts: &mut counts,
+            };
+            dispatch!(level, simd => drawing.draw(simd));
         }
         counts
     });
 }
 
-/// Whether a polygon may cover anything in these rows of the picture.
-fn touches(polygon: &Polygon, rows: &Range<usize>) -> bool {
-    let [mut upper, mut lower] = [i32::MAX, i32::MIN];
-    for &[_, y] in polygon.vertices() {
-        (upper, lower) = (upper.min(y), lower.max(y));
-    }
-    upper < 256 * rows.end as i32 && lower > 256 * rows.start as i32
-}
-
-/// An upper bound of the pixels a polygon covers.
-fn box_area(polygon: &Polygon, size: [usize; 2]) -> i64 {
-    let side = |axis: usize| {
-        let ends = polygon
-            .vertices()
-            .iter()
-            .map(|vertex| i64::from(vertex[axis]).clamp(0, 256 * size[axis] as i64));
-        ends.clone()
-            .max()
-            .zip(ends.min())
-            .map_or(0, |(most, least)| (most - least) / 256)
-    };
-    side(0) * side(1) / 2
-}
-
-/// One triangle as it is drawn.
-struct Shape<'a> {
-    /// What of it is in the picture.
-    polygon: &'a Polygon,
-    triangle: Triangle,
-    id: u32,
-}
-
-/// One cuboid as its pixels are shaded.
-struct Object<'a> {
-    surface: Surface<'a>,
-    mode: ShadingMode,
-    tolerance: f64,
-}
-
-/// A cuboid as rays meet it, and the rays as the cuboid meets them.
-fn before<'a>(
-    transform: &Transform,
-    mesh: &Mesh,
-    normals: &'a Normals,
-    colors: &'a VertexColors,
-    projected: &'a Projected,
+/// What shades a piece: the one place where the mode is asked.
+fn shader<'a>(
+    list: &'a DrawList,
+    piece: &'a Piece,
+    illumination: &'a Illumination,
+    view: &View,
     lens: &Lens,
-) -> (Solid<'a>, Rays) {
-    let solid = Solid {
-        axes: projected.axes,
-        half: mesh.corners[7],
-        offsets: &projected.offsets,
-        normals: &normals.0,
-        colors: &colors.0,
+) -> Shader<'a> {
+    let object = &list.objects[piece.object];
+    let surface = Surface {
+        material: &object.material,
+        illumination,
+        centre: object.centre,
+    };
+    let (face, eye, tolerance) = (&piece.face, lens.eye, view.tolerance);
+    match object.mode {
+        ShadingMode::Gouraud => Shader::Gouraud(Gouraud { face, tolerance }),
+        ShadingMode::Phong => {
+            let gloss = &list.glosses[object.gloss];
+            let lights = &list.lights[piece.lights.clone()];
+            Shader::Phong(Phong::new(face, surface, eye, gloss, lights, tolerance))
+        }
+        ShadingMode::UnitVectors => {
+            let number = (piece.id % 12 / 2) as usize;
+            Shader::UnitVectors(UnitVectors {
+                face,
+                surface,
+                eye,
+                backward: (lens.projection == Projection::Orthographic).then(|| -lens.axes[2]),
+                triangles: [0, 1]
+                    .map(|second| unit_vectors::Triangle::new(face, number, second, piece.depths)),
+                power: list.glosses[object.gloss].power(),
+            })
+        }
+    }
+}
+
+/// Adds the faces of a cuboid that are seen.
+fn add(
+    list: &mut DrawList,
+    mut object: Object,
+    solid: &Solid,
+    projected: &Projected,
+    illumination: &Illumination,
+    view: &View,
+    lens: &Lens,
+) {
+    let material = object.material;
+    let surface = Surface {
+        material: &material,
+        illumination,
+        centre: object.centre,
     };
     let rays = Rays {
-        eye: lens.eye - transform.position,
         axes: lens.axes,
         pitch: lens.pitch,
         projection: lens.projection,
     };
-    (solid, rays)
-}
-
-/// Gathers what is interpolated over triangle `number`.
-fn triangle(
-    number: usize,
-    solid: &Solid,
-    projected: &Projected,
-    lens: &Lens,
-    rays: &Rays,
-) -> Triangle {
-    let screen = |number: usize| {
-        let seen = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)]);
-        seen.iter()
-            .all(|seen| seen.z >= lens.near)
-            .then(|| seen.map(|seen| lens.homogeneous(seen).z))
-    };
-    Triangle::new(number, solid, rays, screen)
-}
-
-/// How near a triangle is, for the depth buffer.
-struct Nearness {
-    /// See [`triangle::nearness`].
-    plane: Scalar,
-    /// The least and the most of what is seen of the triangle. Samples are held to it: one that snapping put just outside
-    /// an edge-on face would else be as near or as far as the face is steep.
-    range: [f64; 2],
-}
-
-impl Nearness {
-    fn new(number: usize, solid: &Solid, projected: &Projected, lens: &Lens, rays: &Rays) -> Self {
-        let [a, b, c] = TRIANGLES[number].map(|corner| projected.seen[usize::from(corner)].z);
-        let (farthest, nearest) = (a.max(b).max(c), a.min(b).min(c).max(lens.near));
-        Nearness {
-            plane: triangle::nearness(number, solid, rays),
-            range: match lens.projection {
-                Projection::Perspective => [1.0 / farthest, 1.0 / nearest],
-                Projection::Orthographic => [-farthest, -nearest],
-            },
-        }
-    }
-}
-
-/// Tells the band which pixels a polygon will cover.
-fn announce(polygon: &Polygon, band: &mut Band) {
-    let mut scan = Scan::new(polygon, band.rows.clone(), band.width);
-    while let Some((row, from, to)) = scan.next_span() {
-        band.announce(row, from, to);
-    }
-}
-
-/// Enters a polygon into the depth buffer wherever it is nearest.
-#[inline(always)]
-fn see(polygon: &Polygon, nearness: &Nearness, id: u32, lens: &Lens, band: &mut Band) {
-    let Nearness {
-        plane,
-        range: [least, most],
-    } = *nearness;
-    let mut scan = Scan::new(polygon, band.rows.clone(), band.width);
-    while let Some((row, from, to)) = scan.next_span() {
-        let start = plane.centre + plane.dy * (row as f64 + 0.5 - lens.half[1]);
-        band.touch(row, from, to);
-        let first = band.index(from, row);
-        let depths = &mut band.depths[first..first + to - from];
-        let triangles = &mut band.triangles[first..first + to - from];
-        for (offset, (old, triangle)) in depths.iter_mut().zip(triangles).enumerate() {
-            let x = (from + offset) as f64 + 0.5 - lens.half[0];
-            let new = (start + plane.dx * x).max(least).min(most);
-            if new - *old > DEPTH_TIE * old.abs() {
-                *old = new;
-                *triangle = id;
-            }
-        }
-    }
-}
-
-/// Shades a polygon with the shader of its object's mode.
-#[inline(always)]
-fn draw<S: Simd>(
-    simd: S,
-    shape: &Shape,
-    object: &Object,
-    lens: &Lens,
-    band: &mut Band,
-    scratch: &mut Scratch,
-) -> Counts {
-    let Object {
-        surface,
-        mode,
-        tolerance,
-    } = *object;
-    match mode {
-        ShadingMode::Gouraud => apart(
-            simd,
-            #[inline(always)]
-            || draw_with(simd, &Gouraud { tolerance }, shape, lens, band, scratch),
-        ),
-        ShadingMode::Phong => apart(
-            simd,
-            #[inline(always)]
-            || {
-                let phong = Phong::new(simd, surface, tolerance, &shape.triangle);
-                draw_with(simd, &phong, shape, lens, band, scratch)
-            },
-        ),
-        ShadingMode::UnitVectors => apart(
-            simd,
-            #[inline(always)]
-            || draw_with(simd, &UnitVectors { surface }, shape, lens, band, scratch),
-        ),
-    }
-}
-
-/// Shades a polygon, block by block: a block that one polynomial covers within the tolerance is drawn with it, the others
-/// tile by tile. Polynomials are looked for in four blocks side by side, or in the four tiles of one.
-#[inline(always)]
-fn draw_with(
-    simd: impl Simd,
-    shader: &impl Shader,
-    shape: &Shape,
-    lens: &Lens,
-    band: &mut Band,
-    scratch: &mut Scratch,
-) -> Counts {
-    let Shape {
-        polygon,
-        triangle,
-        id,
-    } = shape;
-    let mut counts = Counts::default();
-    let mut blocks = Squares::NONE;
-    let mut tiles = Squares::NONE;
-    let rows =
-        band.rows.start / BLOCK * BLOCK..band.rows.end.next_multiple_of(BLOCK).min(band.height);
-    let mut scan = Scan::new(polygon, rows, band.width);
-    while let Some(row) = scan.next_row() {
-        let first = row / BLOCK * BLOCK;
-        let spans = scan.spans::<BLOCK>(first);
-        let plain = band.takes_whole(first, BLOCK);
-        let extent = spans.extent();
-        for column in (extent.start / BLOCK * BLOCK..extent.end).step_by(ABREAST * BLOCK) {
-            blocks.renew(
-                triangle,
-                lens.half,
-                |index| [column + index * BLOCK, first],
-                |index| spans.coverage(column + index * BLOCK),
-            );
-            shader.certify_blocks(triangle, &mut blocks);
-            for index in 0..ABREAST {
-                let (block, polynomial) = (&blocks.covered[index], &blocks.polynomials[index]);
-                if block.pixels == 0 {
-                    continue;
-                }
-                let corner = blocks.patches[index].first();
-                if plain && let Some(polynomial) = polynomial {
-                    let mut store = Store::new(band, blocks.places[index], block, *id);
-                    store.draw(&polynomial.placed(corner), block);
-                    counts.covered_pixels += store.stored();
-                    counts.tiles[polynomial.kind as usize] += block.tiles();
-                    continue;
-                }
-                let [column, row] = blocks.places[index];
-                tiles.renew(
-                    triangle,
-                    lens.half,
-                    |index| [column + index % 2 * TILE, row + index / 2 * TILE],
-                    |index| block.tile(index % 2, index / 2),
-                );
-                let common = polynomial.as_ref().map(|polynomial| (polynomial, corner));
-                let (tiles, counts) = (&mut tiles, &mut counts);
-                apart(
-                    simd,
-                    #[inline(always)]
-                    || draw_tiles(simd, shader, shape, tiles, common, band, scratch, counts),
-                );
-            }
-        }
-    }
-    counts
-}
-
-/// Shades the four tiles of a block: with the polynomial they have in common, where there is one, whose middle lies as far
-/// from the block's first pixel as is said, or each by itself.
-#[inline(always)]
-fn draw_tiles(
-    simd: impl Simd,
-    shader: &impl Shader,
-    shape: &Shape,
-    tiles: &mut Squares<TILE>,
-    common: Option<(&Polynomial, [f64; 2])>,
-    band: &mut Band,
-    scratch: &mut Scratch,
-    counts: &mut Counts,
-) {
-    let Shape { triangle, id, .. } = shape;
-    let mut seen = [false; ABREAST];
-    for index in 0..ABREAST {
-        let tile = &tiles.covered[index];
-        seen[index] = tile.pixels > 0 && Store::new(band, tiles.places[index], tile, *id).is_seen();
-        tiles.wanted[index] &= seen[index];
-    }
-    if common.is_none() {
-        shader.certify_tiles(triangle, tiles, scratch);
-    }
-    for index in 0..ABREAST {
-        if !seen[index] {
+    let pieces = list.pieces.len();
+    for (number, polygons) in projected.polygons.chunks(2).enumerate() {
+        let covered = cover(list, [&polygons[0], &polygons[1]], view.size);
+        if covered.iter().all(|(_, spans)| spans.is_empty()) {
             continue;
         }
-        let tile = &tiles.covered[index];
-        let mut store = Store::new(band, tiles.places[index], tile, *id);
-        let whole = if let Some((polynomial, [x, y])) = common {
-            let [right, down] = [index % 2 * TILE, index / 2 * TILE];
-            Some((polynomial, [x + right as f64, y + down as f64]))
+        let face = Face::new(number, solid, &rays);
+        let lights = list.lights.len();
+        if object.mode == ShadingMode::Phong {
+            let seen = illumination.points.iter();
+            list.lights
+                .extend(seen.filter_map(|light| FaceLight::new(&face, &surface, light, lens.eye)));
+        }
+        let depths = FACES[number].map(|corner| projected.seen[usize::from(corner)].z);
+        let (farthest, nearest) = depths
+            .iter()
+            .fold((f64::MIN, f64::MAX), |(most, least), depth| {
+                (most.max(*depth), least.min(*depth))
+            });
+        for (row, spans) in covered {
+            if !spans.is_empty() {
+                list.pieces.push(Piece {
+                    face,
+                    id: object.id + 2 * number as u32,
+                    object: list.objects.len(),
+                    lights: lights..list.lights.len(),
+                    row,
+                    spans,
+                    nearness: match lens.projection {
+                        Projection::Perspective => [1.0 / farthest, 1.0 / nearest.max(lens.near)],
+                        Projection::Orthographic => [-farthest, -nearest.max(lens.near)],
+                    },
+                    depths: FACES[number].map(|corner| {
+                        let seen = projected.seen[usize::from(corner)];
+                        (seen.z >= lens.near).then(|| lens.homogeneous(seen).z)
+                    }),
+                });
+            }
+        }
+    }
+    if list.pieces.len() > pieces {
+        if object.mode != ShadingMode::Gouraud {
+            if !list
+                .glosses
+                .last()
+                .is_some_and(|gloss| gloss.serves(&surface, view.tolerance))
+            {
+                list.glosses.push(Gloss::new(&surface, view.tolerance));
+            }
+            object.gloss = list.glosses.len() - 1;
+        }
+        list.objects.push(object);
+    }
+}
+
+/// Finds the pixels that a face covers in some rows of the picture: its first row, and where its spans are listed. The
+/// spans of its two triangles meet along the diagonal and are listed as one; where snapping has bent a sliver so that they
+/// do not, each triangle has its own.
+fn cover(
+    list: &mut DrawList,
+    polygons: [&Polygon; 2],
+    [width, height]: [usize; 2],
+) -> [(usize, Range<usize>); 2] {
+    let start = list.from.len();
+    let [one, other] = polygons.map(|polygon| rows_of(polygon, height));
+    let both = one.start.min(other.start)..one.end.max(other.end);
+    blank(list, both.len());
+    let mut meet = true;
+    for polygon in polygons {
+        let mut scan = Scan::new(polygon, 0..height, width);
+        while let Some((row, from, to)) = scan.next_span() {
+            let (from, to) = (from as i32, to as i32);
+            let index = start + row - both.start;
+            let (old_from, old_to) = (&mut list.from[index], &mut list.to[index]);
+            meet &= *old_from >= *old_to || from <= *old_to && *old_from <= to;
+            (*old_from, *old_to) = ((*old_from).min(from), (*old_to).max(to));
+        }
+    }
+    if meet {
+        return [(both.start, start..list.from.len()), (0, 0..0)];
+    }
+    list.from.truncate(start);
+    list.to.truncate(start);
+    polygons.map(|polygon| {
+        let start = list.from.len();
+        let own = rows_of(polygon, height);
+        blank(list, own.len());
+        let mut scan = Scan::new(polygon, 0..height, width);
+        while let Some((row, from, to)) = scan.next_span() {
+            let index = start + row - own.start;
+            (list.from[index], list.to[index]) = (from as i32, to as i32);
+        }
+        (own.start, start..list.from.len())
+    })
+}
+
+/// Lists so many rows that are not covered.
+fn blank(list: &mut DrawList, rows: usize) {
+    let len = list.from.len() + rows;
+    list.from.resize(len, i32::MAX);
+    list.to.resize(len, 0);
+}
+
+/// The rows of a picture that a polygon may cover.
+fn rows_of(polygon: &Polygon, height: usize) -> Range<usize> {
+    let [mut upper, mut lower] = [i32::MAX, i32::MIN];
+    for &[_, y] in polygon.vertices() {
+        (upper, lower) = (upper.min(y), lower.max(y));
+    }
+    if upper > lower {
+        return height..0;
+    }
+    let row = |y: i32| ((y >> 8).max(0) as usize).min(height);
+    row(upper)..row(lower.saturating_add(256))
+}
+
+/// Clears a band, and finds what is seen of each piece where the band has room to say so.
+#[inline(always)]
+fn prepare(list: &DrawList, band: &mut Band, lens: &Lens) {
+    let deep = !band.depths.is_empty();
+    let rows = band.rows.clone();
+    if !deep {
+        for piece in &list.pieces {
+            for (row, span) in list.spans(piece).within(&rows) {
+                band.announce(row, span.start, span.end);
+            }
+        }
+    }
+    band.clear();
+    if band.triangles.is_empty() {
+        return;
+    }
+    for piece in &list.pieces {
+        for (row, span) in list.spans(piece).within(&rows) {
+            let first = band.index(span.start, row);
+            let pixels = first..first + span.len();
+            let ids = &mut band.triangles[pixels.clone()];
+            let place = [
+                span.start as f64 + 0.5 - lens.half[0],
+                row as f64 + 0.5 - lens.half[1],
+            ];
+            if deep {
+                band.drawn[row - rows.start].touch(span.start, span.end);
+                see(piece, place, &mut band.depths[pixels], ids);
+            } else {
+                for (id, x) in ids.iter_mut().zip(0..) {
+                    *id = piece.triangle(place[0] + f64::from(x), place[1]);
+                }
+            }
+        }
+    }
+}
+
+/// Enters a span of a piece into the depth buffer wherever it is nearest; `place` is its first pixel, from the picture's
+/// middle.
+#[inline(always)]
+fn see(piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
+    let plane = piece.face.nearness();
+    let [least, most] = piece.nearness;
+    for ((old, id), x) in depths.iter_mut().zip(ids).zip(0..) {
+        let x = left + f64::from(x);
+        let new = plane.at(x, y).max(least).min(most);
+        let nearer = new - *old > DEPTH_TIE * old.abs();
+        *old = if nearer { new } else { *old };
+        *id = if nearer { piece.triangle(x, y) } else { *id };
+    }
+}
+
+/// A piece being drawn.
+struct Drawing<'a, 'b> {
+    shader: Shader<'a>,
+    spans: Spans<'a>,
+    /// Of its first triangle.
+    id: u32,
+    /// The picture's middle, in pixels from its corner.
+    picture: [f64; 2],
+    /// Squares of at most so many pixels are evaluated at once.
+    few: usize,
+    band: &'a mut Band<'b>,
+    scratch: &'a mut Scratch,
+    counts: &'a mut Counts,
+}
+
+impl Drawing<'_, '_> {
+    /// Draws all of it that is in the band.
+    fn draw<S: Simd>(&mut self, simd: S) {
+        if let Some(square) = Square::around(&self.spans) {
+            if self.is_seen(&square) {
+                self.evaluated(simd, &square);
+            }
+            return;
+        }
+        let rows = self.spans.rows();
+        let rows = rows.start.max(self.band.rows.start) / MAX_SIDE * MAX_SIDE
+            ..rows.end.min(self.band.rows.end);
+        for row in rows.step_by(MAX_SIDE) {
+            let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
+            for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
+                let square = |index| {
+                    let place = [column + index * MAX_SIDE, row];
+                    if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
+                        Square::whole(place, MAX_SIDE)
+                    } else {
+                        Square::new(&self.spans, place, MAX_SIDE)
+                    }
+                };
+                self.squares(simd, &[square(0), square(1), square(2), square(3)]);
+            }
+        }
+    }
+
+    /// Draws four squares: interpolated where that keeps the tolerance, else as four squares each, or pixel by pixel where
+    /// they are small or hold few pixels.
+    fn squares<S: Simd>(&mut self, simd: S, squares: &[Square; 4]) {
+        let seen = squares.each_ref().map(|square| self.is_seen(square));
+        let tried = squares.each_ref().map(|square| square.pixels > self.few);
+        let interpolant = if (0..4).any(|index| seen[index] && tried[index]) {
+            self.shader.interpolate(simd, &self.places(simd, squares))
         } else {
-            let own = tiles.polynomials[index].as_ref();
-            own.filter(|polynomial| polynomial.is_whole())
-                .map(|polynomial| (polynomial, tiles.patches[index].first()))
+            None
         };
-        let evaluations = if let Some((polynomial, first)) = whole {
-            apart(
+        for (index, square) in squares.iter().enumerate() {
+            if !seen[index] {
+                continue;
+            }
+            if tried[index]
+                && let Some(interpolant) = &interpolant
+                && let Some(form) = interpolant.form(index)
+            {
+                self.interpolated(simd, square, interpolant, index, form);
+            } else if square.side > MIN_SIDE && tried[index] {
+                self.squares(simd, &square.quarters(&self.spans));
+            } else {
+                self.evaluated(simd, square);
+            }
+        }
+    }
+
+    /// Where squares are.
+    #[inline(always)]
+    fn places<S: Simd>(&self, simd: S, squares: &[Square; 4]) -> Places<S> {
+        let [a, b, c, d] = squares;
+        let [middles, halves] = [
+            [a.middle(), b.middle(), c.middle(), d.middle()],
+            [a.half(), b.half(), c.half(), d.half()],
+        ];
+        let lanes = inlined(
+            #[inline(always)]
+            |of: &[[f64; 2]; 4], axis: usize| {
+                Lanes::simd_from(simd, [of[0][axis], of[1][axis], of[2][axis], of[3][axis]])
+            },
+        );
+        let [x, y] = self.picture;
+        Places {
+            middle: [lanes(&middles, 0) - x, lanes(&middles, 1) - y],
+            half: [lanes(&halves, 0), lanes(&halves, 1)],
+        }
+    }
+
+    /// Draws one of the squares of an interpolant: as its quarters where the colour is too curved for linear rows.
+    fn interpolated<S: Simd>(
+        &mut self,
+        simd: S,
+        square: &Square,
+        interpolant: &Interpolant<S>,
+        index: usize,
+        form: Form,
+    ) {
+        if form.kind == TileKind::Quadratic && square.side > MIN_SIDE {
+            let quarters = square.quarters(&self.spans);
+            let interpolant = apart(
                 simd,
                 #[inline(always)]
-                || store.draw(&polynomial.placed(first), tile),
+                || interpolant.on_quarters(index, square, &quarters),
             );
-            Evaluations::of(polynomial.kind)
-        } else {
-            shader.shade(triangle, tiles, index, scratch, &mut store)
+            for (index, quarter) in quarters.iter().enumerate() {
+                if !self.is_seen(quarter) {
+                    continue;
+                }
+                match interpolant.form(index) {
+                    Some(form) => self.interpolated(simd, quarter, &interpolant, index, form),
+                    None => self.evaluated(simd, quarter),
+                }
+            }
+            return;
+        }
+        let mut store = Store::new(self.band, &self.spans, square, self.id);
+        interpolation::draw(simd, interpolant, index, form, square, &mut store);
+        self.counts.covered_pixels += store.finish(form.kind);
+        self.counts.tiles[form.kind as usize] += 1;
+    }
+
+    /// Draws a square pixel by pixel, or its quarters where that cannot be done in lanes.
+    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square) {
+        let (spans, picture) = (&self.spans, self.picture);
+        let evaluations = self
+            .shader
+            .evaluate(simd, square, spans, picture, self.scratch);
+        let evaluations = match evaluations {
+            None if square.side > MIN_SIDE => {
+                return self.squares(simd, &square.quarters(spans));
+            }
+            None => {
+                let place = |pixel: usize, axis: usize| pixel as f64 + 0.5 - picture[axis];
+                let levels = &mut self.scratch.levels;
+                levels.fill_each(square, spans, |[column, row]| {
+                    self.shader.define(place(column, 0), place(row, 1))
+                });
+                let pixels = square.pixels as u64;
+                Evaluations {
+                    kind: TileKind::Double,
+                    model: pixels,
+                    specular: pixels * self.shader.powers() as u64,
+                }
+            }
+            Some(evaluations) => evaluations,
         };
-        store.mark(evaluations.kind);
-        counts.covered_pixels += store.stored();
-        counts.model_evaluations += evaluations.model;
-        counts.specular_evaluations += evaluations.specular;
-        counts.tiles[evaluations.kind as usize] += 1;
+        let mut store = Store::new(self.band, &self.spans, square, self.id);
+        let levels = &mut self.scratch.levels;
+        apart(
+            simd,
+            #[inline(always)]
+            || store.draw(&mut Evaluated { simd, levels }),
+        );
+        self.counts.covered_pixels += store.finish(evaluations.kind);
+        self.counts.model_evaluations += evaluations.model;
+        self.counts.specular_evaluations += evaluations.specular;
+        self.counts.tiles[evaluations.kind as usize] += 1;
+    }
+
+    /// Whether any pixel of a square is drawn here: in this band, and not hidden.
+    fn is_seen(&self, square: &Square) -> bool {
+        let [first, last] = square.rows;
+        let rows = first.max(self.band.rows.start)..(last + 1).min(self.band.rows.end);
+        if square.pixels == 0 || rows.is_empty() {
+            return false;
+        }
+        self.band.depths.is_empty()
+            || rows.into_iter().any(|row| {
+                let span = self.spans.clip(row, square.columns);
+                let first = self.band.index(0, row);
+                !span.is_empty()
+                    && self.band.triangles[first + span.start..first + span.end]
+                        .iter()
+                        .any(|id| id / 2 == self.id / 2)
+            })
     }
 }

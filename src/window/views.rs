@@ -5,7 +5,7 @@
 
 use crate::canvas::mix;
 use crate::components::ShadingMode;
-use crate::frame::NO_TRIANGLE;
+use crate::frame::{NO_TRIANGLE, OUTLINE};
 use crate::shading::TileKind;
 
 /// What the window shows of the scene.
@@ -72,7 +72,6 @@ pub fn mode_label(mode: ShadingMode) -> &'static str {
 pub const TINTS: [u32; TileKind::ALL.len()] = [
     0x0000_72b2,
     0x0056_b4e9,
-    0x0000_9e73,
     0x00f0_e442,
     0x00e6_9f00,
     0x00d5_5e00,
@@ -80,7 +79,10 @@ pub const TINTS: [u32; TileKind::ALL.len()] = [
 ];
 
 /// How much of a tint covers the picture, of 256.
-const TINT_WEIGHT: u32 = 144;
+const TINT_WEIGHT: u32 = 112;
+
+/// The same on the outline of a square.
+const OUTLINE_WEIGHT: u32 = 232;
 
 /// `left` up to column `divider`, from there on `right`; both have rows of `width`.
 pub fn wipe(pixels: &mut Vec<u32>, left: &[u32], right: &[u32], width: usize, divider: usize) {
@@ -95,11 +97,17 @@ pub fn wipe(pixels: &mut Vec<u32>, left: &[u32], right: &[u32], width: usize, di
     }
 }
 
-/// Tints every pixel that shows a triangle by how its tile was drawn; see [`crate::frame::Frame::kinds`].
+/// Tints every pixel that shows a triangle by how its square was drawn, and draws the square's outline; see
+/// [`crate::frame::Frame::kinds`].
 pub fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
         if *triangle != NO_TRIANGLE {
-            *pixel = mix(*pixel, TINTS[usize::from(*kind)], TINT_WEIGHT);
+            let weight = if kind & OUTLINE == 0 {
+                TINT_WEIGHT
+            } else {
+                OUTLINE_WEIGHT
+            };
+            *pixel = mix(*pixel, TINTS[usize::from(kind & !OUTLINE)], weight);
         }
     }
 }

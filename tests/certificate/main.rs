@@ -1,18 +1,15 @@
 //! The promise of the tolerance: whatever is drawn, no pixel strays further from the exact evaluation of its mode.
 //!
-//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150), and a hundred times as many random tiles; the
+//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150), and eighty times as many random squares; the
 //! long run is 10000 in a release build, with `--nocapture` to see how much slack the certificates leave.
 
-mod bounds;
 mod choices;
 #[path = "../support/random.rs"]
 mod random;
 #[path = "../support/scene.rs"]
 mod scene;
 mod scenes;
-#[path = "../support/tile.rs"]
-mod tile;
-mod tiles;
+mod squares;
 
 /// How many random scenes are drawn.
 fn cases() -> u64 {

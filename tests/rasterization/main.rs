@@ -1,9 +1,9 @@
 //! Which pixels a polygon covers.
 
+mod bent;
 mod counting;
 mod cuboids;
 mod drawings;
 #[path = "../support/random.rs"]
 mod random;
-mod tiles;
 mod twins;

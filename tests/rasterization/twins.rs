@@ -3,10 +3,9 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use shadetrade::components::Polygon;
-use shadetrade::shading::{BLOCK, TILE};
 use shadetrade::systems::coverage::Scan;
 
-use crate::counting::{assert_twin, count, covers, encloses, facing, snapped, turn};
+use crate::counting::{assert_twin, covers, encloses, facing, snapped, turn};
 use crate::random::Random;
 
 #[test]
@@ -126,47 +125,5 @@ proptest! {
         let expected: Vec<_> = spans(0..36).into_iter().filter(|span| (from..to).contains(&span.0)).collect();
         prop_assert_eq!(spans(from..to), expected);
         prop_assert!(spans(from..to).iter().all(|(_, from, to)| from < to), "a row that is not covered is none");
-    }
-
-    #[test]
-    fn a_block_is_its_four_tiles(polygon in convex()) {
-        let mut scan = Scan::new(&polygon, 0..64, 64);
-        while let Some(row) = scan.next_row() {
-            let spans = scan.spans::<BLOCK>(row / BLOCK * BLOCK);
-            for column in [0, BLOCK] {
-                let block = spans.coverage(column);
-                let mut tiles = (0, 0);
-                for (down, right) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                    let tile = block.tile(right, down);
-                    tiles.0 += u64::from(tile.pixels > 0);
-                    tiles.1 += tile.pixels;
-                }
-                prop_assert_eq!(tiles, (block.tiles(), block.pixels));
-            }
-        }
-    }
-
-    #[test]
-    fn tiles_cover_what_spans_do(polygon in convex()) {
-        let mut scan = Scan::new(&polygon, 0..48, 48);
-        let mut counts = vec![0; 48 * 48];
-        while let Some(row) = scan.next_row() {
-            let first = row / TILE * TILE;
-            let tiles = scan.spans::<TILE>(first);
-            for column in (0..48).step_by(TILE) {
-                let coverage = tiles.coverage(column);
-                let mut pixels = 0;
-                for (row, (from, to)) in coverage.spans.into_iter().enumerate() {
-                    for lane in from..to {
-                        counts[(first + row) * 48 + column + usize::from(lane)] += 1;
-                        pixels += 1;
-                    }
-                }
-                prop_assert_eq!(coverage.pixels, pixels);
-                let within = tiles.extent().start < column + TILE && column < tiles.extent().end;
-                prop_assert!(within || pixels == 0, "the tiles' extent leaves out column {}", column);
-            }
-        }
-        prop_assert_eq!(counts, count(&[polygon], [48, 48]));
     }
 }

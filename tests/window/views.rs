@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use minifb::Key;
 use shadetrade::components::ShadingMode;
-use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::frame::{NO_TRIANGLE, OUTLINE};
 use shadetrade::window::bindings::Action;
 use shadetrade::window::input::Gesture;
 use shadetrade::window::response::respond;
@@ -32,11 +32,15 @@ fn a_wipe_shows_one_picture_left_and_the_other_right() {
 
 #[test]
 fn tiles_are_tinted_by_kind_and_the_background_is_not() {
-    let mut pixels = [0x0064_6464; 3];
-    tint(&mut pixels, &[0, 6, 3], &[0, 5, NO_TRIANGLE]);
-    // (100 * 112 + tint * 144) / 256 by channel: blue 0x0072b2 is 0, 114, 178, white is 255.
+    let mut pixels = [0x0064_6464; 4];
+    tint(
+        &mut pixels,
+        &[0, 5, 3, 5 | OUTLINE],
+        &[0, 5, NO_TRIANGLE, 5],
+    );
+    // (100 * 144 + tint * 112) / 256 by channel: blue 0x0072b2 is 0, 114, 178, white is 255; on an outline 24 and 232.
     assert_eq!(TINTS[0], 0x0000_72b2);
-    assert_eq!(pixels, [0x002b_6b8f, 0x00bb_bbbb, 0x0064_6464]);
+    assert_eq!(pixels, [0x0038_6a86, 0x00a7_a7a7, 0x0064_6464, 0x00f0_f0f0]);
 }
 
 #[test]

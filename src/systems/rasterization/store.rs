@@ -1,197 +1,192 @@
-//! Rows of levels in, pixels of a band out: the display step fused into the store, or the levels themselves.
+//! Rows of a square in, pixels of a band out: the display step fused into the store, or the levels themselves.
 //!
-//! Rule: only covered lanes of rows that the band holds are written, and where there is a depth buffer only pixels that
-//! show this triangle.
+//! Rule: only covered pixels of rows that the band holds are written, and where there is a depth buffer only pixels that
+//! show this face.
 
-use crate::frame::Band;
-use crate::shading::display::Row;
-use crate::shading::rows::{Rows, Source};
-use crate::shading::{Coverage, Sink, TileKind};
+use std::ops::Range;
 
-/// Stores the rows of a square that is covered, held and seen all over, as bytes.
-struct Whole<'a, const SIDE: usize> {
-    pixels: &'a mut [u32],
-    /// Where the first pixel of the first row stands among them.
-    first: usize,
-    /// From row to row.
-    width: usize,
-}
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 
-impl<const SIDE: usize> Rows for Whole<'_, SIDE> {
-    #[inline(always)]
-    fn take(&mut self, row: usize, levels: &impl Row) {
-        let start = self.first + row * self.width;
-        let pixels = &mut self.pixels[start..start + SIDE];
-        for lane in 0..SIDE {
-            pixels[lane] = levels.pixel(lane);
-        }
-    }
-}
+use crate::frame::{Band, OUTLINE};
+use crate::shading::display::Rows;
+use crate::shading::square::{Spans, Square};
+use crate::shading::{Sink, TileKind};
 
-/// Stores the rows of one tile or block.
-pub struct Store<'a, 'b, const SIDE: usize> {
+/// Stores the pixels of one square.
+pub struct Store<'a, 'b> {
     band: &'a mut Band<'b>,
-    coverage: &'a Coverage<SIDE>,
+    spans: &'a Spans<'a>,
+    square: &'a Square,
+    /// Of the face's first triangle.
     id: u32,
-    /// The picture's row of the square's first.
-    row: usize,
-    /// Where the square's first pixel stands in the band's slices, had the band no first row.
-    first: usize,
-    /// Whether the band has all of the square's rows.
-    whole: bool,
-    /// Whether, besides, it takes bytes and nothing hides them.
-    plain: bool,
-    /// How many pixels were stored so far; not counted where `plain`, for then all that are covered are.
-    seen: u64,
+    /// How many pixels were drawn; not counted where all are.
+    drawn: u64,
 }
 
-impl<'a, 'b, const SIDE: usize> Store<'a, 'b, SIDE> {
-    /// For the square at `[column, row]` of the picture; `id` is its triangle's.
-    #[inline(always)]
-    pub fn new(
-        band: &'a mut Band<'b>,
-        [column, row]: [usize; 2],
-        coverage: &'a Coverage<SIDE>,
-        id: u32,
-    ) -> Self {
-        let first = (row * band.width + column).wrapping_sub(band.rows.start * band.width);
-        let whole = band.holds(row, SIDE);
-        let plain = band.takes_whole(row, SIDE);
+impl<'a, 'b> Store<'a, 'b> {
+    /// For a square of a face.
+    pub fn new(band: &'a mut Band<'b>, spans: &'a Spans<'a>, square: &'a Square, id: u32) -> Self {
         Store {
             band,
-            coverage,
+            spans,
+            square,
             id,
-            row,
-            first,
-            whole,
-            plain,
-            seen: 0,
+            drawn: 0,
         }
     }
 
-    /// How many pixels were stored, once all were.
+    /// The rows of the square that are covered and in the band.
     #[inline(always)]
-    pub fn stored(&self) -> u64 {
-        if self.plain {
-            u64::from(self.coverage.pixels)
+    fn rows(&self) -> Range<usize> {
+        let [first, last] = self.square.rows;
+        first.max(self.band.rows.start)..(last + 1).min(self.band.rows.end)
+    }
+
+    /// Notes how the square was drawn, where the frame keeps that; how many of its pixels were drawn.
+    #[inline]
+    pub fn finish(mut self, kind: TileKind) -> u64 {
+        if !self.band.kinds.is_empty() {
+            self.mark(kind);
+        }
+        let [first, last] = self.square.rows;
+        if self.band.is_plain() && self.rows().len() == last + 1 - first {
+            self.square.pixels as u64
         } else {
-            self.seen
+            self.drawn
         }
     }
 
-    /// The place of the first lane of a row of the tile, if the band has that row.
+    #[inline(never)]
+    fn mark(&mut self, kind: TileKind) {
+        let Square { place, columns, .. } = *self.square;
+        for row in self.rows() {
+            let first = self.band.index(0, row);
+            for column in self.spans.clip(row, columns) {
+                if self.band.triangles[first + column] / 2 == self.id / 2 {
+                    let edge = row == place[1] || column == place[0];
+                    self.band.kinds[first + column] = kind as u8 | if edge { OUTLINE } else { 0 };
+                }
+            }
+        }
+    }
+
+    /// All pixels, where nothing hides them and the band takes bytes.
     #[inline(always)]
-    fn place(&self, row: usize) -> Option<usize> {
-        let held = self.whole || self.band.rows.contains(&(self.row + row));
-        held.then(|| self.first.wrapping_add(row * self.band.width))
+    fn draw_whole<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
+        let Square {
+            place: [left, top],
+            side,
+            ..
+        } = *self.square;
+        let start = self.band.index(0, top);
+        let lines = self.band.pixels[start..].chunks_exact_mut(self.band.width);
+        for (row, line) in lines.take(side).enumerate() {
+            rows.go_to(row);
+            let parts = line[left..left + side].as_chunks_mut::<16>().0;
+            for (part, pixels) in parts.iter_mut().enumerate() {
+                *pixels = *rows.pixels(part);
+            }
+        }
     }
 
-    /// Notes how the tile was drawn, where the frame keeps that.
-    pub fn mark(&mut self, kind: TileKind) {
-        if self.band.kinds.is_empty() {
-            return;
-        }
-        for (row, &(from, to)) in self.coverage.spans.iter().enumerate() {
-            let Some(first) = self.place(row) else {
+    /// The covered pixels, where nothing hides them and the band takes bytes.
+    #[inline(always)]
+    fn draw_spans<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
+        let [left, top] = self.square.place;
+        let held = self.rows();
+        let start = self.band.index(0, held.start);
+        let lines = self.band.pixels[start..].chunks_mut(self.band.width);
+        let spans = self.spans.clipped(held, self.square.columns);
+        for ((row, span), line) in spans.zip(lines) {
+            if span.is_empty() {
                 continue;
-            };
-            for lane in usize::from(from)..usize::from(to) {
-                if self.band.triangles[first + lane] == self.id {
-                    self.band.kinds[first + lane] = kind as u8;
+            }
+            rows.go_to(row - top);
+            let from = span.start - left;
+            let (mut part, skipped) = (from / 16, from % 16);
+            self.drawn += span.len() as u64;
+            let covered = &mut line[span];
+            let (pixels, mut rest) = covered.split_at_mut(covered.len().min(16 - skipped));
+            copy(&rows.pixels(part).as_array()[skipped..], pixels);
+            while !rest.is_empty() {
+                part += 1;
+                let (pixels, others) = rest.split_at_mut(rest.len().min(16));
+                copy(rows.pixels(part).as_array(), pixels);
+                rest = others;
+            }
+        }
+    }
+
+    /// The covered pixels that show this face, as bytes or as levels.
+    #[inline(always)]
+    fn draw_seen<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
+        let [left, top] = self.square.place;
+        let face = self.id / 2;
+        let bytes = !self.band.pixels.is_empty();
+        for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
+            if span.is_empty() {
+                continue;
+            }
+            rows.go_to(row - top);
+            let first = self.band.index(0, row);
+            let (from, to) = (span.start - left, span.end - left);
+            for part in from / 16..to.div_ceil(16) {
+                let (pixels, levels) = if bytes {
+                    (Some(rows.pixels(part)), None)
+                } else {
+                    (None, Some(rows.levels(part)))
+                };
+                for lane in from.max(16 * part)..to.min(16 * part + 16) {
+                    let pixel = first + left + lane;
+                    if self.band.triangles[pixel] / 2 != face {
+                        continue;
+                    }
+                    self.drawn += 1;
+                    if let Some(pixels) = &pixels {
+                        self.band.pixels[pixel] = pixels[lane % 16];
+                    } else if let Some(levels) = &levels {
+                        self.band.levels[pixel] =
+                            [0, 1, 2].map(|channel| levels[channel][lane % 16]);
+                    }
                 }
             }
-        }
-    }
-
-    /// Whether any pixel of the tile is drawn here: in this band, and not hidden.
-    #[inline(always)]
-    pub fn is_seen(&self) -> bool {
-        if self.whole && self.band.depths.is_empty() {
-            return true;
-        }
-        self.coverage
-            .spans
-            .iter()
-            .enumerate()
-            .any(|(row, &(from, to))| {
-                from < to
-                    && self.place(row).is_some_and(|first| {
-                        let covered = first + usize::from(from)..first + usize::from(to);
-                        self.band.depths.is_empty()
-                            || self.band.triangles[covered].contains(&self.id)
-                    })
-            })
-    }
-}
-
-impl<const SIDE: usize> Sink<SIDE> for Store<'_, '_, SIDE> {
-    #[inline(always)]
-    fn draw(&mut self, source: &impl Source<SIDE>, coverage: &Coverage<SIDE>) {
-        if self.plain && coverage.pixels == Coverage::<SIDE>::WHOLE.pixels {
-            let target = &mut Whole::<SIDE> {
-                pixels: self.band.pixels,
-                first: self.first,
-                width: self.band.width,
-            };
-            source.for_rows(0..SIDE, target);
-        } else {
-            source.send(coverage, self);
-        }
-    }
-
-    #[inline(always)]
-    fn take(&mut self, row: usize, levels: &impl Row) {
-        let (from, to) = self.coverage.spans[row];
-        if !self.plain {
-            return self.take_seen(row, levels);
-        }
-        let first = self.first.wrapping_add(row * self.band.width);
-        if to - from == SIDE as u8 {
-            let pixels = &mut self.band.pixels[first..first + SIDE];
-            for lane in 0..SIDE {
-                pixels[lane] = levels.pixel(lane);
-            }
-        } else {
-            let lanes = usize::from(from)..usize::from(to);
-            let mut pixels = [0_u32; SIDE];
-            for lane in 0..SIDE {
-                pixels[lane] = levels.pixel(lane);
-            }
-            self.band.pixels[first + lanes.start..first + lanes.end]
-                .copy_from_slice(&pixels[lanes]);
         }
     }
 }
 
-impl<const SIDE: usize> Store<'_, '_, SIDE> {
-    /// Stores what of a row is in the band and seen.
+impl<S: Simd> Sink<S> for Store<'_, '_> {
     #[inline(always)]
-    fn take_seen(&mut self, row: usize, levels: &impl Row) {
-        let (from, to) = self.coverage.spans[row];
-        let Some(first) = self.place(row) else { return };
-        let deep = !self.band.depths.is_empty();
-        if self.band.pixels.is_empty() {
-            for lane in usize::from(from)..usize::from(to) {
-                let pixel = first + lane;
-                if !deep {
-                    self.band.triangles[pixel] = self.id;
-                }
-                if self.band.triangles[pixel] == self.id {
-                    self.band.levels[pixel] = levels.levels(lane);
-                    self.seen += 1;
-                }
-            }
-            return;
-        }
-        let mut pixels = [0_u32; SIDE];
-        for lane in 0..SIDE {
-            pixels[lane] = levels.pixel(lane);
-        }
-        for lane in usize::from(from)..usize::from(to) {
-            if !deep || self.band.triangles[first + lane] == self.id {
-                self.band.pixels[first + lane] = pixels[lane];
-                self.seen += 1;
-            }
+    fn draw(&mut self, rows: &mut impl Rows<S>) {
+        if !self.band.is_plain() {
+            self.draw_seen(rows);
+        } else if self.square.is_whole() && self.rows().len() == self.square.side {
+            self.draw_whole(rows);
+        } else {
+            self.draw_spans(rows);
         }
     }
+}
+
+/// Copies up to sixteen pixels, in parts of fixed sizes, which need no call.
+#[inline(always)]
+fn copy(from: &[u32], to: &mut [u32]) {
+    #[inline(always)]
+    fn part<'a, const SIZE: usize>(
+        (from, to): (&'a [u32], &'a mut [u32]),
+    ) -> (&'a [u32], &'a mut [u32]) {
+        match (from.split_first_chunk::<SIZE>(), to.len() < SIZE) {
+            (Some((from, rest)), false) => {
+                let (to, others) = to.split_at_mut(SIZE);
+                to.copy_from_slice(from);
+                (rest, others)
+            }
+            _ => (from, to),
+        }
+    }
+    let left = part::<8>((from, to));
+    let left = part::<8>(left);
+    let left = part::<4>(left);
+    let left = part::<2>(left);
+    part::<1>(left);
 }

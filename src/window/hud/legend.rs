@@ -177,7 +177,7 @@ fn key(session: &Session, face: Face, area: Rect) -> Option<Key> {
             true,
             error_rows(session),
         ),
-        ViewMode::Tiles => (vec!["tiles drawn".to_owned()], false, tile_rows(session)),
+        ViewMode::Tiles => (vec!["squares drawn".to_owned()], false, tile_rows(session)),
         ViewMode::Picture | ViewMode::GouraudPhong | ViewMode::MethodReference => return None,
     };
     let letters = heading

@@ -1,0 +1,327 @@
+//! A face of a cuboid and lines of sight in; what is interpolated over the face, as affine functions of the pixel, out.
+//!
+//! A line of sight O + t d meets the plane m.P = h of a face where t = H / w, with H = m.O - h, how far the eye is in
+//! front of the plane, and w = -m.d > 0. Times w, everything that is linear on the face is affine on the screen:
+//!
+//! ```text
+//!   w (L - P) = w (L - O) - H d        w (O - P), a multiple of -d        w u, w v, where P = C + m |m| + u a + v b
+//! ```
+//! In perspective d moves from pixel to pixel and O stays, in orthographic projection O moves and d stays. Normals are
+//! linear in u and v over the whole face; colours that were lit at the corners are linear over each of its triangles.
+//! Both triangles have the same N, L and O.
+//!
+//! Rule: all is set up in f64 relative to the eye, so that what is seen of a face is as exact on a cuboid of any size; and
+//! none of it depends on where the face ends, so clipping changes no value.
+
+use glam::{DMat3, DVec3};
+
+use super::affine::{Affine, Scalar};
+use crate::components::{FACES, Projection, length};
+
+/// A cuboid as lines of sight meet it.
+#[derive(Clone, Copy, Debug)]
+pub struct Solid<'a> {
+    /// Its centre from the eye, in world units.
+    pub centre: DVec3,
+    /// Its own axes in world space.
+    pub axes: DMat3,
+    /// Half its edges, in world units.
+    pub half: DVec3,
+    /// Unit normals at its corners, in world space.
+    pub normals: &'a [DVec3; 8],
+    /// Levels at its corners.
+    pub colors: &'a [DVec3; 8],
+}
+
+/// The lines of sight.
+#[derive(Clone, Copy, Debug)]
+pub struct Rays {
+    /// Right, up and forward: unit vectors in world space.
+    pub axes: [DVec3; 3],
+    /// From one pixel's centre to the next, in world units: at distance one in perspective.
+    pub pitch: f64,
+    /// Whether they leave the eye or run in parallel.
+    pub projection: Projection,
+}
+
+/// Overshoot, as a share of the face, from which a point is held on the face: coverage is decided on vertices moved by up
+/// to 1/512 pixel, which is nothing to a face of some pixels and everything to a sliver.
+const OVERSHOOT: f64 = 1.0 / 128.0;
+
+/// A face that is seen. Its functions are anchored at the picture's middle.
+#[derive(Clone, Copy, Debug)]
+pub struct Face {
+    /// w.
+    pub w: Scalar,
+    /// The interpolated normal times w.
+    pub normal: Affine,
+    /// Towards the eye, of positive length.
+    pub to_eye: Affine,
+    /// u, v and 1, times w: from -1 to 1 along the face's axes.
+    pub place: Affine,
+    /// Levels times w on the first triangle, and continued on the second.
+    pub colors: Affine,
+    /// What the levels of the second triangle have besides: this times w times how far beyond the diagonal they are.
+    pub fold: DVec3,
+    /// w times the weight of the corner across the diagonal: positive on the first triangle, minus the other's weight on
+    /// the second.
+    pub diagonal: Scalar,
+    /// How much of the face a pixel is at most, times w.
+    pub pace: f64,
+    /// The line of sight through the middle, from the eye: its start, its direction, and what pixels add to them.
+    start: Affine,
+    direction: Affine,
+    /// H.
+    height: Scalar,
+    /// The unit normal of the face's plane, and its distance from the cuboid's centre.
+    outwards: DVec3,
+    half_height: f64,
+    /// The face's middle from the eye, and half its edges.
+    middle: DVec3,
+    half_edges: [DVec3; 2],
+    /// Normals at the middle, and what u and v add to them.
+    normals: [DVec3; 3],
+    /// The same for levels on the first triangle.
+    levels: [DVec3; 3],
+    /// Half the place of the corner across the diagonal.
+    across: [f64; 2],
+    projection: Projection,
+}
+
+/// What a pixel shows of a face.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// The place on the face: u, v.
+    pub place: [f64; 2],
+    /// From the eye, in world units.
+    pub from_eye: DVec3,
+    /// Whether it was moved onto the face.
+    pub held: bool,
+}
+
+impl Face {
+    /// Face `number` of a solid, as [`FACES`] counts, on the side that is seen.
+    pub fn new(number: usize, solid: &Solid, rays: &Rays) -> Self {
+        let across = number / 2;
+        let sign = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let along = [(across + 1) % 3, (across + 2) % 3];
+        let outwards = solid.axes.col(across) * sign;
+        let [right, up, forward] = rays.axes;
+        let moving = Affine {
+            centre: DVec3::ZERO,
+            dx: right * rays.pitch,
+            dy: up * -rays.pitch,
+        };
+        let still = Affine {
+            centre: forward,
+            ..Affine::default()
+        };
+        let (start, direction) = match rays.projection {
+            Projection::Perspective => (Affine::default(), still + moving),
+            Projection::Orthographic => (moving, still),
+        };
+        let w = direction.measure(|d| -outwards.dot(d));
+        let reach = outwards.dot(-solid.centre) - solid.half[across];
+        let height = Scalar {
+            centre: reach,
+            ..start.measure(|o| outwards.dot(o))
+        };
+        let half_edges = along.map(|axis| solid.axes.col(axis) * solid.half[axis]);
+        let mut face = Face {
+            w,
+            normal: Affine::default(),
+            to_eye: direction.map(|d| -d),
+            place: Affine::default(),
+            colors: Affine::default(),
+            fold: DVec3::ZERO,
+            diagonal: Scalar::default(),
+            pace: 0.0,
+            start,
+            direction,
+            height,
+            outwards,
+            half_height: solid.half[across],
+            middle: solid.centre + outwards * solid.half[across],
+            half_edges,
+            normals: [DVec3::ZERO; 3],
+            levels: [DVec3::ZERO; 3],
+            across: [0.0; 2],
+            projection: rays.projection,
+        };
+        let to_centre = face.towards(solid.centre, DVec3::ZERO);
+        let [u, v] = along.map(|axis| {
+            to_centre
+                .measure(|c| -solid.axes.col(axis).dot(c))
+                .over(solid.half[axis])
+        });
+        face.place = Affine {
+            centre: DVec3::new(u.centre, v.centre, w.centre),
+            dx: DVec3::new(u.dx, v.dx, w.dx),
+            dy: DVec3::new(u.dy, v.dy, w.dy),
+        };
+        face.pace = u.dx.abs().max(v.dx.abs()) + u.dy.abs().max(v.dy.abs());
+
+        let corners = FACES[number].map(usize::from);
+        let signs = places(number);
+        // A value that is linear between the corners a, b and c, as its middle and what u and v add.
+        let linear = |values: &[DVec3; 8]| {
+            let [a, b, c] = [corners[0], corners[1], corners[2]].map(|corner| values[corner]);
+            let half = |from: DVec3, to: DVec3, axis: usize, first: usize| {
+                (to - from) / 2.0 * (signs[first + 1][axis] - signs[first][axis]) / 2.0
+            };
+            [
+                (a + c) / 2.0,
+                half(a, b, 0, 0) + half(b, c, 0, 1),
+                half(a, b, 1, 0) + half(b, c, 1, 1),
+            ]
+        };
+        face.normals = linear(solid.normals);
+        face.levels = linear(solid.colors);
+        face.normal = face.place.map(|place| combine(&face.normals, place));
+        face.colors = face.place.map(|place| combine(&face.levels, place));
+        let [a, b, c, d] = corners.map(|corner| solid.colors[corner]);
+        face.fold = d + b - a - c;
+        // The weight of b, which is one there and zero on the diagonal.
+        face.across = signs[1].map(|sign| sign / 2.0);
+        face.diagonal = face
+            .place
+            .measure(|place| face.across[0] * place.x + face.across[1] * place.y);
+        face
+    }
+
+    /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
+    ///
+    /// The affine part of w (L - O) - H d: the terms of second order vanish, for w and d move only where O and H stay. Its
+    /// component across the face is w times the light's height above the face, which is taken from the nearer of the two
+    /// places: an ulp above the face is above it.
+    pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
+        let (from, d, w, h) = (&self.start, &self.direction, &self.w, &self.height);
+        let towards = Affine {
+            centre: (light - from.centre) * w.centre - d.centre * h.centre,
+            dx: light * w.dx - from.dx * w.centre - d.dx * h.centre - d.centre * h.dx,
+            dy: light * w.dy - from.dy * w.centre - d.dy * h.centre - d.centre * h.dy,
+        };
+        if length(light) < length(from_centre) {
+            return towards;
+        }
+        let across = self.outwards;
+        let above = across.dot(from_centre) - self.half_height;
+        let along = towards.map(|v| v - across * across.dot(v));
+        along + w.times(across * above)
+    }
+
+    /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the
+    /// eye. Depth is in world units along the view direction.
+    pub fn nearness(&self) -> Scalar {
+        match self.projection {
+            Projection::Perspective => self.w.over(self.height.centre),
+            Projection::Orthographic => self.height.over(-self.w.centre),
+        }
+    }
+
+    /// Whether a face is so large that no pixel's centre can overshoot it by much, w being at least `least` there.
+    pub fn is_steady(&self, least: f64) -> bool {
+        least > 0.0 && self.pace < 1024.0 * OVERSHOOT * least
+    }
+
+    /// What the pixel `x` right and `y` down of the picture's middle shows; held on the face where the face is a sliver.
+    pub fn point(&self, x: f64, y: f64) -> Point {
+        let place = self.place.at(x, y);
+        let (w, [u, v]) = (place.z, [place.x / place.z, place.y / place.z]);
+        let on = |u: f64| if u.is_nan() { 0.0 } else { u.clamp(-1.0, 1.0) };
+        let held = !self.is_steady(w) && (on(u) != u || on(v) != v);
+        let place = if held { [on(u), on(v)] } else { [u, v] };
+        let from_eye = if held {
+            self.from_eye(place)
+        } else {
+            self.start.at(x, y) + self.direction.at(x, y) * (self.height.at(x, y) / w)
+        };
+        Point {
+            place,
+            from_eye,
+            held,
+        }
+    }
+
+    /// The vector to a light, whose place is given as in [`Face::towards`], from the point that the pixel `x` right and `y`
+    /// down of the picture's middle shows; times a positive number.
+    pub fn to_light(
+        &self,
+        point: &Point,
+        light: DVec3,
+        from_centre: DVec3,
+        [x, y]: [f64; 2],
+    ) -> DVec3 {
+        if point.held {
+            light - point.from_eye
+        } else {
+            self.towards(light, from_centre).at(x, y)
+        }
+    }
+
+    /// The weights of three corners, given as places on the face, times w.
+    pub fn weights(&self, corners: [[f64; 2]; 3]) -> Affine {
+        let [a, b, c] = corners.map(|[u, v]| DVec3::new(u, v, 1.0));
+        let to_weights = DMat3::from_cols(a, b, c).inverse();
+        self.place.map(|place| to_weights * place)
+    }
+
+    /// A place on the face, from the eye, in world units.
+    pub fn from_eye(&self, [u, v]: [f64; 2]) -> DVec3 {
+        self.middle + self.half_edges[0] * u + self.half_edges[1] * v
+    }
+
+    /// The vector to the eye from a point that was moved onto the face.
+    pub fn held_to_eye(&self, point: &Point) -> DVec3 {
+        match self.projection {
+            Projection::Perspective => -point.from_eye,
+            Projection::Orthographic => self.to_eye.centre,
+        }
+    }
+
+    /// The most and the least of N.L between the normal at any corner and the vector from any corner to a light, whose place
+    /// is given from the eye; what is not a number is the most.
+    ///
+    /// N and L are combinations, with weights that are nowhere negative, of what they are at the corners: below the least
+    /// and above the most is no N.L of the face.
+    pub fn light_from(&self, light: DVec3) -> [f64; 2] {
+        const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+        let normals = CORNERS.map(|corner| self.normal_at(corner));
+        let [mut most, mut least] = [f64::NEG_INFINITY, f64::INFINITY];
+        for corner in CORNERS {
+            let to_light = light - self.from_eye(corner);
+            for normal in normals {
+                let product = normal.dot(to_light);
+                least = least.min(product);
+                most = if product <= most { most } else { product };
+            }
+        }
+        [most, least]
+    }
+
+    /// The normal at a place on the face.
+    pub fn normal_at(&self, [u, v]: [f64; 2]) -> DVec3 {
+        combine(&self.normals, DVec3::new(u, v, 1.0))
+    }
+
+    /// The weight of the first triangle's corner across the diagonal: below zero on the second triangle.
+    pub fn across(&self, [u, v]: [f64; 2]) -> f64 {
+        self.across[0] * u + self.across[1] * v
+    }
+
+    /// The levels at a place on the face.
+    pub fn levels_at(&self, [u, v]: [f64; 2]) -> DVec3 {
+        combine(&self.levels, DVec3::new(u, v, 1.0)) + self.fold * (-self.across([u, v])).max(0.0)
+    }
+}
+
+/// The places of a face's corners on it, in the order of [`FACES`].
+pub fn places(number: usize) -> [[f64; 2]; 4] {
+    let along = [(number / 2 + 1) % 3, (number / 2 + 2) % 3];
+    FACES[number].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
+}
+
+/// A linear function of a place u, v, 1.
+fn combine(values: &[DVec3; 3], place: DVec3) -> DVec3 {
+    values[0] * place.z + values[1] * place.x + values[2] * place.y
+}

@@ -1,0 +1,828 @@
+//! Nine samples in, the cheapest rows that keep the tolerance out.
+//!
+//! ```text
+//!   f at x, y in {-r, 0, r}, r = sqrt(3) / 2  -->  sum c[j][i] x^i y^j, i, j <= 2  -->  constant, linear or quadratic rows
+//! ```
+//! x and y run from -1 to 1 over the square. Terms that the rest of the tolerance allows to be left out are: x^2 is then
+//! replaced by its mean 1/2, which leaves 1/2 (economization; Lanczos 1938).
+//!
+//! Rule: f32 rounds a value at most ten times at the size of the sum of its terms. Where the tolerance has 1/256 level to
+//! spare and no channel leaves the display's range, values are formed in multiples of 1/256 level, so that nothing is left
+//! to clamp and bytes only have to be cut out.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16, mask64x4, u32x16};
+
+use super::bound::Lanes;
+use super::display::{Rows, display_bits, pack};
+use super::kernel::Reals;
+use super::square::{MAX_SIDE, Square};
+use super::{Sink, TileKind, U};
+use crate::simd::{apart, four, inlined, three, two};
+
+/// The outer node of three.
+pub const NODE: f64 = 0.866_025_403_784_438_6;
+
+/// How much interpolation may enlarge errors of the samples: the square of the Lebesgue constant 5/3 of three nodes.
+pub const LEBESGUE: f64 = 25.0 / 9.0;
+
+/// A channel's samples by row and column, or its coefficients by power of y and of x, on four squares.
+pub type Nine<S> = [[Lanes<S>; 3]; 3];
+
+/// The coefficients of the quadratic through samples at the nodes.
+#[inline(always)]
+fn quadratic<S: Simd>([left, middle, right]: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
+    [
+        middle,
+        (right - left) * (0.5 / NODE),
+        (right + left - middle * 2.0) * (0.5 / (NODE * NODE)),
+    ]
+}
+
+/// The coefficients of the biquadratic through nine samples.
+#[inline(always)]
+pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
+    let rows = three(
+        #[inline(always)]
+        |j| quadratic(samples[j]),
+    );
+    let columns = three(
+        #[inline(always)]
+        |i| quadratic([rows[0][i], rows[1][i], rows[2][i]]),
+    );
+    three(
+        #[inline(always)]
+        |j| {
+            three(
+                #[inline(always)]
+                |i| columns[i][j],
+            )
+        },
+    )
+}
+
+/// What f32 makes of a value, over the size of its terms.
+const ROUNDING: f64 = 10.0 * U;
+
+/// What multiples of 1/256 level cost: three roundings.
+const FIXED: f64 = 1.5 / 256.0;
+
+/// The levels that multiples of 1/256 can hold without a clamp: with a half added they stay within 0..256.
+const FIXED_RANGE: [f64; 2] = [0.0, 255.49];
+
+/// 1.5 * 2^15: a float added to it, of size below 2^14, is rounded to a multiple of 1/256 and stands, times 256, in the
+/// low bits.
+const PLACES: f32 = 49_152.0;
+
+/// Colours of four squares, x and y from -1 to 1 over each.
+pub struct Colors<S: Simd> {
+    /// By channel, and then n.l of a light whose terminator crosses the square: cutting it off at zero at each pixel
+    /// enlarges no error, for max(0, x) moves no more than x does.
+    pub terms: [Nine<S>; 4],
+    /// What that is multiplied with, in levels.
+    pub crossing: [Lanes<S>; 3],
+    /// Whether there is such a light.
+    pub crosses: mask64x4<S>,
+    /// What is left of the tolerance; a square with nothing left may not be drawn so.
+    pub budget: Lanes<S>,
+}
+
+/// The same, and how each square is drawn.
+pub struct Interpolant<S: Simd> {
+    colors: Colors<S>,
+    /// The best linear colours, by channel: the middle, and what x and y add.
+    linear: [[Lanes<S>; 3]; 3],
+    /// For each square a bit: whether it may be drawn; in multiples of 1/256 level; whether a light crosses it, more than a
+    /// linear colour is needed, or more than one colour.
+    possible: u64,
+    fixed: u64,
+    crosses: u64,
+    curved: u64,
+    sloped: u64,
+}
+
+/// The colour of one square, and n.l of the light that is cut off: `c[j][i]` for x^i y^j.
+pub type Color = [[[f64; 3]; 3]; 4];
+
+impl<S: Simd> Interpolant<S> {
+    /// The cheapest rows that stay within the budget.
+    #[inline(always)]
+    pub fn new(colors: Colors<S>) -> Self {
+        let budget = colors.budget;
+        let zero = Lanes::splat(budget.token(), 0.0);
+        let [mut size, mut curve, mut slope] = [zero; 3];
+        let mut inside = budget.simd_gt(0.0);
+        let mut lit = zero;
+        for terms in colors.terms[3] {
+            lit = lit + terms[0].abs() + terms[1].abs() + terms[2].abs();
+        }
+        for channel in 0..3 {
+            let c = &colors.terms[channel];
+            // Of the terms beyond linear ones: all, and what stays when x^2 and y^2 are replaced by their means.
+            let [cubic, square] = [c[1][2].abs() + c[2][1].abs(), c[0][2].abs() + c[2][0].abs()];
+            let quartic = c[2][2].abs();
+            let all = square + c[1][1].abs() + cubic + quartic;
+            let rest = (square + cubic) * 0.5 + c[1][1].abs() + quartic * 0.75;
+            let linear = c[0][1].abs() + c[1][0].abs();
+            let sway = linear + all;
+            inside = inside
+                & (c[0][0] - sway).simd_ge(FIXED_RANGE[0])
+                & (c[0][0] + sway).simd_le(FIXED_RANGE[1]);
+            size = size.max(c[0][0].abs() + sway + lit * colors.crossing[channel]);
+            curve = curve.max(rest);
+            slope = slope.max(linear + cubic * 0.5 + rest);
+        }
+        let left = budget - size * ROUNDING;
+        let fixed = inside & left.simd_gt(FIXED);
+        let rest = fixed.select(left - FIXED, left);
+        Interpolant {
+            linear: three(
+                #[inline(always)]
+                |channel| economized(&colors.terms[channel]),
+            ),
+            possible: left.simd_gt(0.0).to_bitmask(),
+            fixed: fixed.to_bitmask(),
+            crosses: colors.crosses.to_bitmask(),
+            curved: curve.simd_gt(rest).to_bitmask(),
+            sloped: slope.simd_gt(rest).to_bitmask(),
+            colors,
+        }
+    }
+
+    /// How one of the squares is drawn; none where the budget does not suffice.
+    #[inline(always)]
+    pub fn form(&self, index: usize) -> Option<Form> {
+        let is = |set: u64| set >> index & 1 == 1;
+        if !is(self.possible) {
+            return None;
+        }
+        let kind = if is(self.crosses) {
+            TileKind::Terminator
+        } else if is(self.curved) {
+            TileKind::Quadratic
+        } else if is(self.sloped) {
+            TileKind::Linear
+        } else {
+            TileKind::Constant
+        };
+        Some(Form {
+            kind,
+            fixed: is(self.fixed),
+        })
+    }
+
+    /// That of one of the squares, on its quarters.
+    #[inline(always)]
+    pub fn on_quarters(&self, index: usize, square: &Square, quarters: &[Square; 4]) -> Self {
+        let Colors {
+            terms,
+            crossing,
+            crosses,
+            budget,
+        } = &self.colors;
+        let simd = budget.token();
+        let splat = inlined(
+            #[inline(always)]
+            |lanes: Lanes<S>| Lanes::splat(simd, lanes.as_array()[index]),
+        );
+        let ([left, top], [width, height]) = (square.middle(), square.half());
+        let middles = quarters.each_ref().map(Square::middle);
+        let halves = quarters.each_ref().map(Square::half);
+        let lanes = inlined(
+            #[inline(always)]
+            |of: &[[f64; 2]; 4], axis: usize| {
+                Lanes::simd_from(simd, [of[0][axis], of[1][axis], of[2][axis], of[3][axis]])
+            },
+        );
+        let starts = [
+            (lanes(&middles, 0) - left) * (1.0 / width),
+            (lanes(&middles, 1) - top) * (1.0 / height),
+        ];
+        let scales = [
+            lanes(&halves, 0) * (1.0 / width),
+            lanes(&halves, 1) * (1.0 / height),
+        ];
+        let terms = four(
+            #[inline(always)]
+            |channel| {
+                let rows = three(
+                    #[inline(always)]
+                    |j| {
+                        let terms = three(
+                            #[inline(always)]
+                            |i| splat(terms[channel][j][i]),
+                        );
+                        moved(terms, starts[0], scales[0])
+                    },
+                );
+                let columns = three(
+                    #[inline(always)]
+                    |i| moved([rows[0][i], rows[1][i], rows[2][i]], starts[1], scales[1]),
+                );
+                transposed(&columns)
+            },
+        );
+        Interpolant::new(Colors {
+            terms,
+            crossing: three(
+                #[inline(always)]
+                |channel| splat(crossing[channel]),
+            ),
+            crosses: mask64x4::splat(simd, crosses.test(index)),
+            budget: splat(*budget),
+        })
+    }
+
+    /// The colour of one of the squares.
+    #[inline(always)]
+    fn color(&self, index: usize) -> Color {
+        let mut color = [[[0.0; 3]; 3]; 4];
+        for channel in 0..4 {
+            for j in 0..3 {
+                for i in 0..3 {
+                    color[channel][j][i] = self.colors.terms[channel][j][i].as_array()[index];
+                }
+            }
+        }
+        color
+    }
+}
+
+/// A quadratic in x = start + scale t, as one in t.
+#[inline(always)]
+fn moved<S: Simd>(c: [Lanes<S>; 3], start: Lanes<S>, scale: Lanes<S>) -> [Lanes<S>; 3] {
+    let bend = c[2] * start;
+    [
+        c[0] + (c[1] + bend) * start,
+        (c[1] + bend + bend) * scale,
+        c[2] * scale * scale,
+    ]
+}
+
+#[inline(always)]
+fn transposed<S: Simd>(nine: &Nine<S>) -> Nine<S> {
+    three(
+        #[inline(always)]
+        |j| {
+            three(
+                #[inline(always)]
+                |i| nine[i][j],
+            )
+        },
+    )
+}
+
+/// How one square is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Form {
+    /// Constant, linear, quadratic or terminator.
+    pub kind: TileKind,
+    /// Whether in multiples of 1/256 level.
+    fixed: bool,
+}
+
+/// The best linear colour: the means of the squares take the place of what is left out.
+#[inline(always)]
+fn economized<S: Simd>(c: &Nine<S>) -> [Lanes<S>; 3] {
+    [
+        c[0][0] + (c[0][2] + c[2][0]) * 0.5 + c[2][2] * 0.25,
+        c[0][1] + c[2][1] * 0.5,
+        c[1][0] + c[1][2] * 0.5,
+    ]
+}
+
+/// Draws one of the squares of an interpolant.
+#[inline(always)]
+pub fn draw<S: Simd>(
+    simd: S,
+    interpolant: &Interpolant<S>,
+    index: usize,
+    form: Form,
+    square: &Square,
+    sink: &mut impl Sink<S>,
+) {
+    let first = square.first();
+    let [width, height] = square.half();
+    let [x, y] = [1.0 / width, 1.0 / height];
+    let linear = three(
+        #[inline(always)]
+        |channel| {
+            let [middle, right, down] = three(
+                #[inline(always)]
+                |term| interpolant.linear[channel][term].as_array()[index],
+            );
+            [middle, right * x, down * y]
+        },
+    );
+    match form.kind {
+        TileKind::Constant => {
+            let levels = linear.map(|[middle, ..]| middle as f32);
+            let bits = levels.map(|level| display_bits(f32x16::splat(simd, level)));
+            let pixel = pack(bits).as_array()[0];
+            apart(
+                simd,
+                #[inline(always)]
+                || {
+                    sink.draw(&mut Flat {
+                        simd,
+                        pixel,
+                        levels,
+                    });
+                },
+            );
+        }
+        TileKind::Linear if form.fixed => apart(
+            simd,
+            #[inline(always)]
+            || sink.draw(&mut Ramp::new(simd, &linear, first)),
+        ),
+        kind => {
+            let color = if kind == TileKind::Linear {
+                let [red, green, blue] = linear.map(|[middle, right, down]| {
+                    [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]]
+                });
+                [red, green, blue, [[0.0; 3]; 3]]
+            } else {
+                let scales = [[1.0, x, x * x], [1.0, y, y * y]];
+                let color = interpolant.color(index);
+                four(
+                    #[inline(always)]
+                    |channel| {
+                        three(
+                            #[inline(always)]
+                            |j| {
+                                three(
+                                    #[inline(always)]
+                                    |i| color[channel][j][i] * (scales[0][i] * scales[1][j]),
+                                )
+                            },
+                        )
+                    },
+                )
+            };
+            if kind == TileKind::Terminator {
+                apart(
+                    simd,
+                    #[inline(always)]
+                    || {
+                        sink.draw(&mut Terminator {
+                            curve: Curve::new(simd, &color, first, 0.0),
+                            crossing: three(
+                                #[inline(always)]
+                                |channel| {
+                                    interpolant.colors.crossing[channel].as_array()[index] as f32
+                                },
+                            ),
+                        });
+                    },
+                );
+            } else if form.fixed {
+                let bias = f64::from(PLACES) + 0.5;
+                apart(
+                    simd,
+                    #[inline(always)]
+                    || {
+                        sink.draw(&mut Places(Curve::new(simd, &color, first, bias)));
+                    },
+                );
+            } else {
+                apart(
+                    simd,
+                    #[inline(always)]
+                    || sink.draw(&mut Curve::new(simd, &color, first, 0.0)),
+                );
+            }
+        }
+    }
+}
+
+/// Parts of a row of the largest square, of sixteen pixels each.
+const PARTS: usize = MAX_SIDE / 16;
+
+/// A row of one colour.
+struct Flat<S: Simd> {
+    simd: S,
+    pixel: u32,
+    levels: [f32; 3],
+}
+
+impl<S: Simd> Rows<S> for Flat<S> {
+    #[inline(always)]
+    fn go_to(&mut self, _row: usize) {}
+
+    #[inline(always)]
+    fn levels(&self, _part: usize) -> [f32x16<S>; 3] {
+        self.levels.map(|level| f32x16::splat(self.simd, level))
+    }
+
+    #[inline(always)]
+    fn pixels(&self, _part: usize) -> u32x16<S> {
+        u32x16::splat(self.simd, self.pixel)
+    }
+}
+
+/// Rows of a linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green
+/// in another; a start for each row and what each column adds. Borrows between the halves cancel, since each channel's sum
+/// is within 0..65536.
+struct Ramp<S: Simd> {
+    starts: [[u32x16<S>; 2]; PARTS],
+    columns: [[u32x16<S>; 2]; PARTS],
+    row: usize,
+}
+
+impl<S: Simd> Ramp<S> {
+    /// A middle, and what a pixel to the right and one down add, for each channel; `first` is the square's first pixel,
+    /// from there.
+    #[inline(always)]
+    fn new(simd: S, colors: &[[f64; 3]; 3], first: [f64; 2]) -> Self {
+        let place = inlined(
+            #[inline(always)]
+            |part: usize, axis: usize| f32x16::count(simd, 16 * part) + first[axis] as f32,
+        );
+        Ramp {
+            // A half is added here once: then the byte is the whole part.
+            starts: two(
+                #[inline(always)]
+                |part| {
+                    let y = place(part, 1);
+                    paired(three(
+                        #[inline(always)]
+                        |channel| {
+                            let [middle, _, down] = colors[channel];
+                            y * down as f32 + (middle + 0.5) as f32
+                        },
+                    ))
+                },
+            ),
+            columns: two(
+                #[inline(always)]
+                |part| {
+                    let x = place(part, 0);
+                    paired(three(
+                        #[inline(always)]
+                        |channel| x * colors[channel][1] as f32,
+                    ))
+                },
+            ),
+            row: 0,
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, part: usize) -> [u32x16<S>; 2] {
+        let starts = &self.starts[self.row / 16];
+        two(
+            #[inline(always)]
+            |pair| {
+                let start = starts[pair].as_array()[self.row % 16];
+                self.columns[part][pair] + start
+            },
+        )
+    }
+}
+
+/// Three channels in multiples of 1/256 level, as a [`Ramp`] has them.
+#[inline(always)]
+fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
+    let [red, green, blue] = three(
+        #[inline(always)]
+        |channel| (levels[channel] + PLACES).to_bits() - PLACES.to_bits(),
+    );
+    [(red << 16) + blue, green]
+}
+
+impl<S: Simd> Rows<S> for Ramp<S> {
+    #[inline(always)]
+    fn go_to(&mut self, row: usize) {
+        self.row = row;
+    }
+
+    #[inline(always)]
+    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
+        let [red_blue, green] = self.at(part);
+        let places = [red_blue >> 16, green & 0xffff, red_blue & 0xffff];
+        three(
+            #[inline(always)]
+            |channel| places[channel].to_float::<f32x16<S>>() * (1.0 / 256.0) - 0.5,
+        )
+    }
+
+    #[inline(always)]
+    fn pixels(&self, part: usize) -> u32x16<S> {
+        let [red_blue, green] = self.at(part);
+        ((red_blue >> 8) & 0x00ff_00ff) | (green & 0xff00)
+    }
+}
+
+/// Rows of a quadratic colour.
+struct Curve<S: Simd> {
+    /// By power of y: for each channel the coefficients by power of x, twelve of sixteen numbers.
+    terms: [f32x16<S>; 3],
+    row: [f32; 16],
+    /// The square's first eight pixels of a row, and its first row, from the middle, in pixels.
+    x: f32x16<S>,
+    y: f32,
+}
+
+impl<S: Simd> Curve<S> {
+    /// `color` in pixels from a middle, `first` the square's first pixel from there; `bias` is added to all levels.
+    #[inline(always)]
+    fn new(simd: S, color: &Color, first: [f64; 2], bias: f64) -> Self {
+        let terms = three(
+            #[inline(always)]
+            |j| {
+                let mut twelve = [0.0; 16];
+                for channel in 0..4 {
+                    for i in 0..3 {
+                        let bias = if i + j == 0 { bias } else { 0.0 };
+                        twelve[3 * channel + i] = (color[channel][j][i] + bias) as f32;
+                    }
+                }
+                f32x16::simd_from(simd, twelve)
+            },
+        );
+        Curve {
+            terms,
+            row: [0.0; 16],
+            x: f32x16::count(simd, 0) + first[0] as f32,
+            y: first[1] as f32,
+        }
+    }
+
+    /// A channel of eight pixels.
+    #[inline(always)]
+    fn at(&self, channel: usize, x: f32x16<S>) -> f32x16<S> {
+        let [middle, slope, bend] = three(
+            #[inline(always)]
+            |i| f32x16::splat(x.token(), self.row[3 * channel + i]),
+        );
+        middle + x * (slope + x * bend)
+    }
+}
+
+impl<S: Simd> Rows<S> for Curve<S> {
+    #[inline(always)]
+    fn go_to(&mut self, row: usize) {
+        let y = self.y + row as i32 as f32;
+        let [constant, linear, square] = self.terms;
+        self.row = *((square * y + linear) * y + constant);
+    }
+
+    #[inline(always)]
+    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
+        let x = self.x + (16 * part as i32) as f32;
+        three(
+            #[inline(always)]
+            |channel| self.at(channel, x),
+        )
+    }
+}
+
+/// Rows of a quadratic colour and of one light more that is cut off where n.l is below zero.
+struct Terminator<S: Simd> {
+    curve: Curve<S>,
+    crossing: [f32; 3],
+}
+
+impl<S: Simd> Rows<S> for Terminator<S> {
+    #[inline(always)]
+    fn go_to(&mut self, row: usize) {
+        self.curve.go_to(row);
+    }
+
+    #[inline(always)]
+    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
+        let x = self.curve.x + (16 * part as i32) as f32;
+        let lit = self.curve.at(3, x).max(f32x16::splat(x.token(), 0.0));
+        three(
+            #[inline(always)]
+            |channel| self.curve.at(channel, x) + lit * self.crossing[channel],
+        )
+    }
+}
+
+/// The same with [`PLACES`] and a half in its middle, so that it comes in multiples of 1/256 level.
+struct Places<S: Simd>(Curve<S>);
+
+impl<S: Simd> Rows<S> for Places<S> {
+    #[inline(always)]
+    fn go_to(&mut self, row: usize) {
+        self.0.go_to(row);
+    }
+
+    #[inline(always)]
+    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
+        let levels = self.0.levels(part);
+        three(
+            #[inline(always)]
+            |channel| levels[channel] - PLACES - 0.5,
+        )
+    }
+
+    #[inline(always)]
+    fn pixels(&self, part: usize) -> u32x16<S> {
+        let levels = self.0.levels(part);
+        let [red, green, blue] = three(
+            #[inline(always)]
+            |channel| levels[channel].to_bits(),
+        );
+        ((red << 8) & 0x00ff_0000) | (green & 0xff00) | ((blue >> 8) & 0xff)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::display::display_step;
+    use super::*;
+    use crate::simd::{Baseline, baseline};
+
+    fn token() -> Baseline {
+        baseline().expect("every machine has them")
+    }
+
+    /// Holds every pixel of a square to the colour that it is drawn with.
+    struct Judge {
+        color: Color,
+        crossing: [f64; 3],
+        side: usize,
+        worst: f64,
+        /// Bytes that differ from the display step of the levels, and those that do not.
+        shown: [u32; 2],
+    }
+
+    impl Judge {
+        /// The channels at a place from -1 to 1, unclamped.
+        fn at(&self, place: [f64; 2]) -> [f64; 3] {
+            let [x, y] = place.map(|x| [1.0, x, x * x]);
+            let value = |nine: &[[f64; 3]; 3]| {
+                let terms = (0..9).map(|term| nine[term / 3][term % 3] * y[term / 3] * x[term % 3]);
+                terms.sum::<f64>()
+            };
+            let lit = value(&self.color[3]).max(0.0);
+            [0, 1, 2].map(|channel| value(&self.color[channel]) + lit * self.crossing[channel])
+        }
+    }
+
+    impl Sink<Baseline> for Judge {
+        fn draw(&mut self, rows: &mut impl Rows<Baseline>) {
+            for row in 0..self.side {
+                rows.go_to(row);
+                for column in 0..self.side {
+                    let (part, lane) = (column / 16, column % 16);
+                    let last = (self.side - 1) as f64;
+                    let place = [column, row].map(|pixel| 2.0 * pixel as f64 / last - 1.0);
+                    let found = rows.levels(part).map(|levels| levels[lane]);
+                    for (found, expected) in found.iter().zip(self.at(place)) {
+                        self.worst = self.worst.max((f64::from(*found) - expected).abs());
+                    }
+                    let [red, green, blue] = found.map(|level| display_step(f64::from(level)));
+                    // Where a step of 1/256 or an ulp falls on a half, the byte may be the one above.
+                    let expected = u32::from_be_bytes([0, red, green, blue]);
+                    self.shown[usize::from(rows.pixels(part)[lane] == expected)] += 1;
+                }
+            }
+        }
+    }
+
+    fn judge(
+        color: &Color,
+        crossing: Option<[f64; 3]>,
+        side: usize,
+        budget: f64,
+    ) -> (Option<Form>, Judge) {
+        let simd = token();
+        let lanes = |number| Lanes::splat(simd, number);
+        let interpolant = Interpolant::new(Colors {
+            terms: color.map(|nine| nine.map(|row| row.map(lanes))),
+            crossing: crossing.unwrap_or_default().map(lanes),
+            crosses: mask64x4::splat(simd, crossing.is_some()),
+            budget: lanes(budget),
+        });
+        let mut judge = Judge {
+            color: *color,
+            crossing: crossing.unwrap_or_default(),
+            side,
+            worst: 0.0,
+            shown: [0; 2],
+        };
+        let form = interpolant.form(2);
+        if let Some(form) = form {
+            let square = Square::whole([96, 64], side);
+            draw(simd, &interpolant, 2, form, &square, &mut judge);
+        }
+        (form, judge)
+    }
+
+    #[test]
+    fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
+        let mut forms = std::collections::HashSet::new();
+        let mut seed = 1_u64;
+        let mut random = move |size: f64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            ((seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * size
+        };
+        for case in 0..3000 {
+            let [slope, curve] = [0, 1].map(|_| 10.0_f64.powf(random(1.5)));
+            let budget = 10.0_f64.powf(random(2.0) - 1.0);
+            let mut nine = |middle: f64, slope: f64, curve: f64| {
+                let mut term = |size: f64| random(size);
+                [
+                    [middle, term(slope), term(curve)],
+                    [term(slope), term(curve), term(curve / 8.0)],
+                    [term(curve), term(curve / 8.0), term(curve / 64.0)],
+                ]
+            };
+            let middle = 128.0 + f64::from(case % 280 - 140);
+            let color = [
+                nine(middle, slope, curve),
+                nine(middle, slope, curve),
+                nine(middle, slope, curve),
+                nine(0.0, 0.5, 0.1),
+            ];
+            let crossing = (case % 5 == 0).then_some([200.0, 90.0, 0.0]);
+            let side = [16, 32][case as usize % 2];
+            let (form, judge) = judge(&color, crossing, side, budget);
+            let Some(form) = form else {
+                continue;
+            };
+            forms.insert((form.kind, form.fixed && form.kind != TileKind::Terminator));
+            assert!(
+                judge.worst <= budget,
+                "{} levels of {budget}: {form:?}, {color:?}",
+                judge.worst
+            );
+            assert!(
+                judge.shown[0] <= 16,
+                "{:?} bytes differ: {form:?}",
+                judge.shown
+            );
+        }
+        assert_eq!(
+            forms.len(),
+            7,
+            "three kinds, in steps or not, and terminators: {forms:?}"
+        );
+    }
+
+    #[test]
+    fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
+        let fixed = |middle: f64, slope: f64, budget: f64| {
+            let nine = [[middle, slope, 0.0], [0.0; 3], [0.0; 3]];
+            let color = [nine, nine, nine, [[0.0; 3]; 3]];
+            judge(&color, None, 16, budget).0.map(|form| form.fixed)
+        };
+        assert_eq!(fixed(100.0, 8.0, 0.5), Some(true));
+        assert_eq!(
+            fixed(100.0, 8.0, 1e-3),
+            Some(false),
+            "too coarse for the budget"
+        );
+        assert_eq!(fixed(7.0, 8.0, 0.5), Some(false), "black on one side");
+        assert_eq!(fixed(250.0, 8.0, 0.5), Some(false), "white on the other");
+        assert_eq!(fixed(100.0, 8.0, 1e-6), None, "f32 itself errs more");
+        assert_eq!(fixed(f64::NAN, 8.0, 0.5), None);
+    }
+
+    #[test]
+    fn a_colour_is_the_same_on_the_quarters_of_its_square() {
+        let simd = token();
+        let terms: [Nine<Baseline>; 4] = [0, 1, 2, 3].map(|channel| {
+            [0, 1, 2].map(|j| {
+                [0, 1, 2].map(|i| Lanes::splat(simd, f64::from(channel * 9 + j * 3 + i) - 7.5))
+            })
+        });
+        let interpolant = Interpolant::new(Colors {
+            terms,
+            crossing: [Lanes::splat(simd, 3.0); 3],
+            crosses: mask64x4::splat(simd, true),
+            budget: Lanes::splat(simd, 0.25),
+        });
+        let square = Square::whole([32, 64], 32);
+        let quarter =
+            |right: usize, down: usize| Square::whole([32 + 16 * right, 64 + 16 * down], 16);
+        let quarters = [quarter(0, 0), quarter(1, 0), quarter(0, 1), quarter(1, 1)];
+        let parts = interpolant.on_quarters(1, &square, &quarters);
+        let value = |color: &Color, channel: usize, [x, y]: [f64; 2]| {
+            let [x, y] = [x, y].map(|x| [1.0, x, x * x]);
+            (0..9)
+                .map(|term| color[channel][term / 3][term % 3] * y[term / 3] * x[term % 3])
+                .sum::<f64>()
+        };
+        for (index, quarter) in quarters.iter().enumerate() {
+            for (column, row) in [(0.0, 0.0), (15.0, 3.0), (7.0, 11.0)] {
+                let pixel =
+                    [0, 1].map(|axis| quarter.place[axis] as f64 + [column, row][axis] + 0.5);
+                let on = |square: &Square| {
+                    [0, 1].map(|axis| (pixel[axis] - square.middle()[axis]) / square.half()[axis])
+                };
+                for channel in 0..4 {
+                    let whole = value(&interpolant.color(1), channel, on(&square));
+                    let part = value(&parts.color(index), channel, on(quarter));
+                    assert!((whole - part).abs() < 1e-11, "{whole}, not {part}");
+                }
+            }
+        }
+        assert_eq!(parts.crosses, 0b1111);
+        assert_eq!(parts.colors.budget.as_array(), &[0.25; 4]);
+    }
+}

@@ -1,0 +1,235 @@
+//! Squares of pixels, and what of one a face covers: the spans of a face's rows in, squares of a quadtree out.
+//!
+//! Rule: squares hang on the picture's own grid, so neither threads nor parts of a picture change a bit.
+
+/// The side of the largest squares, in pixels.
+pub const MAX_SIDE: usize = 32;
+
+/// The side of squares that are not cut further, in pixels.
+pub const MIN_SIDE: usize = 16;
+
+/// The pixels from..to that a face covers of each of its rows.
+#[derive(Clone, Copy, Debug)]
+pub struct Spans<'a> {
+    /// The picture's row of the first span.
+    pub first: usize,
+    /// The first pixel of each row.
+    pub from: &'a [i32],
+    /// One beyond the last; no more than the first where a row is not covered.
+    pub to: &'a [i32],
+}
+
+impl Spans<'_> {
+    /// The rows that may be covered.
+    pub fn rows(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.from.len()
+    }
+
+    /// Of some rows of the picture: the pixels between which those that are covered lie, and those between which all are
+    /// covered on every row; both may be empty.
+    pub fn extents(
+        &self,
+        rows: std::ops::Range<usize>,
+    ) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
+        let (mut outer, mut inner) = ([i32::MAX, 0], [0, i32::MAX]);
+        let local = self.local(rows.clone());
+        if local.len() < rows.len() {
+            inner[1] = 0;
+        }
+        for (&from, &to) in self.from[local.clone()].iter().zip(&self.to[local]) {
+            if from < to {
+                outer = [outer[0].min(from), outer[1].max(to)];
+            }
+            inner = [inner[0].max(from), inner[1].min(to)];
+        }
+        let range = |[from, to]: [i32; 2]| from.min(to) as usize..to as usize;
+        (range(outer), range(inner))
+    }
+
+    /// Those of some rows of the picture that cover anything.
+    pub fn within(
+        &self,
+        rows: &std::ops::Range<usize>,
+    ) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
+        let local = self.local(rows.clone());
+        let first = self.first + local.start;
+        let spans = self.from[local.clone()].iter().zip(&self.to[local]);
+        (first..)
+            .zip(spans)
+            .filter(|(_, (from, to))| from < to)
+            .map(|(row, (&from, &to))| (row, from as usize..to as usize))
+    }
+
+    /// Which of the spans are those of some rows of the picture.
+    #[inline(always)]
+    fn local(&self, rows: std::ops::Range<usize>) -> std::ops::Range<usize> {
+        let len = self.from.len();
+        let [start, end] =
+            [rows.start, rows.end].map(|row| row.saturating_sub(self.first).min(len));
+        start..end
+    }
+
+    /// What is covered of some columns of some rows of the picture that it has.
+    #[inline(always)]
+    pub fn clipped(
+        &self,
+        rows: std::ops::Range<usize>,
+        [first, last]: [usize; 2],
+    ) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
+        let local = self.local(rows.clone());
+        let spans = self.from[local.clone()].iter().zip(&self.to[local]);
+        (rows.start..).zip(spans.map(move |(&from, &to)| {
+            let (from, to) = (from.max(first as i32), to.min(last as i32 + 1));
+            from as usize..to.max(from) as usize
+        }))
+    }
+
+    /// What is covered of some columns of a row.
+    #[inline(always)]
+    pub fn clip(&self, row: usize, [first, last]: [usize; 2]) -> std::ops::Range<usize> {
+        let local = row - self.first;
+        let from = self.from[local].max(first as i32) as usize;
+        let to = self.to[local].min(last as i32 + 1).max(0) as usize;
+        from..to
+    }
+}
+
+/// A square of pixels, and what is covered of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Square {
+    /// Column and row of its first pixel.
+    pub place: [usize; 2],
+    /// Pixels of a side.
+    pub side: usize,
+    /// The first and the last column that is covered.
+    pub columns: [usize; 2],
+    /// The first and the last row that is covered.
+    pub rows: [usize; 2],
+    /// How many pixels are covered.
+    pub pixels: usize,
+}
+
+impl Square {
+    /// All that is covered, as one square, if it is no more than the smallest.
+    pub fn around(spans: &Spans) -> Option<Self> {
+        let rows = spans.rows();
+        if rows.len() > MIN_SIDE {
+            return None;
+        }
+        let (columns, _) = spans.extents(rows.clone());
+        if columns.len() > MIN_SIDE {
+            return None;
+        }
+        Some(Square::new(spans, [columns.start, rows.start], MIN_SIDE))
+    }
+
+    /// A square that is covered all over.
+    #[inline(always)]
+    pub fn whole(place: [usize; 2], side: usize) -> Self {
+        Square {
+            place,
+            side,
+            columns: [place[0], place[0] + side - 1],
+            rows: [place[1], place[1] + side - 1],
+            pixels: side * side,
+        }
+    }
+
+    /// The square at a place, of a side.
+    #[inline(always)]
+    pub fn new(spans: &Spans, place: [usize; 2], side: usize) -> Self {
+        let [left, right] = [place[0] as i32, (place[0] + side) as i32];
+        let rows = spans.local(place[1]..place[1] + side);
+        let mut pixels = 0;
+        let (mut columns, mut covered) = ([i32::MAX, 0], [i32::MAX, 0]);
+        for index in rows {
+            let (from, to) = (spans.from[index].max(left), spans.to[index].min(right));
+            let any = from < to;
+            pixels += if any { to - from } else { 0 };
+            columns[0] = columns[0].min(if any { from } else { i32::MAX });
+            columns[1] = columns[1].max(if any { to } else { 0 });
+            covered[0] = covered[0].min(if any { index as i32 } else { i32::MAX });
+            covered[1] = covered[1].max(if any { index as i32 } else { 0 });
+        }
+        if pixels == 0 {
+            return Square {
+                place,
+                side,
+                ..Square::default()
+            };
+        }
+        Square {
+            place,
+            side,
+            columns: [columns[0] as usize, columns[1] as usize - 1],
+            rows: covered.map(|row| row as usize + spans.first),
+            pixels: pixels as usize,
+        }
+    }
+
+    /// One of its quarters.
+    #[inline(always)]
+    fn quarter(&self, spans: &Spans, right: usize, down: usize) -> Square {
+        let side = self.side / 2;
+        let place = [self.place[0] + right * side, self.place[1] + down * side];
+        if self.is_whole() {
+            Square::whole(place, side)
+        } else {
+            Square::new(spans, place, side)
+        }
+    }
+
+    /// Its quarters.
+    #[inline(always)]
+    pub fn quarters(&self, spans: &Spans) -> [Square; 4] {
+        [
+            self.quarter(spans, 0, 0),
+            self.quarter(spans, 1, 0),
+            self.quarter(spans, 0, 1),
+            self.quarter(spans, 1, 1),
+        ]
+    }
+
+    /// Whether all of it is covered.
+    #[inline(always)]
+    pub fn is_whole(&self) -> bool {
+        self.pixels == self.side * self.side
+    }
+
+    /// The centre of its first pixel from the middle of what is covered, in pixels right and down.
+    #[inline(always)]
+    pub fn first(&self) -> [f64; 2] {
+        let middle = self.middle();
+        [
+            number(self.place[0]) + 0.5 - middle[0],
+            number(self.place[1]) + 0.5 - middle[1],
+        ]
+    }
+
+    /// The middle of what is covered, in pixels from the picture's corner.
+    #[inline(always)]
+    pub fn middle(&self) -> [f64; 2] {
+        let [[left, right], [top, bottom]] = [self.columns, self.rows];
+        [
+            number(left + right + 1) / 2.0,
+            number(top + bottom + 1) / 2.0,
+        ]
+    }
+
+    /// From the middle to the outermost covered pixel centres, in pixels right and down; half a pixel at least, so that
+    /// what is bounded at these places has bounded slopes too.
+    #[inline(always)]
+    pub fn half(&self) -> [f64; 2] {
+        let [[left, right], [top, bottom]] = [self.columns, self.rows];
+        [
+            (number(right - left) / 2.0).max(0.5),
+            (number(bottom - top) / 2.0).max(0.5),
+        ]
+    }
+}
+
+/// A pixel's number as a float: no more than 2^16, for which there is one instruction.
+#[inline(always)]
+fn number(pixel: usize) -> f64 {
+    f64::from(pixel as i32)
+}

@@ -1,0 +1,268 @@
+//! Single squares of every size and slant, shaded within a tolerance against the definition at every pixel in f64.
+
+use fearless_simd::Simd;
+use glam::DVec3;
+use shadetrade::components::{Illumination, Material, Mesh, PointLight, Projection, Transform};
+use shadetrade::shading::bound::Places;
+use shadetrade::shading::display::Rows;
+use shadetrade::shading::face::{Face, Rays, Solid};
+use shadetrade::shading::gouraud::Gouraud;
+use shadetrade::shading::interpolation;
+use shadetrade::shading::phong::{FaceLight, Gloss, Phong};
+use shadetrade::shading::square::{Spans, Square};
+use shadetrade::shading::{EXACT, Scratch, Shader, Sink, Surface, TileKind};
+use shadetrade::simd::baseline;
+
+use crate::cases;
+use crate::random::Random;
+
+/// The first pixel of the square: the picture's middle is somewhere near.
+const PLACE: [usize; 2] = [64, 96];
+
+/// The levels of a square's pixels, row by row.
+struct Shown {
+    side: usize,
+    levels: Vec<[f64; 3]>,
+}
+
+impl<S: Simd> Sink<S> for Shown {
+    fn draw(&mut self, rows: &mut impl Rows<S>) {
+        for row in 0..self.side {
+            rows.go_to(row);
+            for column in 0..self.side {
+                let levels = rows.levels(column / 16);
+                let levels = levels.map(|channel| f64::from(channel[column % 16]));
+                self.levels.push(levels);
+            }
+        }
+    }
+}
+
+/// A face of a random cuboid, seen so that a square is anything from a thousandth of it to more than all of it.
+struct Subject {
+    face: Face,
+    eye: DVec3,
+    material: Material,
+    illumination: Illumination,
+    /// The picture's middle, in pixels.
+    picture: [f64; 2],
+    side: usize,
+}
+
+impl Subject {
+    fn surface(&self) -> Surface<'_> {
+        Surface {
+            material: &self.material,
+            illumination: &self.illumination,
+            centre: DVec3::ZERO,
+        }
+    }
+
+    /// A pixel's centre from the picture's middle.
+    fn place(&self, column: usize, row: usize) -> [f64; 2] {
+        let [left, top] = PLACE;
+        [
+            (left + column) as f64 + 0.5 - self.picture[0],
+            (top + row) as f64 + 0.5 - self.picture[1],
+        ]
+    }
+
+    /// Whether all of the square shows the face, which alone may be asked of a shader.
+    fn is_inside(&self) -> bool {
+        let last = self.side - 1;
+        [[0, 0], [last, 0], [0, last], [last, last]]
+            .iter()
+            .all(|&[column, row]| {
+                let [x, y] = self.place(column, row);
+                let [u, v] = self.face.point(x, y).place;
+                self.face.w.at(x, y) > 0.0 && u.abs() <= 1.0 && v.abs() <= 1.0
+            })
+    }
+}
+
+fn subject(random: &mut Random) -> Subject {
+    let mesh = Mesh::cuboid(DVec3::ZERO.map(|_| random.decade(-1.0, 1.0)));
+    let half = mesh.corners[7];
+    let transform = Transform {
+        position: DVec3::ZERO,
+        rotation: random.vector(-180.0, 180.0),
+    };
+    let axes = transform.axes();
+    let normals = mesh
+        .corners
+        .map(|corner| axes * (corner / half).normalize());
+    let colors = mesh.corners.map(|_| random.vector(-20.0, 400.0));
+    let over = |random: &mut Random, height: f64| {
+        let place = random.vector(-1.2, 1.2) * half;
+        axes * DVec3::new(place.x, place.y, half.z + height)
+    };
+    let target = over(random, 0.0);
+    let height = random.decade(-2.0, 2.0);
+    let aside = random.vector(-1.0, 1.0) * height * DVec3::new(3.0, 3.0, 0.0);
+    let eye = over(random, height) + axes * aside;
+    let forward = (target - eye).normalize();
+    let right = forward.any_orthonormal_vector();
+    let projection = random.one_of(&[
+        Projection::Perspective,
+        Projection::Perspective,
+        Projection::Orthographic,
+    ]);
+    let seen = half.x.min(half.y) * random.decade(-4.0, -1.0);
+    let rays = Rays {
+        axes: [right, right.cross(forward), forward],
+        pitch: match projection {
+            Projection::Perspective => seen / eye.distance(target),
+            Projection::Orthographic => seen,
+        },
+        projection,
+    };
+    let solid = Solid {
+        centre: -eye,
+        axes,
+        half,
+        normals: &normals,
+        colors: &colors,
+    };
+    // Face 4 is the face +z.
+    let face = Face::new(4, &solid, &rays);
+    let material = Material {
+        ambient: random.vector(0.0, 1.0),
+        diffuse: random.vector(0.0, 1.0),
+        specular: random.vector(0.0, 1.0),
+        shininess: random.decade(-0.301, 3.0),
+    };
+    let count = random.one_of(&[1, 1, 1, 2, 3]);
+    let points = (0..count).map(|_| {
+        // From grazing, even behind the face, to far above it; and where its highlight may be on the square.
+        let height = random.decade(-2.0, 2.0) * random.one_of(&[1.0, 1.0, 1.0, -1.0]);
+        let mirrored = target + (target - eye) * random.decade(-1.0, 1.0);
+        let position = match random.one_of(&[0, 1, 2]) {
+            0 => over(random, height),
+            1 => random.vector(-20.0, 20.0),
+            _ => {
+                let local = axes.transpose() * mirrored;
+                let bounced = DVec3::new(local.x, local.y, 2.0 * half.z - local.z);
+                axes * bounced + random.vector(-1.0, 1.0) * half * 0.3
+            }
+        };
+        PointLight {
+            position,
+            diffuse: random.vector(0.0, 1.0) * random.one_of(&[0.0, 50.0, 255.0, 2000.0]),
+            specular: random.vector(0.0, 1.0) * random.one_of(&[0.0, 50.0, 255.0, 2000.0]),
+        }
+    });
+    let illumination = Illumination {
+        ambient: DVec3::splat(40.0),
+        points: points.collect(),
+    };
+    let side = random.one_of(&[16, 16, 32]);
+    Subject {
+        face,
+        eye,
+        material,
+        illumination,
+        picture: PLACE.map(|first| first as f64 + random.within(-4.0, 20.0).round()),
+        side,
+    }
+}
+
+/// Shades the square; how that was done, and what is displayed of it.
+fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
+    let simd = baseline().expect("every machine has them");
+    let Subject { picture, side, .. } = *subject;
+    let square = Square::whole(PLACE, side);
+    let middle = [0, 1].map(|axis| square.middle()[axis] - picture[axis]);
+    let places = Places::single(simd, middle, square.half());
+    let mut shown = Shown {
+        side,
+        levels: Vec::new(),
+    };
+    if let Some(interpolant) = shader.interpolate(simd, &places)
+        && let Some(form) = interpolant.form(2)
+    {
+        interpolation::draw(simd, &interpolant, 2, form, &square, &mut shown);
+        return (form.kind, shown.levels);
+    }
+    let (from, to) = (
+        vec![PLACE[0] as i32; side],
+        vec![(PLACE[0] + side) as i32; side],
+    );
+    let spans = Spans {
+        first: PLACE[1],
+        from: &from,
+        to: &to,
+    };
+    let mut scratch = Scratch::default();
+    let pixels = (0..side * side).map(|pixel| [pixel % side, pixel / side]);
+    match shader.evaluate(simd, &square, &spans, picture, &mut scratch) {
+        Some(evaluations) => {
+            let levels = pixels.map(|[column, row]| scratch.levels.at(column, row).map(f64::from));
+            (evaluations.kind, levels.collect())
+        }
+        None => (TileKind::Double, defined(shader, subject)),
+    }
+}
+
+/// The definition at every pixel, in f64.
+fn defined(shader: &Shader, subject: &Subject) -> Vec<[f64; 3]> {
+    (0..subject.side * subject.side)
+        .map(|pixel| {
+            let [x, y] = subject.place(pixel % subject.side, pixel / subject.side);
+            shader.define(x, y).to_array()
+        })
+        .collect()
+}
+
+/// In levels, over all pixels and channels, as they are displayed.
+fn largest_error(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
+    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
+    pairs
+        .map(|(a, b)| (a.clamp(0.0, 255.0) - b.clamp(0.0, 255.0)).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn no_square_exceeds_its_tolerance() {
+    // By kind: the share of the tolerance that was used up.
+    let mut used: [Vec<f64>; TileKind::ALL.len()] = Default::default();
+    for seed in 0..80 * cases() {
+        let random = &mut Random(seed.wrapping_mul(0x1000_0000_01b3));
+        let subject = subject(random);
+        if !subject.is_inside() {
+            continue;
+        }
+        let tolerance = random.one_of(&[0.0, 1.0, 1.0, 1.0]) * random.decade(-2.0, 0.9);
+        let surface = subject.surface();
+        let (face, eye) = (&subject.face, subject.eye);
+        let gloss = Gloss::new(&surface, tolerance);
+        let points = subject.illumination.points.iter();
+        let lights: Vec<_> = points
+            .filter_map(|light| FaceLight::new(face, &surface, light, eye))
+            .collect();
+        let phong = Phong::new(face, surface, eye, &gloss, &lights, tolerance);
+        for shader in [
+            Shader::Gouraud(Gouraud { face, tolerance }),
+            Shader::Phong(phong),
+        ] {
+            let (kind, found) = shade(&shader, &subject);
+            let error = largest_error(&found, &defined(&shader, &subject));
+            let limit = if tolerance > 0.0 { tolerance } else { EXACT };
+            assert!(
+                error <= limit,
+                "seed {seed}: {kind:?} errs {error} of {limit}"
+            );
+            used[kind as usize].push(error / limit);
+        }
+    }
+    for (kind, used) in TileKind::ALL.into_iter().zip(&mut used) {
+        used.sort_by(f64::total_cmp);
+        let most = used.last().copied().unwrap_or_default();
+        println!("{}: {} squares, {most:.3} at most", kind.name(), used.len());
+        assert!(used.len() > 20, "{kind:?} was hardly ever chosen");
+        let tight = !matches!(kind, TileKind::Exact | TileKind::Double);
+        assert!(
+            !tight || most > 0.2,
+            "{kind:?}: bounds so loose hide mistakes"
+        );
+    }
+}

@@ -1,0 +1,30 @@
+//! What is covered of a polygon that is not convex.
+
+use shadetrade::systems::coverage::Scan;
+
+use super::counting::polygon;
+
+#[test]
+fn where_a_polygon_is_not_convex_only_what_is_inside_all_its_edges_is_covered() {
+    // Down at x = 2, up again to (6, 4), down at x = 6, and back: in rows 4 to 9 the edge that comes up ends the span
+    // before the second one that goes down begins it. The last edge is at x = 12 - 3/7 y.
+    let notched = polygon([
+        [2.0, 0.0],
+        [2.0, 10.0],
+        [6.0, 4.0],
+        [6.0, 14.0],
+        [12.0, 0.0],
+    ]);
+    let mut scan = Scan::new(&notched, 0..16, 64);
+    let spans: Vec<_> = std::iter::from_fn(|| scan.next_span()).collect();
+    let expected = [
+        (0, 2, 12),
+        (1, 2, 11),
+        (2, 2, 11),
+        (3, 2, 10),
+        (10, 6, 7),
+        (11, 6, 7),
+        (12, 6, 7),
+    ];
+    assert_eq!(spans, expected);
+}
