@@ -219,9 +219,14 @@ impl Face {
         }
     }
 
-    /// Whether a face is so large that no pixel's centre can overshoot it by much, w being at least `least` there.
+    /// The least w from which a face is so large that no pixel's centre can overshoot it by much.
+    pub fn least_steady(&self) -> f64 {
+        self.pace / (1024.0 * OVERSHOOT)
+    }
+
+    /// Whether it is as large as that, w being at least `least`.
     pub fn is_steady(&self, least: f64) -> bool {
-        least > 0.0 && self.pace < 1024.0 * OVERSHOOT * least
+        least > 0.0 && least > self.least_steady()
     }
 
     /// What the pixel `x` right and `y` down of the picture's middle shows; held on the face where the face is a sliver.

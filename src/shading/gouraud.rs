@@ -101,7 +101,10 @@ impl Gouraud<'_> {
                 biquadratic(&samples)
             },
         );
-        let budget = (first | second).select(
+        // What pixels show of a sliver is held on the face, one by one.
+        let least = middle * (1.0 - e.abs() - g.abs());
+        let steady = least.simd_gt(self.face.least_steady().max(0.0));
+        let budget = (steady & (first | second)).select(
             self.tolerance - error,
             Lanes::splat(simd, f64::NEG_INFINITY),
         );

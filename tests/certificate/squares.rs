@@ -74,8 +74,8 @@ impl Subject {
             .iter()
             .all(|&[column, row]| {
                 let [x, y] = self.place(column, row);
-                let [u, v] = self.face.point(x, y).place;
-                self.face.w.at(x, y) > 0.0 && u.abs() <= 1.0 && v.abs() <= 1.0
+                let DVec3 { x: u, y: v, z: w } = self.face.place.at(x, y);
+                w > 0.0 && u.abs() <= w && v.abs() <= w
             })
     }
 }
@@ -265,4 +265,35 @@ fn no_square_exceeds_its_tolerance() {
             "{kind:?}: bounds so loose hide mistakes"
         );
     }
+}
+
+#[test]
+fn a_sliver_is_never_interpolated() {
+    let simd = baseline().expect("every machine has them");
+    let mut slivers = 0;
+    for seed in 0..4000_u64 {
+        let subject = subject(&mut Random(seed.wrapping_mul(0x1000_0000_01b3)));
+        let Subject {
+            face,
+            picture,
+            side,
+            ..
+        } = &subject;
+        let square = Square::whole(PLACE, *side);
+        let middle = [0, 1].map(|axis| square.middle()[axis] - picture[axis]);
+        if face.is_steady(face.w.at(middle[0], middle[1])) {
+            continue;
+        }
+        slivers += 1;
+        let places = Places::single(simd, middle, square.half());
+        let shader = Shader::Gouraud(Gouraud {
+            face,
+            tolerance: 8.0,
+        });
+        let form = shader
+            .interpolate(simd, &places)
+            .and_then(|interpolant| interpolant.form(2));
+        assert_eq!(form, None, "seed {seed}");
+    }
+    assert!(slivers > 20, "{slivers} slivers");
 }
