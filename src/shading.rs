@@ -29,7 +29,7 @@ use self::gouraud::Gouraud;
 use self::interpolation::Interpolant;
 use self::kernel::Light;
 use self::phong::{Active, Phong};
-use self::square::{Spans, Square};
+use self::square::Region;
 use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
 use crate::simd::apart;
@@ -154,14 +154,6 @@ impl Surface<'_> {
             .count()
     }
 
-    /// What the sum of all terms errs by in f32, over the sum of their sizes: an addition for each, and four roundings
-    /// of a term.
-    pub fn rounding(&self) -> f64 {
-        let lights = self.illumination.points.iter();
-        let terms = lights.flat_map(|light| self.coefficients(light));
-        U * (4 + terms.filter(|levels| *levels != DVec3::ZERO).count()) as f64
-    }
-
     /// The illumination model (Phong 1975, as the contract writes it) at `offset` from the centre, with unit normal and
     /// unit vector to the eye; in levels, unclamped.
     pub fn levels(&self, offset: DVec3, normal: DVec3, to_eye: DVec3) -> DVec3 {
@@ -253,6 +245,9 @@ impl Shader<'_> {
     /// Colours of four squares that keep the tolerance where they leave something of it; none where no square has one.
     #[inline(always)]
     pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+        if !self.interpolates() {
+            return None;
+        }
         match self {
             Shader::Gouraud(gouraud) => apart(
                 simd,
@@ -268,20 +263,26 @@ impl Shader<'_> {
         }
     }
 
-    /// Evaluates every covered pixel of a square in lanes, into the scratch; nothing where that could not keep the
-    /// tolerance. `picture`: the picture's middle, in pixels from its corner.
+    /// Whether squares may have such colours at all.
+    pub fn interpolates(&self) -> bool {
+        match self {
+            Shader::Gouraud(gouraud) => gouraud.tolerance > 0.0,
+            Shader::Phong(phong) => phong.tolerance > 0.0,
+            Shader::UnitVectors(_) => false,
+        }
+    }
+
+    /// Evaluates every covered pixel in lanes, into the scratch; nothing where that could not keep the tolerance.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        square: &Square,
-        spans: &Spans,
-        picture: [f64; 2],
+        region: &Region,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
         match self {
-            Shader::Gouraud(gouraud) => gouraud.evaluate(simd, square, spans, picture, scratch),
-            Shader::Phong(phong) => phong.evaluate(simd, square, spans, picture, scratch),
-            Shader::UnitVectors(vectors) => vectors.evaluate(simd, square, spans, picture, scratch),
+            Shader::Gouraud(gouraud) => gouraud.evaluate(simd, region, scratch),
+            Shader::Phong(phong) => phong.evaluate(simd, region, scratch),
+            Shader::UnitVectors(vectors) => vectors.evaluate(simd, region, scratch),
         }
     }
 

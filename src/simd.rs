@@ -46,6 +46,12 @@ pub fn baseline() -> Option<Baseline> {
     return Some(fearless_simd::Fallback::new());
 }
 
+/// The same for unit tests, on machines of a kind that has one.
+#[cfg(test)]
+pub(crate) fn token() -> Baseline {
+    baseline().expect("every machine has them")
+}
+
 /// Does `work` at a SIMD level, in a function of its own.
 #[inline(never)]
 pub(crate) fn apart<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
@@ -59,12 +65,6 @@ pub(crate) fn three<T>(mut make: impl FnMut(usize) -> T) -> [T; 3] {
     [make(0), make(1), make(2)]
 }
 
-/// A closure as it is: only one that is handed to a function can be told to become part of its caller.
-#[inline(always)]
-pub(crate) fn inlined<F>(closure: F) -> F {
-    closure
-}
-
 /// The same for 0, 1, 2 and 3.
 #[inline(always)]
 pub(crate) fn four<T>(mut make: impl FnMut(usize) -> T) -> [T; 4] {
@@ -75,6 +75,12 @@ pub(crate) fn four<T>(mut make: impl FnMut(usize) -> T) -> [T; 4] {
 #[inline(always)]
 pub(crate) fn two<T>(mut make: impl FnMut(usize) -> T) -> [T; 2] {
     [make(0), make(1)]
+}
+
+/// A closure as it is: only one that is handed to a function can be told to become part of its caller.
+#[inline(always)]
+pub(crate) fn inlined<F>(closure: F) -> F {
+    closure
 }
 
 /// What `level` is called.

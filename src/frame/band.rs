@@ -159,6 +159,12 @@ impl Band<'_> {
         }
     }
 
+    /// Which of some rows of the picture are here.
+    #[inline(always)]
+    pub fn held(&self, rows: Range<usize>) -> Range<usize> {
+        rows.start.max(self.rows.start)..rows.end.min(self.rows.end)
+    }
+
     /// Whether it takes bytes, and nothing hides them.
     pub fn is_plain(&self) -> bool {
         self.depths.is_empty() && !self.pixels.is_empty()

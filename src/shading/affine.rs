@@ -60,6 +60,12 @@ impl Scalar {
         self.centre + self.dx * x + self.dy * y
     }
 
+    /// How far the value gets from that at the middle of a square of these half extents, in pixels.
+    #[inline]
+    pub fn reach(&self, [right, down]: [f64; 2]) -> f64 {
+        self.dx.abs() * right + self.dy.abs() * down
+    }
+
     /// Divided by a number.
     #[must_use]
     pub fn over(&self, divisor: f64) -> Self {

@@ -32,13 +32,15 @@
 //!
 //! Rule: four squares are bounded side by side, each as it would be alone; whatever is not a number bounds nothing.
 
-use super::affine::{Affine, Scalar};
-use super::interpolation::NODE;
-use super::kernel::{Power, Reals};
-use crate::components::length;
-use crate::simd::{inlined, three, two};
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
+
+use super::affine::{Affine, Scalar};
+use super::interpolation::NODE;
+use super::kernel::{Power, Reals, dot};
+use super::square::Square;
+use crate::components::length;
+use crate::simd::{inlined, three, two};
 
 /// A number for each of four squares.
 pub type Lanes<S> = f64x4<S>;
@@ -55,12 +57,6 @@ const CROSS_ERROR: f64 = 1e-7;
 
 /// Four vectors.
 pub type Vectors<S> = [Lanes<S>; 3];
-
-/// The scalar product.
-#[inline(always)]
-pub fn dot<S: Simd>(a: &Vectors<S>, b: &Vectors<S>) -> Lanes<S> {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
 
 /// Where four squares are: their middles in pixels from the picture's middle, and half their extents in pixels.
 #[derive(Clone, Copy)]
@@ -423,6 +419,29 @@ pub fn relative<S: Simd>(w: &Scalar, places: &Places<S>) -> [Lanes<S>; 3] {
 }
 
 impl<S: Simd> Places<S> {
+    /// Those of four squares; their middles from `origin`, in pixels from the picture's corner.
+    #[inline(always)]
+    pub fn new(simd: S, [a, b, c, d]: &[Square; 4], origin: [f64; 2]) -> Self {
+        let lanes = inlined(
+            #[inline(always)]
+            |[a, b, c, d]: [[f64; 2]; 4], axis: usize| {
+                Lanes::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]])
+            },
+        );
+        let middles = [a.middle(), b.middle(), c.middle(), d.middle()];
+        let halves = [a.half(), b.half(), c.half(), d.half()];
+        Places {
+            middle: two(
+                #[inline(always)]
+                |axis| lanes(middles, axis) - origin[axis],
+            ),
+            half: two(
+                #[inline(always)]
+                |axis| lanes(halves, axis),
+            ),
+        }
+    }
+
     /// One square, four times.
     #[inline(always)]
     pub fn single(simd: S, middle: [f64; 2], half: [f64; 2]) -> Self {
@@ -444,11 +463,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::simd::{Baseline, baseline};
-
-    fn token() -> Baseline {
-        baseline().expect("every machine has them")
-    }
+    use crate::simd::{Baseline, token};
 
     type Number = Lanes<Baseline>;
 

@@ -6,7 +6,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 use glam::DVec3;
 
-use super::square::{MAX_SIDE, Spans, Square};
+use super::square::{MAX_SIDE, Region};
 use crate::simd::three;
 
 /// Rows of a square, one at a time, ready to be shown sixteen pixels at a time.
@@ -30,108 +30,113 @@ pub trait Rows<S: Simd> {
 
 /// The levels of a square's pixels, by row and channel.
 #[derive(Clone, Copy, Debug)]
-pub struct Levels {
-    rows: [[[f32; MAX_SIDE]; 3]; MAX_SIDE],
-    row: usize,
-}
+pub struct Levels([[[f32; MAX_SIDE]; 3]; MAX_SIDE]);
 
 impl Default for Levels {
     fn default() -> Self {
-        Levels {
-            rows: [[[0.0; MAX_SIDE]; 3]; MAX_SIDE],
-            row: 0,
-        }
+        Levels([[[0.0; MAX_SIDE]; 3]; MAX_SIDE])
     }
 }
 
 impl Levels {
     /// Those of a pixel, counted from the square's first.
     pub fn at(&self, column: usize, row: usize) -> [f32; 3] {
-        self.rows[row].map(|channel| channel[column])
+        self.0[row].map(|channel| channel[column])
     }
 
-    /// Takes what is covered of a square.
+    /// Takes what is covered of a region.
     #[inline(always)]
-    pub fn fill<S: Simd>(&mut self, square: &Square, spans: &Spans, rows: &mut impl Rows<S>) {
-        let [left, top] = square.place;
-        for (row, span) in spans.clipped(square.rows[0]..square.rows[1] + 1, square.columns) {
-            if span.is_empty() {
-                continue;
-            }
-            rows.go_to(row - top);
-            for part in (span.start - left) / 16..(span.end - left).div_ceil(16) {
-                let levels = rows.levels(part);
+    pub fn fill<S: Simd>(&mut self, region: &Region, rows: &mut impl Rows<S>) {
+        for_parts(
+            region,
+            rows,
+            #[inline(always)]
+            |row, part, levels| {
                 for channel in 0..3 {
-                    self.rows[row - top][channel][16 * part..16 * part + 16]
+                    self.0[row][channel][16 * part..16 * part + 16]
                         .copy_from_slice(levels[channel].as_slice());
                 }
-            }
-        }
+            },
+        );
     }
 
-    /// Takes what is covered of a square where `wanted`, which is told a pixel's column and row in the picture.
+    /// The same where `wanted`, which is told a pixel's centre from the picture's middle.
     #[inline(always)]
     pub fn fill_where<S: Simd>(
         &mut self,
-        square: &Square,
-        spans: &Spans,
+        region: &Region,
         rows: &mut impl Rows<S>,
-        wanted: impl Fn([usize; 2]) -> bool,
+        wanted: impl Fn([f64; 2]) -> bool,
     ) {
-        let [left, top] = square.place;
-        for (row, span) in spans.clipped(square.rows[0]..square.rows[1] + 1, square.columns) {
-            if span.is_empty() {
-                continue;
-            }
-            rows.go_to(row - top);
-            for part in (span.start - left) / 16..(span.end - left).div_ceil(16) {
-                let levels = rows.levels(part);
+        for_parts(
+            region,
+            rows,
+            #[inline(always)]
+            |row, part, levels| {
                 for lane in 0..16 {
                     let column = 16 * part + lane;
-                    if wanted([left + column, row]) {
+                    if wanted(region.centre(column, row)) {
                         for channel in 0..3 {
-                            self.rows[row - top][channel][column] = levels[channel][lane];
+                            self.0[row][channel][column] = levels[channel][lane];
                         }
                     }
+                }
+            },
+        );
+    }
+
+    /// Takes what is covered of a region, one pixel at a time; `evaluate` is told its centre from the picture's middle.
+    pub fn fill_each(&mut self, region: &Region, evaluate: impl Fn([f64; 2]) -> DVec3) {
+        for (row, span) in region.covered() {
+            for column in span {
+                let levels = evaluate(region.centre(column, row)).as_vec3();
+                for channel in 0..3 {
+                    self.0[row][channel][column] = levels[channel];
                 }
             }
         }
     }
+}
 
-    /// Takes what is covered of a square, one pixel at a time; `evaluate` is told its column and row in the picture.
-    pub fn fill_each(
-        &mut self,
-        square: &Square,
-        spans: &Spans,
-        evaluate: impl Fn([usize; 2]) -> DVec3,
-    ) {
-        let [left, top] = square.place;
-        for (row, span) in spans.clipped(square.rows[0]..square.rows[1] + 1, square.columns) {
-            for column in span {
-                let levels = evaluate([column, row]).as_vec3();
-                for channel in 0..3 {
-                    self.rows[row - top][channel][column - left] = levels[channel];
-                }
-            }
+/// Evaluates the parts of rows in which anything is covered.
+#[inline(always)]
+fn for_parts<S: Simd, R: Rows<S>>(
+    region: &Region,
+    rows: &mut R,
+    mut take: impl FnMut(usize, usize, [f32x16<S>; 3]),
+) {
+    for (row, span) in region.covered() {
+        rows.go_to(row);
+        for part in span.start / 16..span.end.div_ceil(16) {
+            take(row, part, rows.levels(part));
         }
     }
 }
 
 /// Rows of levels that were evaluated before.
 pub struct Evaluated<'a, S: Simd> {
-    pub simd: S,
-    pub levels: &'a mut Levels,
+    simd: S,
+    levels: &'a Levels,
+    row: usize,
+}
+
+impl<'a, S: Simd> Evaluated<'a, S> {
+    /// From the square's first row on.
+    pub fn new(simd: S, levels: &'a Levels) -> Self {
+        let row = 0;
+        Evaluated { simd, levels, row }
+    }
 }
 
 impl<S: Simd> Rows<S> for Evaluated<'_, S> {
     #[inline(always)]
     fn go_to(&mut self, row: usize) {
-        self.levels.row = row;
+        self.row = row;
     }
 
     #[inline(always)]
     fn levels(&self, part: usize) -> [f32x16<S>; 3] {
-        let row = &self.levels.rows[self.levels.row];
+        let row = &self.levels.0[self.row];
         three(
             #[inline(always)]
             |channel| f32x16::from_slice(self.simd, &row[channel][16 * part..16 * part + 16]),
@@ -168,11 +173,7 @@ pub(super) fn pack<S: Simd>([red, green, blue]: [u32x16<S>; 3]) -> u32x16<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::{Baseline, baseline};
-
-    fn token() -> Baseline {
-        baseline().expect("every machine has them")
-    }
+    use crate::simd::token;
 
     /// The byte of one level by the fast step, in all three places.
     fn shown(level: f32) -> u32 {

@@ -229,6 +229,11 @@ impl Face {
         least > 0.0 && least > self.least_steady()
     }
 
+    /// Whether it is so all over a square.
+    pub fn is_steady_on(&self, [x, y]: [f64; 2], half: [f64; 2]) -> bool {
+        self.is_steady(self.w.at(x, y) - self.w.reach(half))
+    }
+
     /// What the pixel `x` right and `y` down of the picture's middle shows; held on the face where the face is a sliver.
     pub fn point(&self, x: f64, y: f64) -> Point {
         let place = self.place.at(x, y);

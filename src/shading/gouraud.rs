@@ -13,7 +13,7 @@ use super::display::Rows;
 use super::face::Face;
 use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
 use super::kernel::Reals;
-use super::square::{Spans, Square};
+use super::square::Region;
 use super::{Evaluations, Scratch, TileKind, U, limit};
 use crate::simd::{apart, inlined, three};
 
@@ -32,9 +32,6 @@ impl Gouraud<'_> {
     /// See [`super::Shader::interpolate`].
     #[inline(always)]
     pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
-        if self.tolerance <= 0.0 {
-            return None;
-        }
         let Face {
             w,
             colors,
@@ -121,9 +118,7 @@ impl Gouraud<'_> {
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        square: &Square,
-        spans: &Spans,
-        picture: [f64; 2],
+        region: &Region,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
         let Face {
@@ -133,8 +128,7 @@ impl Gouraud<'_> {
             diagonal,
             ..
         } = self.face;
-        let ([left, top], half) = (square.middle(), square.half());
-        let [x, y] = [left - picture[0], top - picture[1]];
+        let ([x, y], half) = (region.middle(), region.square.half());
         let scale = 1.0 / w.at(x, y);
         let reach = |dx: f64, dy: f64| (dx.abs() * half[0] + dy.abs() * half[1]) * scale;
         let beyond = diagonal.at(x, y) * scale;
@@ -164,13 +158,13 @@ impl Gouraud<'_> {
             fold: fold.as_vec3().to_array(),
             folded: beyond < reach(diagonal.dx, diagonal.dy),
             w: affine(w.at(x, y), w.dx, w.dy),
-            first: square.first().map(|first| first as f32),
+            first: region.square.first().map(|first| first as f32),
             y: 0.0,
         };
         apart(
             simd,
             #[inline(always)]
-            || scratch.levels.fill(square, spans, &mut quotient),
+            || scratch.levels.fill(region, &mut quotient),
         );
         Some(Evaluations {
             kind: TileKind::Exact,

@@ -6,14 +6,14 @@
 //! x and y run from -1 to 1 over the square. Terms that the rest of the tolerance allows to be left out are: x^2 is then
 //! replaced by its mean 1/2, which leaves 1/2 (economization; Lanczos 1938).
 //!
-//! Rule: f32 rounds a value at most ten times at the size of the sum of its terms. Where the tolerance has 1/256 level to
-//! spare and no channel leaves the display's range, values are formed in multiples of 1/256 level, so that nothing is left
+//! Rule: f32 rounds a value at most ten times at the size of the sum of its terms. Where the tolerance has [`FIXED`] to spare
+//! and no channel leaves the display's range, values are formed in multiples of 1/256 level, so that nothing is left
 //! to clamp and bytes only have to be cut out.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask64x4, u32x16};
 
-use super::bound::Lanes;
+use super::bound::{Lanes, Places};
 use super::display::{Rows, display_bits, pack};
 use super::kernel::Reals;
 use super::square::{MAX_SIDE, Square};
@@ -50,15 +50,7 @@ pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
         #[inline(always)]
         |i| quadratic([rows[0][i], rows[1][i], rows[2][i]]),
     );
-    three(
-        #[inline(always)]
-        |j| {
-            three(
-                #[inline(always)]
-                |i| columns[i][j],
-            )
-        },
-    )
+    transposed(&columns)
 }
 
 /// What f32 makes of a value, over the size of its terms.
@@ -185,23 +177,9 @@ impl<S: Simd> Interpolant<S> {
             #[inline(always)]
             |lanes: Lanes<S>| Lanes::splat(simd, lanes.as_array()[index]),
         );
-        let ([left, top], [width, height]) = (square.middle(), square.half());
-        let middles = quarters.each_ref().map(Square::middle);
-        let halves = quarters.each_ref().map(Square::half);
-        let lanes = inlined(
-            #[inline(always)]
-            |of: &[[f64; 2]; 4], axis: usize| {
-                Lanes::simd_from(simd, [of[0][axis], of[1][axis], of[2][axis], of[3][axis]])
-            },
-        );
-        let starts = [
-            (lanes(&middles, 0) - left) * (1.0 / width),
-            (lanes(&middles, 1) - top) * (1.0 / height),
-        ];
-        let scales = [
-            lanes(&halves, 0) * (1.0 / width),
-            lanes(&halves, 1) * (1.0 / height),
-        ];
+        let Places { middle, half } = Places::new(simd, quarters, square.middle());
+        let scales = square.half().map(|half| 1.0 / half);
+        let [starts, scales] = [middle, half].map(|[x, y]| [x * scales[0], y * scales[1]]);
         let terms = four(
             #[inline(always)]
             |channel| {
@@ -233,14 +211,16 @@ impl<S: Simd> Interpolant<S> {
         })
     }
 
-    /// The colour of one of the squares.
+    /// The colour of one of the squares, where a unit is `x` and `y` half extents.
     #[inline(always)]
-    fn color(&self, index: usize) -> Color {
+    fn color(&self, index: usize, [x, y]: [f64; 2]) -> Color {
+        let scales = [[1.0, x, x * x], [1.0, y, y * y]];
         let mut color = [[[0.0; 3]; 3]; 4];
         for channel in 0..4 {
             for j in 0..3 {
                 for i in 0..3 {
-                    color[channel][j][i] = self.colors.terms[channel][j][i].as_array()[index];
+                    let term = self.colors.terms[channel][j][i].as_array()[index];
+                    color[channel][j][i] = term * (scales[0][i] * scales[1][j]);
                 }
             }
         }
@@ -343,22 +323,7 @@ pub fn draw<S: Simd>(
                 });
                 [red, green, blue, [[0.0; 3]; 3]]
             } else {
-                let scales = [[1.0, x, x * x], [1.0, y, y * y]];
-                let color = interpolant.color(index);
-                four(
-                    #[inline(always)]
-                    |channel| {
-                        three(
-                            #[inline(always)]
-                            |j| {
-                                three(
-                                    #[inline(always)]
-                                    |i| color[channel][j][i] * (scales[0][i] * scales[1][j]),
-                                )
-                            },
-                        )
-                    },
-                )
+                interpolant.color(index, [x, y])
             };
             if kind == TileKind::Terminator {
                 apart(
@@ -382,7 +347,7 @@ pub fn draw<S: Simd>(
                     simd,
                     #[inline(always)]
                     || {
-                        sink.draw(&mut Places(Curve::new(simd, &color, first, bias)));
+                        sink.draw(&mut FixedCurve(Curve::new(simd, &color, first, bias)));
                     },
                 );
             } else {
@@ -519,7 +484,7 @@ struct Curve<S: Simd> {
     /// By power of y: for each channel the coefficients by power of x, twelve of sixteen numbers.
     terms: [f32x16<S>; 3],
     row: [f32; 16],
-    /// The square's first eight pixels of a row, and its first row, from the middle, in pixels.
+    /// The square's first sixteen pixels of a row, and its first row, from the middle, in pixels.
     x: f32x16<S>,
     y: f32,
 }
@@ -549,7 +514,7 @@ impl<S: Simd> Curve<S> {
         }
     }
 
-    /// A channel of eight pixels.
+    /// A channel of sixteen pixels.
     #[inline(always)]
     fn at(&self, channel: usize, x: f32x16<S>) -> f32x16<S> {
         let [middle, slope, bend] = three(
@@ -601,10 +566,10 @@ impl<S: Simd> Rows<S> for Terminator<S> {
     }
 }
 
-/// The same with [`PLACES`] and a half in its middle, so that it comes in multiples of 1/256 level.
-struct Places<S: Simd>(Curve<S>);
+/// Rows of a quadratic colour with [`PLACES`] and a half in its middle, so that it comes in multiples of 1/256 level.
+struct FixedCurve<S: Simd>(Curve<S>);
 
-impl<S: Simd> Rows<S> for Places<S> {
+impl<S: Simd> Rows<S> for FixedCurve<S> {
     #[inline(always)]
     fn go_to(&mut self, row: usize) {
         self.0.go_to(row);
@@ -634,11 +599,7 @@ impl<S: Simd> Rows<S> for Places<S> {
 mod tests {
     use super::super::display::display_step;
     use super::*;
-    use crate::simd::{Baseline, baseline};
-
-    fn token() -> Baseline {
-        baseline().expect("every machine has them")
-    }
+    use crate::simd::{Baseline, token};
 
     /// Holds every pixel of a square to the colour that it is drawn with.
     struct Judge {
@@ -816,8 +777,8 @@ mod tests {
                     [0, 1].map(|axis| (pixel[axis] - square.middle()[axis]) / square.half()[axis])
                 };
                 for channel in 0..4 {
-                    let whole = value(&interpolant.color(1), channel, on(&square));
-                    let part = value(&parts.color(index), channel, on(quarter));
+                    let whole = value(&interpolant.color(1, [1.0; 2]), channel, on(&square));
+                    let part = value(&parts.color(index, [1.0; 2]), channel, on(quarter));
                     assert!((whole - part).abs() < 1e-11, "{whole}, not {part}");
                 }
             }

@@ -3,10 +3,12 @@
 //! ```text
 //!   N, L, O --> n.l = N.L / sqrt(N.N L.L)        |r - o|^2 / 2 = 1 - s --> s^rho
 //! ```
-//! The same lines evaluate eight pixels in f32, four in f64, and a node of each of four squares in f64. Where s is near 1
+//! The same lines evaluate sixteen pixels in f32, four in f64, and a node of each of four squares in f64. Where s is near 1
 //! it is formed as 1 - |r - o|^2 / 2, which holds for unit vectors and cancels nothing (Lyon 1993).
 //!
 //! Rule: what rounding costs is counted here, once: [`Rounding`], per light and per term of the sum.
+
+use std::ops::{Add, Mul};
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
@@ -23,7 +25,15 @@ use crate::simd::{inlined, three};
 pub const DOUBLE: f64 = f64::EPSILON / 2.0;
 
 /// Numbers side by side of one precision.
-pub trait Reals<S: Simd>: SimdFloat<S> {
+pub trait Reals<S: Simd>:
+    SimdFloat<
+        S,
+        Element: Copy
+                     + Add<Output = <Self as SimdBase<S>>::Element>
+                     + Mul<Output = <Self as SimdBase<S>>::Element>,
+        Mask: Select<Self>,
+    >
+{
     /// One number everywhere.
     fn all(simd: S, number: f64) -> Self;
 
@@ -199,10 +209,7 @@ pub fn unit<S: Simd, V: Reals<S>>(simd: S, vector: Lanes3<V>) -> Lanes3<V> {
 
 /// `number` where `gate` is positive, zero elsewhere.
 #[inline(always)]
-pub fn gated<S: Simd, V: Reals<S>>(simd: S, gate: V, number: V) -> V
-where
-    V::Mask: Select<V>,
-{
+fn gated<S: Simd, V: Reals<S>>(simd: S, gate: V, number: V) -> V {
     let zero = V::all(simd, 0.0);
     gate.simd_gt(zero).select(number, zero)
 }
@@ -313,7 +320,7 @@ pub struct Vector<T> {
     start: [T; 3],
 }
 
-impl<T: Copy + std::ops::Add<Output = T> + std::ops::Mul<Output = T>> Vector<T> {
+impl<T: Copy + Add<Output = T> + Mul<Output = T>> Vector<T> {
     /// A vector that is anchored at the square's middle, times `scale`.
     #[inline(always)]
     pub fn new<S: Simd, V: Reals<S, Element = T>>(vector: &Affine, scale: f64) -> Self {
@@ -380,11 +387,7 @@ pub struct Model<'a, S: Simd, V: Reals<S>, const UNIT: bool> {
     pub shines: bool,
 }
 
-impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT>
-where
-    V::Element: Copy + std::ops::Add<Output = V::Element> + std::ops::Mul<Output = V::Element>,
-    V::Mask: Select<V>,
-{
+impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
     /// From pixel `column` of the row on, counted from the square's first.
     #[inline(always)]
     fn at(&self, column: usize) -> [V; 3] {
@@ -432,11 +435,7 @@ where
     }
 }
 
-impl<S: Simd, V: Reals<S>, const UNIT: bool> Rows<S> for Model<'_, S, V, UNIT>
-where
-    V::Element: Copy + std::ops::Add<Output = V::Element> + std::ops::Mul<Output = V::Element>,
-    V::Mask: Select<V>,
-{
+impl<S: Simd, V: Reals<S>, const UNIT: bool> Rows<S> for Model<'_, S, V, UNIT> {
     #[inline(always)]
     fn go_to(&mut self, row: usize) {
         let y = V::element(row as f64) + self.y;

@@ -16,7 +16,7 @@ use super::bound::{self, Field, Highlight, Lanes, Moving, Places};
 use super::face::Face;
 use super::interpolation::{Colors, Interpolant, LEBESGUE, Nine, biquadratic};
 use super::kernel::{self, Extent, Light, Model, Power, Reals, Rounding, Vector};
-use super::square::{Spans, Square};
+use super::square::Region;
 use super::{Evaluations, Scratch, Surface, TileKind, U, limit};
 use crate::components::{Material, PointLight, length, unit};
 use crate::simd::{apart, inlined, three, two};
@@ -182,23 +182,15 @@ impl<'a> Phong<'a> {
         }
     }
 
-    /// Whether a light's highlight is drawn on squares, and whether it may be left out where it is.
+    /// Whether a highlight is drawn on squares where s is at most so much.
     #[inline(always)]
-    fn shines<S: Simd>(&self, light: &FaceLight, most: Lanes<S>, dark: mask64x4<S>) -> mask64x4<S> {
-        let simd = most.token();
-        if light.specular == DVec3::ZERO {
-            mask64x4::splat(simd, false)
-        } else {
-            most.simd_gt(self.gloss.least) & !dark
-        }
+    fn shines<S: Simd>(&self, most: Lanes<S>, dark: mask64x4<S>) -> mask64x4<S> {
+        most.simd_gt(self.gloss.least) & !dark
     }
 
     /// See [`super::Shader::interpolate`].
     #[inline(always)]
     pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
-        if self.tolerance <= 0.0 {
-            return None;
-        }
         let zero = Lanes::splat(simd, 0.0);
         let never = Lanes::splat(simd, f64::NEG_INFINITY);
         let normal = Field::new(&self.normal, places);
@@ -219,7 +211,7 @@ impl<'a> Phong<'a> {
             let mut shines = mask64x4::splat(simd, false);
             if light.specular != DVec3::ZERO {
                 let reflection = bound::reflection(&normal, &to_light, &eye, side.cosine);
-                shines = self.shines(light, reflection.most, side.dark);
+                shines = self.shines(reflection.most, side.dark);
                 let power = bound::power(&self.gloss.every, reflection.most);
                 let mut highlight = power;
                 if shines.any_true() {
@@ -290,24 +282,14 @@ impl<'a> Phong<'a> {
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        square: &Square,
-        spans: &Spans,
-        picture: [f64; 2],
+        region: &Region,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
-        let [x, y] = two(
-            #[inline(always)]
-            |axis| square.middle()[axis] - picture[axis],
-        );
-        let Face { w, .. } = self.face;
-        let [right, down] = square.half();
-        if !self
-            .face
-            .is_steady(w.at(x, y) - w.dx.abs() * right - w.dy.abs() * down)
-        {
+        let (middle, half) = (region.middle(), region.square.half());
+        if !self.face.is_steady_on(middle, half) {
             return None;
         }
-        let places = Places::single(simd, [x, y], square.half());
+        let places = Places::single(simd, middle, half);
         let Scratch {
             levels,
             active,
@@ -322,25 +304,25 @@ impl<'a> Phong<'a> {
         let shines = found.highlights > 0;
         if found.kind == TileKind::Exact {
             let mut model: Model<'_, S, f32x16<S>, false> =
-                self.model(simd, square, [x, y], active, shines, single);
+                self.model(simd, region, active, shines, single);
             apart(
                 simd,
                 #[inline(always)]
-                || levels.fill(square, spans, &mut model),
+                || levels.fill(region, &mut model),
             );
         } else {
             let mut model: Model<'_, S, f64x4<S>, false> =
-                self.model(simd, square, [x, y], active, shines, double);
+                self.model(simd, region, active, shines, double);
             apart(
                 simd,
                 #[inline(always)]
-                || levels.fill(square, spans, &mut model),
+                || levels.fill(region, &mut model),
             );
         }
         Some(Evaluations {
             kind: found.kind,
-            model: square.pixels as u64,
-            specular: square.pixels as u64 * found.highlights,
+            model: region.square.pixels as u64,
+            specular: region.square.pixels as u64 * found.highlights,
         })
     }
 
@@ -368,7 +350,7 @@ impl<'a> Phong<'a> {
             let mut specular = false;
             if light.specular != DVec3::ZERO {
                 let reflection = bound::reflection(&normal, &to_light, &eye, side.cosine);
-                specular = self.shines(light, reflection.most, side.dark).test(0);
+                specular = self.shines(reflection.most, side.dark).test(0);
                 // Where it is drawn, a cheaper power may still leave out what is as faint.
                 dropped += self.gloss.faint;
                 if specular {
@@ -399,24 +381,21 @@ impl<'a> Phong<'a> {
         Some(Found { kind, highlights })
     }
 
-    /// The model on a square whose middle lies so from the picture's.
+    /// The model on a square.
     #[inline(always)]
     fn model<'b, S: Simd, V: Reals<S>>(
         &'b self,
         simd: S,
-        square: &Square,
-        middle: [f64; 2],
+        region: &Region,
         active: &[Active],
         shines: bool,
         lights: &'b mut Vec<Light<V::Element>>,
-    ) -> Model<'b, S, V, false>
-    where
-        V::Element: Copy + std::ops::Add<Output = V::Element> + std::ops::Mul<Output = V::Element>,
-    {
+    ) -> Model<'b, S, V, false> {
+        let [x, y] = region.middle();
         let vector = inlined(
             #[inline(always)]
             |vector: &Affine| {
-                let centre = vector.at(middle[0], middle[1]);
+                let centre = vector.at(x, y);
                 Vector::new::<S, V>(&Affine { centre, ..*vector }, 1.0 / length(centre))
             },
         );
@@ -438,6 +417,7 @@ impl<'a> Phong<'a> {
                 is: terms,
             });
         }
+        let [x, y] = region.square.first().map(V::element);
         Model {
             simd,
             normal: vector(&self.face.normal),
@@ -445,8 +425,8 @@ impl<'a> Phong<'a> {
             lights,
             ambient: all(self.surface.ambient()),
             power: &self.gloss.bright,
-            x: V::element(square.first()[0]),
-            y: V::element(square.first()[1]),
+            x,
+            y,
             shines,
         }
     }

@@ -127,11 +127,7 @@ impl Squarings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::{Baseline, baseline};
-
-    fn token() -> Baseline {
-        baseline().expect("every machine has them")
-    }
+    use crate::simd::{Baseline, token};
 
     fn lanes(lambda: f32) -> f32x16<Baseline> {
         f32x16::splat(token(), lambda)

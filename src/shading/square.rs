@@ -2,6 +2,8 @@
 //!
 //! Rule: squares hang on the picture's own grid, so neither threads nor parts of a picture change a bit.
 
+use std::ops::Range;
+
 /// The side of the largest squares, in pixels.
 pub const MAX_SIDE: usize = 32;
 
@@ -21,16 +23,13 @@ pub struct Spans<'a> {
 
 impl Spans<'_> {
     /// The rows that may be covered.
-    pub fn rows(&self) -> std::ops::Range<usize> {
+    pub fn rows(&self) -> Range<usize> {
         self.first..self.first + self.from.len()
     }
 
     /// Of some rows of the picture: the pixels between which those that are covered lie, and those between which all are
     /// covered on every row; both may be empty.
-    pub fn extents(
-        &self,
-        rows: std::ops::Range<usize>,
-    ) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
+    pub fn extents(&self, rows: Range<usize>) -> (Range<usize>, Range<usize>) {
         let (mut outer, mut inner) = ([i32::MAX, 0], [0, i32::MAX]);
         let local = self.local(rows.clone());
         if local.len() < rows.len() {
@@ -47,10 +46,7 @@ impl Spans<'_> {
     }
 
     /// Those of some rows of the picture that cover anything.
-    pub fn within(
-        &self,
-        rows: &std::ops::Range<usize>,
-    ) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
+    pub fn within(&self, rows: &Range<usize>) -> impl Iterator<Item = (usize, Range<usize>)> {
         let local = self.local(rows.clone());
         let first = self.first + local.start;
         let spans = self.from[local.clone()].iter().zip(&self.to[local]);
@@ -62,35 +58,26 @@ impl Spans<'_> {
 
     /// Which of the spans are those of some rows of the picture.
     #[inline(always)]
-    fn local(&self, rows: std::ops::Range<usize>) -> std::ops::Range<usize> {
+    fn local(&self, rows: Range<usize>) -> Range<usize> {
         let len = self.from.len();
         let [start, end] =
             [rows.start, rows.end].map(|row| row.saturating_sub(self.first).min(len));
         start..end
     }
 
-    /// What is covered of some columns of some rows of the picture that it has.
+    /// What is covered of some columns of some rows of the picture, all of which it has.
     #[inline(always)]
     pub fn clipped(
         &self,
-        rows: std::ops::Range<usize>,
+        rows: Range<usize>,
         [first, last]: [usize; 2],
-    ) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
+    ) -> impl Iterator<Item = (usize, Range<usize>)> {
         let local = self.local(rows.clone());
         let spans = self.from[local.clone()].iter().zip(&self.to[local]);
         (rows.start..).zip(spans.map(move |(&from, &to)| {
             let (from, to) = (from.max(first as i32), to.min(last as i32 + 1));
             from as usize..to.max(from) as usize
         }))
-    }
-
-    /// What is covered of some columns of a row.
-    #[inline(always)]
-    pub fn clip(&self, row: usize, [first, last]: [usize; 2]) -> std::ops::Range<usize> {
-        let local = row - self.first;
-        let from = self.from[local].max(first as i32) as usize;
-        let to = self.to[local].min(last as i32 + 1).max(0) as usize;
-        from..to
     }
 }
 
@@ -196,6 +183,12 @@ impl Square {
         self.pixels == self.side * self.side
     }
 
+    /// The rows of the picture that are covered.
+    #[inline(always)]
+    pub fn covered_rows(&self) -> Range<usize> {
+        self.rows[0]..self.rows[1] + 1
+    }
+
     /// The centre of its first pixel from the middle of what is covered, in pixels right and down.
     #[inline(always)]
     pub fn first(&self) -> [f64; 2] {
@@ -224,6 +217,44 @@ impl Square {
         [
             (number(right - left) / 2.0).max(0.5),
             (number(bottom - top) / 2.0).max(0.5),
+        ]
+    }
+}
+
+/// A square that is evaluated, and where.
+#[derive(Clone, Copy, Debug)]
+pub struct Region<'a> {
+    pub square: &'a Square,
+    pub spans: &'a Spans<'a>,
+    /// The picture's middle, in pixels from its corner.
+    pub picture: [f64; 2],
+}
+
+impl Region<'_> {
+    /// The square's middle from the picture's, in pixels.
+    #[inline(always)]
+    pub fn middle(&self) -> [f64; 2] {
+        let [x, y] = self.square.middle();
+        [x - self.picture[0], y - self.picture[1]]
+    }
+
+    /// What is covered: rows and columns from the square's first pixel.
+    #[inline(always)]
+    pub fn covered(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let [left, top] = self.square.place;
+        let rows = self.square.covered_rows();
+        self.spans
+            .clipped(rows, self.square.columns)
+            .filter(|(_, span)| !span.is_empty())
+            .map(move |(row, span)| (row - top, span.start - left..span.end - left))
+    }
+
+    /// The centre of a pixel, counted from the square's first, from the picture's middle, in pixels.
+    pub fn centre(&self, column: usize, row: usize) -> [f64; 2] {
+        let [left, top] = self.square.place;
+        [
+            number(left + column) + 0.5 - self.picture[0],
+            number(top + row) + 0.5 - self.picture[1],
         ]
     }
 }

@@ -9,11 +9,11 @@
 use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
-use super::affine::{Affine, Scalar};
+use super::affine::Affine;
 use super::face::{Face, places};
 use super::kernel::{DOUBLE, Light, Model, Power, Reals, Vector};
 use super::specular::power_exact;
-use super::square::{Spans, Square};
+use super::square::Region;
 use super::{EXACT, Evaluations, Scratch, Surface, TileKind, U};
 use crate::components::{PointLight, unit};
 use crate::simd::apart;
@@ -124,23 +124,19 @@ impl UnitVectors<'_> {
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        square: &Square,
-        spans: &Spans,
-        picture: [f64; 2],
+        region: &Region,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
-        let ([left, top], half) = (square.middle(), square.half());
-        let middle = [left - picture[0], top - picture[1]];
-        let Face { diagonal, w, .. } = self.face;
-        let beyond = diagonal.at(middle[0], middle[1]);
-        let reach = |value: &Scalar| value.dx.abs() * half[0] + value.dy.abs() * half[1];
-        if !self.face.is_steady(w.at(middle[0], middle[1]) - reach(w)) {
+        let (middle, half) = (region.middle(), region.square.half());
+        if !self.face.is_steady_on(middle, half) {
             return None;
         }
-        let used = [beyond > -reach(diagonal), beyond < reach(diagonal)];
+        let diagonal = &self.face.diagonal;
+        let (before, reach) = (diagonal.at(middle[0], middle[1]), diagonal.reach(half));
+        let used = [before > -reach, before < reach];
+        let weights = self.triangles.map(|triangle| triangle.weights_at(middle));
         let mut roundings = [0.0_f64; 2];
-        for (triangle, used) in self.triangles.iter().zip(used) {
-            let weights = triangle.weights_at(middle);
+        for ((triangle, weights), used) in self.triangles.iter().zip(&weights).zip(used) {
             let moved = weights.dx.abs() * half[0] + weights.dy.abs() * half[1];
             let sizes =
                 [weights.centre.abs(), moved].map(|weights| weights.x + weights.y + weights.z);
@@ -166,11 +162,8 @@ impl UnitVectors<'_> {
                 continue;
             }
             // Pixels that the diagonal divides get the first triangle's levels, and where they are beyond the second's.
-            let wanted = |[column, row]: [usize; 2]| {
-                let [x, y] = [column, row].map(|pixel| pixel as f64 + 0.5);
-                index == 0 || !used[0] || diagonal.at(x - picture[0], y - picture[1]) < 0.0
-            };
-            let weights = triangle.weights_at(middle);
+            let wanted = |[x, y]: [f64; 2]| index == 0 || !used[0] || diagonal.at(x, y) < 0.0;
+            let weights = &weights[index];
             let Scratch {
                 levels,
                 single,
@@ -178,26 +171,25 @@ impl UnitVectors<'_> {
                 ..
             } = scratch;
             if kind == TileKind::Exact {
-                let mut model =
-                    self.model::<S, f32x16<S>>(simd, triangle, &weights, square, single);
+                let mut model = self.model::<S, f32x16<S>>(simd, triangle, weights, region, single);
                 apart(
                     simd,
                     #[inline(always)]
-                    || levels.fill_where(square, spans, &mut model, wanted),
+                    || levels.fill_where(region, &mut model, wanted),
                 );
             } else {
-                let mut model = self.model::<S, f64x4<S>>(simd, triangle, &weights, square, double);
+                let mut model = self.model::<S, f64x4<S>>(simd, triangle, weights, region, double);
                 apart(
                     simd,
                     #[inline(always)]
-                    || levels.fill_where(square, spans, &mut model, wanted),
+                    || levels.fill_where(region, &mut model, wanted),
                 );
             }
         }
         Some(Evaluations {
             kind,
-            model: square.pixels as u64,
-            specular: (square.pixels * self.surface.powers()) as u64,
+            model: region.square.pixels as u64,
+            specular: (region.square.pixels * self.surface.powers()) as u64,
         })
     }
 
@@ -207,12 +199,9 @@ impl UnitVectors<'_> {
         simd: S,
         triangle: &Triangle,
         weights: &Affine,
-        square: &Square,
+        region: &Region,
         lights: &'b mut Vec<Light<V::Element>>,
-    ) -> Model<'b, S, V, true>
-    where
-        V::Element: Copy + std::ops::Add<Output = V::Element> + std::ops::Mul<Output = V::Element>,
-    {
+    ) -> Model<'b, S, V, true> {
         let vector = |values: &[DVec3; 3]| {
             Vector::new::<S, V>(&weights.map(|weights| blend(weights, values)), 1.0)
         };
@@ -226,7 +215,7 @@ impl UnitVectors<'_> {
                 is: terms.map(|levels| levels != DVec3::ZERO),
             });
         }
-        let [x, y] = square.first().map(V::element);
+        let [x, y] = region.square.first().map(V::element);
         Model {
             simd,
             normal: vector(&triangle.normals),

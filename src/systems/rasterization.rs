@@ -13,7 +13,6 @@ mod store;
 use std::ops::Range;
 
 use fearless_simd::Simd;
-use fearless_simd::prelude::*;
 use hecs::World;
 
 use self::store::Store;
@@ -23,17 +22,17 @@ use crate::components::{
     FACES, Illumination, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode,
     Transform, VertexColors, View,
 };
-use crate::frame::{Band, Counts, DrawList, Frame, Object, Piece};
-use crate::shading::bound::{Lanes, Places};
+use crate::frame::{Band, Counts, DrawList, Frame, Object, Piece, face};
+use crate::shading::bound::Places;
 use crate::shading::display::Evaluated;
 use crate::shading::face::{Face, Rays, Solid};
 use crate::shading::gouraud::Gouraud;
 use crate::shading::interpolation::{self, Form, Interpolant};
 use crate::shading::phong::{FaceLight, Gloss, Phong};
-use crate::shading::square::{MAX_SIDE, MIN_SIDE, Spans, Square};
+use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Spans, Square};
 use crate::shading::unit_vectors::{self, UnitVectors};
 use crate::shading::{Evaluations, Scratch, Shader, Sink, Surface, TileKind};
-use crate::simd::{apart, dispatch, inlined};
+use crate::simd::{apart, dispatch};
 
 /// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
 const DEPTH_TIE: f64 = 1e-11;
@@ -93,17 +92,19 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         let mut counts = Counts::default();
         for piece in &list.pieces {
             let spans = list.spans(piece);
-            let held = spans.rows().start.max(band.rows.start)..spans.rows().end.min(band.rows.end);
-            if held.is_empty() {
+            if band.held(spans.rows()).is_empty() {
                 continue;
             }
             let shader = shader(list, piece, illumination, view, &lens);
-            let interpolates = view.tolerance > 0.0 && !matches!(shader, Shader::UnitVectors(_));
             let mut drawing = Drawing {
                 spans,
                 id: piece.id,
                 picture: lens.half,
-                few: if interpolates { FEW } else { usize::MAX },
+                few: if shader.interpolates() {
+                    FEW
+                } else {
+                    usize::MAX
+                },
                 shader,
                 band,
                 scratch,
@@ -228,7 +229,7 @@ fn add(
     }
 }
 
-/// Finds the pixels that a face covers in some rows of the picture: its first row, and where its spans are listed. The
+/// Finds the pixels that a face covers: its first row, and where its spans are listed. The
 /// spans of its two triangles meet along the diagonal and are listed as one; where snapping has bent a sliver so that they
 /// do not, each triangle has its own.
 fn cover(
@@ -365,10 +366,8 @@ impl Drawing<'_, '_> {
             }
             return;
         }
-        let rows = self.spans.rows();
-        let rows = rows.start.max(self.band.rows.start) / MAX_SIDE * MAX_SIDE
-            ..rows.end.min(self.band.rows.end);
-        for row in rows.step_by(MAX_SIDE) {
+        let rows = self.band.held(self.spans.rows());
+        for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
             let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
             for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
                 let square = |index| {
@@ -390,7 +389,8 @@ impl Drawing<'_, '_> {
         let seen = squares.each_ref().map(|square| self.is_seen(square));
         let tried = squares.each_ref().map(|square| square.pixels > self.few);
         let interpolant = if (0..4).any(|index| seen[index] && tried[index]) {
-            self.shader.interpolate(simd, &self.places(simd, squares))
+            let places = Places::new(simd, squares, self.picture);
+            self.shader.interpolate(simd, &places)
         } else {
             None
         };
@@ -408,27 +408,6 @@ impl Drawing<'_, '_> {
             } else {
                 self.evaluated(simd, square);
             }
-        }
-    }
-
-    /// Where squares are.
-    #[inline(always)]
-    fn places<S: Simd>(&self, simd: S, squares: &[Square; 4]) -> Places<S> {
-        let [a, b, c, d] = squares;
-        let [middles, halves] = [
-            [a.middle(), b.middle(), c.middle(), d.middle()],
-            [a.half(), b.half(), c.half(), d.half()],
-        ];
-        let lanes = inlined(
-            #[inline(always)]
-            |of: &[[f64; 2]; 4], axis: usize| {
-                Lanes::simd_from(simd, [of[0][axis], of[1][axis], of[2][axis], of[3][axis]])
-            },
-        );
-        let [x, y] = self.picture;
-        Places {
-            middle: [lanes(&middles, 0) - x, lanes(&middles, 1) - y],
-            half: [lanes(&halves, 0), lanes(&halves, 1)],
         }
     }
 
@@ -467,20 +446,18 @@ impl Drawing<'_, '_> {
 
     /// Draws a square pixel by pixel, or its quarters where that cannot be done in lanes.
     fn evaluated<S: Simd>(&mut self, simd: S, square: &Square) {
-        let (spans, picture) = (&self.spans, self.picture);
-        let evaluations = self
-            .shader
-            .evaluate(simd, square, spans, picture, self.scratch);
-        let evaluations = match evaluations {
+        let region = Region {
+            square,
+            spans: &self.spans,
+            picture: self.picture,
+        };
+        let evaluations = match self.shader.evaluate(simd, &region, self.scratch) {
             None if square.side > MIN_SIDE => {
-                return self.squares(simd, &square.quarters(spans));
+                return self.squares(simd, &square.quarters(&self.spans));
             }
             None => {
-                let place = |pixel: usize, axis: usize| pixel as f64 + 0.5 - picture[axis];
                 let levels = &mut self.scratch.levels;
-                levels.fill_each(square, spans, |[column, row]| {
-                    self.shader.define(place(column, 0), place(row, 1))
-                });
+                levels.fill_each(&region, |[x, y]| self.shader.define(x, y));
                 let pixels = square.pixels as u64;
                 Evaluations {
                     kind: TileKind::Double,
@@ -491,11 +468,11 @@ impl Drawing<'_, '_> {
             Some(evaluations) => evaluations,
         };
         let mut store = Store::new(self.band, &self.spans, square, self.id);
-        let levels = &mut self.scratch.levels;
+        let mut rows = Evaluated::new(simd, &self.scratch.levels);
         apart(
             simd,
             #[inline(always)]
-            || store.draw(&mut Evaluated { simd, levels }),
+            || store.draw(&mut rows),
         );
         self.counts.covered_pixels += store.finish(evaluations.kind);
         self.counts.model_evaluations += evaluations.model;
@@ -505,19 +482,18 @@ impl Drawing<'_, '_> {
 
     /// Whether any pixel of a square is drawn here: in this band, and not hidden.
     fn is_seen(&self, square: &Square) -> bool {
-        let [first, last] = square.rows;
-        let rows = first.max(self.band.rows.start)..(last + 1).min(self.band.rows.end);
+        let rows = self.band.held(square.covered_rows());
         if square.pixels == 0 || rows.is_empty() {
             return false;
         }
+        let mut spans = self.spans.clipped(rows, square.columns);
         self.band.depths.is_empty()
-            || rows.into_iter().any(|row| {
-                let span = self.spans.clip(row, square.columns);
+            || spans.any(|(row, span)| {
                 let first = self.band.index(0, row);
                 !span.is_empty()
                     && self.band.triangles[first + span.start..first + span.end]
                         .iter()
-                        .any(|id| id / 2 == self.id / 2)
+                        .any(|id| face(*id) == face(self.id))
             })
     }
 }

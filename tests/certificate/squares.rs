@@ -9,7 +9,7 @@ use shadetrade::shading::face::{Face, Rays, Solid};
 use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::interpolation;
 use shadetrade::shading::phong::{FaceLight, Gloss, Phong};
-use shadetrade::shading::square::{Spans, Square};
+use shadetrade::shading::square::{Region, Spans, Square};
 use shadetrade::shading::{EXACT, Scratch, Shader, Sink, Surface, TileKind};
 use shadetrade::simd::baseline;
 
@@ -194,7 +194,12 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
     };
     let mut scratch = Scratch::default();
     let pixels = (0..side * side).map(|pixel| [pixel % side, pixel / side]);
-    match shader.evaluate(simd, &square, &spans, picture, &mut scratch) {
+    let region = Region {
+        square: &square,
+        spans: &spans,
+        picture,
+    };
+    match shader.evaluate(simd, &region, &mut scratch) {
         Some(evaluations) => {
             let levels = pixels.map(|[column, row]| scratch.levels.at(column, row).map(f64::from));
             (evaluations.kind, levels.collect())

@@ -8,7 +8,7 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::frame::{Band, OUTLINE};
+use crate::frame::{Band, OUTLINE, face};
 use crate::shading::display::Rows;
 use crate::shading::square::{Spans, Square};
 use crate::shading::{Sink, TileKind};
@@ -39,8 +39,7 @@ impl<'a, 'b> Store<'a, 'b> {
     /// The rows of the square that are covered and in the band.
     #[inline(always)]
     fn rows(&self) -> Range<usize> {
-        let [first, last] = self.square.rows;
-        first.max(self.band.rows.start)..(last + 1).min(self.band.rows.end)
+        self.band.held(self.square.covered_rows())
     }
 
     /// Notes how the square was drawn, where the frame keeps that; how many of its pixels were drawn.
@@ -49,8 +48,7 @@ impl<'a, 'b> Store<'a, 'b> {
         if !self.band.kinds.is_empty() {
             self.mark(kind);
         }
-        let [first, last] = self.square.rows;
-        if self.band.is_plain() && self.rows().len() == last + 1 - first {
+        if self.band.is_plain() && self.rows() == self.square.covered_rows() {
             self.square.pixels as u64
         } else {
             self.drawn
@@ -60,10 +58,10 @@ impl<'a, 'b> Store<'a, 'b> {
     #[inline(never)]
     fn mark(&mut self, kind: TileKind) {
         let Square { place, columns, .. } = *self.square;
-        for row in self.rows() {
+        for (row, span) in self.spans.clipped(self.rows(), columns) {
             let first = self.band.index(0, row);
-            for column in self.spans.clip(row, columns) {
-                if self.band.triangles[first + column] / 2 == self.id / 2 {
+            for column in span {
+                if face(self.band.triangles[first + column]) == face(self.id) {
                     let edge = row == place[1] || column == place[0];
                     self.band.kinds[first + column] = kind as u8 | if edge { OUTLINE } else { 0 };
                 }
@@ -122,7 +120,7 @@ impl<'a, 'b> Store<'a, 'b> {
     #[inline(always)]
     fn draw_seen<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
         let [left, top] = self.square.place;
-        let face = self.id / 2;
+        let own = face(self.id);
         let bytes = !self.band.pixels.is_empty();
         for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
             if span.is_empty() {
@@ -139,7 +137,7 @@ impl<'a, 'b> Store<'a, 'b> {
                 };
                 for lane in from.max(16 * part)..to.min(16 * part + 16) {
                     let pixel = first + left + lane;
-                    if self.band.triangles[pixel] / 2 != face {
+                    if face(self.band.triangles[pixel]) != own {
                         continue;
                     }
                     self.drawn += 1;
