@@ -9,18 +9,18 @@ use glam::DVec3;
 use super::square::{MAX_SIDE, Region};
 use crate::simd::three;
 
-/// Rows of a square, one at a time, ready to be shown sixteen pixels at a time.
+/// The colours of a square, sixteen columns at a time.
 pub trait Rows<S: Simd> {
-    /// Goes to a row, counted from the square's first.
-    fn go_to(&mut self, row: usize);
+    /// Goes to the columns from 16 `part` on, counted from the square's first.
+    fn go_to(&mut self, part: usize);
 
-    /// The levels of a part of the row, unclamped: of the sixteen pixels from 16 `part` on.
-    fn levels(&self, part: usize) -> [f32x16<S>; 3];
+    /// Their levels in a row, counted from the square's first; unclamped.
+    fn levels(&self, row: usize) -> [f32x16<S>; 3];
 
     /// Their display step, 0x00RRGGBB.
     #[inline(always)]
-    fn pixels(&self, part: usize) -> u32x16<S> {
-        let levels = self.levels(part);
+    fn pixels(&self, row: usize) -> u32x16<S> {
+        let levels = self.levels(row);
         pack(three(
             #[inline(always)]
             |channel| display_bits(levels[channel]),
@@ -105,41 +105,43 @@ fn for_parts<S: Simd, R: Rows<S>>(
     rows: &mut R,
     mut take: impl FnMut(usize, usize, [f32x16<S>; 3]),
 ) {
-    for (row, span) in region.covered() {
-        rows.go_to(row);
-        for part in span.start / 16..span.end.div_ceil(16) {
-            take(row, part, rows.levels(part));
+    for part in region.square.parts() {
+        rows.go_to(part);
+        for (row, span) in region.covered() {
+            if span.start < 16 * part + 16 && 16 * part < span.end {
+                take(row, part, rows.levels(row));
+            }
         }
     }
 }
 
-/// Rows of levels that were evaluated before.
+/// Levels that were evaluated before.
 pub struct Evaluated<'a, S: Simd> {
     simd: S,
     levels: &'a Levels,
-    row: usize,
+    part: usize,
 }
 
 impl<'a, S: Simd> Evaluated<'a, S> {
-    /// From the square's first row on.
+    /// Those of a square.
     pub fn new(simd: S, levels: &'a Levels) -> Self {
-        let row = 0;
-        Evaluated { simd, levels, row }
+        let part = 0;
+        Evaluated { simd, levels, part }
     }
 }
 
 impl<S: Simd> Rows<S> for Evaluated<'_, S> {
     #[inline(always)]
-    fn go_to(&mut self, row: usize) {
-        self.row = row;
+    fn go_to(&mut self, part: usize) {
+        self.part = part;
     }
 
     #[inline(always)]
-    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
-        let row = &self.levels.0[self.row];
+    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
+        let first = 16 * self.part;
         three(
             #[inline(always)]
-            |channel| f32x16::from_slice(self.simd, &row[channel][16 * part..16 * part + 16]),
+            |channel| f32x16::from_slice(self.simd, &self.levels.0[row][channel][first..][..16]),
         )
     }
 }

@@ -159,12 +159,14 @@ impl Gouraud<'_> {
             folded: beyond < reach(diagonal.dx, diagonal.dy),
             w: affine(w.at(x, y), w.dx, w.dy),
             first: region.square.first().map(|first| first as f32),
-            y: 0.0,
+            x: f32x16::splat(simd, 0.0),
         };
         apart(
             simd,
             #[inline(always)]
-            || scratch.levels.fill(region, &mut quotient),
+            || {
+                scratch.levels.fill(region, &mut quotient);
+            },
         );
         Some(Evaluations {
             kind: TileKind::Exact,
@@ -179,8 +181,8 @@ impl Gouraud<'_> {
     }
 }
 
-/// Rows of w C / w. Its affine functions are given by their values at the square's middle and what a pixel to the right and
-/// one down add.
+/// w C / w. Its affine functions are given by their values at the square's middle and what a pixel to the right and one
+/// down add.
 struct Quotient<S: Simd> {
     simd: S,
     colors: [[f32; 3]; 3],
@@ -189,23 +191,24 @@ struct Quotient<S: Simd> {
     fold: [f32; 3],
     folded: bool,
     w: [f32; 3],
-    /// The square's first pixel from the middle, in pixels, and the row.
+    /// The square's first pixel from the middle, in pixels.
     first: [f32; 2],
-    y: f32,
+    /// The columns, from the middle.
+    x: f32x16<S>,
 }
 
 impl<S: Simd> Rows<S> for Quotient<S> {
     #[inline(always)]
-    fn go_to(&mut self, row: usize) {
-        self.y = self.first[1] + row as f32;
+    fn go_to(&mut self, part: usize) {
+        self.x = f32x16::count(self.simd, 16 * part) + self.first[0];
     }
 
     #[inline(always)]
-    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
-        let x = f32x16::count(self.simd, 16 * part) + self.first[0];
+    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
+        let y = self.first[1] + row as i32 as f32;
         let at = inlined(
             #[inline(always)]
-            |[middle, right, down]: [f32; 3]| x * right + (middle + down * self.y),
+            |[middle, right, down]: [f32; 3]| self.x * right + (middle + down * y),
         );
         let inverse = 1.0 / at(self.w);
         let mut levels = three(

@@ -29,6 +29,7 @@ pub trait Reals<S: Simd>:
     SimdFloat<
         S,
         Element: Copy
+                     + Default
                      + Add<Output = <Self as SimdBase<S>>::Element>
                      + Mul<Output = <Self as SimdBase<S>>::Element>,
         Mask: Select<Self>,
@@ -46,8 +47,8 @@ pub trait Reals<S: Simd>:
     /// One of them.
     fn element(number: f64) -> Self::Element;
 
-    /// In f32, by lane.
-    fn store(self, to: &mut [f32]);
+    /// Sixteen of each in f32, from those that `evaluate` gives from a lane on.
+    fn sixteen(simd: S, evaluate: impl FnMut(usize) -> [Self; 3]) -> [f32x16<S>; 3];
 }
 
 /// The power of one shininess, s^rho from 1 - s.
@@ -122,8 +123,8 @@ impl<S: Simd> Reals<S> for f32x16<S> {
     }
 
     #[inline(always)]
-    fn store(self, to: &mut [f32]) {
-        to.copy_from_slice(self.as_slice());
+    fn sixteen(_simd: S, mut evaluate: impl FnMut(usize) -> [Self; 3]) -> [f32x16<S>; 3] {
+        evaluate(0)
     }
 }
 
@@ -155,10 +156,20 @@ impl<S: Simd> Reals<S> for f64x4<S> {
     }
 
     #[inline(always)]
-    fn store(self, to: &mut [f32]) {
-        for (to, number) in to.iter_mut().zip(self.as_array()) {
-            *to = *number as f32;
+    fn sixteen(simd: S, mut evaluate: impl FnMut(usize) -> [Self; 3]) -> [f32x16<S>; 3] {
+        let mut levels = [[0.0; 16]; 3];
+        for lane in (0..16).step_by(4) {
+            let four = evaluate(lane);
+            for channel in 0..3 {
+                for (index, level) in four[channel].as_array().iter().enumerate() {
+                    levels[channel][lane + index] = *level as f32;
+                }
+            }
         }
+        levels.map(
+            #[inline(always)]
+            |levels| f32x16::simd_from(simd, levels),
+        )
     }
 }
 
@@ -216,7 +227,7 @@ fn gated<S: Simd, V: Reals<S>>(simd: S, gate: V, number: V) -> V {
 
 /// What rounding costs a sum over lights, in levels: the one place where it is counted.
 ///
-/// A vector of length one at the middle is formed as (c + b y) + a x: c, a and b are rounded, then both products and both
+/// A vector of length one at the middle is formed as (c + a x) + b y: c, a and b are rounded, then both products and both
 /// sums, each by at most u times its size. So its direction errs by
 ///
 /// ```text
@@ -311,16 +322,17 @@ fn direction(unit: f64, Extent { radius, shortest }: Extent) -> f64 {
     }
 }
 
-/// A vector on a square: `middle + right x + down y`, x and y in pixels from the square's middle, and its row.
+/// A vector on a square: `middle + right x + down y`, x and y in pixels from the square's middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Vector<T> {
     middle: [T; 3],
     right: [T; 3],
     down: [T; 3],
-    start: [T; 3],
+    /// `middle + right x` in sixteen columns.
+    columns: [[T; 16]; 3],
 }
 
-impl<T: Copy + Add<Output = T> + Mul<Output = T>> Vector<T> {
+impl<T: Copy + Default + Add<Output = T> + Mul<Output = T>> Vector<T> {
     /// A vector that is anchored at the square's middle, times `scale`.
     #[inline(always)]
     pub fn new<S: Simd, V: Reals<S, Element = T>>(vector: &Affine, scale: f64) -> Self {
@@ -337,26 +349,29 @@ impl<T: Copy + Add<Output = T> + Mul<Output = T>> Vector<T> {
             middle: all(vector.centre),
             right: all(vector.dx),
             down: all(vector.dy),
-            start: all(vector.centre),
+            columns: [[T::default(); 16]; 3],
         }
     }
 
-    /// Goes to a row `y` pixels below the middle.
+    /// Goes to columns, some of the sixteen from `lane` on.
     #[inline(always)]
-    fn go_to(&mut self, y: T) {
-        self.start = three(
-            #[inline(always)]
-            |axis| self.middle[axis] + self.down[axis] * y,
-        );
+    fn go_to<S: Simd, V: Reals<S, Element = T>>(&mut self, lane: usize, x: V) {
+        let simd = x.token();
+        for axis in 0..3 {
+            let column = V::splat(simd, self.right[axis]) * x + V::splat(simd, self.middle[axis]);
+            self.columns[axis][lane..lane + V::LEN].copy_from_slice(column.as_slice());
+        }
     }
 
-    /// At places along the row.
+    /// In those columns, `y` pixels below the middle.
     #[inline(always)]
-    fn at<S: Simd, V: Reals<S, Element = T>>(&self, x: V) -> Lanes3<V> {
-        let simd = x.token();
+    fn at<S: Simd, V: Reals<S, Element = T>>(&self, simd: S, lane: usize, y: T) -> Lanes3<V> {
         three(
             #[inline(always)]
-            |axis| V::splat(simd, self.start[axis]) + V::splat(simd, self.right[axis]) * x,
+            |axis| {
+                V::from_slice(simd, &self.columns[axis][lane..lane + V::LEN])
+                    + V::splat(simd, self.down[axis] * y)
+            },
         )
     }
 }
@@ -388,15 +403,14 @@ pub struct Model<'a, S: Simd, V: Reals<S>, const UNIT: bool> {
 }
 
 impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
-    /// From pixel `column` of the row on, counted from the square's first.
+    /// In some of the sixteen columns, from `lane` on, `y` pixels below the middle.
     #[inline(always)]
-    fn at(&self, column: usize) -> [V; 3] {
+    fn at(&self, lane: usize, y: V::Element) -> [V; 3] {
         let simd = self.simd;
-        let x = V::count(simd, column) + V::splat(simd, self.x);
-        let mut n = self.normal.at(x);
+        let mut n: Lanes3<V> = self.normal.at(simd, lane, y);
         let mut o = n;
         if self.shines {
-            o = self.eye.at(x);
+            o = self.eye.at(simd, lane, y);
             if !UNIT {
                 (n, o) = (unit(simd, n), unit(simd, o));
             }
@@ -407,7 +421,7 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
             |channel| V::splat(simd, self.ambient[channel]),
         );
         for light in &*self.lights {
-            let l = light.vector.at(x);
+            let l = light.vector.at(simd, lane, y);
             let [cosine, power] = if UNIT {
                 let cosine = dot(&n, &l);
                 let along = (cosine + cosine) * dot(&n, &o) - dot(&l, &o);
@@ -437,27 +451,24 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
 
 impl<S: Simd, V: Reals<S>, const UNIT: bool> Rows<S> for Model<'_, S, V, UNIT> {
     #[inline(always)]
-    fn go_to(&mut self, row: usize) {
-        let y = V::element(row as f64) + self.y;
-        self.normal.go_to(y);
-        self.eye.go_to(y);
-        for light in &mut *self.lights {
-            light.vector.go_to(y);
+    fn go_to(&mut self, part: usize) {
+        for lane in (0..16).step_by(V::LEN) {
+            let x = V::count(self.simd, 16 * part + lane) + V::splat(self.simd, self.x);
+            self.normal.go_to(lane, x);
+            self.eye.go_to(lane, x);
+            for light in &mut *self.lights {
+                light.vector.go_to(lane, x);
+            }
         }
     }
 
     #[inline(always)]
-    fn levels(&self, part: usize) -> [f32x16<S>; 3] {
-        let mut line = [[0.0; 16]; 3];
-        for lane in (0..16).step_by(V::LEN) {
-            let levels = self.at(16 * part + lane);
-            for channel in 0..3 {
-                levels[channel].store(&mut line[channel][lane..lane + V::LEN]);
-            }
-        }
-        three(
+    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
+        let y = V::element(f64::from(row as i32)) + self.y;
+        V::sixteen(
+            self.simd,
             #[inline(always)]
-            |channel| f32x16::simd_from(self.simd, line[channel]),
+            |lane| self.at(lane, y),
         )
     }
 }

@@ -308,7 +308,9 @@ impl<'a> Phong<'a> {
             apart(
                 simd,
                 #[inline(always)]
-                || levels.fill(region, &mut model),
+                || {
+                    levels.fill(region, &mut model);
+                },
             );
         } else {
             let mut model: Model<'_, S, f64x4<S>, false> =
@@ -316,7 +318,9 @@ impl<'a> Phong<'a> {
             apart(
                 simd,
                 #[inline(always)]
-                || levels.fill(region, &mut model),
+                || {
+                    levels.fill(region, &mut model);
+                },
             );
         }
         Some(Evaluations {

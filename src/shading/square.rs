@@ -127,16 +127,18 @@ impl Square {
     pub fn new(spans: &Spans, place: [usize; 2], side: usize) -> Self {
         let [left, right] = [place[0] as i32, (place[0] + side) as i32];
         let rows = spans.local(place[1]..place[1] + side);
+        let first = (spans.first + rows.start) as i32;
         let mut pixels = 0;
         let (mut columns, mut covered) = ([i32::MAX, 0], [i32::MAX, 0]);
-        for index in rows {
-            let (from, to) = (spans.from[index].max(left), spans.to[index].min(right));
+        let ends = spans.from[rows.clone()].iter().zip(&spans.to[rows]);
+        for (row, (&from, &to)) in (first..).zip(ends) {
+            let (from, to) = (from.max(left), to.min(right));
             let any = from < to;
             pixels += if any { to - from } else { 0 };
             columns[0] = columns[0].min(if any { from } else { i32::MAX });
             columns[1] = columns[1].max(if any { to } else { 0 });
-            covered[0] = covered[0].min(if any { index as i32 } else { i32::MAX });
-            covered[1] = covered[1].max(if any { index as i32 } else { 0 });
+            covered[0] = covered[0].min(if any { row } else { i32::MAX });
+            covered[1] = covered[1].max(if any { row } else { 0 });
         }
         if pixels == 0 {
             return Square {
@@ -149,7 +151,7 @@ impl Square {
             place,
             side,
             columns: [columns[0] as usize, columns[1] as usize - 1],
-            rows: covered.map(|row| row as usize + spans.first),
+            rows: covered.map(|row| row as usize),
             pixels: pixels as usize,
         }
     }
@@ -181,6 +183,13 @@ impl Square {
     #[inline(always)]
     pub fn is_whole(&self) -> bool {
         self.pixels == self.side * self.side
+    }
+
+    /// The parts of it, of sixteen columns each, in which anything is covered.
+    #[inline(always)]
+    pub fn parts(&self) -> Range<usize> {
+        let [first, last] = self.columns.map(|column| (column - self.place[0]) / 16);
+        first..last + 1
     }
 
     /// The rows of the picture that are covered.

@@ -175,14 +175,18 @@ impl UnitVectors<'_> {
                 apart(
                     simd,
                     #[inline(always)]
-                    || levels.fill_where(region, &mut model, wanted),
+                    || {
+                        levels.fill_where(region, &mut model, wanted);
+                    },
                 );
             } else {
                 let mut model = self.model::<S, f64x4<S>>(simd, triangle, weights, region, double);
                 apart(
                     simd,
                     #[inline(always)]
-                    || levels.fill_where(region, &mut model, wanted),
+                    || {
+                        levels.fill_where(region, &mut model, wanted);
+                    },
                 );
             }
         }

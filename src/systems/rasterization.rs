@@ -372,7 +372,9 @@ impl Drawing<'_, '_> {
             for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
                 let square = |index| {
                     let place = [column + index * MAX_SIDE, row];
-                    if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
+                    if extent.end <= place[0] {
+                        Square::default()
+                    } else if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
                         Square::whole(place, MAX_SIDE)
                     } else {
                         Square::new(&self.spans, place, MAX_SIDE)
@@ -439,7 +441,11 @@ impl Drawing<'_, '_> {
             return;
         }
         let mut store = Store::new(self.band, &self.spans, square, self.id);
-        interpolation::draw(simd, interpolant, index, form, square, &mut store);
+        apart(
+            simd,
+            #[inline(always)]
+            || interpolation::draw(simd, interpolant, index, form, square, &mut store),
+        );
         self.counts.covered_pixels += store.finish(form.kind);
         self.counts.tiles[form.kind as usize] += 1;
     }
@@ -486,14 +492,15 @@ impl Drawing<'_, '_> {
         if square.pixels == 0 || rows.is_empty() {
             return false;
         }
-        let mut spans = self.spans.clipped(rows, square.columns);
-        self.band.depths.is_empty()
-            || spans.any(|(row, span)| {
-                let first = self.band.index(0, row);
-                !span.is_empty()
-                    && self.band.triangles[first + span.start..first + span.end]
-                        .iter()
-                        .any(|id| face(*id) == face(self.id))
-            })
+        if self.band.depths.is_empty() {
+            return true;
+        }
+        self.spans.clipped(rows, square.columns).any(|(row, span)| {
+            let first = self.band.index(0, row);
+            !span.is_empty()
+                && self.band.triangles[first + span.start..first + span.end]
+                    .iter()
+                    .any(|id| face(*id) == face(self.id))
+        })
     }
 }

@@ -4,6 +4,7 @@
 //! long run is 10000 in a release build, with `--nocapture` to see how much slack the certificates leave.
 
 mod choices;
+mod derivatives;
 #[path = "../support/random.rs"]
 mod random;
 #[path = "../support/scene.rs"]

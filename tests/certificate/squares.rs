@@ -27,12 +27,15 @@ struct Shown {
 
 impl<S: Simd> Sink<S> for Shown {
     fn draw(&mut self, rows: &mut impl Rows<S>) {
-        for row in 0..self.side {
-            rows.go_to(row);
-            for column in 0..self.side {
-                let levels = rows.levels(column / 16);
-                let levels = levels.map(|channel| f64::from(channel[column % 16]));
-                self.levels.push(levels);
+        self.levels.resize(self.side * self.side, [0.0; 3]);
+        for part in 0..self.side / 16 {
+            rows.go_to(part);
+            for row in 0..self.side {
+                let levels = rows.levels(row);
+                for lane in 0..16 {
+                    let pixel = row * self.side + 16 * part + lane;
+                    self.levels[pixel] = levels.map(|channel| f64::from(channel[lane]));
+                }
             }
         }
     }

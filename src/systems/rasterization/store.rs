@@ -5,13 +5,14 @@
 
 use std::ops::Range;
 
-use fearless_simd::Simd;
 use fearless_simd::prelude::*;
+use fearless_simd::{Simd, i32x16, u32x16};
 
 use crate::frame::{Band, OUTLINE, face};
 use crate::shading::display::Rows;
 use crate::shading::square::{Spans, Square};
 use crate::shading::{Sink, TileKind};
+use crate::simd::three;
 
 /// Stores the pixels of one square.
 pub struct Store<'a, 'b> {
@@ -78,12 +79,12 @@ impl<'a, 'b> Store<'a, 'b> {
             ..
         } = *self.square;
         let start = self.band.index(0, top);
-        let lines = self.band.pixels[start..].chunks_exact_mut(self.band.width);
-        for (row, line) in lines.take(side).enumerate() {
-            rows.go_to(row);
-            let parts = line[left..left + side].as_chunks_mut::<16>().0;
-            for (part, pixels) in parts.iter_mut().enumerate() {
-                *pixels = *rows.pixels(part);
+        for part in 0..side / 16 {
+            rows.go_to(part);
+            let first = left + 16 * part;
+            let lines = self.band.pixels[start..].chunks_exact_mut(self.band.width);
+            for (row, line) in lines.take(side).enumerate() {
+                line[first..first + 16].copy_from_slice(rows.pixels(row).as_slice());
             }
         }
     }
@@ -91,27 +92,31 @@ impl<'a, 'b> Store<'a, 'b> {
     /// The covered pixels, where nothing hides them and the band takes bytes.
     #[inline(always)]
     fn draw_spans<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
+        const LANES: [i32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
         let [left, top] = self.square.place;
         let held = self.rows();
-        let start = self.band.index(0, held.start);
-        let lines = self.band.pixels[start..].chunks_mut(self.band.width);
-        let spans = self.spans.clipped(held, self.square.columns);
-        for ((row, span), line) in spans.zip(lines) {
-            if span.is_empty() {
-                continue;
-            }
-            rows.go_to(row - top);
-            let from = span.start - left;
-            let (mut part, skipped) = (from / 16, from % 16);
-            self.drawn += span.len() as u64;
-            let covered = &mut line[span];
-            let (pixels, mut rest) = covered.split_at_mut(covered.len().min(16 - skipped));
-            copy(&rows.pixels(part).as_array()[skipped..], pixels);
-            while !rest.is_empty() {
-                part += 1;
-                let (pixels, others) = rest.split_at_mut(rest.len().min(16));
-                copy(rows.pixels(part).as_array(), pixels);
-                rest = others;
+        let (stride, start) = (self.band.width, self.band.index(0, held.start));
+        let pixels = &mut *self.band.pixels;
+        for part in self.square.parts() {
+            rows.go_to(part);
+            let first = left + 16 * part;
+            let width = (stride - first).min(16);
+            let spans = self.spans.clipped(held.clone(), [first, first + 15]);
+            for ((row, span), line) in spans.zip((start + first..).step_by(stride)) {
+                if span.is_empty() {
+                    continue;
+                }
+                self.drawn += span.len() as u64;
+                let new = rows.pixels(row - top);
+                let (from, to) = (span.start - first, span.end - first);
+                let line = &mut pixels[line..][..width];
+                if let Ok(line) = <&mut [u32; 16]>::try_from(&mut *line) {
+                    let lanes = i32x16::simd_from(new.token(), LANES);
+                    let covered = lanes.simd_ge(from as i32) & lanes.simd_lt(to as i32);
+                    *line = *covered.select(new, u32x16::simd_from(new.token(), *line));
+                } else {
+                    line[from..to].copy_from_slice(&new.as_array()[from..to]);
+                }
             }
         }
     }
@@ -122,30 +127,29 @@ impl<'a, 'b> Store<'a, 'b> {
         let [left, top] = self.square.place;
         let own = face(self.id);
         let bytes = !self.band.pixels.is_empty();
-        for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
-            if span.is_empty() {
-                continue;
-            }
-            rows.go_to(row - top);
-            let first = self.band.index(0, row);
-            let (from, to) = (span.start - left, span.end - left);
-            for part in from / 16..to.div_ceil(16) {
+        for part in self.square.parts() {
+            rows.go_to(part);
+            let column = left + 16 * part;
+            for (row, span) in self.spans.clipped(self.rows(), [column, column + 15]) {
+                if span.is_empty() {
+                    continue;
+                }
                 let (pixels, levels) = if bytes {
-                    (Some(rows.pixels(part)), None)
+                    (Some(rows.pixels(row - top)), None)
                 } else {
-                    (None, Some(rows.levels(part)))
+                    (None, Some(rows.levels(row - top)))
                 };
-                for lane in from.max(16 * part)..to.min(16 * part + 16) {
-                    let pixel = first + left + lane;
+                let first = self.band.index(0, row);
+                for x in span {
+                    let (pixel, lane) = (first + x, x - column);
                     if face(self.band.triangles[pixel]) != own {
                         continue;
                     }
                     self.drawn += 1;
                     if let Some(pixels) = &pixels {
-                        self.band.pixels[pixel] = pixels[lane % 16];
+                        self.band.pixels[pixel] = pixels[lane];
                     } else if let Some(levels) = &levels {
-                        self.band.levels[pixel] =
-                            [0, 1, 2].map(|channel| levels[channel][lane % 16]);
+                        self.band.levels[pixel] = three(|channel| levels[channel][lane]);
                     }
                 }
             }
@@ -164,27 +168,4 @@ impl<S: Simd> Sink<S> for Store<'_, '_> {
             self.draw_spans(rows);
         }
     }
-}
-
-/// Copies up to sixteen pixels, in parts of fixed sizes, which need no call.
-#[inline(always)]
-fn copy(from: &[u32], to: &mut [u32]) {
-    #[inline(always)]
-    fn part<'a, const SIZE: usize>(
-        (from, to): (&'a [u32], &'a mut [u32]),
-    ) -> (&'a [u32], &'a mut [u32]) {
-        match (from.split_first_chunk::<SIZE>(), to.len() < SIZE) {
-            (Some((from, rest)), false) => {
-                let (to, others) = to.split_at_mut(SIZE);
-                to.copy_from_slice(from);
-                (rest, others)
-            }
-            _ => (from, to),
-        }
-    }
-    let left = part::<8>((from, to));
-    let left = part::<8>(left);
-    let left = part::<4>(left);
-    let left = part::<2>(left);
-    part::<1>(left);
 }
