@@ -115,6 +115,7 @@ impl Subject {
     }
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
 fn projection_name<S: Serializer>(projection: &Projection, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(projection.name())
 }
@@ -143,6 +144,7 @@ fn count_keys<S: Serializer>(counts: &Counts, to: S) -> Result<S::Ok, S::Error> 
 }
 
 /// The keys of an error; each is `null` where there is none.
+#[expect(clippy::ref_option, reason = "serde hands a reference")]
 pub(super) fn error_keys<S: Serializer>(error: &Option<Error>, to: S) -> Result<S::Ok, S::Error> {
     let mut keys = serde_json::to_value(error.unwrap_or_default()).map_err(S::Error::custom)?;
     if let (None, Value::Object(keys)) = (error, &mut keys) {

@@ -105,8 +105,9 @@ pub fn in_batches<E, D: FnMut(usize) -> Result<(), E>>(
     let begin = Instant::now();
     for batch in 0..BATCHES {
         let mut draw = prepare()?;
-        let batch_begin = begin.elapsed();
-        let batch_time = (time * (batch as u32 + 1) / BATCHES as u32).saturating_sub(batch_begin);
+        let batch_begin = Instant::now();
+        let batch_end = time * (batch as u32 + 1) / BATCHES as u32;
+        let batch_time = batch_end.saturating_sub(begin.elapsed());
         for turn in 1..=max_turns {
             random.shuffle(&mut order);
             for &method in &order {
@@ -117,7 +118,7 @@ pub fn in_batches<E, D: FnMut(usize) -> Result<(), E>>(
                     samples[method][batch].push(start.elapsed().as_nanos() as f64 / 1e6);
                 }
             }
-            let spent = begin.elapsed() - batch_begin;
+            let spent = batch_begin.elapsed();
             let next = spent + spent / turn as u32;
             let is_last = turn == max_turns || next > batch_time;
             let share = spent.as_secs_f64() / batch_time.as_secs_f64().max(f64::MIN_POSITIVE);

@@ -25,15 +25,15 @@ pub fn timing(median: f64) -> Timing {
 }
 
 /// Errors of which `max` is the largest.
-pub fn error(max: f64) -> Option<Error> {
-    Some(Error {
+pub fn error(max: f64) -> Error {
+    Error {
         max,
         max_pixel: [1, 0],
         mean: max / 8.0,
         rmse: max / 4.0,
         p999: max / 2.0,
         over_1_level: if max > 1.0 { 0.25 } else { 0.0 },
-    })
+    }
 }
 
 /// Of a thousand covered pixels.
@@ -72,10 +72,10 @@ pub fn measurement(
         },
         accuracy: Accuracy {
             error: PhongError {
-                levels: error(max),
+                levels: Some(error(max)),
                 flip_mean: Some(max / 512.0),
             },
-            own_error: error(own_max),
+            own_error: Some(error(own_max)),
             highlight_kept,
             edge_pixels: 1,
             map: ErrorMap::between(pixel, black),

@@ -177,7 +177,7 @@ fn the_plot_is_well_formed_and_names_every_method() {
 #[test]
 fn every_point_lies_in_the_plot_however_small_its_error() {
     let mut report = example::report();
-    report.methods[2].accuracy.error.levels = example::error(1e-30);
+    report.methods[2].accuracy.error.levels = Some(example::error(1e-30));
     let text = plot::svg(&report).expect("it is drawn");
     let attribute = |tag: &str, name: &str| -> Option<f64> {
         let (_, rest) = tag.split_once(name)?;

@@ -85,14 +85,17 @@ fn a_time_too_short_for_the_clock_gives_no_ratio() {
 
 #[test]
 fn a_broken_promise_is_not_called_kept() {
-    let text = verdict_of(|report| report.methods[PHONG].accuracy.own_error = example::error(0.75));
+    let text =
+        verdict_of(|report| report.methods[PHONG].accuracy.own_error = Some(example::error(0.75)));
     assert_says(&text, &["0.750 levels off"]);
 }
 
 #[test]
 fn gouraud_may_be_good_enough() {
     let with_error = |error| {
-        verdict_of(|report| report.methods[GOURAUD].accuracy.error.levels = example::error(error))
+        verdict_of(|report| {
+            report.methods[GOURAUD].accuracy.error.levels = Some(example::error(error));
+        })
     };
     assert_says(&with_error(0.31), &["0.310 levels at most"]);
     assert_says(&with_error(7e-15), &["same picture"]);
@@ -182,7 +185,8 @@ fn the_table_fits_its_columns_whatever_the_numbers() {
         measurement.method.id = "phong-unit-vectors";
         measurement.timing = example::timing([1e-7, 0.999_9, 99.99, 12_345.6][index]);
         measurement.timing.interval[1] *= 3.0;
-        measurement.accuracy.error.levels = example::error([1e-9, 0.999, 9.999, 254.9][index]);
+        measurement.accuracy.error.levels =
+            Some(example::error([1e-9, 0.999, 9.999, 254.9][index]));
     }
     for report in [report, example::report(), example::empty_report()] {
         let text = table(&report);
