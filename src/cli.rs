@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use clap::builder::{PathBufValueParser, PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
@@ -183,9 +183,7 @@ pub struct TradeOptions {
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<Duration>,
     /// Measures only these [default: all, with --scale gouraud-0.5, phong-0.5 and phong-0]
-    #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(
-        METHODS.iter().map(|method| PossibleValue::new(method.id).help(method.help))
-    ))]
+    #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(METHODS.iter().map(|method| method.id)))]
     pub methods: Option<Vec<String>>,
     /// Measures time against pixels, lights, cuboids and threads instead
     #[arg(long)]
