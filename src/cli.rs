@@ -13,11 +13,12 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 use crate::output::Output;
+use crate::shading::{METHODS, Method};
 use crate::trade;
 pub use failure::Failure;
 use options::{DrawingOptions, MOST_PIXELS, WorkerOptions};
@@ -90,6 +91,7 @@ Examples:
   shadetrade trade --quick
   shadetrade trade bench-close -o close
   shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
+  shadetrade trade --methods gouraud-0.5,phong-0.5
   shadetrade trade --scale --quick
 
 Prints a verdict and a table; with -o also writes trade.json, trade.csv, trade.md, trade.svg (error
@@ -97,7 +99,7 @@ against time) and an error map of each method. Errors are against exact Phong in
 
 With --scale it times frames instead: of 480p to 8K (--size times 4/9 to 4), under 1 to 64 lights,
 with 1 to 10,000 cuboids, by 1 to all threads. Pixels and threads show the scene. With -o it writes
-scale.json, scale.csv, scale.md and scale.svg.")]
+scale.json.")]
     Trade(TradeOptions),
     /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
     #[command(after_help = "\
@@ -177,9 +179,12 @@ pub struct TradeOptions {
     /// As few samples as a median needs; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
     pub quick: bool,
-    /// How long to time frames in all, the reference apart; no less than 30 of each method, with --scale 9 [default: 20]
+    /// How long to time frames in all, the reference apart; no less than 30 of each method, with --scale 8 [default: 20]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<Duration>,
+    /// Measures only these [default: all, with --scale gouraud-0.5, phong-0.5 and phong-0]
+    #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(METHODS.iter().map(|method| method.id)))]
+    pub methods: Option<Vec<String>>,
     /// Measures time against pixels, lights, cuboids and threads instead
     #[arg(long)]
     pub scale: bool,
@@ -218,15 +223,26 @@ impl TradeOptions {
         } else {
             self.seconds.unwrap_or(trade::USUAL_TIME)
         };
-        let words: Vec<String> = std::env::args_os()
-            .skip(1)
-            .map(|word| word.to_string_lossy().into_owned())
-            .collect();
-        Ok(trade::Request::new(
-            drawing,
-            time,
-            format!("shadetrade {}", words.join(" ")),
-        ))
+        let words = std::env::args_os().skip(1);
+        let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
+        let command = format!("shadetrade {}", words.join(" "));
+        let mut request = trade::Request::new(drawing, time, command);
+        let measured = |method: &Method| match &self.methods {
+            Some(ids) => ids.iter().any(|id| id == method.id),
+            None => !self.scale || trade::scale::METHODS.contains(&method.id),
+        };
+        request.methods.retain(measured);
+        Ok(request)
+    }
+}
+
+/// A word as a shell has to be given it.
+fn quoted(word: &str) -> String {
+    let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-+=:,./@%".contains(letter);
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
     }
 }
 

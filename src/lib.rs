@@ -158,7 +158,8 @@
 //! - a step of the frame: a row of [`systems::FRAME`];
 //! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule
 //!   that decides what is right;
-//! - a metric: a pure function in [`trade::metrics`], its column in [`trade::report`];
+//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON and CSV show by
+//!   themselves; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
 //! - a key: a row of [`window::bindings::BINDINGS`], and an arm of [`window::session::Session::apply`]; panel and help
 //!   show it by themselves;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`.

@@ -61,10 +61,26 @@ pub fn draw_rows(
     rows: Range<usize>,
     frame: &mut Frame,
 ) -> Result<(), OutOfMemory> {
+    draw_in_stages(world, view, rows, frame, |_| ())
+}
+
+/// The same; `after_stage` is called with a stage's name when it is done, first of all with "clear".
+///
+/// # Errors
+/// As [`draw`].
+pub fn draw_in_stages(
+    world: &mut World,
+    view: &View,
+    rows: Range<usize>,
+    frame: &mut Frame,
+    mut after_stage: impl FnMut(&'static str),
+) -> Result<(), OutOfMemory> {
     let cuboids = world.query_mut::<&Mesh>().into_iter().count();
     frame.begin(view.size, rows, cuboids > 1)?;
+    after_stage("clear");
     for stage in FRAME {
         (stage.run)(world, view, frame);
+        after_stage(stage.name);
     }
     Ok(())
 }

@@ -2,35 +2,32 @@
 //!
 //! ```text
 //!            +-- timing: frames by the clock, methods in turns --+
-//! Request ---+                                                   +-- front --> Report --> report, json, csv, plot, error_map
+//! Request ---+                                                   +-- front --> Report --> export, plot, error_map
 //!            +-- accuracy: pictures against the reference -------+
 //! ```
 //! What time grows with is measured apart: [`scale`].
 //!
-//! Rule: measuring and reporting are apart: a [`Report`] is data, what is made of it is a pure function of it, and a
-//! quantity that does not exist is `None`, never a number that is none.
+//! Rule: measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it.
 
 pub mod accuracy;
 pub(crate) mod chart;
-pub mod csv;
 pub mod error_map;
+pub mod export;
 pub mod flip;
 pub mod front;
-pub mod json;
 pub mod machine;
 pub mod metrics;
 pub mod plot;
 pub(crate) mod progress;
-pub mod report;
+pub mod record;
 pub mod scale;
-pub mod subject;
 pub mod tables;
 pub mod timing;
 pub mod verdict;
 pub(crate) mod words;
 
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use fearless_simd::Level;
@@ -45,20 +42,23 @@ use crate::output::{self, Output};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::systems;
-use accuracy::Accuracy;
 use front::Candidate;
 pub use progress::Progress;
-use subject::Subject;
+use record::Subject;
+pub use record::{Measurement, Report};
 use timing::Timing;
 
 /// How long all frames are timed together unless asked otherwise.
 pub const USUAL_TIME: Duration = Duration::from_secs(20);
 
-/// The same for those in a hurry: no more than the least number of samples.
+/// The same for those in a hurry: no more than [`MIN_SAMPLES`].
 pub const QUICK_TIME: Duration = Duration::ZERO;
 
 /// Samples of each method however little time there is: below that a median says little.
-pub const LEAST_SAMPLES: usize = 30;
+pub const MIN_SAMPLES: usize = 30;
+
+/// Frames whose stages are timed, for each method.
+const STAGED_FRAMES: usize = 15;
 
 /// What to measure.
 pub struct Request {
@@ -68,18 +68,20 @@ pub struct Request {
     pub camera: String,
     /// How it is seen; shading and tolerance are each method's own.
     pub view: View,
+    /// What draws it.
+    pub methods: Vec<Method>,
     /// How many threads draw the frames that are timed; 1 is the calling thread alone.
     pub threads: usize,
     /// The SIMD level that draws.
     pub level: Level,
-    /// How long all frames are timed together; every method gets [`LEAST_SAMPLES`] even of no time at all.
+    /// How long all frames are timed together; every method gets [`MIN_SAMPLES`] even of no time at all.
     pub time: Duration,
     /// The command line, for those who want to repeat it.
     pub command: String,
 }
 
 impl Request {
-    /// To measure `drawing`, whatever its shading and tolerance, for about this `time`.
+    /// To measure `drawing` with all [`METHODS`], whatever its shading and tolerance, for about this `time`.
     pub fn new(drawing: Drawing, time: Duration, command: String) -> Self {
         let view = drawing.view();
         let mut cameras = drawing.scene.camera_names();
@@ -87,52 +89,12 @@ impl Request {
             camera: cameras.swap_remove(drawing.camera),
             scene: drawing.scene,
             view,
+            methods: METHODS.to_vec(),
             threads: drawing.threads,
             level: drawing.level,
             time,
             command,
         }
-    }
-}
-
-/// What was measured.
-#[derive(Clone, Debug)]
-pub struct Report {
-    /// Of which view, and where.
-    pub subject: Subject,
-    /// Pixels on which something is drawn.
-    pub covered_pixels: u64,
-    /// In the order of [`METHODS`].
-    pub methods: Vec<Measurement>,
-}
-
-/// What one method costs and how far it errs.
-#[derive(Clone, Debug)]
-pub struct Measurement {
-    /// The method.
-    pub method: Method,
-    /// How many threads drew.
-    pub threads: usize,
-    /// Milliseconds of a whole warm frame.
-    pub timing: Timing,
-    /// What a frame evaluates; the same on every machine.
-    pub counts: Counts,
-    /// How true its picture is.
-    pub accuracy: Accuracy,
-    /// Whether nothing beats it in error and time both.
-    pub on_front: bool,
-}
-
-impl Measurement {
-    /// Nanoseconds of a frame for each pixel on which something is drawn; `None` where nothing is.
-    pub fn ns_per_covered_pixel(&self) -> Option<f64> {
-        let pixels = self.counts.covered_pixels;
-        (pixels > 0).then(|| self.timing.median * 1e6 / pixels as f64)
-    }
-
-    /// The largest error against exact Phong, in levels; `None` where nothing can be compared.
-    pub fn max_error(&self) -> Option<f64> {
-        self.accuracy.error.error.map(|error| error.max)
     }
 }
 
@@ -145,20 +107,20 @@ pub enum TradeError {
     /// The system gives no threads.
     #[error("cannot start the threads that draw")]
     Threads(#[from] ThreadPoolBuildError),
-    /// Nobody wants to know any more.
+    /// Whoever asked no longer wants to know.
     #[error("the measurement was cancelled")]
     Cancelled,
 }
 
-/// Measures all [`METHODS`]; `progress` hears from any thread how far it is.
+/// Measures the methods of `request`; `on_progress` is told from any thread how far it is.
 ///
 /// # Errors
 /// When memory or threads do not suffice.
 pub fn measure(
     request: Request,
-    progress: &(dyn Fn(Progress) + Sync),
+    on_progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Report, TradeError> {
-    measure_unless(request, &|| false, progress)
+    measure_unless(request, &|| false, on_progress)
 }
 
 /// The same; `cancelled` is asked before every frame and every row of the reference, and a yes ends it.
@@ -168,74 +130,122 @@ pub fn measure(
 pub fn measure_unless(
     mut request: Request,
     cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(Progress) + Sync),
+    on_progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Report, TradeError> {
     accuracy::check_memory(request.view.size)?;
-    let telling = |step| move |share| progress(Progress { step, share });
-    let timed = time_frames(&mut request, cancelled, telling("timing frames"))?;
+    let step = |step| move |share| on_progress(Progress { step, share });
+    let timings = time_frames(&request, cancelled, step("timing frames"))?;
+    let stages = time_stages(&request, cancelled)?;
+    let subject = Subject::of(&request);
     let accuracies = accuracy::of_methods(
+        &request.methods,
         &mut request.scene,
         &request.view,
         Workers::new(all_cores(), request.level)?,
         cancelled,
-        &telling("comparing pictures"),
+        &step("comparing pictures"),
     )?;
-    let candidates: Vec<Candidate> = timed
+    let times = timings.into_iter().zip(stages);
+    let mut methods: Vec<Measurement> = request
+        .methods
         .iter()
-        .zip(&accuracies)
-        .map(|((timing, _), accuracy)| Candidate {
-            error: accuracy.error.error.map(|error| error.max),
-            timing: *timing,
-        })
-        .collect();
-    let measured = METHODS.iter().zip(timed).zip(accuracies);
-    let methods: Vec<Measurement> = measured
-        .zip(front::on_front(&candidates))
-        .map(
-            |(((method, (timing, counts)), accuracy), on_front)| Measurement {
+        .zip(times)
+        .zip(accuracies)
+        .map(|((method, (timing, (stages, counts))), accuracy)| {
+            let pixels = counts.covered_pixels;
+            Measurement {
                 method: *method,
                 threads: request.threads,
+                ns_per_covered_pixel: (pixels > 0).then(|| timing.median * 1e6 / pixels as f64),
                 timing,
+                stages,
                 counts,
                 accuracy,
-                on_front,
-            },
-        )
+                on_front: false,
+            }
+        })
         .collect();
+    let candidate = |one| Candidate {
+        error: Measurement::max_error(one),
+        timing: &one.timing,
+    };
+    let on_front = front::on_front(&methods.iter().map(candidate).collect::<Vec<_>>());
+    for (one, on_front) in methods.iter_mut().zip(on_front) {
+        one.on_front = on_front;
+    }
     Ok(Report {
-        subject: Subject::of(&request),
-        covered_pixels: methods
-            .first()
-            .map_or(0, |method| method.counts.covered_pixels),
+        subject,
+        covered_pixels: methods.first().map_or(0, |one| one.counts.covered_pixels),
         methods,
     })
 }
 
-/// The times of all [`METHODS`], and what each counts.
-///
-/// All draw into one frame, as a window does, so that none has a better place in memory than another.
-fn time_frames(
-    request: &mut Request,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: impl Fn(f64),
-) -> Result<Vec<(Timing, Counts)>, TradeError> {
-    let workers = Workers::new(request.threads, request.level)?;
-    let mut frame = Frame::new(Keep::Display, workers);
-    let views: Vec<View> = METHODS
-        .iter()
+/// The views that the methods of `request` draw.
+fn views(request: &Request) -> Vec<View> {
+    let methods = request.methods.iter();
+    methods
         .map(|method| accuracy::drawn_by(method, &request.view))
-        .collect();
-    let mut counts = vec![Counts::default(); METHODS.len()];
-    let draw = |method: usize| -> Result<(), TradeError> {
-        if cancelled() {
-            return Err(TradeError::Cancelled);
-        }
-        systems::draw(&mut request.scene.world, &views[method], &mut frame)?;
-        counts[method] = frame.counts();
-        Ok(())
+        .collect()
+}
+
+/// A frame as a window holds it, and a scene of one's own to draw into it.
+fn prepare(request: &Request) -> Result<(Frame, Scene), TradeError> {
+    let workers = Workers::new(request.threads, request.level)?;
+    Ok((Frame::new(Keep::Display, workers), request.scene.snapshot()))
+}
+
+/// The times of all methods. In a batch all draw into one frame, so that none has a better place in memory than another.
+fn time_frames(
+    request: &Request,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    on_progress: impl Fn(f64),
+) -> Result<Vec<Timing>, TradeError> {
+    let views = &views(request);
+    let prepare = || {
+        let (mut frame, mut scene) = prepare(request)?;
+        Ok(move |method: usize| -> Result<(), TradeError> {
+            if cancelled() {
+                return Err(TradeError::Cancelled);
+            }
+            Ok(systems::draw(&mut scene.world, &views[method], &mut frame)?)
+        })
     };
-    let timings = timing::in_turns(METHODS.len(), LEAST_SAMPLES, request.time, draw, progress)?;
-    Ok(timings.into_iter().zip(counts).collect())
+    timing::in_batches(views.len(), MIN_SAMPLES, request.time, prepare, on_progress)
+}
+
+/// The median milliseconds of each stage of a frame, by method, and what such a frame counts. Not of the frames timed as a
+/// whole, whose clock runs undisturbed.
+#[expect(clippy::type_complexity, reason = "a stage is a name and a time")]
+fn time_stages(
+    request: &Request,
+    cancelled: &(dyn Fn() -> bool + Sync),
+) -> Result<Vec<(Vec<(&'static str, f64)>, Counts)>, TradeError> {
+    let (mut frame, mut scene) = prepare(request)?;
+    let mut of_method = |view: &View| {
+        let mut times: Vec<(&str, Vec<f64>)> = Vec::new();
+        for number in 0..=STAGED_FRAMES {
+            if cancelled() {
+                return Err(TradeError::Cancelled);
+            }
+            let (mut stage, mut start) = (0, Instant::now());
+            let rows = 0..view.size[1];
+            systems::draw_in_stages(&mut scene.world, view, rows, &mut frame, |name| {
+                let now = Instant::now();
+                // The first frame warms caches.
+                if number == 0 {
+                    times.push((name, Vec::new()));
+                } else {
+                    times[stage].1.push((now - start).as_secs_f64() * 1e3);
+                }
+                (stage, start) = (stage + 1, now);
+            })?;
+        }
+        let medians = times
+            .iter()
+            .map(|(name, times)| (*name, timing::median(times)));
+        Ok((medians.collect(), frame.counts()))
+    };
+    views(request).iter().map(&mut of_method).collect()
 }
 
 /// The command: measures, prints the table, and writes everything into the folder `out` if there is one.
@@ -246,20 +256,20 @@ pub fn run(request: Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
         make_writable(folder)?;
     }
-    let report = progress::with_bar(|progress| measure(request, progress))?;
-    Output::Stdout.write(|writer| writer.write_all(report::table(&report).as_bytes()))?;
+    let report = progress::with_bar(|on_progress| measure(request, on_progress))?;
+    Output::Stdout.write(|writer| writer.write_all(export::table(&report).as_bytes()))?;
     if let Some(folder) = out {
         write_files(&report, folder)?;
         output::say(&format!(
-            "wrote trade.json, trade.csv, trade.md, trade.svg and {} error maps into {}",
-            report.methods.len(),
+            "wrote trade.json, trade.csv, trade.md, trade.svg and {} into {}",
+            words::counted(report.methods.len(), "error map"),
             folder.display()
         ));
     }
     Ok(())
 }
 
-/// Makes the folder unless it is there: better to hear now than after the measurement that nothing can be written there.
+/// Makes the folder unless it is there, and fails before the measurement rather than after it if nothing can be written there.
 pub(crate) fn make_writable(folder: &Path) -> anyhow::Result<()> {
     output::make_folder(folder)?;
     tempfile::tempfile_in(folder)
@@ -273,9 +283,9 @@ pub(crate) fn make_writable(folder: &Path) -> anyhow::Result<()> {
 /// When one of them could not be written.
 pub fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
     for (name, content) in [
-        ("trade.json", json::json(report)),
-        ("trade.csv", csv::csv(report)),
-        ("trade.md", report::markdown(report)),
+        ("trade.json", export::json(report)?),
+        ("trade.csv", export::csv(report)?),
+        ("trade.md", export::markdown(report)),
         ("trade.svg", plot::svg(report)?),
     ] {
         Output::File(folder.join(name)).write(|writer| writer.write_all(content.as_bytes()))?;

@@ -424,9 +424,13 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
             let l = light.vector.at(simd, lane, y);
             let [cosine, power] = if UNIT {
                 let cosine = dot(&n, &l);
-                let along = (cosine + cosine) * dot(&n, &o) - dot(&l, &o);
-                let lambda = (V::all(simd, 1.0) - along).max(V::all(simd, 0.0));
-                [cosine, lambda.powers(self.power)]
+                if light.is[1] {
+                    let along = (cosine + cosine) * dot(&n, &o) - dot(&l, &o);
+                    let lambda = (V::all(simd, 1.0) - along).max(V::all(simd, 0.0));
+                    [cosine, lambda.powers(self.power)]
+                } else {
+                    [cosine; 2]
+                }
             } else if light.is[1] {
                 highlight(simd, self.power, &n, &l, &o)
             } else {

@@ -39,9 +39,9 @@ pub struct Gloss {
     /// What bounds are worked out with.
     bound: Highlight,
     /// A highlight whose s stays below this is too faint to be drawn.
-    least: f64,
+    pub least: f64,
     /// What one highlight may lose by that, in levels.
-    faint: f64,
+    pub faint: f64,
 }
 
 impl Gloss {

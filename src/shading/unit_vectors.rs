@@ -2,7 +2,8 @@
 //!
 //! Rule: lambda_i = e_i w_i / sum(e_j w_j) are the coordinates that are linear on the screen; their sum is constant, so
 //! no pixel divides. A triangle with a vertex nearer than the near plane has no three screen positions: its vectors are
-//! interpolated perspective-correctly instead, as everything else is. Between unit vectors o.r is at most one; where a
+//! interpolated perspective-correctly instead, as everything else is. A light behind a whole square is left out, and a highlight
+//! that stays as faint there as Phong at tolerance 0 may leave out. Between unit vectors o.r is at most one; where a
 //! pixel lies just outside its triangle it is held to that. In f32 where its rounding is bounded, pixel by
 //! pixel in f64 elsewhere and for slivers.
 
@@ -12,6 +13,7 @@ use glam::DVec3;
 use super::affine::Affine;
 use super::face::{Face, places};
 use super::kernel::{DOUBLE, Light, Model, Power, Reals, Vector};
+use super::phong::Gloss;
 use super::specular::power_exact;
 use super::square::Region;
 use super::{EXACT, Evaluations, Scratch, Surface, TileKind, U};
@@ -30,7 +32,9 @@ pub struct UnitVectors<'a> {
     pub backward: Option<DVec3>,
     /// The face's two triangles.
     pub triangles: [Triangle; 2],
-    /// The power of its highlights.
+    /// Its highlights: how faint one is left out.
+    pub gloss: &'a Gloss,
+    /// Their power.
     pub power: Power,
 }
 
@@ -81,6 +85,32 @@ impl Triangle {
 
 fn blend(weights: DVec3, values: &[DVec3; 3]) -> DVec3 {
     values[0] * weights.x + values[1] * weights.y + values[2] * weights.z
+}
+
+/// Bounds from above on n.l and on o.r = 2 (n.l)(n.o) - l.o over a square: the value and the slopes at its middle, and what
+/// products of the vectors' changes add.
+fn most(normal: &Affine, light: &Affine, eye: &Affine, half: [f64; 2]) -> [f64; 2] {
+    /// Covers the rounding of what follows, whose terms are of size one.
+    const ROUNDING: f64 = 1e-12;
+    let change = |[x, y]: [f64; 2]| x.abs() * half[0] + y.abs() * half[1];
+    let moved = |vector: &Affine| change([vector.dx.length(), vector.dy.length()]);
+    let product = |a: &Affine, b: &Affine| {
+        let slope = |a_slope: DVec3, b_slope| a_slope.dot(b.centre) + a.centre.dot(b_slope);
+        let slopes = [slope(a.dx, b.dx), slope(a.dy, b.dy)];
+        (a.centre.dot(b.centre), slopes, moved(a) * moved(b))
+    };
+    let (nl, nl_slopes, nl_rest) = product(normal, light);
+    let (no, no_slopes, no_rest) = product(normal, eye);
+    let (lo, lo_slopes, lo_rest) = product(light, eye);
+    let (nl_change, no_change) = (change(nl_slopes), change(no_slopes));
+    let slopes = [0, 1].map(|i| 2.0 * (nl_slopes[i] * no + nl * no_slopes[i]) - lo_slopes[i]);
+    let rest = nl_rest * (no.abs() + no_change + no_rest)
+        + no_rest * (nl.abs() + nl_change)
+        + nl_change * no_change;
+    [
+        nl + nl_change + nl_rest + ROUNDING,
+        2.0 * nl * no - lo + change(slopes) + 2.0 * rest + lo_rest + ROUNDING,
+    ]
 }
 
 impl UnitVectors<'_> {
@@ -149,7 +179,8 @@ impl UnitVectors<'_> {
                 });
             }
         }
-        let [single, double] = roundings;
+        let dropped = self.gloss.faint * self.surface.powers() as f64;
+        let [single, double] = roundings.map(|rounding| rounding + dropped);
         let kind = if single <= EXACT {
             TileKind::Exact
         } else if double <= EXACT {
@@ -157,6 +188,7 @@ impl UnitVectors<'_> {
         } else {
             return None;
         };
+        let mut highlights = 0;
         for (index, triangle) in self.triangles.iter().enumerate() {
             if !used[index] {
                 continue;
@@ -172,6 +204,8 @@ impl UnitVectors<'_> {
             } = scratch;
             if kind == TileKind::Exact {
                 let mut model = self.model::<S, f32x16<S>>(simd, triangle, weights, region, single);
+                highlights =
+                    highlights.max(model.lights.iter().filter(|light| light.is[1]).count());
                 apart(
                     simd,
                     #[inline(always)]
@@ -181,6 +215,8 @@ impl UnitVectors<'_> {
                 );
             } else {
                 let mut model = self.model::<S, f64x4<S>>(simd, triangle, weights, region, double);
+                highlights =
+                    highlights.max(model.lights.iter().filter(|light| light.is[1]).count());
                 apart(
                     simd,
                     #[inline(always)]
@@ -193,7 +229,7 @@ impl UnitVectors<'_> {
         Some(Evaluations {
             kind,
             model: region.square.pixels as u64,
-            specular: (region.square.pixels * self.surface.powers()) as u64,
+            specular: (region.square.pixels * highlights) as u64,
         })
     }
 
@@ -206,30 +242,39 @@ impl UnitVectors<'_> {
         region: &Region,
         lights: &'b mut Vec<Light<V::Element>>,
     ) -> Model<'b, S, V, true> {
-        let vector = |values: &[DVec3; 3]| {
-            Vector::new::<S, V>(&weights.map(|weights| blend(weights, values)), 1.0)
-        };
+        let interpolated = |values: &[DVec3; 3]| weights.map(|weights| blend(weights, values));
+        let vector = |vector: &Affine| Vector::new::<S, V>(vector, 1.0);
         let all = |levels: DVec3| levels.to_array().map(V::element);
+        let normal = interpolated(&triangle.normals);
+        let eye = interpolated(&self.to_eye(triangle));
         lights.clear();
         for light in &self.surface.illumination.points {
             let terms = self.surface.coefficients(light);
-            lights.push(Light {
-                vector: vector(&self.to_light(triangle, light)),
-                levels: terms.map(all),
-                is: terms.map(|levels| levels != DVec3::ZERO),
-            });
+            let to_light = interpolated(&self.to_light(triangle, light));
+            let [cosine, along] = most(&normal, &to_light, &eye, region.square.half());
+            if cosine > 0.0 {
+                lights.push(Light {
+                    vector: vector(&to_light),
+                    levels: terms.map(all),
+                    is: [
+                        terms[0] != DVec3::ZERO,
+                        terms[1] != DVec3::ZERO && along > self.gloss.least,
+                    ],
+                });
+            }
         }
+        let shines = lights.iter().any(|light| light.is[1]);
         let [x, y] = region.square.first().map(V::element);
         Model {
             simd,
-            normal: vector(&triangle.normals),
-            eye: vector(&self.to_eye(triangle)),
+            normal: vector(&normal),
+            eye: vector(&eye),
             lights,
             ambient: all(self.surface.ambient()),
             power: &self.power,
             x,
             y,
-            shines: self.surface.powers() > 0,
+            shines,
         }
     }
 
@@ -264,5 +309,38 @@ impl UnitVectors<'_> {
             }
         }
         levels
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn vector(size: f64) -> impl Strategy<Value = DVec3> {
+        prop::array::uniform3(-size..size).prop_map(DVec3::from)
+    }
+
+    fn affine() -> impl Strategy<Value = Affine> {
+        (vector(0.6), vector(0.02), vector(0.02)).prop_map(|(centre, dx, dy)| Affine {
+            centre,
+            dx,
+            dy,
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn nothing_on_a_square_is_above_its_bounds(
+            [n, l, o] in [affine(), affine(), affine()],
+            half in [0.5..16.0, 0.5..16.0],
+            at in [-1.0..=1.0, -1.0..=1.0],
+        ) {
+            let [cosine, along] = most(&n, &l, &o, half);
+            let [n, l, o] = [n, l, o].map(|v| v.at(at[0] * half[0], at[1] * half[1]));
+            prop_assert!(n.dot(l) <= cosine);
+            prop_assert!(2.0 * n.dot(l) * n.dot(o) - l.dot(o) <= along);
+        }
     }
 }

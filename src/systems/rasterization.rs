@@ -147,6 +147,7 @@ fn shader<'a>(
                 backward: (lens.projection == Projection::Orthographic).then(|| -lens.axes[2]),
                 triangles: [0, 1]
                     .map(|second| unit_vectors::Triangle::new(face, number, second, piece.depths)),
+                gloss: &list.glosses[object.gloss],
                 power: list.glosses[object.gloss].power(),
             })
         }

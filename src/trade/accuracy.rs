@@ -11,11 +11,13 @@
 use std::collections::{HashMap, HashSet};
 
 use glam::DVec3;
+use serde::Serialize;
 
 use super::TradeError;
 use super::error_map::ErrorMap;
 use super::flip;
-use super::metrics::{self, Difference, Picture};
+use super::metrics::{self, Error, Picture};
+use super::record::error_keys;
 use crate::components::{Light, LightKind, ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory::{self, OutOfMemory};
@@ -25,18 +27,29 @@ use crate::shading::{METHODS, Method};
 use crate::systems;
 
 /// How true a method's picture is.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Accuracy {
     /// Against exact Phong.
-    pub error: Difference,
-    /// Against the exact evaluation of its own mode.
-    pub own_error: Difference,
-    /// Mean FLIP, 0..=1, of the displayed bytes against those of exact Phong; `None` where nothing can be compared.
-    pub flip_mean: Option<f64>,
+    pub error: PhongError,
+    /// Against the exact evaluation of its own mode; `None` where nothing can be compared.
+    #[serde(serialize_with = "error_keys")]
+    pub own_error: Option<Error>,
     /// How much of the highlight is where it ought to be, 0..=1; `None` where exact Phong shows none.
     pub highlight_kept: Option<f64>,
-    /// Where the error lies.
+    /// Pixels where the method and exact Phong show different faces.
+    pub edge_pixels: u64,
+    /// Where the error against exact Phong lies.
+    #[serde(skip)]
     pub map: ErrorMap,
+}
+
+/// How far a picture is from exact Phong; `None` where nothing can be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PhongError {
+    #[serde(flatten, serialize_with = "error_keys")]
+    pub levels: Option<Error>,
+    /// Mean FLIP, 0..=1, of the displayed bytes.
+    pub flip_mean: Option<f64>,
 }
 
 /// What a pixel takes at most while pictures are compared, in bytes: three truths of 28, a frame with depths of 24, two
@@ -54,28 +67,29 @@ pub(super) fn check_memory(size: [usize; 2]) -> Result<(), OutOfMemory> {
     Ok(())
 }
 
-/// The accuracy of all [`METHODS`], in their order; `progress` hears, from any thread, the share done, 0..=1.
+/// The accuracy of `methods`, in their order; `on_progress` is told, from any thread, the share done, 0..=1.
 ///
 /// The scene is left with its specular lights alone.
 ///
 /// # Errors
 /// When the picture does not fit in memory, or `cancelled` says yes.
 pub(super) fn of_methods(
+    methods: &[Method],
     scene: &mut Scene,
     view: &View,
     workers: Workers,
     cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(f64) + Sync),
+    on_progress: &(dyn Fn(f64) + Sync),
 ) -> Result<Vec<Accuracy>, TradeError> {
     let [width, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
-    let modes: HashSet<ShadingMode> = METHODS
+    let modes: HashSet<ShadingMode> = methods
         .iter()
         .map(|method| method.mode)
         .chain([ShadingMode::Phong])
         .collect();
-    let steps = modes.len() + METHODS.len() + 1;
-    let told = |done: usize, share: f64| progress((done as f64 + share) / steps as f64);
+    let steps = modes.len() + methods.len() + 1;
+    let told = |done: usize, share: f64| on_progress((done as f64 + share) / steps as f64);
     let truths: HashMap<ShadingMode, Truth> = modes
         .iter()
         .enumerate()
@@ -88,8 +102,8 @@ pub(super) fn of_methods(
         .collect::<Result<_, _>>()?;
     let exact = picture_of(&truths[&ShadingMode::Phong]);
     let exact_bytes = bytes(exact.levels);
-    let mut accuracies = Vec::with_capacity(METHODS.len());
-    for (index, method) in METHODS.iter().enumerate() {
+    let mut accuracies = Vec::with_capacity(methods.len());
+    for (index, method) in methods.iter().enumerate() {
         if cancelled() {
             return Err(TradeError::Cancelled);
         }
@@ -102,7 +116,7 @@ pub(super) fn of_methods(
     // Their memory is needed for another.
     drop(truths);
     let row_done = |rows| told(steps - 1, rows as f64 / height as f64);
-    let highlights = highlights_kept(scene, view, &mut frame, cancelled, &row_done)?;
+    let highlights = highlights_kept(methods, scene, view, &mut frame, cancelled, &row_done)?;
     for (accuracy, kept) in accuracies.iter_mut().zip(highlights) {
         accuracy.highlight_kept = kept;
     }
@@ -130,10 +144,13 @@ fn accuracy(
     let (flip_mean, ((error, own_error), map)) =
         rayon::join(flip, || rayon::join(differences, map));
     Accuracy {
-        error,
-        own_error,
-        flip_mean,
+        error: PhongError {
+            levels: error.error,
+            flip_mean,
+        },
+        own_error: own_error.error,
         highlight_kept: None,
+        edge_pixels: error.edge_pixels,
         map,
     }
 }
@@ -180,11 +197,12 @@ fn bytes<T: Into<f64> + Copy>(levels: &[[T; 3]]) -> Vec<[u8; 3]> {
 
 /// For each method the share of the highlight of exact Phong in f64 that it shows where exact Phong shows it.
 fn highlights_kept(
+    methods: &[Method],
     scene: &mut Scene,
     view: &View,
     frame: &mut Frame,
     cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(usize) + Sync),
+    on_progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Option<f64>>, TradeError> {
     for light in scene.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;
@@ -193,9 +211,9 @@ fn highlights_kept(
         background: DVec3::ZERO,
         ..view.clone()
     };
-    let exact = truth(scene, &view, ShadingMode::Phong, cancelled, progress);
+    let exact = truth(scene, &view, ShadingMode::Phong, cancelled, on_progress);
     let whole = bytes(&exact.ok_or(TradeError::Cancelled)?.levels);
-    METHODS
+    methods
         .iter()
         .map(|method| {
             systems::draw(&mut scene.world, &drawn_by(method, &view), frame)?;

@@ -59,7 +59,10 @@ pub fn heading(area: &Area, title: &str, lines: &[(&str, RGBColor)]) -> anyhow::
     area.draw_text(title, &text_style(18.0, INK), (24, 16))?;
     for ((line, color), y) in lines.iter().zip((42..).step_by(18)) {
         // What XML has no place for.
-        let line = line.replace(char::is_control, "\u{fffd}");
+        let line = line.replace(
+            |letter: char| letter.is_control() || "\u{fffe}\u{ffff}".contains(letter),
+            "\u{fffd}",
+        );
         area.draw_text(&line, &text_style(12.0, *color), (24, y))?;
     }
     Ok(())

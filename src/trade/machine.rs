@@ -3,12 +3,13 @@
 use std::fs;
 
 use fearless_simd::Level;
+use serde::Serialize;
 
 use crate::drawing::all_cores;
 use crate::simd;
 
 /// What the times depend on besides the program.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Machine {
     /// The processor's own name where the system tells it, else its architecture.
     pub cpu: String,

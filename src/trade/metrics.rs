@@ -6,6 +6,8 @@
 //!
 //! Rule: every figure is a finite number or `None`. A level that is not a number is displayed, and compared, as 0.
 
+use serde::Serialize;
+
 use crate::frame::{NO_TRIANGLE, face};
 
 /// A picture to compare, row by row from the top.
@@ -31,7 +33,7 @@ pub struct Difference {
 }
 
 /// Statistics of the errors of pixels, in levels.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Error {
     /// The largest.
     pub max: f64,

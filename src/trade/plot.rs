@@ -8,16 +8,14 @@
 //! ```
 //! Rule: both axes are logarithmic; what lies below [`FLOOR`], zero included, stands on the floor, whose tick says so.
 
-mod labels;
-
 use std::ops::Range;
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::chart::{self, Area, Axis, BLUE, Borders, FAINT, GREEN, INK, ORANGE, text_style};
-use super::report::{place, subject};
-use super::{Measurement, Report};
+use super::export::{place, subject};
+use super::record::{Measurement, Report};
 use crate::components::ShadingMode;
 
 /// The least error that the plot tells from none, in levels.
@@ -52,14 +50,14 @@ struct Point<'a> {
 impl<'a> Point<'a> {
     /// `None` where there is no error or no time to draw.
     fn of(one: &'a Measurement) -> Option<Self> {
-        let time = one.ns_per_covered_pixel().filter(|time| *time > 0.0)?;
+        let time = one.ns_per_covered_pixel.filter(|time| *time > 0.0)?;
         let scale = time / one.timing.median;
         Some(Point {
             id: one.method.id,
             color: color(one.method.mode),
             on_front: one.on_front,
             time,
-            interval: one.timing.interval().map(|end| end * scale),
+            interval: one.timing.interval.map(|end| end * scale),
             error: one.max_error()?.max(FLOOR),
         })
     }
@@ -67,9 +65,10 @@ impl<'a> Point<'a> {
 
 impl Point<'_> {
     /// The ends of the interval as far as they lie within the axis.
-    fn interval(&self, times: &Range<f64>) -> [(f64, f64); 2] {
-        self.interval
-            .map(|end| (end.clamp(times.start, times.end), self.error))
+    fn interval(&self, times: &Range<f64>) -> Vec<(f64, f64)> {
+        let ends = self.interval.iter();
+        ends.map(|end| (end.clamp(times.start, times.end), self.error))
+            .collect()
     }
 }
 
@@ -131,66 +130,55 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
     let mut chart = chart::on(area, &BORDERS, time, error)?;
     let front = front(points, times.end);
     chart.draw_series([PathElement::new(front.clone(), FAINT.stroke_width(2))])?;
-    let intervals: Vec<[(f64, f64); 2]> =
-        points.iter().map(|point| point.interval(&times)).collect();
-    for (point, interval) in points.iter().zip(&intervals) {
-        chart.draw_series([PathElement::new(
-            interval.to_vec(),
-            point.color.stroke_width(1),
-        )])?;
+    for point in points {
+        let interval = PathElement::new(point.interval(&times), point.color.stroke_width(1));
+        chart.draw_series([interval])?;
     }
     let plot = chart.plotting_area();
-    let pixel = |at: &(f64, f64)| <[i32; 2]>::from(plot.map_coordinate(at));
-    let steps = front.windows(2).map(|ends| [ends[0], ends[1]]);
-    let lines: Vec<labels::Rectangle> = steps
-        .chain(intervals)
-        .map(|ends| labels::around(ends.map(|end| pixel(&end))))
+    let columns = plot.get_pixel_range().0;
+    let places: Vec<(i32, i32)> = points
+        .iter()
+        .map(|point| plot.map_coordinate(&(point.time, point.error)))
         .collect();
-    let (columns, rows) = plot.get_pixel_range();
-    let places = labels::places(
-        &points
-            .iter()
-            .map(|point| pixel(&(point.time, point.error)))
-            .collect::<Vec<_>>(),
-        &points
-            .iter()
-            .map(|point| label_width(point.id))
-            .collect::<Vec<_>>(),
-        &lines,
-        [columns.start, rows.start, columns.end, rows.end],
-    );
-    for (point, [left, top, right, bottom]) in points.iter().zip(places) {
-        let (x, y) = plot.map_coordinate(&(point.time, point.error));
-        let middle = i32::midpoint(top, bottom);
-        if middle != y {
-            let end = if left > x { left } else { right };
-            area.draw(&PathElement::new(
-                [(x, y), (end, middle)],
-                FAINT.stroke_width(1),
-            ))?;
-        }
-        area.draw(&Rectangle::new(
-            [(left, top), (right, bottom)],
-            WHITE.mix(0.8).filled(),
-        ))?;
+    for ((point, at), label) in points
+        .iter()
+        .zip(&places)
+        .zip(labels(points, &places, columns))
+    {
         let style = ("monospace", chart::font(LABEL))
             .into_font()
             .color(&point.color);
-        area.draw_text(
-            point.id,
-            &style.pos(Pos::new(HPos::Left, VPos::Top)),
-            (left + 2, top + 2),
-        )?;
-    }
-    for point in points {
-        dot(
-            area,
-            plot.map_coordinate(&(point.time, point.error)),
-            point.color,
-            point.on_front,
-        )?;
+        area.draw_text(point.id, &style, label)?;
+        dot(area, *at, point.color, point.on_front)?;
     }
     key(area)
+}
+
+/// The upper left corners of the labels of points at these `places`, within these `columns`.
+///
+/// On the front a label stands below its point, to the left, where no point is: it would beat this one. Others stand
+/// above theirs, to the right. One that would cover an earlier label moves up until it does not.
+fn labels(points: &[Point], places: &[(i32, i32)], columns: Range<i32>) -> Vec<(i32, i32)> {
+    let height = (1.25 * LABEL) as i32;
+    let mut taken: Vec<(i32, i32, i32)> = Vec::new();
+    for (point, (x, y)) in points.iter().zip(places) {
+        let width = label_width(point.id);
+        let (left, mut top) = if point.on_front {
+            (x - width - 4, y + 4)
+        } else {
+            (x + 6, y - 4 - height)
+        };
+        let left = left.min(columns.end - width).max(columns.start + 2);
+        let covers = |top: i32, &(other_left, other_top, other_width): &(i32, i32, i32)| {
+            let beside = left + width <= other_left || other_left + other_width <= left;
+            !beside && (top - other_top).abs() < height
+        };
+        while taken.iter().any(|other| covers(top, other)) {
+            top -= 1;
+        }
+        taken.push((left, top, width));
+    }
+    taken.iter().map(|(left, top, _)| (*left, *top)).collect()
 }
 
 /// The size of a label's letters, in pixels.
@@ -242,7 +230,7 @@ fn axis(points: &[Point]) -> Range<f64> {
         .map(|point| point.time)
         .fold(f64::INFINITY, f64::min);
     let most = points.iter().map(|point| point.time).fold(0.0, f64::max);
-    least / 1.3..most * 1.5
+    least / 1.5..most * 1.5
 }
 
 /// The least error that is to be had for each time, as a line of steps from the top to the right `end`.

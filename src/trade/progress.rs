@@ -12,7 +12,7 @@ pub struct Progress {
     pub share: f64,
 }
 
-/// Has `work` done with a bar that shows the share of its present step, and is gone when it ends well.
+/// Does `work` with a bar that shows the share of its present step and disappears when it ends well.
 pub(crate) fn with_bar<T, E>(
     work: impl FnOnce(&(dyn Fn(Progress) + Sync)) -> Result<T, E>,
 ) -> anyhow::Result<T>

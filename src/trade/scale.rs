@@ -1,41 +1,44 @@
 //! One view of a scene in; how the time of a frame grows with pixels, lights, cuboids and threads out.
 //!
 //! ```text
-//! Request --scenes--> settings --frames by the clock, in turns--> Scaling --growth--> report, data, plot
+//! Request --scenes--> settings --frames by the clock, in turns--> Scaling --growth--> report, scale.json
 //! ```
 //!
 //! Rule: the settings of a series take turns as methods do, so that their ratios are fair; one frame is held at a time.
 
-pub mod data;
 pub mod growth;
-pub mod plot;
 pub mod report;
 mod scenes;
 mod settings;
 
+use std::cell::RefCell;
 use std::path::Path;
 use std::time::Duration;
 
+use serde::Serialize;
+
 use super::progress::{self, Progress};
-use super::subject::Subject;
+use super::record::Subject;
 use super::timing::{self, Timing};
-use super::{Request, TradeError, accuracy, make_writable};
+use super::{Request, TradeError, accuracy, export, make_writable};
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::{self, Output};
 use crate::scene::Scene;
-use crate::shading::{METHODS, Method};
+use crate::shading::Method;
 use crate::systems;
+use growth::Fit;
 pub use settings::LARGEST;
 use settings::{Setting, settings};
 
-/// The methods measured, out of [`METHODS`].
-const MEASURED: [&str; 3] = ["gouraud-0.5", "phong-0.5", "phong-0"];
+/// The methods measured unless others are asked for.
+pub const METHODS: [&str; 3] = ["gouraud-0.5", "phong-0.5", "phong-0"];
 
 /// Samples of each method in each setting however little time there is: settings are told apart by factors.
-pub const LEAST_SAMPLES: usize = 9;
+pub const MIN_SAMPLES: usize = 8;
 
 /// What a frame's time is measured against.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Quantity {
     /// Of the picture.
     Pixels,
@@ -66,13 +69,12 @@ impl Quantity {
         }
     }
 
-    /// What [`Series::cost`] is called.
-    pub fn cost(self) -> &'static str {
+    /// The unit of [`Times::cost`].
+    pub fn unit(self) -> &'static str {
         match self {
-            Quantity::Pixels => "ns_per_covered_pixel",
-            Quantity::Lights => "us_per_light",
-            Quantity::Cuboids => "us_per_cuboid",
-            Quantity::Threads => "speed_up",
+            Quantity::Pixels => "ns/px",
+            Quantity::Lights | Quantity::Cuboids => "\u{b5}s each",
+            Quantity::Threads => "faster",
         }
     }
 
@@ -88,27 +90,30 @@ impl Quantity {
 }
 
 /// What was measured.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Scaling {
     /// Where; of which scene where it is pixels or threads that vary, and of which size where it is not pixels.
+    #[serde(flatten)]
     pub subject: Subject,
-    /// What drew.
-    pub methods: Vec<Method>,
     /// One for each [`Quantity`].
     pub series: Vec<Series>,
 }
 
 /// Times against one quantity, everything else unchanged.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Series {
     /// What varies.
     pub quantity: Quantity,
+    /// Of the costs.
+    pub unit: &'static str,
+    /// How time grows, by method; none where threads share the work.
+    pub fits: Vec<Fit>,
     /// By increasing number.
     pub points: Vec<Point>,
 }
 
 /// The times of one setting.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Point {
     /// Of pixels, lights, cuboids or threads.
     pub number: usize,
@@ -118,121 +123,140 @@ pub struct Point {
     pub threads: usize,
     /// Pixels on which something is drawn.
     pub covered_pixels: u64,
-    /// Milliseconds of a whole warm frame, by method.
-    pub timings: Vec<Timing>,
+    /// By method.
+    pub methods: Vec<Times>,
 }
 
-impl Point {
+/// The times of one method in one setting.
+#[derive(Clone, Debug, Serialize)]
+pub struct Times {
+    /// The method's.
+    pub id: &'static str,
+    /// Milliseconds of a whole warm frame.
+    #[serde(rename = "ms")]
+    pub timing: Timing,
+    /// What one of the quantity costs: ns per covered pixel, µs per light or cuboid; for threads, how many times faster than
+    /// the first setting's thread they are. `None` where that does not exist.
+    pub cost: Option<f64>,
+}
+
+impl Times {
     /// The least time of a frame, in milliseconds: other work on the machine lengthens long frames more than short ones,
     /// so that medians would grow faster than what is drawn.
-    pub fn ms(&self, method: usize) -> f64 {
-        self.timings[method].min
+    pub fn ms(&self) -> f64 {
+        self.timing.min
     }
 }
 
 impl Series {
-    /// How many of the quantity there are in words: for pixels, the picture's size.
-    pub fn number(&self, point: &Point) -> String {
-        match self.quantity {
-            Quantity::Pixels => format!("{}x{}", point.size[0], point.size[1]),
-            Quantity::Lights | Quantity::Cuboids | Quantity::Threads => point.number.to_string(),
+    /// With costs and fits, which follow from the times.
+    pub fn new(quantity: Quantity, mut points: Vec<Point>) -> Self {
+        let first: Vec<f64> = points.first().map_or(Vec::new(), |point| {
+            point.methods.iter().map(Times::ms).collect()
+        });
+        for point in &mut points {
+            for (times, first) in point.methods.iter_mut().zip(&first) {
+                let cost = match quantity {
+                    Quantity::Pixels => times.ms() * 1e6 / point.covered_pixels as f64,
+                    Quantity::Lights | Quantity::Cuboids => times.ms() * 1e3 / point.number as f64,
+                    Quantity::Threads => first / times.ms(),
+                };
+                times.cost = cost.is_finite().then_some(cost);
+            }
         }
-    }
-
-    /// What one of the quantity costs with a method: ns per covered pixel, µs per light or cuboid; for threads, how many
-    /// times faster than the first setting's thread they are. `None` where that does not exist.
-    pub fn cost(&self, point: &Point, method: usize) -> Option<f64> {
-        let ms = point.ms(method);
-        let cost = match self.quantity {
-            Quantity::Pixels => ms * 1e6 / point.covered_pixels as f64,
-            Quantity::Lights | Quantity::Cuboids => ms * 1e3 / point.number as f64,
-            Quantity::Threads => self.points.first()?.ms(method) / ms,
-        };
-        cost.is_finite().then_some(cost)
+        Series {
+            quantity,
+            unit: quantity.unit(),
+            fits: if quantity == Quantity::Threads {
+                Vec::new()
+            } else {
+                growth::fits(&points)
+            },
+            points,
+        }
     }
 }
 
-/// Measures every [`Quantity`]; `request.threads` is where the threads end. `progress` hears how far it is.
+/// Measures every [`Quantity`]; `request.threads` is where the threads end. `on_progress` is told how far it is.
 ///
 /// # Errors
 /// When memory or threads do not suffice.
 pub fn measure(
     request: &Request,
-    progress: &(dyn Fn(Progress) + Sync),
+    on_progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Scaling, TradeError> {
-    let methods: Vec<Method> = METHODS
-        .iter()
-        .filter(|method| MEASURED.contains(&method.id))
-        .copied()
-        .collect();
     let time = request.time / Quantity::ALL.len() as u32;
     let series = Quantity::ALL.map(|quantity| {
-        let (mut scenes, settings) = settings(quantity, request);
-        let telling = |share| {
-            progress(Progress {
-                step: quantity.step(),
-                share,
-            });
-        };
-        let points = time_settings(&mut scenes, &settings, &methods, request, time, telling)?;
-        Ok::<_, TradeError>(Series { quantity, points })
+        let step = quantity.step();
+        let on_progress = |share| on_progress(Progress { step, share });
+        let points = time_settings(quantity, request, time, on_progress)?;
+        Ok::<_, TradeError>(Series::new(quantity, points))
     });
     Ok(Scaling {
         subject: Subject::of(request),
-        methods,
         series: series.into_iter().collect::<Result<_, _>>()?,
     })
 }
 
-/// The times of all methods in all settings.
+/// The times of all methods in all settings of a series.
 ///
 /// A frame is made anew whenever another number of threads draws: the largest takes hundreds of megabytes, and the first
 /// frame of a turn, which fills it, is off the clock.
 fn time_settings(
-    scenes: &mut [Scene],
-    settings: &[Setting],
-    methods: &[Method],
+    quantity: Quantity,
     request: &Request,
     time: Duration,
-    progress: impl Fn(f64),
+    on_progress: impl Fn(f64),
 ) -> Result<Vec<Point>, TradeError> {
-    let mut frame = Frame::new(Keep::Display, Workers::alone(request.level));
+    let (scenes, settings) = settings(quantity, request);
+    let methods = &request.methods;
     // As the frames say, not as they were asked for.
-    let blank = |setting: &Setting| Point {
-        number: setting.number,
-        size: [0, 0],
-        threads: 0,
-        covered_pixels: 0,
-        timings: Vec::new(),
-    };
-    let mut points: Vec<Point> = settings.iter().map(blank).collect();
-    let draw = |turn: usize| -> Result<(), TradeError> {
-        let (setting, method) = (turn / methods.len(), turn % methods.len());
-        let Setting {
-            view,
-            threads,
-            scene,
-            ..
-        } = &settings[setting];
-        if frame.workers().threads() != *threads {
-            frame = Frame::new(Keep::Display, Workers::new(*threads, request.level)?);
-        }
-        let view = accuracy::drawn_by(&methods[method], view);
-        systems::draw(&mut scenes[*scene].world, &view, &mut frame)?;
-        let point = &mut points[setting];
-        (point.size, point.threads) = (frame.size(), frame.workers().threads());
-        point.covered_pixels = frame.counts().covered_pixels;
-        Ok(())
+    let drawn = RefCell::new(vec![([0, 0], 0, 0); settings.len()]);
+    let prepare = || {
+        let mut scenes: Vec<Scene> = scenes.iter().map(Scene::snapshot).collect();
+        let mut frame = Frame::new(Keep::Display, Workers::alone(request.level));
+        let (settings, drawn) = (&settings, &drawn);
+        Ok(move |turn: usize| -> Result<(), TradeError> {
+            let (index, method) = (turn / methods.len(), turn % methods.len());
+            let Setting {
+                view,
+                threads,
+                scene,
+                ..
+            } = &settings[index];
+            if frame.workers().threads() != *threads {
+                frame = Frame::new(Keep::Display, Workers::new(*threads, request.level)?);
+            }
+            let view = accuracy::drawn_by(&methods[method], view);
+            systems::draw(&mut scenes[*scene].world, &view, &mut frame)?;
+            let (threads, counts) = (frame.workers().threads(), frame.counts());
+            drawn.borrow_mut()[index] = (frame.size(), threads, counts.covered_pixels);
+            Ok(())
+        })
     };
     let turns = settings.len() * methods.len();
-    let timings = timing::in_turns(turns, LEAST_SAMPLES, time, draw, progress)?;
-    for (point, timings) in points.iter_mut().zip(timings.chunks(methods.len())) {
-        point.timings = timings.to_vec();
-    }
-    Ok(points)
+    let timings = timing::in_batches(turns, MIN_SAMPLES, time, prepare, on_progress)?;
+    let times = |(method, timing): (&Method, &Timing)| Times {
+        id: method.id,
+        timing: timing.clone(),
+        cost: None,
+    };
+    let points = settings.iter().zip(drawn.into_inner());
+    Ok(points
+        .zip(timings.chunks(methods.len()))
+        .map(
+            |((setting, (size, threads, covered_pixels)), timings)| Point {
+                number: setting.number,
+                size,
+                threads,
+                covered_pixels,
+                methods: methods.iter().zip(timings).map(times).collect(),
+            },
+        )
+        .collect())
 }
 
-/// The command: measures, prints the tables, and writes everything into the folder `out` if there is one.
+/// The command: measures, prints the tables, and writes `scale.json` into the folder `out` if there is one.
 ///
 /// # Errors
 /// When it could not be measured or written.
@@ -240,21 +264,13 @@ pub fn run(request: &Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
         make_writable(folder)?;
     }
-    let scaling = progress::with_bar(|progress| measure(request, progress))?;
+    let scaling = progress::with_bar(|on_progress| measure(request, on_progress))?;
     Output::Stdout.write(|writer| writer.write_all(report::table(&scaling).as_bytes()))?;
     if let Some(folder) = out {
-        for (name, content) in [
-            ("scale.json", data::json(&scaling)),
-            ("scale.csv", data::csv(&scaling)),
-            ("scale.md", report::markdown(&scaling)),
-            ("scale.svg", plot::svg(&scaling)?),
-        ] {
-            Output::File(folder.join(name)).write(|writer| writer.write_all(content.as_bytes()))?;
-        }
-        output::say(&format!(
-            "wrote scale.json, scale.csv, scale.md and scale.svg into {}",
-            folder.display()
-        ));
+        let text = export::json(&scaling)?;
+        Output::File(folder.join("scale.json"))
+            .write(|writer| writer.write_all(text.as_bytes()))?;
+        output::say(&format!("wrote scale.json into {}", folder.display()));
     }
     Ok(())
 }

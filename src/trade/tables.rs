@@ -1,8 +1,10 @@
 //! Cells and sentences in; a table or a paragraph for a terminal, or a table in Markdown, out.
 //!
-//! Rule: pure; on a terminal at most [`WIDTH`] columns as far as names allow.
+//! Rule: pure; on a terminal at most [`WIDTH`] columns as far as cells allow.
 
 use comfy_table::{CellAlignment, Table, TableComponent, presets};
+
+use crate::canvas;
 
 /// Columns of the terminal.
 pub const WIDTH: usize = 100;
@@ -36,17 +38,7 @@ pub(super) fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
     row(head) + &rule + &rows.concat()
 }
 
-/// The same words in lines of at most [`WIDTH`] columns, but for longer words.
+/// The same words in lines of at most [`WIDTH`] columns.
 pub(crate) fn wrapped(text: &str) -> String {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= WIDTH => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines.join("\n")
+    canvas::wrapped(text, WIDTH).join("\n")
 }

@@ -2,8 +2,8 @@
 //!
 //! Rule: every word follows from a measured number; what was not measured or cannot be told apart is not claimed.
 
+use super::record::{Measurement, Report};
 use super::words::{levels, listed, ratio, short};
-use super::{Measurement, Report};
 use crate::components::ShadingMode;
 
 /// The tolerance the verdict is about, in levels: a displayed byte is then off by one at most.
@@ -50,7 +50,7 @@ pub fn verdict(report: &Report) -> String {
 }
 
 fn phong_and_its_promise(phong: &Measurement) -> String {
-    match phong.accuracy.own_error.error.map(|error| error.max) {
+    match phong.accuracy.own_error.map(|error| error.max) {
         Some(error) if error > HALF_A_LEVEL => format!(
             "Phong, meant to stay within half a level but {} off,",
             levels(error)
@@ -93,8 +93,8 @@ fn errs_and_misses(error: f64, of: &Measurement) -> Vec<String> {
 
 /// What `one` costs next to `gouraud`, followed by the place.
 fn cost(one: &Measurement, gouraud: &Measurement, place: &str) -> String {
-    let [time, base] = [one.timing, gouraud.timing];
-    if time.is_measurably_less_than(&base) || base.is_measurably_less_than(&time) {
+    let [time, base] = [&one.timing, &gouraud.timing];
+    if time.is_measurably_less_than(base) || base.is_measurably_less_than(time) {
         // The smaller of two times may be too short for the clock, and then there is no ratio.
         match ratio(time.median, base.median) {
             Some(times) => format!("{times}x Gouraud{place}"),

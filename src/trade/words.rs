@@ -45,7 +45,7 @@ pub(super) fn ratio(value: f64, base: f64) -> Option<String> {
     })
 }
 
-/// A number with its noun.
-pub(super) fn counted(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
+/// A number with its noun, which an s makes a plural.
+pub(crate) fn counted(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }

@@ -27,6 +27,7 @@ use crate::drawing::Drawing;
 use crate::frame::Frame;
 use crate::memory::OutOfMemory;
 use crate::scene::Scene;
+use crate::shading::METHODS;
 use crate::systems;
 use crate::trade;
 
@@ -215,6 +216,7 @@ impl Session {
             scene: self.scene.snapshot(),
             camera: cameras.swap_remove(self.camera),
             view: self.view(size),
+            methods: METHODS.to_vec(),
             threads: 1,
             level: self.level,
             time: measuring::TIME,

@@ -3,38 +3,36 @@
 use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::frame::Counts;
 use shadetrade::shading::Method;
-use shadetrade::trade::accuracy::Accuracy;
+use shadetrade::trade::accuracy::{Accuracy, PhongError};
 use shadetrade::trade::error_map::ErrorMap;
 use shadetrade::trade::machine::Machine;
-use shadetrade::trade::metrics::{Difference, Error, Picture};
-use shadetrade::trade::subject::Subject;
+use shadetrade::trade::metrics::{Error, Picture};
+use shadetrade::trade::record::Subject;
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Measurement, Report};
 
-/// A timing of 300 samples whose interval is hardly more than its median.
+/// A timing whose interval is half a percent of its median to either side.
 pub fn timing(median: f64) -> Timing {
     Timing {
-        samples: 300,
+        samples: 3,
         median,
+        interval: [0.995 * median, 1.005 * median],
         mad: 0.001 * median,
         min: 0.5 * median,
         p99: 2.0 * median,
+        raw: vec![0.5 * median, median, 2.0 * median],
     }
 }
 
 /// Errors of which `max` is the largest.
-pub fn difference(max: f64) -> Difference {
-    Difference {
-        error: Some(Error {
-            max,
-            max_pixel: [1, 0],
-            mean: max / 8.0,
-            rmse: max / 4.0,
-            p999: max / 2.0,
-            over_1_level: if max > 1.0 { 0.25 } else { 0.0 },
-        }),
-        compared_pixels: 999,
-        edge_pixels: 1,
+pub fn error(max: f64) -> Error {
+    Error {
+        max,
+        max_pixel: [1, 0],
+        mean: max / 8.0,
+        rmse: max / 4.0,
+        p999: max / 2.0,
+        over_1_level: if max > 1.0 { 0.25 } else { 0.0 },
     }
 }
 
@@ -42,13 +40,13 @@ pub fn difference(max: f64) -> Difference {
 pub fn measurement(
     (id, mode, tolerance): (&'static str, ShadingMode, f64),
     median: f64,
-    [error, own_error]: [f64; 2],
+    [max, own_max]: [f64; 2],
     highlight_kept: Option<f64>,
     on_front: bool,
 ) -> Measurement {
     let pixel = Picture {
         width: 1,
-        levels: &[[error; 3]],
+        levels: &[[max; 3]],
         triangles: &[0],
     };
     let black = Picture {
@@ -64,6 +62,8 @@ pub fn measurement(
         },
         threads: 1,
         timing: timing(median),
+        ns_per_covered_pixel: Some(median * 1e6 / 1000.0),
+        stages: vec![("clear", 0.25 * median), ("rasterization", 0.75 * median)],
         counts: Counts {
             covered_pixels: 1000,
             model_evaluations: 8,
@@ -71,10 +71,13 @@ pub fn measurement(
             ..Counts::default()
         },
         accuracy: Accuracy {
-            error: difference(error),
-            own_error: difference(own_error),
-            flip_mean: Some(error / 512.0),
+            error: PhongError {
+                levels: Some(error(max)),
+                flip_mean: Some(max / 512.0),
+            },
+            own_error: Some(error(own_max)),
             highlight_kept,
+            edge_pixels: 1,
             map: ErrorMap::between(pixel, black),
         },
         on_front,
@@ -138,15 +141,13 @@ pub fn empty_report() -> Report {
     let mut report = report();
     report.covered_pixels = 0;
     for measurement in &mut report.methods {
-        let nothing = Difference {
-            error: None,
-            compared_pixels: 0,
-            edge_pixels: 0,
-        };
         measurement.counts = Counts::default();
-        measurement.accuracy.error = nothing;
-        measurement.accuracy.own_error = nothing;
-        measurement.accuracy.flip_mean = None;
+        measurement.ns_per_covered_pixel = None;
+        measurement.accuracy.error = PhongError {
+            levels: None,
+            flip_mean: None,
+        };
+        measurement.accuracy.own_error = None;
         measurement.accuracy.highlight_kept = None;
         measurement.on_front = false;
     }

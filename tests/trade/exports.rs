@@ -1,97 +1,162 @@
-//! The files made of a made-up measurement.
+//! The texts and pictures made of a made-up measurement: they hold its figures.
 
-use shadetrade::trade::{csv, json, plot, report};
+use serde_json::Value;
+use shadetrade::trade::{Report, export, plot};
 
-use crate::{contract, example};
+use crate::example;
 
-#[test]
-fn the_csv_has_a_named_column_for_every_figure() {
-    let text = csv::csv(&example::report());
-    let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines.len(), 5);
-    assert_eq!(
-        lines[0],
-        "scene,camera,projection,width,height,covered_pixels,method,mode,tolerance,threads,samples,median_ms,mad_ms,\
-         min_ms,p99_ms,ns_per_covered_pixel,model_evaluations,specular_evaluations,max_error,mean_error,rmse,p999_error,\
-         over_1_level,flip_mean,max_own_error,own_rmse,highlight_kept,edge_pixels,on_front"
-    );
-    assert_eq!(
-        lines[3],
-        "cuboid,1,perspective,40,30,1000,phong-0.5,phong,0.5,1,300,0.003,0.000003,0.0015,0.006,3,8,4,0.4,0.05,0.1,0.2,\
-         0,0.00078125,0.4,0.1,1,1,true"
-    );
+fn json(report: &Report) -> Value {
+    let text = export::json(report).expect("it is written");
+    serde_json::from_str(&text).expect("it is JSON")
+}
+
+/// The rows of `trade.csv`, a cell by its column.
+fn csv(report: &Report) -> Vec<impl Fn(&str) -> String> {
+    let text = export::csv(report).expect("it is written");
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let head = reader.headers().expect("it has a head").clone();
+    let row = |row: Result<csv::StringRecord, csv::Error>| {
+        let (head, row) = (head.clone(), row.expect("it is a row"));
+        move |column: &str| {
+            let at = head.iter().position(|name| name == column);
+            row[at.unwrap_or_else(|| panic!("there is no column {column}"))].to_owned()
+        }
+    };
+    reader.records().map(row).collect()
+}
+
+/// The figures of a record by their way in the JSON, but for raw samples.
+fn figures(way: &str, value: &Value, found: &mut Vec<(String, Value)>) {
+    match value {
+        Value::Object(keys) => {
+            for (key, value) in keys.iter().filter(|(key, _)| *key != "raw") {
+                let dot = if way.is_empty() { "" } else { "." };
+                figures(&format!("{way}{dot}{key}"), value, found);
+            }
+        }
+        _ => found.push((way.to_owned(), value.clone())),
+    }
 }
 
 #[test]
-fn the_csv_quotes_names_and_dashes_out_what_does_not_exist() {
-    let mut report = example::empty_report();
-    report.subject.scene = "a, \"b\"".to_owned();
-    let text = csv::csv(&report);
-    let line = text.lines().nth(4).expect("there are four methods");
-    assert_eq!(
-        line,
-        "\"a, \"\"b\"\"\",1,perspective,40,30,0,phong-0,phong,0,1,300,0.008,0.000008,0.004,0.016,\
-         -,0,0,-,-,-,-,-,-,-,-,-,0,false"
-    );
+fn the_csv_has_a_column_for_every_figure_of_the_json() {
+    for report in [example::report(), example::empty_report()] {
+        let (json, csv) = (json(&report), csv(&report));
+        let methods = json["methods"].as_array().expect("there are methods");
+        assert_eq!(csv.len(), methods.len());
+        for (method, cell) in methods.iter().zip(csv) {
+            let mut expected = Vec::new();
+            figures("", method, &mut expected);
+            assert!(expected.len() > 20);
+            for (way, value) in expected {
+                let cell = cell(&way);
+                match value {
+                    Value::Null => assert_eq!(cell, "", "{way}"),
+                    Value::String(text) => assert_eq!(cell, text, "{way}"),
+                    Value::Array(items) => {
+                        assert_eq!(cell.split(' ').count(), items.len(), "{way}");
+                    }
+                    _ => assert_eq!(
+                        cell.parse::<Value>().expect("it is a figure"),
+                        value,
+                        "{way}"
+                    ),
+                }
+            }
+            assert_eq!(cell("scene"), "cuboid");
+            assert_eq!(cell("machine.lanes"), "avx2");
+            assert_eq!(cell("size"), "40 30");
+        }
+    }
 }
 
 #[test]
-fn the_markdown_is_ready_for_a_readme() {
-    let text = report::markdown(&example::report());
-    let expected = "\
-`shadetrade trade`
-
-| method | ms | \u{b1} | ns/px | max | RMSE | FLIP | own | kept | front |
-|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|
-| gouraud-0.5 | 0.002 | 0.5% | 2.00 | 163 | 40.8 | 0.318 | 0.250 | 0 % | yes |
-| phong-unit-vectors | 0.006 | 0.5% | 6.00 | 171 | 42.8 | 0.334 | 0 | 4 % |  |
-| phong-0.5 | 0.003 | 0.5% | 3.00 | 0.400 | 0.100 | <0.001 | 0.400 | 100 % | yes |
-| phong-0 | 0.008 | 0.5% | 8.00 | 0 | 0 | 0 | 0 | 100 % | yes |
-
-Every difference in time is measurable.
-";
-    assert!(text.contains(expected), "{text}");
+fn a_name_out_of_a_file_is_one_cell_of_the_csv() {
+    let mut report = example::report();
+    report.subject.scene = "a, \"b\"\nc".to_owned();
+    let rows = csv(&report);
+    assert_eq!(rows.len(), report.methods.len());
     assert!(
-        text.starts_with("Phong within half a level costs 1.5x Gouraud here;"),
-        "{text}"
+        rows.iter()
+            .all(|cell| cell("scene") == report.subject.scene)
     );
 }
 
 #[test]
-fn the_json_of_nothing_keeps_every_key() {
-    let mut report = example::empty_report();
-    // The contract's ladder is longer than the example's.
-    let ladder = shadetrade::shading::METHODS.iter();
-    let sample = report.methods[0].clone();
-    report.methods = ladder
-        .map(|method| shadetrade::trade::Measurement {
-            method: *method,
-            ..sample.clone()
-        })
-        .collect();
-    contract::assert_holds(&json::json(&report));
+fn the_markdown_has_the_cells_of_the_terminal() {
+    let report = example::report();
+    let [table, markdown] = [export::table(&report), export::markdown(&report)];
+    for one in &report.methods {
+        let row = |text: &str, start: &str| -> Vec<String> {
+            let row = text.lines().find(|line| line.starts_with(start));
+            let row = row.unwrap_or_else(|| panic!("{start} has no row in\n{text}"));
+            let words = row.split(|c: char| c.is_whitespace() || c == '|');
+            words
+                .filter(|word| !word.is_empty())
+                .map(str::to_owned)
+                .collect()
+        };
+        let id = one.method.id;
+        let cells = row(&table, &format!("{id} "));
+        assert_eq!(cells, row(&markdown, &format!("| {id} ")));
+        assert!(cells.len() >= 9, "{cells:?}");
+    }
+    assert!(markdown.contains("\n`shadetrade trade`\n"), "{markdown}");
 }
 
 #[test]
 fn the_json_of_the_example_says_what_was_measured() {
-    let value: serde_json::Value =
-        serde_json::from_str(&json::json(&example::report())).expect("it is JSON");
+    let report = example::report();
+    let value = json(&report);
     let method = &value["methods"][0];
     assert_eq!(method["id"], "gouraud-0.5");
+    assert_eq!(method["mode"], "gouraud");
     assert_eq!(method["ms"]["median"], 0.002);
+    assert_eq!(
+        method["ms"]["raw"],
+        serde_json::json!([0.001, 0.002, 0.004])
+    );
     assert_eq!(method["ns_per_covered_pixel"], 2.0);
+    assert_eq!(method["stages"]["rasterization"], 0.0015);
     assert_eq!(method["error"]["max"], 163.0);
+    assert_eq!(method["error"]["flip_mean"], 163.0 / 512.0);
     assert_eq!(method["own_error"]["max"], 0.25);
     assert_eq!(method["edge_pixels"], 1);
     assert_eq!(method["on_front"], true);
     assert_eq!(value["size"], serde_json::json!([40, 30]));
+    assert_eq!(value["projection"], "perspective");
     assert_eq!(value["covered_pixels"], 1000);
+}
+
+#[test]
+fn the_json_of_nothing_keeps_every_key() {
+    let [some, none] = [example::report(), example::empty_report()].map(|report| {
+        let mut found = Vec::new();
+        figures("", &json(&report)["methods"][0], &mut found);
+        found
+    });
+    let ways = |figures: &[(String, Value)]| -> Vec<String> {
+        figures.iter().map(|(way, _)| way.clone()).collect()
+    };
+    assert_eq!(ways(&some), ways(&none));
+    let null = |way: &str| {
+        none.iter()
+            .any(|(other, value)| other == way && value.is_null())
+    };
+    for way in [
+        "error.max",
+        "error.flip_mean",
+        "own_error.rmse",
+        "ns_per_covered_pixel",
+    ] {
+        assert!(null(way), "{way} does not exist");
+    }
 }
 
 #[test]
 fn the_plot_is_well_formed_and_names_every_method() {
     let mut report = example::report();
-    report.subject.scene = "<scene> & \"quotes\" \u{7}".to_owned();
+    report.subject.scene = "<scene> & \"quotes\" \u{7} \u{fffe}".to_owned();
     let text = plot::svg(&report).expect("it is drawn");
     assert_well_formed(&text);
     for measurement in &report.methods {
@@ -112,7 +177,7 @@ fn the_plot_is_well_formed_and_names_every_method() {
 #[test]
 fn every_point_lies_in_the_plot_however_small_its_error() {
     let mut report = example::report();
-    report.methods[2].accuracy.error = example::difference(1e-30);
+    report.methods[2].accuracy.error.levels = Some(example::error(1e-30));
     let text = plot::svg(&report).expect("it is drawn");
     let attribute = |tag: &str, name: &str| -> Option<f64> {
         let (_, rest) = tag.split_once(name)?;
@@ -130,6 +195,27 @@ fn every_point_lies_in_the_plot_however_small_its_error() {
     }
     // A disc and a rim for each of four methods and of five words of the key.
     assert_eq!(points, 2 * (4 + 5));
+}
+
+#[test]
+fn labels_stay_apart_where_points_are_in_one_place() {
+    let mut report = example::report();
+    let one = report.methods[0].clone();
+    report.methods = vec![one; 9];
+    let text = plot::svg(&report).expect("it is drawn");
+    let lines: Vec<&str> = text.lines().collect();
+    let label = |lines: &[&str]| {
+        let [tag, text] = lines else { return None };
+        let y = tag.split(" y=\"").nth(1)?.split('"').next()?;
+        (*text == "gouraud-0.5").then(|| y.parse::<f64>().expect("it is a number"))
+    };
+    let mut rows: Vec<f64> = lines.windows(2).filter_map(label).collect();
+    rows.sort_by(f64::total_cmp);
+    assert_eq!(rows.len(), 9);
+    assert!(
+        rows.windows(2).all(|rows| rows[1] - rows[0] >= 12.0),
+        "{rows:?}"
+    );
 }
 
 #[test]
@@ -199,8 +285,10 @@ fn assert_well_formed(text: &str) {
     }
     assert!(open.is_empty(), "{open:?} is not closed");
     assert!(
-        !text.chars().any(|c| c.is_control() && c != '\n'),
-        "XML has no control characters"
+        !text
+            .chars()
+            .any(|c| (c.is_control() && c != '\n') || c == '\u{fffe}' || c == '\u{ffff}'),
+        "XML has neither control characters nor these"
     );
 }
 

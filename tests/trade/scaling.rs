@@ -1,11 +1,10 @@
-//! Scaling: exponents and verdicts of times that follow a known law, and every file made of them.
+//! Scaling: exponents and costs of times that follow a known law, and what is printed and written of them.
 
 use serde_json::{Value, json};
-use shadetrade::shading::METHODS;
-use shadetrade::trade::scale::growth::{exponent, exponents, summary, verdict};
-use shadetrade::trade::scale::{Point, Quantity, Scaling, Series, data, measure, plot, report};
+use shadetrade::trade::scale::growth::{Power, power};
+use shadetrade::trade::scale::{METHODS, Point, Quantity, Scaling, Series, Times, measure, report};
 use shadetrade::trade::timing::Timing;
-use shadetrade::trade::{Request, TradeError};
+use shadetrade::trade::{Request, TradeError, export};
 
 use crate::requests::GREEN;
 use crate::{example, requests};
@@ -20,6 +19,11 @@ fn least(ms: f64) -> Timing {
 
 /// A quantity at these numbers, where method `m` of two takes `law(number, m)` milliseconds.
 fn series(quantity: Quantity, numbers: &[usize], law: impl Fn(f64, usize) -> f64) -> Series {
+    let times = |number: usize, method: usize| Times {
+        id: ["gouraud-0.5", "phong-0"][method],
+        timing: least(law(number as f64, method)),
+        cost: None,
+    };
     let point = |&number: &usize| Point {
         number,
         size: [number, 10],
@@ -29,23 +33,14 @@ fn series(quantity: Quantity, numbers: &[usize], law: impl Fn(f64, usize) -> f64
             1
         },
         covered_pixels: 1000 * number as u64,
-        timings: [0, 1]
-            .map(|method| least(law(number as f64, method)))
-            .to_vec(),
+        methods: vec![times(number, 0), times(number, 1)],
     };
-    Series {
-        quantity,
-        points: numbers.iter().map(point).collect(),
-    }
+    Series::new(quantity, numbers.iter().map(point).collect())
 }
 
 fn scaling(series: Vec<Series>) -> Scaling {
-    let methods = METHODS
-        .iter()
-        .filter(|method| ["gouraud-0.5", "phong-0"].contains(&method.id));
     Scaling {
         subject: example::subject("shadetrade trade --scale"),
-        methods: methods.copied().collect(),
         series,
     }
 }
@@ -78,19 +73,31 @@ fn example() -> Scaling {
 
 #[track_caller]
 fn assert_near(found: Option<f64>, expected: f64) {
-    let found = found.expect("there is an exponent");
+    let found = found.expect("there is a figure");
     assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
 }
 
 #[test]
-fn the_exponent_of_a_power_is_its_exponent() {
-    for power in [-0.5, 0.0, 1.0, 2.0] {
-        let points = [1.0, 3.0, 10.0, 700.0].map(|x: f64| [x, 0.37 * x.powf(power)]);
-        assert_near(exponent(&points), power);
+fn the_exponent_of_a_power_is_its_exponent_without_error() {
+    for exponent in [-0.5, 0.0, 1.0, 2.0] {
+        let points = [1.0, 3.0, 10.0, 700.0].map(|x: f64| [x, 0.37 * x.powf(exponent)]);
+        let found = power(&points);
+        assert_near(found.exponent, exponent);
+        assert_near(found.standard_error, 0.0);
     }
-    // Times e and 1/e at the middle number of three leave the slope as it is.
+}
+
+#[test]
+fn the_standard_error_is_the_one_computed_by_hand() {
+    // Logarithms (0, 0), (1, 2), (2, 2): slope 1, residuals -1/3, 2/3, -1/3; SSE 2/3, one degree of freedom, Sxx 2.
     let e = std::f64::consts::E;
-    assert_near(exponent(&[[1.0, 1.0], [e, e * e], [e * e, e * e]]), 1.0);
+    let found = power(&[[1.0, 1.0], [e, e * e], [e * e, e * e]]);
+    assert_near(found.exponent, 1.0);
+    assert_near(found.standard_error, (1.0_f64 / 3.0).sqrt());
+    // A line meets two points whatever they are.
+    let found = power(&[[1.0, 1.0], [e, e * e]]);
+    assert_near(found.exponent, 2.0);
+    assert_eq!(found.standard_error, None);
 }
 
 #[test]
@@ -98,130 +105,26 @@ fn there_is_no_exponent_where_nothing_varies_or_the_clock_saw_nothing() {
     for points in [
         &[][..],
         &[[2.0, 1.0]],
-        &[[2.0, 1.0], [2.0, 3.0]],
+        &[[2.0, 1.0], [2.0, 3.0], [2.0, 4.0]],
         &[[1.0, 0.0], [2.0, 3.0]],
     ] {
-        assert_eq!(exponent(points), None, "{points:?}");
+        assert_eq!(power(points), Power::default(), "{points:?}");
     }
 }
 
 #[test]
 fn what_a_frame_costs_anyway_does_not_blur_the_exponent() {
     // Ten milliseconds and one a light: the lower half of the range would be nearly flat.
-    let series = series(
-        Quantity::Lights,
-        &[1, 2, 4, 1000, 10_000, 100_000],
-        |lights, _| 10.0 + lights,
-    );
-    let exponent = exponents(&series, 2)[0].expect("there is an exponent");
+    let numbers = [1, 2, 4, 1000, 10_000, 100_000];
+    let series = series(Quantity::Lights, &numbers, |lights, _| 10.0 + lights);
+    let fit = &series.fits[0];
+    assert_eq!(fit.from, 1000);
+    let exponent = fit.power.exponent.expect("there is an exponent");
     assert!((0.99..1.0).contains(&exponent), "{exponent}");
 }
 
 #[test]
-fn every_series_has_a_verdict_that_follows_from_its_times() {
-    let scaling = example();
-    let verdicts: Vec<String> = scaling
-        .series
-        .iter()
-        .map(|one| verdict(&scaling, one))
-        .collect();
-    assert_eq!(
-        verdicts,
-        [
-            "Cost per pixel is flat: time goes as pixels^1.00 (gouraud-0.5) and pixels^1.00 (phong-0), from 16x10 on.",
-            "Time is linear in the lights at most: time goes as lights^0.00 (gouraud-0.5) and lights^1.00 (phong-0), \
-             from 4 on.",
-            "Time is nearer to the square of the cuboids than to their number: time goes as cuboids^1.00 (gouraud-0.5) \
-             and cuboids^2.00 (phong-0), from 100 on.",
-            "4 threads are 2.00 to 4.00 times as fast as one: 4.00x (gouraud-0.5) and 2.00x (phong-0).",
-        ]
-    );
-    assert_eq!(
-        summary(&scaling),
-        "Something grows nearly as a square: the steepest is phong-0, with cuboids^2.00."
-    );
-}
-
-#[test]
-fn a_claim_says_no_more_than_was_measured() {
-    let claims = |quantity, power: f64| {
-        let one = series(quantity, &[1, 10, 100], |number, _| number.powf(power));
-        let scaling = scaling(vec![one]);
-        let words = verdict(&scaling, &scaling.series[0]);
-        (
-            words.split(':').next().unwrap_or_default().to_owned(),
-            summary(&scaling),
-        )
-    };
-    for (quantity, power, claim, whole) in [
-        (
-            Quantity::Pixels,
-            0.8,
-            "Cost per pixel is flat or falls",
-            "Nothing grows faster",
-        ),
-        (
-            Quantity::Pixels,
-            1.05,
-            "Cost per pixel is flat",
-            "Nothing grows faster",
-        ),
-        (
-            Quantity::Pixels,
-            1.2,
-            "Time grows faster than the pixels",
-            "though not as its square",
-        ),
-        (
-            Quantity::Lights,
-            0.95,
-            "Time is linear in the lights",
-            "Nothing grows faster",
-        ),
-        (
-            Quantity::Cuboids,
-            1.3,
-            "Time grows faster than the cuboids",
-            "though not as its square",
-        ),
-        (
-            Quantity::Cuboids,
-            1.6,
-            "Time is nearer to the square of the cuboids than",
-            "as a square",
-        ),
-    ] {
-        let (found, found_whole) = claims(quantity, power);
-        assert!(found.starts_with(claim), "{quantity:?}^{power}: {found}");
-        assert!(
-            found_whole.contains(whole),
-            "{quantity:?}^{power}: {found_whole}"
-        );
-    }
-    let alone = scaling(vec![
-        series(Quantity::Threads, &[1], |_, _| 1.0),
-        series(Quantity::Cuboids, &[1], |_, _| 1.0),
-    ]);
-    let words: Vec<String> = alone
-        .series
-        .iter()
-        .map(|one| verdict(&alone, one))
-        .collect();
-    assert_eq!(
-        words,
-        [
-            "One thread draws, so there is no speed-up to see.",
-            "There is too little to see how time grows with the cuboids."
-        ]
-    );
-    assert_eq!(
-        summary(&alone),
-        "There is too little to see how time grows."
-    );
-}
-
-#[test]
-fn the_table_shows_time_and_cost_of_every_setting() {
+fn the_table_shows_time_and_cost_of_every_setting_and_every_exponent() {
     let text = report::table(&example());
     assert!(
         text.lines().all(|line| line.chars().count() <= 100),
@@ -240,104 +143,54 @@ fn the_table_shows_time_and_cost_of_every_setting() {
     ] {
         assert!(rows.contains(&row.to_vec()), "{row:?} is not in\n{text}");
     }
-}
-
-#[test]
-fn the_markdown_is_ready_for_a_readme() {
-    let text = report::markdown(&example());
-    let expected = "
-| threads | gouraud-0.5 ms | faster | phong-0 ms | faster |
-|---|---:|---:|---:|---:|
-| 1 | 8.00 | 1.00 | 8.00 | 1.00 |
-| 2 | 4.00 | 2.00 | 5.66 | 1.41 |
-| 4 | 2.00 | 4.00 | 4.00 | 2.00 |
-";
-    assert!(text.contains(expected), "{text}");
-    assert!(text.contains("\n`shadetrade trade --scale`\n"), "{text}");
-}
-
-#[test]
-fn the_csv_has_a_line_for_every_method_in_every_setting() {
-    let text = data::csv(&example());
-    let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines.len(), 1 + 2 * (4 + 4 + 4 + 3));
-    assert_eq!(
-        lines[0],
-        "scene,camera,projection,quantity,number,width,height,covered_pixels,threads,method,mode,tolerance,samples,\
-         median_ms,mad_ms,min_ms,p99_ms,cost,unit"
-    );
-    assert_eq!(
-        lines[4],
-        "cuboid,1,perspective,pixels,4,4,10,4000,1,phong-0,phong,0,300,1.024,0.001024,0.008,2.048,2,\
-         ns_per_covered_pixel"
-    );
-    assert_eq!(
-        lines[9],
-        "-,-,perspective,lights,1,1,10,1000,1,gouraud-0.5,gouraud,0.5,300,10,0.01,3,20,3000,us_per_light"
-    );
+    for exponent in ["1.00 (gouraud-0.5)", "2.00 (phong-0)", "0.00 (gouraud-0.5)"] {
+        assert!(text.contains(exponent), "{exponent} is not in\n{text}");
+    }
+    let noisy = series(Quantity::Cuboids, &[1, 2, 4, 8, 16, 32], |cuboids, _| {
+        cuboids * if cuboids == 16.0 { 1.5 } else { 1.0 }
+    });
+    let error = noisy.fits[0].power.standard_error.expect("there is one");
+    let text = report::table(&scaling(vec![noisy]));
+    assert!(text.contains(&format!("\u{b1} {error:.2}")), "{text}");
 }
 
 #[test]
 fn the_json_says_what_was_measured_and_what_it_shows() {
-    let value: Value = serde_json::from_str(&data::json(&example())).expect("it is JSON");
+    let text = export::json(&example()).expect("it is written");
+    let value: Value = serde_json::from_str(&text).expect("it is JSON");
     let cuboids = &value["series"][2];
     assert_eq!(cuboids["quantity"], "cuboids");
     assert_eq!(cuboids["fits"][1]["id"], "phong-0");
     assert_near(cuboids["fits"][1]["exponent"].as_f64(), 2.0);
+    assert_eq!(cuboids["fits"][1]["standard_error"], Value::Null);
     assert_eq!(cuboids["fits"][1]["from"], 100);
     let point = &cuboids["points"][1];
-    assert_eq!(point["cuboids"], 10);
+    assert_eq!(point["number"], 10);
     assert_eq!(point["methods"][0]["ms"]["min"], 11.0);
-    assert_eq!(point["methods"][0]["us_per_cuboid"], 1100.0);
-    assert_eq!(
-        value["series"][3]["points"][2]["methods"][1]["speed_up"],
-        2.0
-    );
-    assert_eq!(value["series"][3]["fits"][0]["exponent"], Value::Null);
+    assert_eq!(point["methods"][0]["cost"], 1100.0);
+    let threads = &value["series"][3];
+    assert_eq!(threads["points"][2]["methods"][1]["cost"], 2.0);
+    assert_eq!(threads["fits"], json!([]));
     assert_eq!(value["size"], json!([40, 30]));
 }
 
 #[test]
-fn the_picture_has_a_panel_for_every_quantity() {
-    let text = plot::svg(&example()).expect("it is drawn");
-    for word in [
-        "pixels",
-        "lights",
-        "cuboids",
-        "threads",
-        "gouraud-0.5",
-        "phong-0",
-        "Cost per pixel is flat",
-    ] {
-        assert!(text.contains(word), "{word} is not in the picture");
-    }
-    assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"));
-    assert!(!text.contains("NaN") && !text.contains("inf"));
-}
-
-#[test]
-fn times_too_short_for_the_clock_leave_words_instead_of_numbers() {
-    let nothing = scaling(
-        Quantity::ALL
-            .map(|one| series(one, &[1, 2], |_, _| 0.0))
-            .to_vec(),
-    );
-    let svg = plot::svg(&nothing).expect("it is drawn");
-    assert!(svg.contains("too short for the clock"));
-    for text in [
-        svg,
-        data::json(&nothing),
-        data::csv(&nothing),
-        report::table(&nothing),
-        report::markdown(&nothing),
-    ] {
+fn times_too_short_for_the_clock_leave_dashes_instead_of_numbers() {
+    let nothing = Quantity::ALL.map(|one| series(one, &[1, 2], |_, _| 0.0));
+    let nothing = scaling(nothing.to_vec());
+    let json = export::json(&nothing).expect("it is written");
+    for text in [json, report::table(&nothing)] {
         let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric()).collect();
         assert!(!words.contains(&"NaN") && !words.contains(&"inf"), "{text}");
     }
 }
 
 fn request(target: &str, size: [usize; 2], threads: usize) -> Request {
-    requests::request(requests::scene(GREEN, target, true), size, threads)
+    let mut request = requests::request(requests::scene(GREEN, target, true), size, threads);
+    request
+        .methods
+        .retain(|method| METHODS.contains(&method.id));
+    request
 }
 
 #[test]
@@ -364,8 +217,9 @@ fn what_varies_is_what_each_series_is_about() {
             .map(|point| point.covered_pixels)
             .collect();
         for (point, pixels) in series.points.iter().zip(&pixels) {
-            assert_eq!(point.timings.len(), 3);
-            assert!(point.timings.iter().all(|timing| timing.samples >= 9));
+            let ids: Vec<&str> = point.methods.iter().map(|times| times.id).collect();
+            assert_eq!(ids, METHODS);
+            assert!(point.methods.iter().all(|times| times.timing.samples >= 8));
             assert!(*pixels > 0);
             let threads = if series.quantity == Quantity::Threads {
                 point.number
@@ -389,7 +243,7 @@ fn a_view_past_everything_has_times_and_no_cost_per_pixel() {
     let scaling = measure(&request("[14, 10, 16]", [32, 24], 1), &|_| ()).expect("it is measured");
     let pixels = &scaling.series[0];
     assert!(pixels.points.iter().all(|point| point.covered_pixels == 0));
-    assert_eq!(pixels.cost(&pixels.points[0], 0), None);
+    assert_eq!(pixels.points[0].methods[0].cost, None);
     assert!(report::table(&scaling).contains(" - "));
 }
 

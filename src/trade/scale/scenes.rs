@@ -5,7 +5,7 @@
 //!           *   #   *                9 2 1 3 .
 //!             eye                    . 6 4 . .
 //! ```
-//! Rule: everything is in view and lit, a scene of more holds more of the same, and what is seen is as bright.
+//! Rule: everything is in view and lit, and a scene of more holds that of fewer, unchanged.
 
 use glam::{DMat3, DVec3};
 
@@ -22,12 +22,12 @@ const EMERALD: Material = Material {
     shininess: 76.8,
 };
 
-/// Levels that all lights of a kind send together: bright, and nowhere beyond the display's range.
-const LEVELS: [(LightKind, f64); 3] = [
-    (LightKind::Ambient, 100.0),
-    (LightKind::Diffuse, 200.0),
-    (LightKind::Specular, 150.0),
-];
+/// Levels that a place sends of diffuse and of specular light where there is one place: bright, and nowhere beyond the display's
+/// range.
+const LEVELS: [(LightKind, f64); 2] = [(LightKind::Diffuse, 200.0), (LightKind::Specular, 150.0)];
+
+/// Levels of ambient light, of which there is always one.
+const AMBIENT: f64 = 100.0;
 
 const BACKGROUND: DVec3 = DVec3::new(20.0, 20.0, 24.0);
 
@@ -37,13 +37,18 @@ const FIELD_OF_VIEW: f64 = 30.0;
 /// A full turn over the square of the golden ratio, in degrees: its multiples never come near each other (Vogel 1979).
 const GOLDEN_ANGLE: f64 = 137.507_764_050_037_85;
 
-/// One cuboid under diffuse and specular light from `number` places on the half of a sphere that faces the eye, spread as
-/// evenly as by Vogel's spiral.
-pub fn of_lights(number: usize) -> Scene {
+/// One cuboid under diffuse and specular light from `number` places on the half of a sphere that faces the eye, evenly spread:
+/// towards the eye as van der Corput's sequence, around it by golden angles.
+///
+/// A place keeps its light and where it stands whatever the number of others, so that nothing else varies; `most` of them
+/// together are as bright as the one of [`of_cuboids`].
+pub fn of_lights(number: usize, most: usize) -> Scene {
     let viewpoint = looking(DVec3::new(7.0, 5.0, 8.0), 6.3);
     let [right, up, forward] = viewpoint.axes();
     let places = (0..number).map(|index| {
-        let nearness = 1.0 - (index as f64 + 0.5) / number as f64;
+        // The index's bits behind the binary point, in reverse; half a step of the finest keeps it off 0.
+        let reversed = (index as u32).reverse_bits();
+        let nearness = 1.0 - (f64::from(reversed) / 2.0_f64.powi(32) + 0.5 / most as f64);
         let aside = (1.0 - nearness * nearness).sqrt();
         let (sin, cos) = (index as f64 * GOLDEN_ANGLE).to_radians().sin_cos();
         let direction =
@@ -52,7 +57,8 @@ pub fn of_lights(number: usize) -> Scene {
         direction * 300.0_f64.sqrt()
     });
     let cuboid = cuboid(0, DVec3::new(4.0, 3.0, 2.0), DVec3::ZERO, DVec3::ZERO);
-    scene(vec![cuboid], &places.collect::<Vec<_>>(), viewpoint)
+    let places: Vec<DVec3> = places.collect();
+    scene(vec![cuboid], &places, 1.0 / most as f64, viewpoint)
 }
 
 /// The `number` cuboids that are nearest to the middle of a grid with room for at least `room`, which fills a picture of
@@ -86,6 +92,7 @@ pub fn of_cuboids(number: usize, room: usize, [width, height]: [usize; 2]) -> Sc
     scene(
         cuboids.collect(),
         &[DVec3::splat(distance)],
+        1.0,
         looking(DVec3::Z * distance, seen),
     )
 }
@@ -114,24 +121,43 @@ fn cuboid(index: usize, size: DVec3, position: DVec3, rotation: DVec3) -> Cuboid
     )
 }
 
-/// With light of every kind, shared out among the places.
-fn scene(cuboids: Vec<CuboidRecord>, places: &[DVec3], viewpoint: Viewpoint) -> Scene {
+/// With ambient light, and with diffuse and specular light of `strength` times [`LEVELS`] from each of the places.
+fn scene(
+    cuboids: Vec<CuboidRecord>,
+    places: &[DVec3],
+    strength: f64,
+    viewpoint: Viewpoint,
+) -> Scene {
     let standing = |position| Transform {
         position,
         rotation: DVec3::ZERO,
     };
-    let light = |(index, &place): (usize, &DVec3)| -> [LightRecord; 3] {
-        LEVELS.map(|(kind, levels)| {
-            let light = Light {
-                kind,
-                color: DVec3::ONE,
-                intensity: levels / places.len() as f64,
-                gain: 1.0,
-                on: true,
-            };
-            (Name(format!("{kind:?} {index}")), standing(place), light)
-        })
+    let light = |name: String, kind, place, intensity| -> LightRecord {
+        let light = Light {
+            kind,
+            color: DVec3::ONE,
+            intensity,
+            gain: 1.0,
+            on: true,
+        };
+        (Name(name), standing(place), light)
     };
+    let mut lights = vec![light(
+        "ambient".to_owned(),
+        LightKind::Ambient,
+        DVec3::ZERO,
+        AMBIENT,
+    )];
+    for (index, &place) in places.iter().enumerate() {
+        for (kind, levels) in LEVELS {
+            lights.push(light(
+                format!("{kind:?} {index}"),
+                kind,
+                place,
+                strength * levels,
+            ));
+        }
+    }
     let camera = (
         Name("1".to_owned()),
         standing(viewpoint.position),
@@ -142,7 +168,7 @@ fn scene(cuboids: Vec<CuboidRecord>, places: &[DVec3], viewpoint: Viewpoint) -> 
         Records {
             background: BACKGROUND,
             cuboids,
-            lights: places.iter().enumerate().flat_map(light).collect(),
+            lights,
             cameras: vec![camera],
         },
     )
@@ -153,7 +179,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::components::{Illumination, Normals, Projected, Projection, View};
+    use crate::components::{Illumination, Normals, PointLight, Projected, Projection, View};
     use crate::systems::lighting::gather;
     use crate::systems::projection::{Lens, project};
 
@@ -169,28 +195,35 @@ mod tests {
     }
 
     #[test]
-    fn every_light_shines_from_a_place_of_its_own_on_the_eye_s_side() {
-        for number in [1, 2, 7, 64] {
-            let scene = of_lights(number);
+    fn lights_stand_on_the_eye_s_side_and_stay_as_they_are_among_more() {
+        let points = |number| {
+            let scene = of_lights(number, 64);
             let mut illumination = Illumination::default();
             gather(
                 scene.world.query::<(&Transform, &Light)>().iter(),
                 &mut illumination,
             );
-            assert_eq!(illumination.points.len(), number);
-            let eye = scene.viewpoint(0).position;
-            for point in &illumination.points {
-                assert!((point.position.length_squared() - 300.0).abs() < 1e-9);
-                assert!(point.position.dot(eye) > 0.0);
-                assert!(point.diffuse.x > 0.0 && point.specular.x > 0.0);
-            }
-            let sent: f64 = illumination
-                .points
-                .iter()
-                .map(|point| point.diffuse.x)
-                .sum();
-            assert!((sent - 200.0).abs() < 1e-9, "{number} send {sent}");
+            illumination.points
+        };
+        let eye = of_lights(1, 64).viewpoint(0).position;
+        let all = points(64);
+        assert_eq!(all.len(), 64);
+        for (index, point) in all.iter().enumerate() {
+            assert!((point.position.length_squared() - 300.0).abs() < 1e-9);
+            assert!(point.position.dot(eye) > 0.0);
+            let other = |other: &PointLight| other.position.distance(point.position) > 1.0;
+            assert!(all[..index].iter().all(other), "places are apart");
         }
+        for number in [1, 2, 7, 32] {
+            let fewer = points(number);
+            assert_eq!(fewer.len(), number);
+            for one in &fewer {
+                let key = |one: &PointLight| (one.position, one.diffuse, one.specular);
+                assert!(all.iter().any(|other| key(one) == key(other)), "{one:?}");
+            }
+        }
+        let sent: f64 = all.iter().map(|point| point.diffuse.x).sum();
+        assert!((sent - 200.0).abs() < 1e-9, "all send {sent}");
     }
 
     #[test]

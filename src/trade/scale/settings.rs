@@ -69,7 +69,10 @@ pub fn settings(quantity: Quantity, request: &Request) -> (Vec<Scene>, Vec<Setti
                 .map(|size| own(size[0] * size[1], size, 1));
             (vec![request.scene.snapshot()], settings.collect())
         }
-        Quantity::Lights => generated(LIGHTS.to_vec(), &scenes::of_lights),
+        Quantity::Lights => {
+            let most = LIGHTS.into_iter().max().unwrap_or(1);
+            generated(LIGHTS.to_vec(), &|number| scenes::of_lights(number, most))
+        }
         Quantity::Cuboids => {
             let numbers = cuboid_counts(size);
             let room = numbers.last().copied().unwrap_or(1);

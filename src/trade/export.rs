@@ -1,0 +1,178 @@
+//! A report in; the texts of `trade.json`, `trade.csv`, `trade.md` and the terminal's table out.
+//!
+//! Rule: pure. JSON and CSV hold whatever the record holds; Markdown and the terminal show the figures of `COLUMNS`.
+
+use anyhow::Context;
+use serde::Serialize;
+use serde_json::Value;
+
+use super::flip;
+use super::record::{Measurement, Report};
+use super::tables::{self, aligned, wrapped};
+use super::timing::{BATCHES, Timing};
+use super::verdict::verdict;
+use super::words::{counted, short};
+
+/// A record as JSON text: `trade.json` of a [`Report`].
+///
+/// # Errors
+/// Those of the JSON library, which has no reason to give one.
+pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
+    Ok(serde_json::to_string_pretty(record)? + "\n")
+}
+
+/// `trade.csv` (RFC 4180): a row for each method with what was measured and where; a column is called after its way in the
+/// JSON, as `ms.median`; a list is one cell, spaces between its items; a cell is empty where a quantity does not exist. The
+/// raw samples are in the JSON alone.
+///
+/// # Errors
+/// Those of the libraries, which have no reason to give one.
+pub fn csv(report: &Report) -> anyhow::Result<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for (index, one) in report.methods.iter().enumerate() {
+        let mut cells = Vec::new();
+        flatten("", &serde_json::to_value(&report.subject)?, &mut cells);
+        flatten("", &serde_json::to_value(one)?, &mut cells);
+        let (names, values): (Vec<String>, Vec<String>) = cells.into_iter().unzip();
+        if index == 0 {
+            writer.write_record(names)?;
+        }
+        writer.write_record(values)?;
+    }
+    let bytes = writer.into_inner().context("the table cannot be written")?;
+    Ok(String::from_utf8(bytes)?)
+}
+
+/// The names and cells of a record's figures.
+fn flatten(name: &str, value: &Value, cells: &mut Vec<(String, String)>) {
+    match value {
+        Value::Object(keys) => {
+            for (key, value) in keys.iter().filter(|(key, _)| *key != "raw") {
+                let dot = if name.is_empty() { "" } else { "." };
+                flatten(&format!("{name}{dot}{key}"), value, cells);
+            }
+        }
+        Value::Array(items) => {
+            let items: Vec<String> = items.iter().map(cell).collect();
+            cells.push((name.to_owned(), items.join(" ")));
+        }
+        _ => cells.push((name.to_owned(), cell(value))),
+    }
+}
+
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        _ => value.to_string(),
+    }
+}
+
+/// A column of a table for people: its head, and its cell for a method.
+type Column = (&'static str, fn(&Measurement) -> String);
+
+const COLUMNS: [Column; 10] = [
+    ("method", |one| one.method.id.to_owned()),
+    ("ms", |one| short(Some(one.timing.median))),
+    ("\u{b1}", |one| uncertainty(&one.timing)),
+    ("ns/px", |one| short(one.ns_per_covered_pixel)),
+    ("max", |one| short(one.max_error())),
+    ("RMSE", |one| {
+        short(one.accuracy.error.levels.map(|error| error.rmse))
+    }),
+    ("FLIP", |one| short(one.accuracy.error.flip_mean)),
+    ("own", |one| {
+        short(one.accuracy.own_error.map(|error| error.max))
+    }),
+    ("kept", |one| percent(one.accuracy.highlight_kept)),
+    ("front", |one| {
+        if one.on_front { "yes" } else { "" }.to_owned()
+    }),
+];
+
+/// What a terminal shows: verdict, what was measured and where, the table, and what its columns mean.
+pub fn table(report: &Report) -> String {
+    let paragraphs = [
+        wrapped(&verdict(report)),
+        wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
+        aligned(&head(), &rows(report)),
+        wrapped(&stages(report)),
+        wrapped(&legend()),
+    ];
+    paragraphs.join("\n\n") + "\n"
+}
+
+/// The same for a README.
+pub fn markdown(report: &Report) -> String {
+    format!(
+        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}\n\n{}\n",
+        verdict(report),
+        subject(report),
+        place(report),
+        report.subject.command,
+        tables::markdown(&head(), &rows(report)),
+        stages(report),
+        legend()
+    )
+}
+
+fn head() -> Vec<String> {
+    COLUMNS.map(|(head, _)| head.to_owned()).to_vec()
+}
+
+fn rows(report: &Report) -> Vec<Vec<String>> {
+    let row = |one| COLUMNS.map(|(_, cell)| cell(one)).to_vec();
+    report.methods.iter().map(row).collect()
+}
+
+/// What was measured.
+pub(super) fn subject(report: &Report) -> String {
+    let covered = counted(report.covered_pixels as usize, "covered pixel");
+    format!("{}: {covered}", report.subject.view())
+}
+
+/// Where it was measured.
+pub(super) fn place(report: &Report) -> String {
+    let threads = report.methods.first().map_or(1, |one| one.threads);
+    report.subject.place(&counted(threads, "thread"))
+}
+
+/// How a frame of the last method divides into stages.
+fn stages(report: &Report) -> String {
+    let Some(last) = report.methods.last() else {
+        return String::new();
+    };
+    let stage = |(name, ms): &(&str, f64)| format!("{name} {}", short(Some(*ms)));
+    let stages: Vec<String> = last.stages.iter().map(stage).collect();
+    format!(
+        "Stages of {}, in ms: {}.",
+        last.method.id,
+        stages.join(", ")
+    )
+}
+
+fn legend() -> String {
+    format!(
+        "ms: the median time of a whole frame. \u{b1}: the farther end of its interval, which spans the medians of the run's \
+         {BATCHES} batches; times whose intervals overlap are not told apart, and another run may differ by more where the \
+         machine does. ns/px: ms for each covered pixel. max, RMSE: error in levels of 255 against exact Phong in f64. FLIP: \
+         its mean at {:.0} pixels per degree. own: largest error against the method's own definition. kept: how much of the \
+         highlight of exact Phong in f64 is shown where it belongs. front: nothing beats it in error and time both.",
+        flip::PIXELS_PER_DEGREE
+    )
+}
+
+/// How far the farther end of the interval lies from the median, in percent of it.
+fn uncertainty(timing: &Timing) -> String {
+    let [low, high] = timing.interval;
+    let percent = 100.0 * (high - timing.median).max(timing.median - low) / timing.median;
+    match percent {
+        _ if !percent.is_finite() => "-".to_owned(),
+        100.0.. => format!("{percent:.0}%"),
+        _ => format!("{percent:.1}%"),
+    }
+}
+
+fn percent(share: Option<f64>) -> String {
+    share.map_or("-".to_owned(), |share| format!("{:.0} %", 100.0 * share))
+}
