@@ -6,7 +6,7 @@
 //! x and y run from -1 to 1 over the square. Terms that the rest of the tolerance allows to be left out are: x^2 is then
 //! replaced by its mean 1/2, which leaves 1/2 (economization; Lanczos 1938).
 //!
-//! Rule: f32 rounds a value at most ten times at the size of the sum of its terms. Where the tolerance has [`FIXED`] to spare
+//! Rule: f32 rounds a value at most ten times at the size of the sum of its terms. Where the tolerance has `FIXED` to spare
 //! and no channel leaves the display's range, values are formed in multiples of 1/256 level, so that nothing is left
 //! to clamp and bytes only have to be cut out.
 
