@@ -4,7 +4,7 @@ use glam::{DVec3, dvec3};
 use hecs::World;
 use shadetrade::components::{
     Illumination, Lens, Light, LightKind, Normals, PointLight, Projection, ShadingMode,
-    VertexColors, View, WorldTransform,
+    VertexColors, View,
 };
 use shadetrade::frame::Frame;
 use shadetrade::systems::lighting;
@@ -28,9 +28,7 @@ fn cube(lights: &[(DVec3, Light)], mode: ShadingMode, view: &View) -> ([DVec3; 8
     let third = 1.0 / 3.0_f64.sqrt();
     let normals = Normals(std::array::from_fn(|corner| signs(corner) * third));
     let derived = (place(at(DVec3::ZERO)), normals);
-    world
-        .insert::<(WorldTransform, Normals)>(cuboid, derived)
-        .expect("it was spawned");
+    world.insert(cuboid, derived).expect("it was spawned");
     for (position, light) in lights {
         world.spawn((at(*position), *light));
     }
