@@ -41,7 +41,7 @@ fn every_stage_is_told_of_once_and_in_order_and_draws_the_same_picture() {
     systems::draw(&mut two_lit_cuboids(), &view, &mut plain).expect("a small picture fits");
     let mut names = Vec::new();
     systems::draw_staged(&mut two_lit_cuboids(), &view, 0..40, &mut staged, |stage| {
-        names.push(stage)
+        names.push(stage);
     })
     .expect("a small picture fits");
     assert_eq!(names, FRAME.map(|(name, _)| name));
