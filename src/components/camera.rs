@@ -16,7 +16,7 @@ const POLE_DISTANCE: f64 = 1.0;
 /// What one step of zoom does to the distance and to the height seen.
 const ZOOM_STEP: f64 = 1.1;
 
-/// A camera; it stands at its [`Transform`]'s position.
+/// A camera; it stands at its [`super::Transform`]'s position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The point it looks at, in world units.
