@@ -1,17 +1,29 @@
 //! Plain data: what a scene holds, and what one frame derives from it.
 //!
-//! A cuboid is an entity with [`Name`], [`Transform`], [`Mesh`], [`Material`], [`ShadingMode`] and the derived
-//! [`Normals`], [`VertexColors`] and [`Projected`]; a light has [`Name`], [`Transform`] and [`Light`]; a camera has
-//! [`Name`], [`Transform`] and [`Camera`]; one entity more holds the derived [`Illumination`]. [`View`] says how one
-//! frame is to be drawn.
+//! ```text
+//! entity   the scene says                                           keys write             a frame derives
+//! cuboid   Name FileOrder Transform Mesh Material SceneShading      ShadingMode Spin       WorldTransform Normals VertexColors Projected
+//! light    Name Transform Light                                     Light.on
+//! camera   Name Transform Camera                                    ActiveCamera Orbit
+//! ```
+//! A [`View`] says how one frame is to be drawn; [`Lens`] and [`Illumination`] are what it derives once for all cuboids.
 //!
 //! Rule: nothing here computes a picture, and everything the renderer and the reference share is here.
 
+mod camera;
+
 use glam::{DMat3, DVec3};
+use hecs::DynamicBundle;
+
+pub use self::camera::{ActiveCamera, Camera, Lens, Orbit, Projection, View, Viewpoint};
 
 /// What an entity is called in the scene file: non-empty, unique within its kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name(pub String);
+
+/// A cuboid's place in the scene file, counted from 0: it numbers triangles and decides ties of depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FileOrder(pub u32);
 
 /// Where an entity stands (world units) and how it is turned (degrees).
 ///
@@ -36,6 +48,33 @@ impl Transform {
         let about_z = DMat3::from_cols_array(&[cz, sz, 0.0, -sz, cz, 0.0, 0.0, 0.0, 1.0]);
         about_z * about_y * about_x
     }
+
+    /// Turned further about the entity's own x axis, which is the one that Rz * Ry * Rx turns about first.
+    #[must_use]
+    pub fn spun(mut self, spin: Spin) -> Self {
+        self.rotation.x += f64::from(spin.degrees);
+        self
+    }
+}
+
+/// How far a cuboid has turned about its own x axis since the scene was loaded.
+///
+/// Whole degrees counted from the scene's own angle: nothing drifts, and a full turn ends where it began, bit for bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Spin {
+    /// 0..360.
+    pub degrees: u32,
+    /// Whether it goes on turning.
+    pub on: bool,
+}
+
+/// Where a cuboid stands in this frame: its [`Transform`] turned by its [`Spin`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WorldTransform {
+    /// The centre, in world units.
+    pub position: DVec3,
+    /// The cuboid's own axes in world space: see [`Transform::axes`].
+    pub axes: DMat3,
 }
 
 /// Sine and cosine of an angle in degrees, exact at quarter turns.
@@ -132,6 +171,10 @@ impl ShadingMode {
     }
 }
 
+/// How the scene file shades a cuboid, for the way back once its [`ShadingMode`] was changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SceneShading(pub ShadingMode);
+
 /// The one term of the model that a light feeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LightKind {
@@ -165,21 +208,6 @@ impl Light {
     }
 }
 
-/// A camera; it stands at its [`Transform`]'s position.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
-    /// The point it looks at, in world units.
-    pub target: DVec3,
-    /// The direction that is up in the picture; not parallel to the view.
-    pub up: DVec3,
-    /// The vertical field of view in degrees, (0, 179]; perspective.
-    pub fov: f64,
-    /// World units seen vertically, > 0; orthographic.
-    pub height: f64,
-    /// Distance of the near plane, > 0; `None` is a thousandth of the distance to the target.
-    pub near: Option<f64>,
-}
-
 /// Unit vertex normals in world space, one per corner of the [`Mesh`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Normals(pub [DVec3; 8]);
@@ -211,10 +239,6 @@ pub struct PointLight {
 /// Where a cuboid's corners fall, and the screen polygons of its triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Projected {
-    /// The cuboid's own axes in world space: see [`Transform::axes`].
-    pub axes: DMat3,
-    /// The corners relative to the cuboid's centre, along the world's axes, in world units.
-    pub offsets: [DVec3; 8],
     /// The corners relative to the eye, along right, up and forward, in world units.
     pub seen: [DVec3; 8],
     /// The visible part of each of [`TRIANGLES`], empty where it faces away or is clipped.
@@ -240,78 +264,29 @@ impl Polygon {
     }
 }
 
-/// How the picture is formed from the camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Projection {
-    /// Rays leave the eye; the vertical field of view sets the scale.
-    Perspective,
-    /// Rays are parallel to the view direction; the seen height sets the scale.
-    Orthographic,
-}
-
-impl Projection {
-    /// The usual one first.
-    pub const ALL: [Projection; 2] = [Projection::Perspective, Projection::Orthographic];
-
-    /// What the command line, reports and the window call it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Projection::Perspective => "perspective",
-            Projection::Orthographic => "orthographic",
-        }
-    }
-}
-
-/// A camera resolved for one frame: where it stands and what it sees.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Viewpoint {
-    /// The eye, in world units.
-    pub position: DVec3,
-    /// See [`Camera`].
-    pub camera: Camera,
-}
-
-impl Viewpoint {
-    /// The unit vectors right, up and forward in world space.
-    pub fn axes(&self) -> [DVec3; 3] {
-        let forward = unit(self.camera.target - self.position);
-        let right = unit(forward.cross(unit(self.camera.up)));
-        [right, right.cross(forward), forward]
-    }
-
-    /// World units from one pixel's centre to the next in a picture `rows` pixels high: on the plane at distance 1
-    /// in perspective, on every plane in orthographic projection.
-    pub fn pixel_pitch(&self, projection: Projection, rows: usize) -> f64 {
-        let seen = match projection {
-            Projection::Perspective => 2.0 * (self.camera.fov / 2.0).to_radians().tan(),
-            Projection::Orthographic => self.camera.height,
-        };
-        seen / rows as f64
-    }
-
-    /// Distance of the near plane, in world units.
-    pub fn near(&self) -> f64 {
-        self.camera
-            .near
-            .unwrap_or_else(|| length(self.camera.target - self.position) * 1e-3)
-    }
-}
-
-/// How one frame is to be drawn.
-#[derive(Clone, Debug)]
-pub struct View {
-    /// Width and height of the picture in pixels, each at least 1.
-    pub size: [usize; 2],
-    /// Where from.
-    pub viewpoint: Viewpoint,
-    /// How it is projected.
-    pub projection: Projection,
-    /// The colour where nothing is drawn, in levels.
-    pub background: DVec3,
-    /// Draws every object so, whatever its own [`ShadingMode`]; `None` leaves each its own.
-    pub shading: Option<ShadingMode>,
-    /// The largest error of a shaded pixel against the exact evaluation of its mode, in levels, 0..=255.
-    pub tolerance: f64,
+/// Every component of a cuboid: what the scene says of it, and room for what a frame derives.
+pub fn cuboid(
+    order: usize,
+    name: Name,
+    transform: Transform,
+    mesh: Mesh,
+    material: Material,
+    shading: ShadingMode,
+) -> impl DynamicBundle {
+    (
+        name,
+        FileOrder(order as u32),
+        transform,
+        mesh,
+        material,
+        SceneShading(shading),
+        shading,
+        Spin::default(),
+        WorldTransform::default(),
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
+    )
 }
 
 /// The length of `v`, right for every finite vector however large or small (numerics: safe normalise).
@@ -410,23 +385,5 @@ mod tests {
         ] {
             assert_eq!(unit(vector), DVec3::ZERO, "{vector}");
         }
-    }
-
-    #[test]
-    fn the_near_plane_is_a_thousandth_of_the_distance_to_the_target_unless_it_is_given() {
-        let camera = Camera {
-            target: DVec3::new(1.0, 5.0, 2.0),
-            up: DVec3::Y,
-            fov: 30.0,
-            height: 1.0,
-            near: None,
-        };
-        let viewpoint = |near| Viewpoint {
-            position: DVec3::new(1.0, 1.0, -1.0),
-            camera: Camera { near, ..camera },
-        };
-        // (0, 4, 3) is five long.
-        assert!((viewpoint(None).near() - 5e-3).abs() < 1e-17);
-        assert_eq!(viewpoint(Some(0.25)).near(), 0.25);
     }
 }

@@ -15,6 +15,7 @@ use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
+use crate::components::{Illumination, Lens};
 use crate::memory::{self, OutOfMemory};
 pub use crate::shading::display::display_step;
 use crate::shading::{Scratch, TileKind};
@@ -105,8 +106,12 @@ impl AddAssign for Counts {
     }
 }
 
-/// A picture being drawn, and what the systems keep between frames.
+/// A picture being drawn, and what the systems derive for all cuboids together; its memory is kept for the next one.
 pub struct Frame {
+    /// What it is seen through.
+    pub lens: Lens,
+    /// What lights it.
+    pub illumination: Illumination,
     keep: Keep,
     workers: Workers,
     size: [usize; 2],
@@ -127,6 +132,8 @@ impl Frame {
     /// An empty frame.
     pub fn new(keep: Keep, workers: Workers) -> Self {
         Frame {
+            lens: Lens::default(),
+            illumination: Illumination::default(),
             keep,
             workers,
             size: [0, 0],

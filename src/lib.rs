@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! assets/scenes/x.toml --scene--> World --FRAME--> Frame
-//!                                   |  normals -> projection -> lighting -> rasterization(mode, tolerance)
+//!                                   |  spin -> viewpoint -> normals -> projection -> lighting -> rasterization
 //!                                   |                                         |--> window            (view)
 //!                                   |                                         |--> PNG               (render, figures)
 //!                                   |--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
@@ -12,17 +12,23 @@
 //! # From scene to pixel
 //!
 //! **A scene is data.** [`scene`] turns a TOML file into a [`hecs::World`]: cuboids, lights and cameras are entities with
-//! the plain [`components`]. A [`components::View`] says from where, how large and how precisely it is to be drawn.
+//! the plain [`components`]. The world is the only state of a scene: a key in the window writes components
+//! (`Light`, `ShadingMode`, `Spin`, `ActiveCamera`, `Orbit`), and the next frame reads them.
+//! A [`components::View`] says from where, how large and how precisely it is to be drawn.
 //!
-//! **A frame is four stages**, named in order in [`systems::FRAME`]; each is a query loop over a pure function.
+//! **A frame is six stages**, named in order in [`systems::FRAME`]; each is a query loop over a pure function, and has its
+//! tests in a file of its name in `tests/systems`.
 //!
-//! 1. [`systems::normals`]: a vertex normal is the normalised sum of the unit normals of the faces that meet there
+//! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far it has turned.
+//! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`scene::Scene::viewpoint`] says where a camera
+//!    stands once its orbit has moved it.
+//! 3. [`systems::normals`]: a vertex normal is the normalised sum of the unit normals of the faces that meet there
 //!    (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). The corner of every
 //!    cuboid that stands upright has (±1, ±1, ±1) / √3.
-//! 2. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
+//! 4. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
 //!    by depth and snapped to 1/256 pixel.
-//! 3. [`systems::lighting`]: the lights that are on, and the model at the vertices of what Gouraud will interpolate.
-//! 4. [`systems::rasterization`]: [`systems::coverage`] finds the pixels, each once, in integers, after the top-left rule;
+//! 5. [`systems::lighting`]: the lights that are on, and the model at the vertices of what Gouraud will interpolate.
+//! 6. [`systems::rasterization`]: [`systems::coverage`] finds the pixels, each once, in integers, after the top-left rule;
 //!    squares of 32 x 32 of them go to a shader, and the display step comes once and last:
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
@@ -155,13 +161,15 @@
 //!   in the window and how it is marked in the plot, which the compiler asks for;
 //! - a light kind: a variant of [`components::LightKind`] and its name in `scene/format.rs`, its sum in
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
-//! - a step of the frame: a row of [`systems::FRAME`];
+//! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
+//!   `tests/systems`; a component that it derives joins the others in [`components::cuboid`];
 //! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule
 //!   that decides what is right;
 //! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON and CSV show by
 //!   themselves; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
-//! - a key: a row of [`window::bindings::BINDINGS`], and an arm of [`window::session::Session::apply`]; panel and help
-//!   show it by themselves;
+//! - a key: an [`window::bindings::Action`] with its row of [`window::bindings::BINDINGS`], and an arm of
+//!   [`window::session::Session::apply`] that writes components; help and panel show it by themselves. A panel's row that
+//!   shows a state has that in `window/hud/lines/commands.rs`;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`.
 //!
 //! # Who may import whom

@@ -28,7 +28,9 @@ use std::sync::atomic::{self, AtomicUsize};
 use hecs::World;
 use rayon::prelude::*;
 
-use crate::components::{FACES, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View};
+use crate::components::{
+    FACES, FileOrder, Light, Material, Mesh, ShadingMode, Spin, TRIANGLES, Transform, View,
+};
 use crate::frame::NO_TRIANGLE;
 use illumination::{Lit, Open, Surface, TIES};
 pub use interval::Interval;
@@ -90,20 +92,31 @@ impl<R: Real> Reference<R> {
             .filter(|(_, light)| light.on)
             .map(|(transform, light)| (transform.position, *light))
             .collect();
-        let cuboids = world
-            .query::<(&Transform, &Mesh, &Material, &ShadingMode)>()
+        let mut cuboids: Vec<_> = world
+            .query::<(
+                &FileOrder,
+                &Transform,
+                &Spin,
+                &Mesh,
+                &Material,
+                &ShadingMode,
+            )>()
             .iter()
-            .map(|(transform, mesh, material, mode)| {
+            .map(|(order, transform, spin, mesh, material, mode)| {
+                let transform = &transform.spun(*spin);
                 let solid = Solid::new(&sight, transform, mesh, enclosed.bounds(transform, mesh));
                 let places = (sight.eye, transform.position);
-                Cuboid {
+                let cuboid = Cuboid {
                     surface: Surface::new(&solid, mesh, material, &lights, places),
                     solid,
                     mesh: *mesh,
                     mode: view.shading.unwrap_or(*mode),
-                }
+                };
+                (*order, cuboid)
             })
             .collect();
+        cuboids.sort_by_key(|(order, _)| *order);
+        let cuboids = cuboids.into_iter().map(|(_, cuboid)| cuboid).collect();
         Reference {
             sight,
             cuboids,

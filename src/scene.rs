@@ -6,9 +6,7 @@
 //! ```
 //!
 //! Rule: every number in a [`World`] spawned here is finite and within the range its key allows, every name is unique
-//! within its kind, and the entities of a kind come in the order of the file. hecs iterates entities with the same
-//! components in the order in which they were spawned, as long as none is despawned and no component is inserted or
-//! removed: whoever keeps to that may take the n-th cuboid of a query for the n-th of the file.
+//! within its kind, cuboids carry their order in the file as a component, and exactly one camera is active.
 
 mod error;
 mod file;
@@ -22,8 +20,8 @@ use hecs::{Entity, Query, World};
 
 pub use self::error::SceneError;
 use crate::components::{
-    Camera, Illumination, Light, Material, Mesh, Name, Normals, Projected, ShadingMode, Transform,
-    VertexColors, Viewpoint,
+    ActiveCamera, Camera, Light, Material, Mesh, Name, Orbit, SceneShading, ShadingMode, Spin,
+    Transform, Viewpoint, cuboid,
 };
 
 /// The scenes the program carries, as name and text; the first is the default.
@@ -100,14 +98,16 @@ impl Scene {
     /// The scene of what `records` say, which must be within the ranges of the format.
     pub(crate) fn spawn(name: String, records: Records) -> Scene {
         let mut world = World::new();
-        world.spawn((Illumination::default(),));
-        Scene {
+        let mut scene = Scene {
             name,
             background: records.background,
             cuboids: records
                 .cuboids
                 .into_iter()
-                .map(|cuboid| spawn_cuboid(&mut world, cuboid))
+                .enumerate()
+                .map(|(order, (name, transform, mesh, material, shading))| {
+                    world.spawn(cuboid(order, name, transform, mesh, material, shading))
+                })
                 .collect(),
             lights: records
                 .lights
@@ -117,48 +117,107 @@ impl Scene {
             cameras: records
                 .cameras
                 .into_iter()
-                .map(|camera| world.spawn(camera))
+                .map(|(name, transform, camera)| {
+                    world.spawn((name, transform, camera, Orbit::default()))
+                })
                 .collect(),
             world,
-        }
+        };
+        scene.look_from(0);
+        scene
     }
 
-    /// A scene of its own, with the values the components have now; what a frame derives from them starts empty.
+    /// A scene of its own that has cuboids, lights and cameras where they are now: spins and orbits are part of its
+    /// transforms, and what a frame derives starts empty.
     #[must_use]
     pub fn snapshot(&self) -> Scene {
         type Cuboid<'a> = (
             &'a Name,
             &'a Transform,
+            &'a Spin,
             &'a Mesh,
             &'a Material,
             &'a ShadingMode,
         );
         let records = Records {
             background: self.background,
-            cuboids: self.copies::<Cuboid, _>(&self.cuboids, |(name, at, mesh, material, mode)| {
-                (name.clone(), *at, *mesh, *material, *mode)
-            }),
+            cuboids: self.copies::<Cuboid, _>(
+                &self.cuboids,
+                |(name, at, spin, mesh, material, mode)| {
+                    (name.clone(), at.spun(*spin), *mesh, *material, *mode)
+                },
+            ),
             lights: self
                 .copies::<(&Name, &Transform, &Light), _>(&self.lights, |(name, at, light)| {
                     (name.clone(), *at, *light)
                 }),
-            cameras: self
-                .copies::<(&Name, &Transform, &Camera), _>(&self.cameras, |(name, at, camera)| {
-                    (name.clone(), *at, *camera)
-                }),
+            cameras: (0..self.cameras.len())
+                .map(|index| {
+                    let Viewpoint { position, camera } = self.viewpoint(index);
+                    let name = self.copy::<&Name, _>(self.cameras[index], Name::clone);
+                    let rotation = DVec3::ZERO;
+                    (name, Transform { position, rotation }, camera)
+                })
+                .collect(),
         };
-        Scene::spawn(self.name.clone(), records)
+        let mut copy = Scene::spawn(self.name.clone(), records);
+        copy.look_from(self.active_camera());
+        copy
     }
 
-    /// Camera number `index` of the file, as it stands now.
+    /// Camera number `index` of the file, from where its [`Orbit`] has moved it.
     ///
     /// # Panics
     /// When there are no more than `index` cameras.
     pub fn viewpoint(&self, index: usize) -> Viewpoint {
-        self.copy::<(&Transform, &Camera), _>(self.cameras[index], |(at, camera)| Viewpoint {
-            position: at.position,
-            camera: *camera,
+        let (own, orbit) = self.camera(index);
+        own.orbited(&orbit)
+    }
+
+    /// Camera number `index` of the file at its own place, and how far it has been moved from there.
+    ///
+    /// # Panics
+    /// When there are no more than `index` cameras.
+    pub fn camera(&self, index: usize) -> (Viewpoint, Orbit) {
+        self.copy::<(&Transform, &Camera, &Orbit), _>(self.cameras[index], |(at, camera, orbit)| {
+            let own = Viewpoint {
+                position: at.position,
+                camera: *camera,
+            };
+            (own, *orbit)
         })
+    }
+
+    /// The number of the [`ActiveCamera`] in the file.
+    ///
+    /// # Panics
+    /// When somebody has removed the component: a scene is spawned with it.
+    pub fn active_camera(&self) -> usize {
+        let is_active = |&camera: &Entity| self.world.satisfies::<&ActiveCamera>(camera);
+        let mut cameras = self.cameras.iter();
+        cameras
+            .position(is_active)
+            .expect("a scene is spawned with an active camera")
+    }
+
+    /// Makes camera number `index` of the file the [`ActiveCamera`].
+    ///
+    /// # Panics
+    /// When there are no more than `index` cameras.
+    pub fn look_from(&mut self, index: usize) {
+        for &camera in &self.cameras {
+            // Only one of them has it.
+            let _ = self.world.remove_one::<ActiveCamera>(camera);
+        }
+        let looked_from = self.world.insert_one(self.cameras[index], ActiveCamera);
+        looked_from.expect("a scene's cameras are never despawned");
+    }
+
+    /// Shades every cuboid so, or each as the file says.
+    pub fn shade(&mut self, mode: Option<ShadingMode>) {
+        for (own, shading) in self.world.query_mut::<(&SceneShading, &mut ShadingMode)>() {
+            *shading = mode.unwrap_or(own.0);
+        }
     }
 
     /// What the cameras are called, in file order.
@@ -213,23 +272,6 @@ impl Scene {
                 .expect("a scene's entities keep the components they were spawned with"),
         )
     }
-}
-
-/// The one place where a cuboid comes to be: what the scene says of it, and room for what a frame derives.
-fn spawn_cuboid(
-    world: &mut World,
-    (name, transform, mesh, material, shading): CuboidRecord,
-) -> Entity {
-    world.spawn((
-        name,
-        transform,
-        mesh,
-        material,
-        shading,
-        Normals::default(),
-        VertexColors::default(),
-        Projected::default(),
-    ))
 }
 
 /// Which lights are to be on; as text `all`, `none`, or names with commas between them.

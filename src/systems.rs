@@ -5,6 +5,8 @@ pub mod lighting;
 pub mod normals;
 pub mod projection;
 pub mod rasterization;
+pub mod spin;
+pub mod viewpoint;
 
 use std::ops::Range;
 
@@ -14,33 +16,17 @@ use crate::components::{Mesh, View};
 use crate::frame::Frame;
 use crate::memory::OutOfMemory;
 
-/// One step of a frame: a system and the name people see.
-#[derive(Clone, Copy)]
-pub struct Stage {
-    /// For panels and reports.
-    pub name: &'static str,
-    /// Reads components, overwrites derived ones or the frame.
-    pub run: fn(&mut World, &View, &mut Frame),
-}
+/// Reads components, and overwrites derived ones or the frame.
+pub type System = fn(&mut World, &View, &mut Frame);
 
-/// A frame, in order. Projection comes before lighting because it gives the corners that are lit.
-pub const FRAME: [Stage; 4] = [
-    Stage {
-        name: "normals",
-        run: normals::run,
-    },
-    Stage {
-        name: "projection",
-        run: projection::run,
-    },
-    Stage {
-        name: "lighting",
-        run: lighting::run,
-    },
-    Stage {
-        name: "rasterization",
-        run: rasterization::run,
-    },
+/// A frame, in order: every stage's name and its system.
+pub const FRAME: [(&str, System); 6] = [
+    ("spin", spin::run),
+    ("viewpoint", viewpoint::run),
+    ("normals", normals::run),
+    ("projection", projection::run),
+    ("lighting", lighting::run),
+    ("rasterization", rasterization::run),
 ];
 
 /// Draws one frame of `view.size`: every stage in order.
@@ -64,7 +50,8 @@ pub fn draw_rows(
     draw_in_stages(world, view, rows, frame, |_| ())
 }
 
-/// The same; `after_stage` is called with a stage's name when it is done, first of all with "clear".
+/// The same; `after_stage` is called with a stage's name when it is done, first of all with "clear". A caller with a clock
+/// learns what each took.
 ///
 /// # Errors
 /// As [`draw`].
@@ -78,9 +65,9 @@ pub fn draw_in_stages(
     let cuboids = world.query_mut::<&Mesh>().into_iter().count();
     frame.begin(view.size, rows, cuboids > 1)?;
     after_stage("clear");
-    for stage in FRAME {
-        (stage.run)(world, view, frame);
-        after_stage(stage.name);
+    for (name, run) in FRAME {
+        run(world, view, frame);
+        after_stage(name);
     }
     Ok(())
 }

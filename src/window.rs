@@ -24,7 +24,6 @@ pub mod response;
 pub mod screenshot;
 pub mod session;
 pub mod statistics;
-pub mod turning;
 pub mod views;
 
 use std::io;
@@ -171,9 +170,8 @@ impl Window {
                 self.display.poll();
             }
             if !self.display.has_events() {
-                let busy = now < last_event + BUSY_TIME
-                    || self.input.is_busy()
-                    || self.session.turning().is_on();
+                let busy =
+                    now < last_event + BUSY_TIME || self.input.is_busy() || self.session.spin().on;
                 thread::sleep(if busy { BUSY_PAUSE } else { IDLE_PAUSE });
             }
         }

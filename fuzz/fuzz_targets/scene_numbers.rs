@@ -12,8 +12,8 @@ use glam::DVec3;
 use hecs::World;
 use libfuzzer_sys::fuzz_target;
 use shadetrade::components::{
-    Camera, Illumination, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, Viewpoint, length, unit,
+    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
+    Viewpoint, cuboid as components_of, length, unit,
 };
 
 const LENGTHS: [f64; 2] = [1e-100, 1e100];
@@ -84,15 +84,15 @@ fn cuboid(u: &mut Unstructured, scale: f64, world: &mut World) -> Result<()> {
     } else {
         DVec3::splat(scale)
     };
-    world.spawn((
-        Name("cuboid".into()),
+    let order = world.query_mut::<&Mesh>().into_iter().count();
+    let (name, mesh) = (Name("cuboid".into()), Mesh::cuboid(size));
+    world.spawn(components_of(
+        order,
+        name,
         transform,
-        Mesh::cuboid(size),
+        mesh,
         material,
         ShadingMode::Phong,
-        Normals::default(),
-        VertexColors::default(),
-        Projected::default(),
     ));
     Ok(())
 }
@@ -117,7 +117,6 @@ fn light(u: &mut Unstructured, scale: f64, world: &mut World) -> Result<()> {
 fn scene(u: &mut Unstructured) -> Result<Option<(World, View)>> {
     let scale = *u.choose(&[1.0, 1.0, 1.0, 1e90, 1e-90, 1e-3, 1e6])?;
     let mut world = World::new();
-    world.spawn((Illumination::default(),));
     for _ in 0..u.int_in_range(1..=3)? {
         cuboid(u, scale, &mut world)?;
     }

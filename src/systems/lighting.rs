@@ -9,43 +9,36 @@ use glam::DVec3;
 use hecs::World;
 
 use crate::components::{
-    Illumination, Light, LightKind, Material, Normals, PointLight, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, unit,
+    Illumination, Lens, Light, LightKind, Material, Mesh, Normals, PointLight, Projection,
+    ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
 };
 use crate::frame::Frame;
 use crate::shading::Surface;
 
-/// Overwrites the [`Illumination`], then the [`VertexColors`] of every cuboid shaded after Gouraud.
+/// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid shaded after Gouraud.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
-    for illumination in world.query::<&mut Illumination>().iter() {
-        gather(world.query::<(&Transform, &Light)>().iter(), illumination);
-        for (transform, material, own, normals, projected, colors) in world
-            .query::<(
-                &Transform,
-                &Material,
-                &ShadingMode,
-                &Normals,
-                &Projected,
-                &mut VertexColors,
-            )>()
-            .iter()
-        {
-            if view.shading.unwrap_or(*own) == ShadingMode::Gouraud {
-                let surface = Surface {
-                    material,
-                    illumination,
-                    centre: transform.position,
-                };
-                let to_eye = |offset: DVec3| match view.projection {
-                    Projection::Perspective => {
-                        unit(view.viewpoint.position - transform.position - offset)
-                    }
-                    Projection::Orthographic => -view.viewpoint.axes()[2],
-                };
-                colors.0 = vertex_colors(&surface, &projected.offsets, &normals.0, to_eye);
-                frame.count_vertices(surface.powers());
-            }
+    gather(
+        world.query_mut::<(&Transform, &Light)>().into_iter(),
+        &mut frame.illumination,
+    );
+    for (place, mesh, material, own, normals, colors) in world.query_mut::<(
+        &WorldTransform,
+        &Mesh,
+        &Material,
+        &ShadingMode,
+        &Normals,
+        &mut VertexColors,
+    )>() {
+        if view.shading.unwrap_or(*own) != ShadingMode::Gouraud {
+            continue;
         }
+        let surface = Surface {
+            material,
+            illumination: &frame.illumination,
+            centre: place.position,
+        };
+        colors.0 = vertex_colors(&surface, place, mesh, normals, &frame.lens);
+        frame.count_vertices(surface.powers());
     }
 }
 
@@ -90,31 +83,27 @@ pub fn gather<'a>(
     });
 }
 
-/// The model at eight corners (`offsets` from the cuboid's centre), in levels, unclamped.
+/// The model at the corners, in levels, unclamped.
 pub fn vertex_colors(
     surface: &Surface,
-    offsets: &[DVec3; 8],
-    normals: &[DVec3; 8],
-    to_eye: impl Fn(DVec3) -> DVec3,
+    place: &WorldTransform,
+    mesh: &Mesh,
+    normals: &Normals,
+    lens: &Lens,
 ) -> [DVec3; 8] {
     std::array::from_fn(|corner| {
-        surface.levels(offsets[corner], normals[corner], to_eye(offsets[corner]))
+        let offset = place.axes * mesh.corners[corner];
+        let to_eye = match lens.projection {
+            Projection::Perspective => unit(lens.eye - place.position - offset),
+            Projection::Orthographic => -lens.axes[2],
+        };
+        surface.levels(offset, normals.0[corner], to_eye)
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn light(kind: LightKind, intensity: f64, on: bool) -> Light {
-        Light {
-            kind,
-            color: DVec3::new(1.0, 0.5, 0.0),
-            intensity,
-            gain: 2.0,
-            on,
-        }
-    }
 
     fn at(x: f64) -> Transform {
         Transform {
@@ -124,44 +113,15 @@ mod tests {
     }
 
     #[test]
-    fn lights_at_one_position_are_one_point_and_those_off_are_none() {
-        let lights = [
-            (at(1.0), light(LightKind::Diffuse, 10.0, true)),
-            (at(2.0), light(LightKind::Diffuse, 1.0, true)),
-            (at(1.0), light(LightKind::Specular, 3.0, true)),
-            (at(1.0), light(LightKind::Diffuse, 4.0, true)),
-            (at(1.0), light(LightKind::Specular, 1.0, true)),
-            (at(3.0), light(LightKind::Specular, 3.0, false)),
-            (at(0.0), light(LightKind::Ambient, 5.0, true)),
-            (at(9.0), light(LightKind::Ambient, 5.0, true)),
-        ];
-        let mut illumination = Illumination::default();
-        gather(
-            lights.iter().map(|(transform, light)| (transform, light)),
-            &mut illumination,
-        );
-        assert_eq!(illumination.ambient, DVec3::new(20.0, 10.0, 0.0));
-        assert_eq!(
-            illumination.points,
-            [
-                PointLight {
-                    position: DVec3::X,
-                    diffuse: DVec3::new(28.0, 14.0, 0.0),
-                    specular: DVec3::new(8.0, 4.0, 0.0)
-                },
-                PointLight {
-                    position: DVec3::X * 2.0,
-                    diffuse: DVec3::new(2.0, 1.0, 0.0),
-                    specular: DVec3::ZERO
-                },
-            ]
-        );
-    }
-
-    #[test]
     fn lights_are_the_same_in_whatever_order_they_come() {
         // Sums of these three depend on their order: (1e16 + 1) + 1 is not 1e16 + (1 + 1).
-        let lights = [1.0, 1e16, 1.0].map(|intensity| light(LightKind::Diffuse, intensity, true));
+        let lights = [1.0, 1e16, 1.0].map(|intensity| Light {
+            kind: LightKind::Diffuse,
+            color: DVec3::new(1.0, 0.5, 0.0),
+            intensity,
+            gain: 2.0,
+            on: true,
+        });
         let places = [at(3.0), at(-2.0), at(3.0), at(3.0), at(-0.0), at(0.0)];
         let gathered = |order: [usize; 6]| {
             let mut illumination = Illumination::default();
@@ -179,14 +139,5 @@ mod tests {
         for order in [[5, 4, 3, 2, 1, 0], [2, 0, 4, 1, 5, 3], [3, 5, 1, 0, 2, 4]] {
             assert_eq!(gathered(order), expected);
         }
-    }
-
-    #[test]
-    fn a_second_gathering_forgets_the_first() {
-        let mut illumination = Illumination::default();
-        let (transform, lamp) = (at(1.0), light(LightKind::Diffuse, 10.0, true));
-        gather([(&transform, &lamp)].into_iter(), &mut illumination);
-        gather(std::iter::empty(), &mut illumination);
-        assert_eq!(illumination, Illumination::default());
     }
 }

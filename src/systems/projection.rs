@@ -14,73 +14,24 @@ use glam::DVec3;
 use hecs::World;
 
 use self::frustum::Frustum;
-use crate::components::{Mesh, Polygon, Projected, Projection, TRIANGLES, Transform, View};
+use crate::components::{
+    Lens, Mesh, Polygon, Projected, Projection, TRIANGLES, View, WorldTransform,
+};
 use crate::frame::Frame;
 
-/// The camera as the projection needs it.
-#[derive(Clone, Copy, Debug)]
-pub struct Lens {
-    /// Right, up and forward: unit vectors in world space.
-    pub axes: [DVec3; 3],
-    /// In world units.
-    pub eye: DVec3,
-    /// Distance of the near plane in world units.
-    pub near: f64,
-    /// Perspective or orthographic.
-    pub projection: Projection,
-    /// See [`crate::components::Viewpoint::pixel_pitch`].
-    pub pitch: f64,
-    /// Half the picture's width and height in pixels.
-    pub half: [f64; 2],
-}
-
-impl Lens {
-    /// The lens of a view.
-    pub fn new(view: &View) -> Self {
-        Lens {
-            axes: view.viewpoint.axes(),
-            eye: view.viewpoint.position,
-            near: view.viewpoint.near(),
-            projection: view.projection,
-            pitch: view.viewpoint.pixel_pitch(view.projection, view.size[1]),
-            half: view.size.map(|pixels| pixels as f64 / 2.0),
-        }
-    }
-
-    /// A point relative to the eye, given along right, up and forward, in homogeneous screen coordinates: x / w and
-    /// y / w are world units on the plane whose pixels are [`Lens::pitch`] apart.
-    pub fn homogeneous(&self, seen: DVec3) -> DVec3 {
-        match self.projection {
-            Projection::Perspective => seen,
-            Projection::Orthographic => DVec3::new(seen.x, seen.y, 1.0),
-        }
-    }
-
-    /// Where that point falls, in pixels from the top left corner; `w` must be positive.
-    pub fn pixel(&self, point: DVec3) -> [f64; 2] {
-        [
-            self.half[0] + point.x / point.z / self.pitch,
-            self.half[1] - point.y / point.z / self.pitch,
-        ]
-    }
-}
-
 /// Overwrites the [`Projected`] of every cuboid.
-pub fn run(world: &mut World, view: &View, _frame: &mut Frame) {
-    let lens = Lens::new(view);
-    for (transform, mesh, projected) in world.query_mut::<(&Transform, &Mesh, &mut Projected)>() {
-        project(transform, mesh, &lens, projected);
+pub fn run(world: &mut World, _view: &View, frame: &mut Frame) {
+    for (place, mesh, projected) in world.query_mut::<(&WorldTransform, &Mesh, &mut Projected)>() {
+        project(place, mesh, &frame.lens, projected);
     }
 }
 
 /// Projects one cuboid.
-pub fn project(transform: &Transform, mesh: &Mesh, lens: &Lens, projected: &mut Projected) {
-    let axes = transform.axes();
-    let centre = transform.position - lens.eye;
-    projected.axes = axes;
-    projected.offsets = mesh.corners.map(|corner| axes * corner);
-    projected.seen = projected.offsets.map(|offset| {
-        let from_eye = centre + offset;
+pub fn project(place: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut Projected) {
+    let axes = place.axes;
+    let centre = place.position - lens.eye;
+    projected.seen = mesh.corners.map(|corner| {
+        let from_eye = centre + axes * corner;
         DVec3::from_array(lens.axes.map(|axis| axis.dot(from_eye)))
     });
     let eye_side = match lens.projection {
@@ -107,6 +58,8 @@ pub fn project(transform: &Transform, mesh: &Mesh, lens: &Lens, projected: &mut 
 
 #[cfg(test)]
 mod tests {
+    use glam::DMat3;
+
     use super::*;
     use crate::components::{Camera, Viewpoint};
 
@@ -134,12 +87,12 @@ mod tests {
 
     fn project_at(position: DVec3, size: DVec3, view: &View) -> Projected {
         let mut projected = Projected::default();
-        let transform = Transform {
+        let place = WorldTransform {
             position,
-            rotation: DVec3::ZERO,
+            axes: DMat3::IDENTITY,
         };
         project(
-            &transform,
+            &place,
             &Mesh::cuboid(size),
             &Lens::new(view),
             &mut projected,

@@ -17,10 +17,9 @@ use hecs::World;
 
 use self::store::Store;
 use super::coverage::Scan;
-use super::projection::Lens;
 use crate::components::{
-    FACES, Illumination, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode,
-    Transform, VertexColors, View,
+    FACES, FileOrder, Illumination, Lens, Material, Mesh, Normals, Polygon, Projected, Projection,
+    ShadingMode, VertexColors, View, WorldTransform,
 };
 use crate::frame::{Band, Counts, DrawList, Frame, Object, Piece, face};
 use crate::shading::bound::Places;
@@ -42,36 +41,30 @@ const FEW: usize = 24;
 
 /// Draws every cuboid into the frame.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
-    let world = &*world;
-    let lens = Lens::new(view);
-    let mut light = world.query::<&Illumination>();
-    let Some(illumination) = light.iter().next() else {
-        return;
-    };
+    let (lens, lights) = (frame.lens, std::mem::take(&mut frame.illumination));
+    let illumination = &lights;
     let mut list = frame.take_list();
     list.clear();
-    let mut cuboids = world.query::<(
-        &Transform,
+    for (order, place, mesh, material, own, normals, colors, projected) in world.query_mut::<(
+        &FileOrder,
+        &WorldTransform,
         &Mesh,
         &Material,
         &ShadingMode,
         &Normals,
         &VertexColors,
         &Projected,
-    )>();
-    for (index, (transform, mesh, material, own, normals, colors, projected)) in
-        cuboids.iter().enumerate()
-    {
+    )>() {
         let object = Object {
-            id: 12 * index as u32,
+            id: 12 * order.0,
             material: *material,
-            centre: transform.position,
+            centre: place.position,
             mode: view.shading.unwrap_or(*own),
             gloss: 0,
         };
         let solid = Solid {
-            centre: transform.position - lens.eye,
-            axes: projected.axes,
+            centre: place.position - lens.eye,
+            axes: place.axes,
             half: mesh.corners[7],
             normals: &normals.0,
             colors: &colors.0,
@@ -86,6 +79,9 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             &lens,
         );
     }
+    // Where depths tie the piece listed first is seen, so the file decides, and not the order in which hecs iterates.
+    let in_file = |piece: &Piece| (piece.id, piece.spans.start);
+    list.pieces.sort_unstable_by_key(in_file);
     let level = frame.workers().level();
     frame.paint(view.background, list, |list, band, scratch| {
         dispatch!(level, _simd => prepare(list, band, &lens));
@@ -114,6 +110,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         }
         counts
     });
+    frame.illumination = lights;
 }
 
 /// What shades a piece: the one place where the mode is asked.

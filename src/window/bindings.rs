@@ -17,6 +17,8 @@ pub enum Action {
     LightNamed(&'static str),
     /// Shades every cuboid so.
     Shading(ShadingMode),
+    /// Shades every cuboid as the scene does.
+    SceneShading,
     /// Shades more coarsely by so many steps of [`super::session::TOLERANCES`], or finer where negative.
     Tolerance(i32),
     /// The next coarser tolerance, after the coarsest the finest.

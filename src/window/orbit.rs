@@ -1,32 +1,15 @@
-//! Where the user has moved the camera: ([`Viewpoint`] of the scene, [`Orbit`]) -> [`Viewpoint`] seen.
+//! A drag or a key in, the [`Orbit`] it leads to out.
 //!
-//! Rule: no orbit gives the scene's own viewpoint bit for bit; every other one stays short of the poles, which are the
-//! camera's `up` and its opposite, and keeps looking at the target. Zoom is counted in whole steps, so that as many
-//! steps back undo it exactly.
+//! Rule: whatever the steps, an orbit stays short of the poles and within the [`Limits`] of its scene.
 
 use glam::DVec3;
 
-use crate::components::{Mesh, Transform, Viewpoint, length, unit};
+use crate::components::{Mesh, Orbit, Spin, Transform, Viewpoint, length};
 use crate::scene::Scene;
 
-/// How close to a pole the camera comes, in degrees, unless its own place in the scene is closer.
-const POLE_DISTANCE: f64 = 1.0;
-/// What one step of zoom does to the distance and to the height seen.
-const ZOOM_STEP: f64 = 1.1;
 /// The camera goes no further away than so many times the scene's size, nor, where the near plane alone would stop it,
 /// closer than that part of it.
 const ZOOM_RANGE: f64 = 1000.0;
-
-/// How far the camera has gone from its place in the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Orbit {
-    /// Degrees about `up`, to the right as seen from the camera, -180..=180.
-    pub azimuth: f64,
-    /// Degrees towards `up`.
-    pub elevation: f64,
-    /// Steps of zoom; closer is positive.
-    pub zoom: i32,
-}
 
 impl Orbit {
     /// This orbit moved by so many degrees to the right and up, as far as the poles allow.
@@ -39,7 +22,7 @@ impl Orbit {
             } else {
                 azimuth
             },
-            elevation: elevation_short_of_poles(from, self.elevation + elevation),
+            elevation: from.elevation_short_of_poles(self.elevation + elevation),
             ..self
         }
     }
@@ -57,11 +40,6 @@ impl Orbit {
             zoom = next;
         }
         Orbit { zoom, ..self }
-    }
-
-    /// What the distance and the height seen are multiplied by.
-    pub fn factor(self) -> f64 {
-        ZOOM_STEP.powi(-self.zoom)
     }
 }
 
@@ -83,14 +61,11 @@ impl Limits {
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let mut clearance: f64 = 0.0;
         for &entity in &scene.cuboids {
-            let cuboid = (
-                scene.world.get::<&Mesh>(entity),
-                scene.world.get::<&Transform>(entity),
-            );
-            let (Ok(mesh), Ok(transform)) = cuboid else {
+            let mut cuboid = scene.world.query_one::<(&Mesh, &Transform, &Spin)>(entity);
+            let Ok((mesh, transform, spin)) = cuboid.get() else {
                 continue;
             };
-            let axes = transform.axes();
+            let axes = transform.spun(*spin).axes();
             let corners = mesh
                 .corners
                 .map(|corner| axes * corner + transform.position);
@@ -140,41 +115,4 @@ impl Limits {
             distance.max(self.height * factor) <= self.farthest
         }
     }
-}
-
-/// What is seen from where `orbit` has moved the camera that stands at `from`.
-pub fn moved_camera(from: &Viewpoint, orbit: &Orbit) -> Viewpoint {
-    if *orbit == Orbit::default() {
-        return *from;
-    }
-    let mut moved = *from;
-    moved.camera.height *= orbit.factor();
-    let offset = from.position - from.camera.target;
-    let up = unit(from.camera.up);
-    let right = unit(up.cross(unit(offset)));
-    let outwards = right.cross(up);
-    let (sin_azimuth, cos_azimuth) = orbit.azimuth.to_radians().sin_cos();
-    let elevation = own_elevation(from) + elevation_short_of_poles(from, orbit.elevation);
-    let (sin_elevation, cos_elevation) = elevation.to_radians().sin_cos();
-    let direction =
-        (outwards * cos_azimuth + right * sin_azimuth) * cos_elevation + up * sin_elevation;
-    moved.position = from.camera.target + unit(direction) * (length(offset) * orbit.factor());
-    moved
-}
-
-/// How far above its target the scene's camera stands, in degrees.
-fn own_elevation(from: &Viewpoint) -> f64 {
-    let (offset, up) = (
-        unit(from.position - from.camera.target),
-        unit(from.camera.up),
-    );
-    offset.dot(up).atan2(offset.cross(up).length()).to_degrees()
-}
-
-/// `elevation`, in degrees from the scene's own, as far as it stays short of the poles; a camera that the scene itself
-/// puts closer to one keeps its place.
-fn elevation_short_of_poles(from: &Viewpoint, elevation: f64) -> f64 {
-    let own = own_elevation(from);
-    let limit = (90.0 - POLE_DISTANCE).max(own.abs());
-    elevation.clamp(-limit - own, limit - own)
 }

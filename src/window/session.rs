@@ -17,12 +17,10 @@ use super::examination::Examination;
 use super::examiner::{Answer, Question};
 use super::looking::Looking;
 use super::measuring::{self, Measuring, News};
-use super::orbit::{Orbit, moved_camera};
 use super::overlay::{Overlay, Pane};
 use super::probing::Probing;
 use super::statistics::Statistics;
-use super::turning::Turning;
-use crate::components::{Projection, ShadingMode, View, Viewpoint};
+use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
 use crate::frame::Frame;
 use crate::memory::OutOfMemory;
@@ -56,15 +54,16 @@ pub enum Request {
     Quit,
 }
 
-/// Everything that a key or a click can change.
+/// How long a cuboid that spins takes for one degree, as in the assignment's program.
+const DEGREE_TIME: Duration = Duration::from_millis(30);
+
+/// The scene, whose components keys write, and what is the window's own.
 pub struct Session {
     scene: Scene,
-    camera: usize,
-    orbit: Orbit,
     projection: Projection,
-    shading: Option<ShadingMode>,
     tolerance: f64,
-    turning: Turning,
+    /// When what spins has turned by one degree more.
+    next_degree: Duration,
     overlay: Overlay,
     statistics: Statistics,
     looking: Looking,
@@ -80,14 +79,14 @@ pub struct Session {
 impl Session {
     /// Starts with the panel shown and everything as `drawing` says.
     pub fn new(drawing: Drawing) -> Self {
+        let mut scene = drawing.scene;
+        scene.look_from(drawing.camera);
+        scene.shade(drawing.shading);
         Session {
-            turning: Turning::new(&drawing.scene),
-            scene: drawing.scene,
-            camera: drawing.camera,
-            orbit: Orbit::default(),
+            scene,
             projection: drawing.projection,
-            shading: drawing.shading,
             tolerance: drawing.tolerance,
+            next_degree: Duration::ZERO,
             overlay: Overlay::default(),
             statistics: Statistics::default(),
             looking: Looking::default(),
@@ -134,15 +133,13 @@ impl Session {
         self.wants(Redraw::Overlay);
     }
 
-    /// Tells the time since the start: turning goes on, and what has stood long enough goes.
+    /// Tells the time since the start: what spins goes on, and what has stood long enough goes.
     pub fn tick(&mut self, now: Duration) {
         self.now = now;
         if self.overlay.tick(now) {
             self.wants(Redraw::Overlay);
         }
-        if self.turning.tick(now, &mut self.scene) {
-            self.changed();
-        }
+        self.spin_on();
         if self.examination.is_due(now) {
             self.requests.push(Request::Examine);
         }
@@ -176,10 +173,10 @@ impl Session {
     pub fn view(&self, size: [usize; 2]) -> View {
         View {
             size,
-            viewpoint: moved_camera(&self.own_viewpoint(), &self.orbit),
+            viewpoint: self.scene.viewpoint(self.camera()),
             projection: self.projection,
             background: self.scene.background,
-            shading: self.shading,
+            shading: None,
             tolerance: self.tolerance,
         }
     }
@@ -189,10 +186,10 @@ impl Session {
     /// # Errors
     /// When it does not fit in memory.
     pub fn draw(&mut self, size: [usize; 2], frame: &mut Frame) -> Result<(), OutOfMemory> {
-        self.draw_as(self.shading, size, frame)
+        self.draw_as(None, size, frame)
     }
 
-    /// The same with all cuboids shaded so.
+    /// The same with all cuboids shaded so, or each in its own mode.
     ///
     /// # Errors
     /// When it does not fit in memory.
@@ -214,7 +211,7 @@ impl Session {
         let mut cameras = self.scene.camera_names();
         trade::Request {
             scene: self.scene.snapshot(),
-            camera: cameras.swap_remove(self.camera),
+            camera: cameras.swap_remove(self.camera()),
             view: self.view(size),
             methods: METHODS.to_vec(),
             threads: 1,
@@ -261,8 +258,19 @@ impl Session {
         self.wants(Redraw::Picture);
     }
 
-    /// Where the scene puts the camera.
-    fn own_viewpoint(&self) -> Viewpoint {
-        self.scene.viewpoint(self.camera)
+    /// Turns what spins by the degrees that are due.
+    fn spin_on(&mut self) {
+        let Some(late) = self.now.checked_sub(self.next_degree) else {
+            return;
+        };
+        if !self.spin().on {
+            return;
+        }
+        let degrees = 1 + (late.as_millis() / DEGREE_TIME.as_millis()) as u32;
+        self.next_degree += DEGREE_TIME * degrees;
+        for spin in self.scene.world.query_mut::<&mut Spin>() {
+            spin.degrees = (spin.degrees + degrees) % 360;
+        }
+        self.changed();
     }
 }

@@ -2,9 +2,10 @@
 
 use glam::DVec3;
 use shadetrade::components::{
-    Camera, Mesh, Polygon, Projected, Projection, Transform, View, Viewpoint,
+    Camera, Lens, Mesh, Polygon, Projected, Projection, Spin, Transform, View, Viewpoint,
 };
-use shadetrade::systems::projection::{Lens, project};
+use shadetrade::systems::projection::project;
+use shadetrade::systems::spin::world_transform;
 
 use crate::counting::count;
 use crate::random::Random;
@@ -13,7 +14,8 @@ use crate::random::Random;
 fn screen_polygons(transform: Transform, view: &View) -> Vec<Polygon> {
     let mut projected = Projected::default();
     let mesh = Mesh::cuboid(DVec3::new(2.0, 3.0, 4.0));
-    project(&transform, &mesh, &Lens::new(view), &mut projected);
+    let place = world_transform(&transform, Spin::default());
+    project(&place, &mesh, &Lens::new(view), &mut projected);
     projected.polygons.to_vec()
 }
 

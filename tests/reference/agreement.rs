@@ -8,7 +8,7 @@ use fearless_simd::Level;
 use hecs::World;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use shadetrade::components::{Illumination, Projection, ShadingMode, View};
+use shadetrade::components::{Projection, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference::at_pixel;
 use shadetrade::systems;
@@ -68,7 +68,6 @@ fn scenes_far_from_the_origin_or_at_the_ends_of_the_allowed_lengths_keep_the_pro
         for (offset, scale) in [(1e9, 1.0), (0.0, 1e98), (0.0, 1e-98)] {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
                 let (mut world, view) = mixed_scene(offset, scale, projection);
-                world.spawn((Illumination::default(),));
                 let view = shaded(mode, &view);
                 let truth = draw(&world, &view);
                 systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection, ShadingMode,
-    Transform, VertexColors, View, Viewpoint,
+    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
+    Viewpoint, cuboid,
 };
 use shadetrade::reference::{Sample, Truth, at_pixel, picture};
 
@@ -31,14 +31,15 @@ pub fn spawn_turned_cuboid(
         position: position.into(),
         rotation: rotation.into(),
     };
-    world.spawn((
+    let order = world.query_mut::<&Mesh>().into_iter().count();
+    let (name, mesh) = (Name("cuboid".into()), Mesh::cuboid(size.into()));
+    world.spawn(cuboid(
+        order,
+        name,
         transform,
-        Mesh::cuboid(size.into()),
+        mesh,
         material,
         ShadingMode::Phong,
-        Normals::default(),
-        VertexColors::default(),
-        Projected::default(),
     ));
 }
 

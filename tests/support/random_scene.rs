@@ -4,8 +4,8 @@ use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
 use shadetrade::components::{
-    Camera, Illumination, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, Viewpoint,
+    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
+    Viewpoint, cuboid as components_of,
 };
 
 /// Lengths in all but `cuboids` are in multiples of the first cuboid's radius, places from its centre.
@@ -157,14 +157,14 @@ impl Case {
         let radius = first.size.length() / 2.0;
         let place = |place: DVec3| self.offset + place * radius;
         let mut world = World::new();
-        world.spawn((Illumination::default(),));
         for (index, cuboid) in self.cuboids.iter().enumerate() {
             let position = if index == 0 {
                 self.offset
             } else {
                 place(cuboid.place)
             };
-            world.spawn((
+            world.spawn(components_of(
+                index,
                 Name(index.to_string()),
                 Transform {
                     position,
@@ -178,9 +178,6 @@ impl Case {
                     shininess: cuboid.shininess,
                 },
                 self.mode,
-                Normals::default(),
-                VertexColors::default(),
-                Projected::default(),
             ));
         }
         let axes = Transform {

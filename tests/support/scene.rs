@@ -4,30 +4,28 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Camera, Illumination, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, Viewpoint,
+    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
+    Viewpoint, cuboid,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::systems;
 
 /// A world without anything in it.
 pub fn empty() -> World {
-    let mut world = World::new();
-    world.spawn((Illumination::default(),));
-    world
+    World::new()
 }
 
 /// Adds a cuboid, shaded as the view says.
 pub fn spawn_cuboid(world: &mut World, size: DVec3, transform: Transform, material: Material) {
-    world.spawn((
-        Name("cuboid".into()),
+    let order = world.query_mut::<&Mesh>().into_iter().count();
+    let (name, mesh) = (Name("cuboid".into()), Mesh::cuboid(size));
+    world.spawn(cuboid(
+        order,
+        name,
         transform,
-        Mesh::cuboid(size),
+        mesh,
         material,
         ShadingMode::Phong,
-        Normals::default(),
-        VertexColors::default(),
-        Projected::default(),
     ));
 }
 

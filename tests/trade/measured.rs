@@ -26,7 +26,7 @@ fn measured(request: Request) -> Report {
     let measured: Vec<_> = report.methods.iter().map(|one| one.method).collect();
     assert_eq!(measured, methods);
     let stages: Vec<&str> = std::iter::once("clear")
-        .chain(FRAME.iter().map(|stage| stage.name))
+        .chain(FRAME.iter().map(|(name, _)| *name))
         .collect();
     for one in &report.methods {
         let names: Vec<&str> = one.stages.iter().map(|(name, _)| *name).collect();

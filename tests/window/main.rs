@@ -23,7 +23,7 @@ use std::time::Duration;
 
 use fearless_simd::Level;
 use minifb::Key;
-use shadetrade::components::{Projection, ShadingMode, Transform};
+use shadetrade::components::{Projection, ShadingMode, Spin, Transform};
 use shadetrade::drawing::Drawing;
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::{Action, BINDINGS, Section};
@@ -67,7 +67,11 @@ near = 0.5
 
 /// The window as it opens on `scene`.
 fn session_of(scene: Scene) -> Session {
-    Session::new(Drawing {
+    Session::new(drawing(scene))
+}
+
+fn drawing(scene: Scene) -> Drawing {
+    Drawing {
         scene,
         camera: 0,
         projection: Projection::Perspective,
@@ -76,7 +80,7 @@ fn session_of(scene: Scene) -> Session {
         size: SIZE,
         threads: 1,
         level: Level::new(),
-    })
+    }
 }
 
 /// The window as it opens on the default scene.
@@ -111,7 +115,7 @@ fn the_window_opens_on_what_the_scene_says() {
     assert_eq!(session.shading(), Some(ShadingMode::Gouraud));
     assert_eq!(session.view(SIZE).shading, None);
     assert_eq!(session.projection(), Projection::Perspective);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
     assert_eq!(session.view(SIZE).tolerance, 0.5);
     assert!(session.overlay().shows_panel());
     assert_eq!(session.take_redraw(), Redraw::Picture);
@@ -157,14 +161,40 @@ fn a_light_that_does_not_exist_is_said_for_two_seconds() {
 }
 
 #[test]
-fn g_and_p_shade_every_cuboid_whatever_the_scene_says() {
+fn g_and_p_shade_every_cuboid_and_there_is_a_way_back_to_what_the_scene_says() {
     let mut session = mixed_session();
+    let scene_says = modes(&session);
     assert_eq!(session.shading(), None, "the cuboids differ");
-    press(&mut session, Key::P);
-    assert_eq!(session.view(SIZE).shading, Some(ShadingMode::Phong));
-    assert_eq!(session.shading(), Some(ShadingMode::Phong));
-    press(&mut session, Key::G);
-    assert_eq!(session.view(SIZE).shading, Some(ShadingMode::Gouraud));
+    for (key, mode) in [(Key::P, ShadingMode::Phong), (Key::G, ShadingMode::Gouraud)] {
+        press(&mut session, key);
+        assert_eq!(modes(&session), [mode; 2]);
+        assert_eq!(session.shading(), Some(mode));
+        session.take_redraw();
+        session.apply(Action::SceneShading);
+        assert_eq!(modes(&session), scene_says);
+        assert_eq!(session.take_redraw(), Redraw::Picture);
+    }
+}
+
+#[test]
+fn the_command_line_shades_every_cuboid_when_the_window_opens() {
+    let session = Session::new(Drawing {
+        shading: Some(ShadingMode::Phong),
+        ..drawing(Scene::parse("mixed.toml", MIXED).expect("the scene above is valid"))
+    });
+    assert_eq!(modes(&session), [ShadingMode::Phong; 2]);
+}
+
+/// How the cuboids are shaded, in file order.
+fn modes(session: &Session) -> Vec<ShadingMode> {
+    values(session, |mode: &ShadingMode| *mode)
+}
+
+/// What every cuboid's component says, in file order.
+fn values<C: hecs::Component, T>(session: &Session, read: impl Fn(&C) -> T) -> Vec<T> {
+    let scene = session.scene();
+    let value = |&cuboid| read(&*scene.world.get::<&C>(cuboid).expect("a cuboid has it"));
+    scene.cuboids.iter().map(value).collect()
 }
 
 #[test]
@@ -216,9 +246,9 @@ fn c_goes_round_the_cameras_as_the_scene_has_them() {
     let mut session = default_session();
     press(&mut session, Key::Left);
     press(&mut session, Key::C);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(1));
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(1).0);
     press(&mut session, Key::C);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
     let mut lonely = mixed_session();
     press(&mut lonely, Key::C);
     assert_eq!(lonely.overlay().message(), Some("there is one camera"));
@@ -231,52 +261,46 @@ fn home_undoes_orbit_zoom_and_turning_bit_for_bit() {
         press(&mut session, key);
     }
     session.tick(Duration::from_millis(95));
-    assert_ne!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
-    assert_eq!(angles(&session), [3.0]);
+    assert_ne!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
+    assert_eq!(angles(&session), [3]);
     press(&mut session, Key::Home);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
-    assert_eq!(angles(&session), [0.0]);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
+    assert_eq!(angles(&session), [0]);
 }
 
-/// The cuboids' angles about x, in degrees.
-fn angles(session: &Session) -> Vec<f64> {
-    let scene = session.scene();
-    let angle = |&entity| {
-        scene
-            .world
-            .get::<&Transform>(entity)
-            .expect("a cuboid has one")
-            .rotation
-            .x
-    };
-    scene.cuboids.iter().map(angle).collect()
+/// How far the cuboids have turned, in degrees.
+fn angles(session: &Session) -> Vec<u32> {
+    values(session, |spin: &Spin| spin.degrees)
 }
 
 #[test]
 fn space_turns_one_degree_in_thirty_milliseconds_about_the_own_x_axis() {
     let mut session = mixed_session();
+    let place = |transform: &Transform| *transform;
+    let places = values(&session, place);
     session.tick(Duration::from_secs(1));
     press(&mut session, Key::Space);
     session.take_redraw();
     session.tick(Duration::from_millis(1029));
     assert_eq!(
         (angles(&session), session.take_redraw()),
-        (vec![10.5, 0.0], Redraw::Nothing)
+        (vec![0, 0], Redraw::Nothing)
     );
     session.tick(Duration::from_millis(1030));
     assert_eq!(
         (angles(&session), session.take_redraw()),
-        (vec![11.5, 1.0], Redraw::Picture)
+        (vec![1, 1], Redraw::Picture)
     );
     // However seldom the time is told, nothing is lost: 100 degrees in 3 s.
     session.tick(Duration::from_secs(4));
-    assert_eq!(angles(&session), [110.5, 100.0]);
+    assert_eq!(angles(&session), [100, 100]);
     // A full turn ends where it began.
     session.tick(Duration::from_millis(1000 + 360 * 30));
-    assert_eq!(angles(&session), [10.5, 0.0]);
+    assert_eq!(angles(&session), [0, 0]);
     press(&mut session, Key::Space);
     session.tick(Duration::from_secs(100));
-    assert_eq!(angles(&session), [10.5, 0.0]);
+    assert_eq!(angles(&session), [0, 0]);
+    assert_eq!(values(&session, place), places, "the scene keeps its own");
 }
 
 #[test]

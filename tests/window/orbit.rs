@@ -2,10 +2,10 @@
 
 use glam::{DVec3, dvec3};
 use proptest::prelude::*;
-use shadetrade::components::{Camera, Viewpoint};
+use shadetrade::components::{Camera, Orbit, Viewpoint};
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::Action;
-use shadetrade::window::orbit::{Limits, Orbit, moved_camera};
+use shadetrade::window::orbit::Limits;
 
 use super::{SIZE, default_session, mixed_session};
 
@@ -49,7 +49,8 @@ fn viewpoints() -> impl Strategy<Value = Viewpoint> {
 fn known_places() {
     let from = camera_at(dvec3(0.0, 0.0, 10.0));
     let turned = |azimuth, elevation| {
-        moved_camera(&from, &Orbit::default().moved(&from, azimuth, elevation)).position
+        from.orbited(&Orbit::default().moved(&from, azimuth, elevation))
+            .position
     };
     assert!(
         turned(90.0, 0.0).abs_diff_eq(dvec3(10.0, 0.0, 0.0), 1e-12),
@@ -63,13 +64,10 @@ fn known_places() {
         turned(0.0, 30.0).abs_diff_eq(dvec3(0.0, 5.0, 75.0_f64.sqrt()), 1e-12),
         "up"
     );
-    let closer = moved_camera(
-        &from,
-        &Orbit {
-            zoom: 1,
-            ..Orbit::default()
-        },
-    );
+    let closer = from.orbited(&Orbit {
+        zoom: 1,
+        ..Orbit::default()
+    });
     assert!(
         closer
             .position
@@ -91,7 +89,7 @@ fn a_full_round_in_steps_ends_at_the_same_bits() {
             elevation: 0.0,
         });
     }
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().viewpoint(0));
+    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
 }
 
 #[test]
@@ -149,7 +147,7 @@ fn a_camera_outside_of_the_limits_may_only_come_back() {
 proptest! {
     #[test]
     fn no_orbit_is_the_scene_bit_for_bit(from in viewpoints()) {
-        prop_assert_eq!(moved_camera(&from, &Orbit::default()), from);
+        prop_assert_eq!(from.orbited(&Orbit::default()), from);
     }
 
     #[test]
@@ -158,7 +156,7 @@ proptest! {
         let limits = Limits::of(&scene, &from);
         let there = Orbit::default().zoomed(steps, &limits);
         let back = there.zoomed(-there.zoom, &limits);
-        prop_assert_eq!(moved_camera(&from, &back), from);
+        prop_assert_eq!(from.orbited(&back), from);
     }
 
     #[test]
@@ -170,7 +168,7 @@ proptest! {
         let start = Orbit { zoom, ..Orbit::default() };
         let orbit = moves.iter().fold(start, |orbit, (azimuth, elevation)| orbit.moved(&from, *azimuth, *elevation));
         prop_assert!(orbit.azimuth.abs() <= 180.0);
-        let seen = moved_camera(&from, &orbit);
+        let seen = from.orbited(&orbit);
         let offset = |it: &Viewpoint| it.position - it.camera.target;
         let distance = offset(&from).length() * orbit.factor();
         prop_assert!((offset(&seen).length() / distance - 1.0).abs() < 1e-9);

@@ -33,7 +33,7 @@ fn state(session: &mut Session) -> String {
         overlay.shows_help(),
         overlay.message().map(str::to_owned),
     );
-    let turned = session.turning().degrees();
+    let turned = session.spin().degrees;
     let requests = session.take_requests();
     format!(
         "{:?}",
@@ -104,7 +104,7 @@ fn panel_and_help_come_before_the_picture() {
         },
         SIZE,
     );
-    assert_eq!(session.orbit(), shadetrade::window::orbit::Orbit::default());
+    assert_eq!(session.orbit(), shadetrade::components::Orbit::default());
     respond(&mut session, drag([600, 300]), SIZE);
     assert!(
         session.orbit().azimuth < 0.0,

@@ -259,7 +259,7 @@ impl Window {
         assert!((0.0..=255.0).contains(&session.tolerance()));
         assert!(session.camera() < session.scene().cameras.len());
         assert!(session.divider_column(size[0]) <= size[0]);
-        assert!(session.turning().degrees() < 360);
+        assert!(session.spin().degrees < 360);
         assert!(session.orbit().azimuth.abs() <= 180.0);
         if let Some(probe) = session.probed() {
             assert!(probe.pixel[0] < size[0] && probe.pixel[1] < size[1]);

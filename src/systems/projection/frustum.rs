@@ -19,6 +19,10 @@ use crate::components::{Polygon, Projection};
 /// pictures of at most 16384 pixels a side, the edge functions of rasterization stay below 2^62.
 const GUARD_BAND: f64 = 2_097_152.0;
 
+/// How far rounding takes a place in sight aside, as a share of its depth and of the cuboid's distance: products and sums
+/// of three f64. Where the guard band is narrower than that, one of its sides could cut off what the opposite one left.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// What is in sight of a lens, in the coordinates of one cuboid: from its centre, along its axes.
 pub struct Frustum<'a> {
     lens: &'a Lens,
@@ -70,9 +74,10 @@ impl<'a> Frustum<'a> {
             Projection::Perspective => (forward, centre.z),
             Projection::Orthographic => (DVec3::ZERO, 1.0),
         };
+        let slack = ROUNDING * (centre.z + centre.length());
         let side = |aside: DVec3, offset: f64| Plane {
-            normal: forwards * reach - aside,
-            offset: w * reach - offset,
+            normal: forwards * reach + forward * ROUNDING - aside,
+            offset: w * reach + slack - offset,
         };
         Frustum {
             lens,

@@ -179,9 +179,12 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::components::{Illumination, Normals, PointLight, Projected, Projection, View};
+    use crate::components::{
+        Illumination, Lens, Normals, PointLight, Projected, Projection, Spin, View,
+    };
     use crate::systems::lighting::gather;
-    use crate::systems::projection::{Lens, project};
+    use crate::systems::projection::project;
+    use crate::systems::spin::world_transform;
 
     fn view(scene: &Scene, projection: Projection, size: [usize; 2]) -> View {
         View {
@@ -238,7 +241,8 @@ mod tests {
                         .query_mut::<(&Transform, &Mesh, &mut Projected)>();
                     let mut seen = 0;
                     for (transform, mesh, projected) in cuboids {
-                        project(transform, mesh, &lens, projected);
+                        let place = world_transform(transform, Spin::default());
+                        project(&place, mesh, &lens, projected);
                         for corner in projected.seen {
                             let [x, y] = lens.pixel(lens.homogeneous(corner));
                             let within = (0.0..size[0] as f64).contains(&x)

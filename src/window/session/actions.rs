@@ -2,11 +2,11 @@
 //!
 //! Rule: whatever was wanted shows: in the picture, over it, or as words that say why not.
 
-use super::{Redraw, Request, Session};
-use crate::components::{Light, Projection};
+use super::{DEGREE_TIME, Redraw, Request, Session};
+use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
 use crate::window::measuring::Measuring;
-use crate::window::orbit::{Limits, Orbit};
+use crate::window::orbit::Limits;
 use crate::window::overlay::Pane;
 
 /// The tolerances that keys step through, in levels.
@@ -21,10 +21,8 @@ impl Session {
                 Some(index) => self.switch_light(index),
                 None => self.say(format!("no light is named {name}")),
             },
-            Action::Shading(mode) => {
-                self.shading = Some(mode);
-                self.changed();
-            }
+            Action::Shading(mode) => self.shade(Some(mode)),
+            Action::SceneShading => self.shade(None),
             Action::Tolerance(steps) => self.step_tolerance(steps),
             Action::NextTolerance if self.next_tolerance(1).is_none() => {
                 self.shade_within(TOLERANCES[0]);
@@ -40,24 +38,27 @@ impl Session {
             })),
             Action::Camera(index) => self.look_from(index),
             Action::NextCamera if self.scene.cameras.len() == 1 => self.say("there is one camera"),
-            Action::NextCamera => self.look_from((self.camera + 1) % self.scene.cameras.len()),
+            Action::NextCamera => self.look_from((self.camera() + 1) % self.scene.cameras.len()),
             Action::Orbit { azimuth, elevation } => {
-                let orbit = self.orbit.moved(&self.own_viewpoint(), azimuth, elevation);
-                self.move_camera(orbit, "the camera stops short of the pole");
+                let (own, orbit) = self.scene.camera(self.camera());
+                let moved = orbit.moved(&own, azimuth, elevation);
+                self.move_camera(moved, "the camera stops short of the pole");
             }
             Action::Zoom(steps) => {
-                let limits = Limits::of(&self.scene, &self.own_viewpoint());
+                let (own, orbit) = self.scene.camera(self.camera());
+                let limits = Limits::of(&self.scene, &own);
                 let end = if steps > 0 {
                     "no closer than this"
                 } else {
                     "no further than this"
                 };
-                self.move_camera(self.orbit.zoomed(steps, &limits), end);
+                self.move_camera(orbit.zoomed(steps, &limits), end);
             }
             Action::ResetView => {
-                self.orbit = Orbit::default();
-                self.turning.turn_to(0, &mut self.scene);
-                self.changed();
+                for spin in self.scene.world.query_mut::<&mut Spin>() {
+                    spin.degrees = 0;
+                }
+                self.set_orbit(Orbit::default());
             }
             Action::Show(mode) => {
                 self.looking.mode = mode;
@@ -69,7 +70,7 @@ impl Session {
                 self.wants(Redraw::Overlay);
             }
             Action::Measure if self.measuring.is_open() => self.stop_measuring(),
-            Action::Measure if self.turning.is_on() => {
+            Action::Measure if self.spin().on => {
                 self.say("what turns cannot be measured");
             }
             Action::Measure => {
@@ -78,7 +79,10 @@ impl Session {
                 self.wants(Redraw::Overlay);
             }
             Action::Turning => {
-                self.turning.switch(self.now);
+                for spin in self.scene.world.query_mut::<&mut Spin>() {
+                    spin.on ^= true;
+                }
+                self.next_degree = self.now + DEGREE_TIME;
                 self.wants(Redraw::Overlay);
             }
             Action::Panel => {
@@ -158,23 +162,34 @@ impl Session {
         }
     }
 
+    fn shade(&mut self, mode: Option<ShadingMode>) {
+        self.scene.shade(mode);
+        self.changed();
+    }
+
     fn shade_within(&mut self, tolerance: f64) {
         self.tolerance = tolerance;
         self.changed();
     }
 
     fn look_from(&mut self, camera: usize) {
-        self.camera = camera;
-        self.orbit = Orbit::default();
-        self.changed();
+        self.set_orbit(Orbit::default());
+        self.scene.look_from(camera);
     }
 
     /// Moves the camera, or says what keeps it from moving.
     fn move_camera(&mut self, orbit: Orbit, end: &str) {
-        if orbit == self.orbit {
+        if orbit == self.orbit() {
             return self.say(end);
         }
-        self.orbit = orbit;
+        self.set_orbit(orbit);
+    }
+
+    fn set_orbit(&mut self, orbit: Orbit) {
+        let camera = self.scene.cameras[self.camera()];
+        if let Ok(mut old) = self.scene.world.get::<&mut Orbit>(camera) {
+            *old = orbit;
+        }
         self.changed();
     }
 }

@@ -5,15 +5,13 @@
 use hecs::Entity;
 
 use super::Session;
-use crate::components::{Light, Name, Projection, ShadingMode};
+use crate::components::{Light, Name, Orbit, Projection, ShadingMode, Spin};
 use crate::probe::Probe;
 use crate::scene::Scene;
 use crate::window::examiner::Findings;
 use crate::window::measuring::Measuring;
-use crate::window::orbit::Orbit;
 use crate::window::overlay::Overlay;
 use crate::window::statistics::Statistics;
-use crate::window::turning::Turning;
 use crate::window::views::ViewMode;
 
 impl Session {
@@ -52,12 +50,12 @@ impl Session {
 
     /// Which camera of the file the picture is seen from.
     pub fn camera(&self) -> usize {
-        self.camera
+        self.scene.active_camera()
     }
 
     /// How far the camera has been moved.
     pub fn orbit(&self) -> Orbit {
-        self.orbit
+        self.scene.camera(self.camera()).1
     }
 
     /// How the picture is projected.
@@ -67,18 +65,10 @@ impl Session {
 
     /// How all cuboids are shaded, where it is the same for all.
     pub fn shading(&self) -> Option<ShadingMode> {
-        let own = |&entity: &Entity| {
-            self.scene
-                .world
-                .get::<&ShadingMode>(entity)
-                .ok()
-                .map(|it| *it)
-        };
-        self.shading.or_else(|| {
-            let mut modes = self.scene.cuboids.iter().filter_map(own);
-            let first = modes.next()?;
-            modes.all(|mode| mode == first).then_some(first)
-        })
+        let mut query = self.scene.world.query::<&ShadingMode>();
+        let mut modes = query.iter();
+        let first = *modes.next()?;
+        modes.all(|mode| *mode == first).then_some(first)
     }
 
     /// How far the picture may stray from its own mode, in levels.
@@ -126,9 +116,10 @@ impl Session {
         self.examination.findings()
     }
 
-    /// How far the cuboids have turned, and whether they do.
-    pub fn turning(&self) -> &Turning {
-        &self.turning
+    /// How far the cuboids have turned, and whether they go on: all do alike.
+    pub fn spin(&self) -> Spin {
+        let mut query = self.scene.world.query::<&Spin>();
+        query.iter().next().copied().unwrap_or_default()
     }
 
     /// What lies over the picture.

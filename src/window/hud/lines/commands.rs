@@ -134,14 +134,14 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
         Action::Show(mode) => choice(session.view_mode() == mode),
         Action::Blink => switch(session.blinks(), ON),
         Action::Measure => switch(session.measuring().is_open(), ON),
-        Action::Turning => switch(session.turning().is_on(), ON),
+        Action::Turning => switch(session.spin().on, ON),
         Action::Panel => switch(session.overlay().shows_panel(), ON),
         Action::Help => switch(session.overlay().shows_help(), ON),
         Action::Orbit { azimuth, .. } if azimuth != 0.0 => (Mark::None, degrees(orbit.azimuth)),
         Action::Orbit { .. } => (Mark::None, degrees(orbit.elevation)),
         Action::Zoom(_) => (Mark::None, format!("{:.2}\u{d7}", 1.0 / orbit.factor())),
-        Action::ResetView if session.turning().degrees() > 0 => {
-            (Mark::None, degrees(f64::from(session.turning().degrees())))
+        Action::ResetView if session.spin().degrees > 0 => {
+            (Mark::None, degrees(f64::from(session.spin().degrees)))
         }
         _ => (Mark::None, String::new()),
     }

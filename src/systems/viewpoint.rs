@@ -1,0 +1,45 @@
+//! A view in, the lens that every later stage sees through out.
+//!
+//! Rule: the camera's axes, near plane and scale are made here and nowhere else, once a frame.
+
+use glam::DVec3;
+use hecs::World;
+
+use crate::components::{Lens, Projection, View};
+use crate::frame::Frame;
+
+/// Overwrites the frame's [`Lens`].
+pub fn run(_world: &mut World, view: &View, frame: &mut Frame) {
+    frame.lens = Lens::new(view);
+}
+
+impl Lens {
+    /// The lens of a view.
+    pub fn new(view: &View) -> Self {
+        Lens {
+            axes: view.viewpoint.axes(),
+            eye: view.viewpoint.position,
+            near: view.viewpoint.near(),
+            projection: view.projection,
+            pitch: view.viewpoint.pixel_pitch(view.projection, view.size[1]),
+            half: view.size.map(|pixels| pixels as f64 / 2.0),
+        }
+    }
+
+    /// A point relative to the eye, given along right, up and forward, in homogeneous screen coordinates: x / w and
+    /// y / w are world units on the plane whose pixels are [`Lens::pitch`] apart.
+    pub fn homogeneous(&self, seen: DVec3) -> DVec3 {
+        match self.projection {
+            Projection::Perspective => seen,
+            Projection::Orthographic => DVec3::new(seen.x, seen.y, 1.0),
+        }
+    }
+
+    /// Where that point falls, in pixels from the top left corner; `w` must be positive.
+    pub fn pixel(&self, point: DVec3) -> [f64; 2] {
+        [
+            self.half[0] + point.x / point.z / self.pitch,
+            self.half[1] - point.y / point.z / self.pitch,
+        ]
+    }
+}

@@ -1,0 +1,134 @@
+//! Places and meshes in, screen polygons out.
+
+use glam::{DVec3, dvec3};
+use hecs::{Entity, World};
+use shadetrade::components::{
+    Lens, Mesh, Projected, Projection, ShadingMode, Transform, View, WorldTransform,
+};
+use shadetrade::systems::{self, projection};
+
+use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, spawn_cuboid};
+
+/// Of the two triangles of face +z, the first: corners 4, 5 and 7.
+const FRONT: usize = 8;
+
+fn spawn(world: &mut World, position: DVec3, size: DVec3) -> Entity {
+    let mesh = Mesh::cuboid(size);
+    world.spawn((place(at(position)), mesh, Projected::default()))
+}
+
+fn run(world: &mut World, view: &View) {
+    let mut frame = empty_frame();
+    frame.lens = Lens::new(view);
+    projection::run(world, view, &mut frame);
+}
+
+/// What is seen of one cuboid.
+fn seen(position: DVec3, size: DVec3, view: &View) -> Projected {
+    let mut world = World::new();
+    let cuboid = spawn(&mut world, position, size);
+    run(&mut world, view);
+    read(&world, cuboid)
+}
+
+#[test]
+fn a_corner_on_the_optical_axis_is_the_middle_of_the_picture() {
+    for projection in PROJECTIONS {
+        // Corner 4 of face +z, at -x and -y, is the origin.
+        let position = dvec3(1.0, 1.0, -1.0);
+        let seen = seen(position, DVec3::splat(2.0), &ahead(projection, [300, 200]));
+        assert_eq!(seen.seen[4], dvec3(0.0, 0.0, 10.0));
+        let middle = [150 * 256, 100 * 256];
+        assert_eq!(seen.polygons[FRONT].vertices()[0], middle);
+    }
+}
+
+#[test]
+fn half_of_what_is_seen_vertically_is_the_edge_of_the_picture() {
+    for fov in [1.0, 30.0, 90.0, 126.87, 170.0] {
+        let mut perspective = ahead(Projection::Perspective, [300, 200]);
+        perspective.viewpoint.camera.fov = fov;
+        let mut orthographic = ahead(Projection::Orthographic, [300, 200]);
+        orthographic.viewpoint.camera.height = fov;
+        let half_angle = (fov / 2.0).to_radians().tan();
+        for (view, half) in [(perspective, 10.0 * half_angle), (orthographic, fov / 2.0)] {
+            // The front face is ten units away, as high as the picture, and half as wide as it is high.
+            let size = dvec3(half, 2.0 * half, 2.0);
+            let seen = seen(DVec3::NEG_Z, size, &view);
+            let expected = [[100, 200], [200, 200], [200, 0]].map(|pixel| pixel.map(|x| x * 256));
+            assert_eq!(
+                seen.polygons[FRONT].vertices(),
+                expected,
+                "{:?}, {fov}",
+                view.projection
+            );
+        }
+    }
+}
+
+#[test]
+fn a_cuboid_behind_the_near_plane_leaves_no_polygon() {
+    for projection in PROJECTIONS {
+        let view = ahead(projection, [300, 200]);
+        let drawn = |position: DVec3| {
+            let seen = seen(position, DVec3::splat(2.0), &view);
+            seen.polygons.iter().any(|polygon| polygon.len > 0)
+        };
+        // The eye is at z = 10, the near plane at z = 9.
+        assert!(drawn(DVec3::Z * 7.9), "before the near plane");
+        // Cut by it, of the four other faces one is seen, if it is not edge-on.
+        let perspective = projection == Projection::Perspective;
+        assert_eq!(drawn(dvec3(2.0, 0.0, 9.0)), perspective);
+        for beyond in [10.1, 15.0, 1e9] {
+            assert!(!drawn(dvec3(2.0, 0.0, beyond)), "{beyond}");
+        }
+    }
+}
+
+#[test]
+fn what_was_seen_before_a_cuboid_moved_is_forgotten() {
+    let view = ahead(Projection::Perspective, [300, 200]);
+    let mut world = World::new();
+    let cuboids = [DVec3::ZERO, DVec3::X].map(|at| spawn(&mut world, at, DVec3::ONE));
+    run(&mut world, &view);
+    let before = cuboids.map(|cuboid| read::<Projected>(&world, cuboid));
+    world
+        .get::<&mut WorldTransform>(cuboids[0])
+        .expect("a cuboid has one")
+        .position = DVec3::Z * 50.0;
+    run(&mut world, &view);
+    let after = cuboids.map(|cuboid| read::<Projected>(&world, cuboid));
+    assert!(before[0].polygons.iter().any(|polygon| polygon.len > 0));
+    assert!(after[0].polygons.iter().all(|polygon| polygon.len == 0));
+    assert_eq!(before[1], after[1]);
+}
+
+#[test]
+fn a_face_is_seen_everywhere_however_little_of_it_is() {
+    // What is seen is smaller than the rounding of the places that are looked at.
+    for least in [1e-10, 1e-15, 1e-17, 1e-20, 1e-22, 1e-25, 1e-50, 1e-100] {
+        for projection in PROJECTIONS {
+            for (rotation, target) in [
+                (DVec3::ZERO, dvec3(0.3, 0.2, 1.0)),
+                (dvec3(10.0, 30.0, 50.0), dvec3(0.1, -0.2, 0.0)),
+                (dvec3(-70.0, 20.0, 5.0), dvec3(-0.3, 0.1, 0.2)),
+            ] {
+                let mut view = ahead(projection, [30, 20]);
+                view.viewpoint.position = dvec3(7.0, 5.0, 8.0);
+                let camera = &mut view.viewpoint.camera;
+                (camera.target, camera.fov, camera.height) = (target, least, least);
+                let mut world = World::new();
+                let turned = Transform {
+                    rotation,
+                    ..at(dvec3(0.1, 0.1, 0.1))
+                };
+                let (size, mode) = (DVec3::splat(2.0), ShadingMode::Phong);
+                spawn_cuboid(&mut world, 0, turned, size, MATERIAL, mode);
+                let mut frame = empty_frame();
+                systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
+                let covered = frame.counts().covered_pixels;
+                assert_eq!(covered, 600, "{projection:?}, {least}, {rotation}");
+            }
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Screen polygons in, shaded pixels out.
+
+use glam::{DVec3, dvec3};
+use hecs::World;
+use shadetrade::components::{
+    FileOrder, LightKind, Material, Projection, ShadingMode, Transform, VertexColors, View,
+};
+use shadetrade::frame::{Frame, NO_TRIANGLE};
+use shadetrade::systems::rasterization;
+use shadetrade::{reference, systems};
+
+use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, spawn_cuboid};
+
+/// A cube of two units that is so many levels in red under an ambient light of one level.
+fn flat_cube(world: &mut World, order: usize, position: DVec3, levels: f64) {
+    let material = Material {
+        ambient: DVec3::X * levels,
+        ..MATERIAL
+    };
+    let size = DVec3::splat(2.0);
+    spawn_cuboid(
+        world,
+        order,
+        at(position),
+        size,
+        material,
+        ShadingMode::Gouraud,
+    );
+}
+
+fn draw(world: &mut World, view: &View) -> Frame {
+    let mut frame = empty_frame();
+    systems::draw(world, view, &mut frame).expect("a small picture fits");
+    frame
+}
+
+/// The level in red and the cuboid seen in the middle of a picture of 9 x 9 pixels.
+fn middle(world: &mut World, projection: Projection) -> (f32, u32) {
+    world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 1.0)));
+    let frame = draw(world, &ahead(projection, [9, 9]));
+    (frame.levels()[40][0], frame.triangles()[40] / 12)
+}
+
+#[test]
+fn a_face_of_so_many_pixels_covers_so_many_pixels() {
+    // 20 units over 200 rows are ten pixels a unit: the face of 6 x 4 units is 60 x 40 pixels.
+    let mut world = World::new();
+    let size = dvec3(6.0, 4.0, 2.0);
+    let mode = ShadingMode::Phong;
+    spawn_cuboid(&mut world, 0, at(DVec3::ZERO), size, MATERIAL, mode);
+    let frame = draw(&mut world, &ahead(Projection::Orthographic, [300, 200]));
+    assert_eq!(frame.counts().covered_pixels, 60 * 40);
+    for (index, &id) in frame.triangles().iter().enumerate() {
+        let (x, y) = (index % 300, index / 300);
+        let inside = (120..180).contains(&x) && (80..120).contains(&y);
+        // Face +z has the triangles 8 and 9.
+        assert_eq!(inside, [8, 9].contains(&id), "{x}, {y}: {id}");
+        assert_eq!(!inside, id == NO_TRIANGLE, "{x}, {y}: {id}");
+    }
+}
+
+#[test]
+fn the_nearer_cuboid_is_seen_whichever_is_earlier_in_the_file() {
+    for projection in PROJECTIONS {
+        for (near, far) in [(0, 1), (1, 0)] {
+            let mut world = World::new();
+            flat_cube(&mut world, near, DVec3::Z, 50.0);
+            flat_cube(&mut world, far, DVec3::NEG_Z, 100.0);
+            assert_eq!(middle(&mut world, projection), (50.0, near as u32));
+        }
+    }
+}
+
+#[test]
+fn at_one_depth_the_cuboid_earlier_in_the_file_is_seen_whichever_was_spawned_first() {
+    for projection in PROJECTIONS {
+        for spawned in [[0, 1], [1, 0]] {
+            let mut world = World::new();
+            for order in spawned {
+                flat_cube(&mut world, order, DVec3::ZERO, 50.0 + 50.0 * order as f64);
+            }
+            assert_eq!(middle(&mut world, projection), (50.0, 0), "{spawned:?}");
+        }
+    }
+}
+
+/// Of a crowd in which cuboids reach into one another and two share a face.
+fn crowd(spawned: [usize; 4]) -> World {
+    let places = [
+        [0.0; 3],
+        [1.0, 1.0, 0.0],
+        [-1.5, 0.5, 0.3],
+        [0.0, -1.0, 1.0],
+    ];
+    let mut world = World::new();
+    for order in spawned {
+        let transform = Transform {
+            position: places[order].into(),
+            rotation: if order < 2 {
+                DVec3::ZERO
+            } else {
+                dvec3(30.0, 40.0, 50.0)
+            },
+        };
+        let mode = [ShadingMode::Gouraud, ShadingMode::Phong][order % 2];
+        let material = Material {
+            shininess: order as f64,
+            ..MATERIAL
+        };
+        let size = DVec3::splat(2.0);
+        spawn_cuboid(&mut world, order, transform, size, material, mode);
+    }
+    world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 40.0)));
+    world.spawn((at(dvec3(5.0, 6.0, 7.0)), light(LightKind::Diffuse, 200.0)));
+    world.spawn((at(dvec3(5.0, 6.0, 7.0)), light(LightKind::Specular, 90.0)));
+    world
+}
+
+/// A component that nothing draws: to have one moves an entity to the end of another table of hecs.
+struct Selected;
+
+#[test]
+fn neither_spawning_nor_inserted_components_change_a_picture_or_its_triangles() {
+    for projection in PROJECTIONS {
+        let mut view = ahead(projection, [90, 60]);
+        view.viewpoint.camera.fov = 40.0;
+        view.viewpoint.camera.height = 7.0;
+        let truth = |world: &World| {
+            let truth = reference::picture(world, &view, 0..60, &|| false, &|_| ());
+            let truth = truth.expect("nobody cancels");
+            (truth.levels, truth.triangles)
+        };
+        let expected = draw(&mut crowd([0, 1, 2, 3]), &view);
+        let exact = truth(&crowd([0, 1, 2, 3]));
+        assert!(expected.counts().covered_pixels > 1000);
+        for (spawned, selected) in [([3, 2, 1, 0], None), ([2, 0, 3, 1], Some(0))] {
+            let mut world = crowd(spawned);
+            let mut cuboids = world.query::<(hecs::Entity, &FileOrder)>();
+            let wanted = cuboids.iter().find(|(_, order)| selected == Some(order.0));
+            let wanted = wanted.map(|(entity, _)| entity);
+            drop(cuboids);
+            if let Some(entity) = wanted {
+                world.insert_one(entity, Selected).expect("it was spawned");
+            }
+            let seen = draw(&mut world, &view);
+            assert_eq!(seen.triangles(), expected.triangles(), "{spawned:?}");
+            assert_eq!(seen.levels(), expected.levels(), "{spawned:?}");
+            assert_eq!(truth(&world), exact, "{spawned:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_drawn_of_gouraud_are_the_vertex_colours() {
+    for projection in PROJECTIONS {
+        let view = ahead(projection, [300, 200]);
+        let mut world = World::new();
+        flat_cube(&mut world, 0, DVec3::ZERO, 50.0);
+        let mut frame = draw(&mut world, &view);
+        assert!(frame.levels().iter().all(|levels| levels[0] == 0.0), "dark");
+        // The bottom is at 0 levels, the top at 100.
+        for colors in world.query_mut::<&mut VertexColors>() {
+            colors.0 = std::array::from_fn(|corner| DVec3::X * [0.0, 100.0][corner >> 1 & 1]);
+        }
+        rasterization::run(&mut world, &view, &mut frame);
+        for (index, (levels, id)) in frame.levels().iter().zip(frame.triangles()).enumerate() {
+            if *id == NO_TRIANGLE {
+                continue;
+            }
+            let pitch = match projection {
+                // The front face is nine units away.
+                Projection::Perspective => 0.09,
+                Projection::Orthographic => 0.1,
+            };
+            let y = (100.0 - (index / 300) as f64 - 0.5) * pitch;
+            let expected = 100.0 * (y + 1.0) / 2.0;
+            assert!(
+                (f64::from(levels[0]) - expected).abs() < 0.05,
+                "{projection:?}: {} for {expected}",
+                levels[0]
+            );
+        }
+    }
+}
