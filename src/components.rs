@@ -8,6 +8,7 @@
 //! Rule: nothing here computes a picture, and everything the renderer and the reference share is here.
 
 use glam::{DMat3, DVec3};
+use serde::Serialize;
 
 /// What an entity is called in the scene file: non-empty, unique within its kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -112,13 +113,15 @@ pub struct Material {
 }
 
 /// How a cuboid's surface is shaded: what its picture means, whatever the tolerance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum ShadingMode {
     /// The model at the vertices, its colours interpolated perspective-correctly (Gouraud 1971).
     Gouraud,
     /// Position and normal interpolated perspective-correctly, the model at every pixel (Phong 1975).
     Phong,
     /// The assignment's shortcut: unit n, l and o of the vertices interpolated linearly on the screen and not renormalised.
+    #[serde(rename = "phong")]
     UnitVectors,
 }
 
@@ -133,7 +136,8 @@ impl ShadingMode {
 }
 
 /// The one term of the model that a light feeds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum LightKind {
     /// Everywhere alike.
     Ambient,

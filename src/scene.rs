@@ -1,8 +1,8 @@
 //! A scene file in, a [`World`] of validated components out; nothing else knows TOML.
 //!
 //! ```text
-//! argument --file--> text --section, format--> components --spawn--> Scene
-//!                      '--------- error: one located message --------'
+//! argument --file--> text --format (keys)--> records --spawn--> Scene
+//!                      '--- error: one located message ---'
 //! ```
 //!
 //! Rule: every number in a [`World`] spawned here is finite and within the range its key allows, every name is unique
@@ -13,7 +13,7 @@
 mod error;
 mod file;
 mod format;
-mod section;
+mod keys;
 
 use std::str::FromStr;
 
@@ -126,6 +126,17 @@ impl Scene {
     /// A scene of its own, with the values the components have now; what a frame derives from them starts empty.
     #[must_use]
     pub fn snapshot(&self) -> Scene {
+        Scene::spawn(self.name.clone(), self.records())
+    }
+
+    /// The text of a scene file that describes the scene as it stands now: read again it gives the same components, bit
+    /// for bit. The assignment's shortcut, which no file can ask for, becomes Phong.
+    pub fn to_toml(&self) -> String {
+        format::write(self.records())
+    }
+
+    /// What the components say now.
+    fn records(&self) -> Records {
         type Cuboid<'a> = (
             &'a Name,
             &'a Transform,
@@ -133,7 +144,7 @@ impl Scene {
             &'a Material,
             &'a ShadingMode,
         );
-        let records = Records {
+        Records {
             background: self.background,
             cuboids: self.copies::<Cuboid, _>(&self.cuboids, |(name, at, mesh, material, mode)| {
                 (name.clone(), *at, *mesh, *material, *mode)
@@ -146,8 +157,7 @@ impl Scene {
                 .copies::<(&Name, &Transform, &Camera), _>(&self.cameras, |(name, at, camera)| {
                     (name.clone(), *at, *camera)
                 }),
-        };
-        Scene::spawn(self.name.clone(), records)
+        }
     }
 
     /// Camera number `index` of the file, as it stands now.
