@@ -15,6 +15,7 @@ mod file;
 mod format;
 mod keys;
 
+use std::path::Path;
 use std::str::FromStr;
 
 use glam::DVec3;
@@ -39,6 +40,15 @@ pub const BUILT_IN: [(&str, &str); 4] = [
         include_str!("../assets/scenes/assignment.toml"),
     ),
 ];
+
+fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
+    BUILT_IN.iter().find(|(name, _)| path.as_os_str() == *name)
+}
+
+/// Whether `path` is the name of a built-in scene, which wins over a file.
+pub fn is_built_in(path: &Path) -> bool {
+    built_in(path).is_some()
+}
 
 /// A scene as it is drawn: entities, and their order in the file.
 pub struct Scene {
@@ -77,10 +87,17 @@ impl Scene {
     /// # Errors
     /// When the file cannot be read or is no valid scene.
     pub fn load(argument: Option<&str>) -> Result<Scene, SceneError> {
-        let argument = argument.unwrap_or(BUILT_IN[0].0);
-        match BUILT_IN.iter().find(|(name, _)| *name == argument) {
+        Scene::load_path(Path::new(argument.unwrap_or(BUILT_IN[0].0)))
+    }
+
+    /// The same of a path, which need not be UTF-8.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn load_path(path: &Path) -> Result<Scene, SceneError> {
+        match built_in(path) {
             Some((name, text)) => Scene::parse(name, text),
-            None => Scene::parse(argument, &file::read(argument)?),
+            None => Scene::parse(&path.to_string_lossy(), &file::read(path)?),
         }
     }
 
@@ -299,6 +316,19 @@ fn there_are(lights: &[String]) -> String {
     if lights.is_empty() {
         return "the scene has no lights".to_owned();
     }
-    let quoted: Vec<String> = lights.iter().map(|name| format!("{name:?}")).collect();
-    format!("the scene's lights are {}", quoted.join(", "))
+    format!("the scene's lights are {}", listed(lights))
+}
+
+/// The names for a message: quoted, and no more than a person reads.
+pub fn listed(names: &[String]) -> String {
+    const MOST: usize = 20;
+    let quoted: Vec<String> = names
+        .iter()
+        .take(MOST)
+        .map(|name| format!("{name:?}"))
+        .collect();
+    match names.len().saturating_sub(MOST) {
+        0 => quoted.join(", "),
+        more => format!("{} and {more} more", quoted.join(", ")),
+    }
 }
