@@ -12,11 +12,14 @@ mod parsing;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use anyhow::anyhow;
+use anyhow::{Context, anyhow};
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
+use image::ImageFormat;
+use rayon::ThreadPoolBuilder;
 
+use crate::drawing::all_cores;
 use crate::output::Output;
 use crate::shading::{METHODS, Method};
 use crate::trade;
@@ -153,6 +156,28 @@ The script goes where the shell looks for completions, or is read by its start-u
     },
 }
 
+impl Command {
+    /// Starts the threads that the reference works on, where it does; the renderer's are its own.
+    ///
+    /// # Errors
+    /// When the system gives no threads.
+    pub fn start_threads(&self) -> anyhow::Result<()> {
+        let threads = match self {
+            Command::Render(options) if options.reference => options.drawing.workers.threads(),
+            Command::Probe(options) => options.drawing.workers.threads(),
+            Command::Extremes(options) => options.workers.threads(),
+            // What is not timed may take every core.
+            Command::Trade(_) => all_cores(),
+            _ => return Ok(()),
+        };
+        ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .use_current_thread()
+            .build_global()
+            .context("cannot start the threads that draw; --threads asks for fewer")
+    }
+}
+
 /// The options of `render`.
 #[derive(Args, Debug)]
 pub struct RenderOptions {
@@ -160,7 +185,7 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// Where the PNG goes; `-` is standard output
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().map(Output::from))]
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Output,
     /// Draws with the f64 reference instead of the renderer; --tolerance and --simd have no say then
     #[arg(long)]
@@ -323,9 +348,17 @@ pub struct FiguresOptions {
 /// The folder for figures when none is named.
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
+/// Pictures are PNG; a name that promises another format is refused.
+fn picture_file(path: PathBuf) -> Result<Output, &'static str> {
+    match ImageFormat::from_path(&path) {
+        Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
+        Ok(_) => Err("pictures are written as PNG; give a name that ends in .png"),
+    }
+}
+
 /// Standard output takes the counts.
 fn map_file(path: PathBuf) -> Result<Output, &'static str> {
-    match Output::from(path) {
+    match picture_file(path)? {
         Output::Stdout => {
             Err("it is a file: standard output takes the counts; ./- is a file of that name")
         }

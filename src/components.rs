@@ -14,6 +14,7 @@ mod camera;
 
 use glam::{DMat3, DVec3};
 use hecs::DynamicBundle;
+use serde::Serialize;
 
 pub use self::camera::{ActiveCamera, Camera, Lens, Orbit, Projection, View, Viewpoint};
 
@@ -151,13 +152,15 @@ pub struct Material {
 }
 
 /// How a cuboid's surface is shaded: what its picture means, whatever the tolerance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum ShadingMode {
     /// The model at the vertices, its colours interpolated perspective-correctly (Gouraud 1971).
     Gouraud,
     /// Position and normal interpolated perspective-correctly, the model at every pixel (Phong 1975).
     Phong,
     /// The assignment's shortcut: unit n, l and o of the vertices interpolated linearly on the screen and not renormalised.
+    #[serde(rename = "phong")]
     UnitVectors,
 }
 
@@ -176,7 +179,8 @@ impl ShadingMode {
 pub struct SceneShading(pub ShadingMode);
 
 /// The one term of the model that a light feeds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum LightKind {
     /// Everywhere alike.
     Ambient,

@@ -159,7 +159,7 @@
 //! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of [`shading::Shader`] and of the
 //!   one `match` in [`systems::rasterization`], a row of [`shading::METHODS`]; its own definition in the reference; what it is called
 //!   in the window and how it is marked in the plot, which the compiler asks for;
-//! - a light kind: a variant of [`components::LightKind`] and its name in `scene/format.rs`, its sum in
+//! - a light kind: a variant of [`components::LightKind`] and its name in `scene/keys.rs`, its sum in
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/systems`; a component that it derives joins the others in [`components::cuboid`];

@@ -20,10 +20,14 @@ fn main() -> ExitCode {
 }
 
 fn run(command: Option<Command>) -> Result<(), Failure> {
+    if let Some(command) = &command {
+        command.start_threads()?;
+    }
     match command {
         None => Ok(()),
         Some(Command::View(options)) => view(&options),
         Some(Command::Render(options)) => {
+            options.drawing.check_output(&options.output)?;
             let mut drawing = options.drawing.open()?;
             let draw = if options.reference {
                 pictures::render_reference
@@ -41,6 +45,9 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Prove(options)) => {
+            if let Some(map) = &options.output {
+                options.drawing.check_output(map)?;
+            }
             let mut drawing = options.drawing.open()?;
             Ok(prove::run(
                 &mut drawing,
@@ -88,7 +95,7 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     let text = if options.json {
         serde_json::to_string_pretty(&probe).map_err(anyhow::Error::from)?
     } else {
-        probe.lines().join("\n")
+        output::printable(&probe.lines().join("\n"))
     };
     Ok(Output::Stdout.write(|writer| writeln!(writer, "{text}"))?)
 }

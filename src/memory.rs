@@ -5,9 +5,13 @@
 
 use std::collections::TryReserveError;
 use std::fmt;
+#[cfg(target_os = "linux")]
+use std::path::Path;
 
 /// Bytes up to which nobody asks how many there are.
-const LARGE: usize = 256 << 20;
+const LARGE: usize = 16 << 20;
+/// Bytes that are to stay free for everything that is small, whose refusal would end the program without a message.
+const SPARE: usize = 32 << 20;
 
 /// The picture does not fit in memory.
 #[derive(Debug, thiserror::Error)]
@@ -35,7 +39,7 @@ pub fn check(size: [usize; 2], needed: usize) -> Result<(), OutOfMemory> {
     if needed <= LARGE {
         return Ok(());
     }
-    let left = available();
+    let left = available().map(|bytes| bytes.saturating_sub(SPARE));
     match left {
         Some(bytes) if bytes < needed => Err(OutOfMemory { size, needed, left }),
         _ => Ok(()),
@@ -65,11 +69,19 @@ pub fn refused(size: [usize; 2], needed: usize) -> impl Fn(TryReserveError) -> O
     }
 }
 
-/// Bytes that can be had without swapping: the kernel's own estimate (proc_meminfo(5), `MemAvailable`, since Linux 3.14).
+/// Bytes that can be had without anything being swapped or killed: of the machine, of the control groups that the
+/// process is in, and of its own address space.
 #[cfg(target_os = "linux")]
 fn available() -> Option<usize> {
-    let table = std::fs::read_to_string("/proc/meminfo").ok()?;
-    available_of(&table)
+    let read = |path: &Path| std::fs::read_to_string(path).ok();
+    [
+        left_on_machine(&read),
+        left_in_groups(&read),
+        left_of_addresses(&read),
+    ]
+    .into_iter()
+    .flatten()
+    .min()
 }
 
 /// Other systems refuse an allocation that they cannot back, or swap for it.
@@ -78,14 +90,74 @@ fn available() -> Option<usize> {
     None
 }
 
-/// The row `MemAvailable:   17482340 kB` of that table, in bytes.
+/// What a file says, where it can be read.
 #[cfg(target_os = "linux")]
-fn available_of(table: &str) -> Option<usize> {
-    let row = table
-        .lines()
-        .find_map(|row| row.strip_prefix("MemAvailable:"))?;
-    let kibibytes: usize = row.trim().strip_suffix("kB")?.trim_end().parse().ok()?;
-    kibibytes.checked_mul(1024)
+type Read<'a> = &'a dyn Fn(&Path) -> Option<String>;
+
+/// The kernel's own estimate (proc_meminfo(5), `MemAvailable`, since Linux 3.14).
+#[cfg(target_os = "linux")]
+fn left_on_machine(read: Read) -> Option<usize> {
+    kibibytes(&read(Path::new("/proc/meminfo"))?, "MemAvailable:")
+}
+
+/// What `ulimit -v` leaves (proc_pid_limits(5), proc_pid_status(5)).
+#[cfg(target_os = "linux")]
+fn left_of_addresses(read: Read) -> Option<usize> {
+    let limits = read(Path::new("/proc/self/limits"))?;
+    let limit: usize = first_number(&limits, "Max address space")?;
+    let used = kibibytes(&read(Path::new("/proc/self/status"))?, "VmSize:")?;
+    Some(limit.saturating_sub(used))
+}
+
+/// What the group of the process and every group around it leaves (cgroups(7); the kernel's admin-guide/cgroup-v2 and
+/// cgroup-v1/memory). Cached files count as used there, though those long unread give way.
+#[cfg(target_os = "linux")]
+fn left_in_groups(read: Read) -> Option<usize> {
+    let groups = read(Path::new("/proc/self/cgroup"))?;
+    let mut left = None;
+    for row in groups.lines() {
+        let mut parts = row.splitn(3, ':').skip(1);
+        let (Some(controllers), Some(path)) = (parts.next(), parts.next()) else {
+            continue;
+        };
+        let (root, limit, usage, cached) = if controllers.is_empty() {
+            (
+                "/sys/fs/cgroup",
+                "memory.max",
+                "memory.current",
+                "inactive_file",
+            )
+        } else if controllers.split(',').any(|name| name == "memory") {
+            let (limit, usage) = ("memory.limit_in_bytes", "memory.usage_in_bytes");
+            ("/sys/fs/cgroup/memory", limit, usage, "total_inactive_file")
+        } else {
+            continue;
+        };
+        for group in Path::new(path.trim_start_matches('/')).ancestors() {
+            let file = |name: &str| read(&Path::new(root).join(group).join(name));
+            let bytes = |name: &str| first_number(&file(name)?, "");
+            if let (Some(limit), Some(usage)) = (bytes(limit), bytes(usage)) {
+                let cached = file("memory.stat").and_then(|stat| first_number(&stat, cached));
+                let used = usage.saturating_sub(cached.unwrap_or(0));
+                let here = limit.saturating_sub(used);
+                left = Some(left.map_or(here, |left: usize| left.min(here)));
+            }
+        }
+    }
+    left
+}
+
+/// The number after `key` in the row that starts with it.
+#[cfg(target_os = "linux")]
+fn first_number(table: &str, key: &str) -> Option<usize> {
+    let row = table.lines().find_map(|row| row.strip_prefix(key))?;
+    row.split_whitespace().next()?.parse().ok()
+}
+
+/// The same of a row such as `MemAvailable:   17482340 kB`, in bytes.
+#[cfg(target_os = "linux")]
+fn kibibytes(table: &str, key: &str) -> Option<usize> {
+    first_number(table, key)?.checked_mul(1024)
 }
 
 /// A number of bytes as people read it.
@@ -111,14 +183,66 @@ impl fmt::Display for Left {
 
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
+    use std::collections::HashMap;
+    use std::path::PathBuf;
+
     use super::*;
 
+    /// A machine on which these files say these things.
+    fn machine(files: &[(&str, &str)]) -> impl Fn(&Path) -> Option<String> + use<> {
+        let files = files
+            .iter()
+            .map(|(path, text)| (path.into(), (*text).to_owned()));
+        let files: HashMap<PathBuf, String> = files.collect();
+        move |path| files.get(path).cloned()
+    }
+
     #[test]
-    fn the_kernel_s_row_is_read_in_bytes() {
+    fn the_kernel_s_rows_are_read_in_bytes() {
         let table = "MemTotal:       24612345 kB\nMemFree:          1 kB\nMemAvailable:   17482340 kB\nBuffers: 7 kB\n";
-        assert_eq!(available_of(table), Some(17_482_340 * 1024));
-        assert_eq!(available_of("MemFree: 1 kB\n"), None);
-        assert_eq!(available_of("MemAvailable: many kB\n"), None);
+        let read = machine(&[("/proc/meminfo", table)]);
+        assert_eq!(left_on_machine(&read), Some(17_482_340 * 1024));
+        for table in ["MemFree: 1 kB\n", "MemAvailable: many kB\n"] {
+            assert_eq!(left_on_machine(&machine(&[("/proc/meminfo", table)])), None);
+        }
+        let limits = "Limit       Soft Limit   Hard Limit   Units\nMax address space   1048576   unlimited   bytes\n";
+        let status = ("/proc/self/status", "VmPeak:  900 kB\nVmSize:      24 kB\n");
+        let read = machine(&[("/proc/self/limits", limits), status]);
+        assert_eq!(left_of_addresses(&read), Some(1000 * 1024));
+        let unlimited = limits.replace("1048576", "unlimited");
+        let read = machine(&[("/proc/self/limits", &unlimited), status]);
+        assert_eq!(left_of_addresses(&read), None);
+    }
+
+    #[test]
+    fn the_tightest_control_group_decides_in_either_version() {
+        let second = [
+            ("/proc/self/cgroup", "0::/outer/inner\n"),
+            ("/sys/fs/cgroup/outer/inner/memory.max", "max\n"),
+            ("/sys/fs/cgroup/outer/inner/memory.current", "5\n"),
+            ("/sys/fs/cgroup/outer/memory.max", "1000\n"),
+            ("/sys/fs/cgroup/outer/memory.current", "700\n"),
+            (
+                "/sys/fs/cgroup/outer/memory.stat",
+                "anon 1\ninactive_file 200\n",
+            ),
+        ];
+        assert_eq!(left_in_groups(&machine(&second)), Some(500));
+        let first = [
+            (
+                "/proc/self/cgroup",
+                "9:name=systemd:/\n4:cpu,memory:/a\n0::/\n",
+            ),
+            ("/sys/fs/cgroup/memory/a/memory.limit_in_bytes", "300\n"),
+            ("/sys/fs/cgroup/memory/a/memory.usage_in_bytes", "100\n"),
+            (
+                "/sys/fs/cgroup/memory/memory.limit_in_bytes",
+                "9223372036854771712\n",
+            ),
+            ("/sys/fs/cgroup/memory/memory.usage_in_bytes", "800\n"),
+        ];
+        assert_eq!(left_in_groups(&machine(&first)), Some(200));
+        assert_eq!(left_in_groups(&machine(&first[..1])), None);
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! Content in, a file or standard output out.
 //!
 //! Rule: a file is written whole or not at all. The content goes to a hidden temporary file in the same folder, which
-//! takes the target's name once everything is on the disk. Devices and pipes are written directly; a symbolic link
-//! stays a link and its target is replaced; a reader that closes our standard output early is no error.
+//! takes the target's name once everything is on the disk. Devices, pipes and descriptors are written directly; a
+//! symbolic link stays a link and its target is replaced; a reader that closes our standard output early is no error.
 
 use std::borrow::Cow;
-use std::fs::{self, OpenOptions, Permissions};
+use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -54,7 +54,8 @@ impl Output {
         content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> anyhow::Result<()> {
         match self {
-            Output::Stdout => buffered(Stdout(io::stdout().lock()), content)
+            Output::Stdout => standard_output()
+                .and_then(|file| buffered(Stdout(file), content))
                 .context("cannot write to standard output"),
             Output::File(path) => write_file(path, content)
                 .with_context(|| format!("cannot write {}", path.display())),
@@ -97,12 +98,29 @@ pub fn make_folder(path: &Path) -> anyhow::Result<()> {
 
 /// One line for the user, on standard error so that standard output holds nothing but what was asked for.
 pub fn say(line: &str) {
+    let line = printable(line);
     // Whoever closed standard error does not want to hear that it is closed.
     let _ = writeln!(io::stderr(), "{line}");
 }
 
+/// `text` as a terminal may have it: a name or a path in it moves no cursor and changes no colour.
+pub fn printable(text: &str) -> String {
+    let harmful = |character: char| character.is_control() && !"\n\t".contains(character);
+    text.replace(harmful, "\u{fffd}")
+}
+
+/// Standard output as a file: the standard library's own handle says nothing when it cannot be written.
+fn standard_output() -> io::Result<File> {
+    let stdout = io::stdout();
+    #[cfg(unix)]
+    let handle = std::os::fd::AsFd::as_fd(&stdout).try_clone_to_owned()?;
+    #[cfg(windows)]
+    let handle = std::os::windows::io::AsHandle::as_handle(&stdout).try_clone_to_owned()?;
+    Ok(File::from(handle))
+}
+
 /// Standard output that takes everything once its reader has gone.
-struct Stdout(io::StdoutLock<'static>);
+struct Stdout(File);
 
 impl Write for Stdout {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
@@ -136,10 +154,10 @@ fn write_file(
 ) -> anyhow::Result<()> {
     match fs::metadata(path) {
         Ok(found) if found.is_dir() => bail!("it is a folder; give the name of a file"),
-        Ok(found) if found.is_file() => {
+        Ok(found) if found.is_file() && !is_descriptor(path) => {
             // What a plain write would be refused, a replacement is refused too.
             OpenOptions::new().write(true).open(path)?;
-            replace(&follow_links(path)?, Some(found.permissions()), content)
+            replace(&follow_links(path)?, Some(&found), content)
         }
         Ok(_) => Ok(buffered(
             OpenOptions::new().append(true).open(path)?,
@@ -152,10 +170,15 @@ fn write_file(
     }
 }
 
-/// Puts a new file in the place of `target`, which need not exist; `kept` are the permissions it had.
+/// Whether the path names an open file of a process, such as /dev/fd/3, which may have no name any more.
+fn is_descriptor(path: &Path) -> bool {
+    fs::canonicalize(folder_of(path)).is_ok_and(|folder| folder.starts_with("/proc"))
+}
+
+/// Puts a new file in the place of `target`, which need not exist; `old` is what was there.
 fn replace(
     target: &Path,
-    kept: Option<Permissions>,
+    old: Option<&Metadata>,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> anyhow::Result<()> {
     ensure!(
@@ -166,8 +189,14 @@ fn replace(
     ensure!(folder.is_dir(), "there is no folder {}", folder.display());
     let file = temporary_file(folder)?;
     buffered(file.as_file(), content)?;
-    if let Some(permissions) = kept {
-        file.as_file().set_permissions(permissions)?;
+    if let Some(old) = old {
+        // Only root may give a file away; whoever else replaces another's file owns the new one.
+        #[cfg(unix)]
+        let _ = {
+            use std::os::unix::fs::{MetadataExt, fchown};
+            fchown(file.as_file(), Some(old.uid()), Some(old.gid()))
+        };
+        file.as_file().set_permissions(old.permissions())?;
     }
     file.as_file().sync_all()?;
     file.persist(target).map_err(|error| error.error)?;

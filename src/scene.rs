@@ -1,8 +1,8 @@
 //! A scene file in, a [`World`] of validated components out; nothing else knows TOML.
 //!
 //! ```text
-//! argument --file--> text --section, format--> components --spawn--> Scene
-//!                      '--------- error: one located message --------'
+//! argument --file--> text --format (keys)--> records --spawn--> Scene
+//!                      '--- error: one located message ---'
 //! ```
 //!
 //! Rule: every number in a [`World`] spawned here is finite and within the range its key allows, every name is unique
@@ -11,8 +11,9 @@
 mod error;
 mod file;
 mod format;
-mod section;
+mod keys;
 
+use std::path::Path;
 use std::str::FromStr;
 
 use glam::DVec3;
@@ -37,6 +38,15 @@ pub const BUILT_IN: [(&str, &str); 4] = [
         include_str!("../assets/scenes/assignment.toml"),
     ),
 ];
+
+fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
+    BUILT_IN.iter().find(|(name, _)| path.as_os_str() == *name)
+}
+
+/// Whether `path` is the name of a built-in scene, which wins over a file.
+pub fn is_built_in(path: &Path) -> bool {
+    built_in(path).is_some()
+}
 
 /// A scene as it is drawn: entities, and their order in the file.
 pub struct Scene {
@@ -75,10 +85,17 @@ impl Scene {
     /// # Errors
     /// When the file cannot be read or is no valid scene.
     pub fn load(argument: Option<&str>) -> Result<Scene, SceneError> {
-        let argument = argument.unwrap_or(BUILT_IN[0].0);
-        match BUILT_IN.iter().find(|(name, _)| *name == argument) {
+        Scene::load_path(Path::new(argument.unwrap_or(BUILT_IN[0].0)))
+    }
+
+    /// The same of a path, which need not be UTF-8.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn load_path(path: &Path) -> Result<Scene, SceneError> {
+        match built_in(path) {
             Some((name, text)) => Scene::parse(name, text),
-            None => Scene::parse(argument, &file::read(argument)?),
+            None => Scene::parse(&path.to_string_lossy(), &file::read(path)?),
         }
     }
 
@@ -131,6 +148,19 @@ impl Scene {
     /// transforms, and what a frame derives starts empty.
     #[must_use]
     pub fn snapshot(&self) -> Scene {
+        let mut copy = Scene::spawn(self.name.clone(), self.records());
+        copy.look_from(self.active_camera());
+        copy
+    }
+
+    /// The text of a scene file that describes the scene as it stands now: read again it gives the same components, bit
+    /// for bit. The assignment's shortcut, which no file can ask for, becomes Phong.
+    pub fn to_toml(&self) -> String {
+        format::write(self.records())
+    }
+
+    /// What the components say now.
+    fn records(&self) -> Records {
         type Cuboid<'a> = (
             &'a Name,
             &'a Transform,
@@ -139,7 +169,7 @@ impl Scene {
             &'a Material,
             &'a ShadingMode,
         );
-        let records = Records {
+        Records {
             background: self.background,
             cuboids: self.copies::<Cuboid, _>(
                 &self.cuboids,
@@ -159,10 +189,7 @@ impl Scene {
                     (name, Transform { position, rotation }, camera)
                 })
                 .collect(),
-        };
-        let mut copy = Scene::spawn(self.name.clone(), records);
-        copy.look_from(self.active_camera());
-        copy
+        }
     }
 
     /// Camera number `index` of the file, from where its [`Orbit`] has moved it.
@@ -331,6 +358,19 @@ fn there_are(lights: &[String]) -> String {
     if lights.is_empty() {
         return "the scene has no lights".to_owned();
     }
-    let quoted: Vec<String> = lights.iter().map(|name| format!("{name:?}")).collect();
-    format!("the scene's lights are {}", quoted.join(", "))
+    format!("the scene's lights are {}", listed(lights))
+}
+
+/// The names for a message: quoted, and no more than a person reads.
+pub fn listed(names: &[String]) -> String {
+    const MOST: usize = 20;
+    let quoted: Vec<String> = names
+        .iter()
+        .take(MOST)
+        .map(|name| format!("{name:?}"))
+        .collect();
+    match names.len().saturating_sub(MOST) {
+        0 => quoted.join(", "),
+        more => format!("{} and {more} more", quoted.join(", ")),
+    }
 }

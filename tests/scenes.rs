@@ -391,7 +391,7 @@ fn a_path_is_loaded_and_its_errors_name_it() {
     writeln!(file, "far = 100.0").unwrap();
     let message = complaint(&path);
     assert!(
-        message.starts_with(&format!("{path}:22:1: unknown key `far`")),
+        message.starts_with(&format!("{path}:22:1: `camera`: unknown field `far`")),
         "{message}"
     );
     file.write_all(b"# caf\xe9\n").unwrap();

@@ -47,7 +47,14 @@ impl Failure {
             Failure::Usage(error) => (error, 2),
             Failure::Work(error) => (error, 1),
         };
-        say(format!("error: {error:#}").trim_end());
+        // Some errors say their cause themselves.
+        let mut text = error.to_string();
+        for cause in error.chain().skip(1).map(ToString::to_string) {
+            if !text.contains(&cause) {
+                text = format!("{text}: {cause}");
+            }
+        }
+        say(format!("error: {text}").trim_end());
         ExitCode::from(status)
     }
 }

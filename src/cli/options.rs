@@ -2,6 +2,9 @@
 //!
 //! Rule: everything is checked before anything is allocated, and whatever is wrong names what would be right.
 
+use std::fs;
+use std::path::PathBuf;
+
 use anyhow::anyhow;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -10,7 +13,8 @@ use fearless_simd::Level;
 use super::Failure;
 use crate::components::{Projection, ShadingMode};
 use crate::drawing::{Drawing, MOST_THREADS, all_cores};
-use crate::scene::{LightChoice, Scene};
+use crate::output::Output;
+use crate::scene::{self, LightChoice, Scene};
 use crate::shading::MIN_TOLERANCE;
 use crate::simd;
 
@@ -24,7 +28,7 @@ const DEFAULT_TOLERANCE: f64 = 0.5;
 pub struct DrawingOptions {
     /// A scene file, or one of the built-in scenes cuboid, bench-far, bench-close, assignment [default: cuboid]
     #[arg(value_name = "SCENE")]
-    pub scene: Option<String>,
+    pub scene: Option<PathBuf>,
     /// The camera of the scene to look through [default: the first]
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
@@ -72,8 +76,11 @@ impl DrawingOptions {
     /// # Errors
     /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light.
     pub fn open(&self) -> Result<Drawing, Failure> {
-        let mut scene =
-            Scene::load(self.scene.as_deref()).map_err(|error| Failure::Usage(error.into()))?;
+        let mut scene = match &self.scene {
+            Some(path) => Scene::load_path(path),
+            None => Scene::load(None),
+        }
+        .map_err(|error| Failure::Usage(error.into()))?;
         let camera = match &self.camera {
             None => 0,
             Some(name) => scene
@@ -98,15 +105,33 @@ impl DrawingOptions {
     }
 }
 
+impl DrawingOptions {
+    /// Whether a picture may go to `output`.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when that is the file of the scene.
+    pub fn check_output(&self, output: &Output) -> Result<(), Failure> {
+        let (Some(scene), Output::File(file)) = (&self.scene, output) else {
+            return Ok(());
+        };
+        let is_scene = match (fs::canonicalize(scene), fs::canonicalize(file)) {
+            (Ok(scene), Ok(file)) => scene == file && file.is_file(),
+            _ => false,
+        };
+        if is_scene && !scene::is_built_in(scene) {
+            return Err(Failure::Usage(anyhow!(
+                "{} is the scene itself; -o takes another file",
+                file.display()
+            )));
+        }
+        Ok(())
+    }
+}
+
 fn unknown_camera(name: &str, scene: &Scene) -> Failure {
-    let names: Vec<String> = scene
-        .camera_names()
-        .iter()
-        .map(|name| format!("{name:?}"))
-        .collect();
     Failure::Usage(anyhow!(
         "no camera is named {name:?}; the scene's cameras are {}",
-        names.join(", ")
+        scene::listed(&scene.camera_names())
     ))
 }
 

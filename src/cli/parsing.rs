@@ -37,8 +37,9 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
             command: None,
             view,
         }) => match &view.scene {
-            Some(scene) if is_command(OsStr::new(scene)) => {
-                Err(Failure::Usage(anyhow!(command_first(scene))))
+            Some(scene) if is_command(scene.as_os_str()) => {
+                let command = scene.to_string_lossy();
+                Err(Failure::Usage(anyhow!(command_first(&command))))
             }
             _ => Ok(Some(Command::View(view))),
         },
@@ -94,7 +95,7 @@ fn command_first(command: &str) -> String {
 fn misspelt_command(word: &OsStr) -> Option<clap::Error> {
     let path = Path::new(word);
     let is_plain = path.components().count() == 1 && path.extension().is_none();
-    if !is_plain || path.exists() || scene::BUILT_IN.iter().any(|(name, _)| *name == word) {
+    if !is_plain || path.exists() || scene::is_built_in(path) {
         return None;
     }
     let error = clap::Command::new("shadetrade")

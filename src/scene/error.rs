@@ -1,7 +1,7 @@
 //! What is wrong with a scene's text in, one located message for a person out.
 //!
 //! ```text
-//! scene.toml:7:9: `cuboid.size` must be three numbers, each from 1e-100 to 1e100; found `-4.0`
+//! scene.toml:7:9: `cuboid.size`: invalid value: number `-4.0`, expected a number from 1e-100 to 1e100
 //!   |
 //! 7 | size = [-4.0, 3.0, 2.0]
 //!   |         ^^^^
@@ -13,6 +13,8 @@
 use std::io;
 use std::ops::Range;
 use std::string::FromUtf8Error;
+
+use toml::de::DeTable;
 
 /// Why there is no scene. The display of either kind is the whole message, without a line break at its end.
 #[derive(Debug, thiserror::Error)]
@@ -50,9 +52,12 @@ pub struct Fault {
     message: String,
 }
 
-/// Longer lines are shown in part, and so are longer values: in characters.
+/// Longer lines and messages are shown in part: in characters.
 const WIDEST_LINE: usize = 100;
-const WIDEST_VALUE: usize = 40;
+const WIDEST_MESSAGE: usize = 400;
+
+/// What a scene has several of.
+const KINDS: [&str; 3] = ["cuboid", "light", "camera"];
 
 impl Fault {
     /// A fault at the bytes `span` of the text.
@@ -60,48 +65,43 @@ impl Fault {
         Fault { span, message }
     }
 
-    /// What TOML itself refuses, in the words of the other messages.
-    pub fn syntax(text: &str, error: &toml::de::Error) -> Self {
+    /// What TOML or serde refuse, in their words, after the key.
+    pub fn of_toml(text: &str, mut error: toml::de::Error) -> Self {
         let Some(span) = error.span() else {
-            // The one error without a place is a dotted key of more than 80 parts.
-            let start = text
-                .split_inclusive('\n')
-                .take_while(|line| line.matches('.').count() < 80)
-                .map(str::len)
-                .sum();
+            let start = start_of_long_key(text);
             return Fault::new(start..start, "a key of more than 80 parts".to_owned());
         };
-        let found = found(text, &span);
-        let message = match error.message() {
-            "duplicate key" if ["`cuboid`", "`light`", "`camera`"].contains(&&*found) => {
-                let kind = found.trim_matches('`');
-                format!(
-                    "{found} is here twice; each {kind} is to be headed `[[{kind}]]`, in double brackets"
-                )
+        // Without the text the error says the key instead of showing the line.
+        error.set_input(None);
+        let said = error.to_string();
+        let found = text.get(span.clone()).unwrap_or_default();
+        let message = match said.trim_end().rsplit_once("\nin ") {
+            Some((message, key)) => format!("{key}: {message}"),
+            None if error.message() == "duplicate key" && KINDS.contains(&found) => {
+                format!("duplicate key; head each {found} with `[[{found}]]`, in double brackets")
             }
-            "duplicate key" => format!("the key {found} is here twice"),
-            "string values must be quoted, expected literal string" => {
-                format!(
-                    "not a value; allowed are a number, true, false, \"text\" and [an array]; found {found}"
-                )
+            None if error.message().starts_with("string values must be quoted")
+                && found.is_empty() =>
+            {
+                "a value is missing".to_owned()
             }
-            message => format!(
-                "{}; found {found}",
-                message.trim_end_matches(", expected nothing")
-            ),
+            None => said
+                .trim_end()
+                .trim_end_matches(", expected nothing")
+                .to_owned(),
         };
         Fault::new(span, message)
     }
 
     /// The fault as told to a person: `text` is what it is in, `file` what that is called.
     pub fn locate(self, file: &str, text: &str) -> SceneError {
-        let (line, column) = position(text, self.span.start);
+        let (line, column) = line_and_column(text, self.span.start);
         SceneError::Invalid {
             file: printable(file),
             line,
             column,
             excerpt: excerpt(text, &self.span, line, column),
-            message: self.message,
+            message: shortened(self.message.chars(), WIDEST_MESSAGE),
         }
     }
 }
@@ -115,7 +115,7 @@ pub fn not_utf8(path: &str, error: &FromUtf8Error) -> SceneError {
 }
 
 /// Line and column of the byte `offset`, counted from 1; the end of the text where `offset` is inside no character.
-pub fn position(text: &str, offset: usize) -> (usize, usize) {
+pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     (
@@ -124,18 +124,16 @@ pub fn position(text: &str, offset: usize) -> (usize, usize) {
     )
 }
 
-/// What stands at `span`, for a message: quoted, in one line, cut where it is long.
-pub fn found(text: &str, span: &Range<usize>) -> String {
-    let mut rest = text.get(span.start..).unwrap_or_default().chars();
-    if span.is_empty() {
-        return match rest.next() {
-            None => "the end of the file".to_owned(),
-            Some('\n' | '\r') => "the end of the line".to_owned(),
-            Some(next) => format!("`{}`", printable(next.encode_utf8(&mut [0; 4]))),
-        };
-    }
-    let value = text.get(span.clone()).unwrap_or_default();
-    format!("`{}`", shortened(value.chars(), WIDEST_VALUE))
+/// Where the line starts that has a key of too many parts: the one error of TOML's parser without a place.
+fn start_of_long_key(text: &str) -> usize {
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let start = |line: usize| lines[..line].iter().map(|line| line.len()).sum();
+    let has_long_key = |line: &usize| {
+        let (_, errors) = DeTable::parse_recoverable(&text[..start(line + 1)]);
+        errors.iter().any(|error| error.span().is_none())
+    };
+    let numbers: Vec<usize> = (0..lines.len()).collect();
+    start(numbers.partition_point(|line| !has_long_key(line)))
 }
 
 /// The line the span starts in, with carets below the part of the span that is in it.

@@ -4,6 +4,7 @@
 
 use std::fs::File;
 use std::io::{self, Read};
+use std::path::Path;
 
 use super::BUILT_IN;
 use super::error::{SceneError, not_utf8};
@@ -12,16 +13,16 @@ use super::error::{SceneError, not_utf8};
 const LARGEST: u64 = 64 << 20;
 
 /// The text of the file at `path`.
-pub fn read(path: &str) -> Result<String, SceneError> {
+pub fn read(path: &Path) -> Result<String, SceneError> {
     let bytes = read_bytes(path).map_err(|cause| SceneError::Unreadable {
-        path: path.to_owned(),
+        path: path.to_string_lossy().into_owned(),
         hint: hint(path, &cause),
         cause,
     })?;
-    String::from_utf8(bytes).map_err(|error| not_utf8(path, &error))
+    String::from_utf8(bytes).map_err(|error| not_utf8(&path.to_string_lossy(), &error))
 }
 
-fn read_bytes(path: &str) -> io::Result<Vec<u8>> {
+fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(path)?
         .take(LARGEST + 1)
@@ -36,8 +37,9 @@ fn read_bytes(path: &str) -> io::Result<Vec<u8>> {
 }
 
 /// Whoever gave a bare name that is no file meant a built-in scene.
-fn hint(path: &str, cause: &io::Error) -> String {
-    if cause.kind() != io::ErrorKind::NotFound || path.contains(['/', '\\', '.']) {
+fn hint(path: &Path, cause: &io::Error) -> String {
+    let is_plain = path.components().count() == 1 && path.extension().is_none();
+    if cause.kind() != io::ErrorKind::NotFound || !is_plain {
         return String::new();
     }
     let names = BUILT_IN.map(|(name, _)| name).join(", ");

@@ -152,6 +152,58 @@ fn a_signal_at_any_time_leaves_whole_files() {
 
 #[test]
 #[cfg(target_os = "linux")]
+fn threads_that_the_system_refuses_are_an_error_and_no_variable_asks_for_them() {
+    // A thread's stack takes two megabytes of addresses; the limit is in kibibytes.
+    let limit = "export RAYON_NUM_THREADS=1000; ulimit -v 1200000";
+    for line in [
+        "render --size 64x48 --reference -o a.png",
+        "probe --size 64x48 --pixel 30,20",
+        "trade --size 16x12 --quick",
+    ] {
+        let folder = folder();
+        let output = run_after(limit, folder.path(), line);
+        assert_eq!(output.status.code(), Some(0), "{line}: {}", said(&output));
+        if line.starts_with("trade") {
+            continue;
+        }
+        let output = run_after(limit, folder.path(), &format!("{line} --threads 1000"));
+        assert_eq!(output.status.code(), Some(1), "{line}: {}", said(&output));
+        let cause = "Resource temporarily unavailable";
+        assert_eq!(said(&output).matches(cause).count(), 1, "{}", said(&output));
+        let words = "error: cannot start the threads that draw";
+        assert!(
+            said(&output).starts_with(words),
+            "{line}: {}",
+            said(&output)
+        );
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn little_memory_is_an_error_and_never_an_abort() {
+    // A picture of 16 million pixels takes 64 MB, and 48 MB more to be written; the limits are in kibibytes.
+    for (limit, line) in [
+        (80_000, "render --size 4000x4000 --threads 2 -o a.png"),
+        (160_000, "render --size 4000x4000 --threads 2 -o a.png"),
+        (80_000, "render --size 4000x4000 --reference -o a.png"),
+        (160_000, "trade --quick --size 4000x4000"),
+    ] {
+        let folder = folder();
+        let output = run_after(&format!("ulimit -v {limit}"), folder.path(), line);
+        assert_eq!(output.status.code(), Some(1), "{line}: {}", said(&output));
+        assert!(
+            said(&output).contains("4000x4000"),
+            "{line}: {}",
+            said(&output)
+        );
+        assert!(said(&output).contains(" MB"), "{line}: {}", said(&output));
+        assert_eq!(listing(folder.path()), [""; 0]);
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
 fn memory_that_does_not_suffice_is_an_error_of_every_command_that_draws() {
     // 16384 x 16384 pixels of four bytes are 1074 MB; the limit is in kibibytes.
     for line in [

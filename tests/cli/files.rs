@@ -72,6 +72,44 @@ fn a_picture_on_standard_output_is_all_there_is_on_it() {
     assert_eq!(listing(folder.path()), [""; 0]);
 }
 
+#[test]
+fn a_name_that_promises_another_format_than_png_is_refused() {
+    let folder = folder();
+    for name in ["a.jpg", "a.JPEG", "a.gif", "a.bmp", "a.webp", "a.tif"] {
+        let words = [name, "PNG"];
+        assert_fails(folder.path(), &format!("{SMALL} {name}"), 2, &words);
+        assert_fails(
+            folder.path(),
+            &format!("prove --size 9x9 -o {name}"),
+            2,
+            &words,
+        );
+    }
+    assert_eq!(listing(folder.path()), [""; 0]);
+    for name in ["a.png", "b.PNG", "c.v2", "d."] {
+        assert_works(folder.path(), &format!("{SMALL} {name}"));
+    }
+}
+
+#[test]
+fn a_scene_is_not_replaced_by_its_picture() {
+    let folder = folder();
+    let scene = include_str!("../../assets/scenes/cuboid.toml");
+    fs::write(folder.path().join("a.toml"), scene).unwrap();
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    for output in ["a.toml", "./sub/../a.toml"] {
+        let line = format!("{SMALL} {output} ./a.toml");
+        assert_fails(folder.path(), &line, 2, &["a.toml", "scene"]);
+        let line = format!("prove --size 9x9 -o {output} a.toml");
+        assert_fails(folder.path(), &line, 2, &["a.toml", "scene"]);
+    }
+    let kept = fs::read_to_string(folder.path().join("a.toml")).unwrap();
+    assert_eq!(kept, scene);
+    // The scene of that name is built in; the file is another.
+    fs::write(folder.path().join("cuboid"), "mine").unwrap();
+    assert_works(folder.path(), &format!("{SMALL} cuboid cuboid"));
+}
+
 #[cfg(unix)]
 mod unix {
     use std::fs::{File, OpenOptions};
@@ -131,6 +169,57 @@ mod unix {
             set_mode(&file, kept);
             assert_works(folder.path(), &format!("{SMALL} a.png"));
             assert_eq!(mode(&file), kept);
+        }
+    }
+
+    #[test]
+    fn a_replaced_file_keeps_its_owner() {
+        // Nobody but root may give a file away.
+        if !is_root() {
+            return;
+        }
+        let folder = folder();
+        let file = folder.path().join("a.png");
+        fs::write(&file, "old").unwrap();
+        std::os::unix::fs::chown(&file, Some(1234), Some(4321)).unwrap();
+        set_mode(&file, 0o4751);
+        assert_works(folder.path(), &format!("{SMALL} a.png"));
+        let found = fs::metadata(&file).unwrap();
+        assert_eq!(
+            (found.uid(), found.gid(), mode(&file)),
+            (1234, 4321, 0o4751)
+        );
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn an_open_file_without_a_name_is_written() {
+        let folder = folder();
+        let script =
+            format!("exec 3<> gone; rm gone; $0 {SMALL} /dev/fd/3 && cat /dev/fd/3 > copy.png");
+        let output = in_shell(folder.path(), &script);
+        assert!(output.status.success(), "{}", said(&output));
+        decode(&fs::read(folder.path().join("copy.png")).unwrap());
+        assert_eq!(listing(folder.path()), ["copy.png"]);
+    }
+
+    #[test]
+    fn a_standard_output_that_cannot_be_written_is_an_error() {
+        let folder = folder();
+        fs::write(folder.path().join("a"), "mine").unwrap();
+        for line in [
+            &format!("{SMALL} -"),
+            "probe --pixel 3,3",
+            "completions bash",
+        ] {
+            let output = in_shell(folder.path(), &format!("exec $0 {line} 1< a"));
+            assert_eq!(output.status.code(), Some(1), "{line}: {}", said(&output));
+            let words = "error: cannot write to standard output: Bad file descriptor";
+            assert!(
+                said(&output).starts_with(words),
+                "{line}: {}",
+                said(&output)
+            );
         }
     }
 

@@ -6,6 +6,8 @@ mod errors;
 mod faults;
 mod files;
 mod help;
+#[cfg(unix)]
+mod names;
 mod pictures;
 mod scale;
 
