@@ -182,10 +182,9 @@ fn threads_that_the_system_refuses_are_an_error_and_no_variable_asks_for_them() 
 #[test]
 #[cfg(target_os = "linux")]
 fn little_memory_is_an_error_and_never_an_abort() {
-    // A picture of 16 million pixels takes 64 MB, and 48 MB more to be written; the limits are in kibibytes.
+    // A picture of 16 million pixels takes 64 MB, besides the program itself; the limits are in kibibytes.
     for (limit, line) in [
         (80_000, "render --size 4000x4000 --threads 2 -o a.png"),
-        (160_000, "render --size 4000x4000 --threads 2 -o a.png"),
         (80_000, "render --size 4000x4000 --reference -o a.png"),
         (160_000, "trade --quick --size 4000x4000"),
     ] {
