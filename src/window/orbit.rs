@@ -13,9 +13,11 @@ use crate::scene::Scene;
 const POLE_DISTANCE: f64 = 1.0;
 /// What one step of zoom does to the distance and to the height seen.
 const ZOOM_STEP: f64 = 1.1;
-/// The camera goes no further away than so many times the scene's size, nor, where the near plane alone would stop it,
-/// closer than that part of it.
-const ZOOM_RANGE: f64 = 1000.0;
+/// Where the near plane alone would stop it, the camera comes no closer than this part of the scene's size.
+const CLOSEST: f64 = 0.001;
+/// The camera goes no further away than so many times the scene's size, nor sees so many times its height: beyond that
+/// there would be nothing left to see.
+const FARTHEST: f64 = 30.0;
 
 /// How far the camera has gone from its place in the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -112,7 +114,7 @@ impl Limits {
         let distance = length(from.position - from.camera.target);
         // A camera that stands closer than the farthest corner is meant to: only the near plane stops it.
         let clearance = if distance > clearance { clearance } else { 0.0 };
-        let closest = clearance.max(size / ZOOM_RANGE);
+        let closest = clearance.max(size * CLOSEST);
         let closest = match from.camera.near {
             Some(near) => closest + near,
             // The near plane is a thousandth of the distance away and follows it.
@@ -122,11 +124,11 @@ impl Limits {
             distance,
             height: from.camera.height,
             closest,
-            farthest: size * ZOOM_RANGE,
+            farthest: size * FARTHEST,
         }
     }
 
-    /// Whether `zoom` keeps the eye between the near plane and a thousand times the scene's size.
+    /// Whether `zoom` keeps the eye between the near plane and thirty times the scene's size.
     fn allow(&self, zoom: i32) -> bool {
         let factor = Orbit {
             zoom,
