@@ -21,7 +21,7 @@ mod place;
 use super::bindings::Action;
 use super::session::Session;
 use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
-use crate::components::Projected;
+use crate::components::{Polygon, Projected};
 use board::{Board, Setting};
 use lines::Line;
 use place::place;
@@ -118,7 +118,7 @@ fn seen_part(session: &Session) -> Rect {
     let mut seen: Option<[i32; 4]> = None;
     let mut cuboids = session.scene().world.query::<&Projected>();
     let polygons = cuboids.iter().flat_map(|projected| &projected.polygons);
-    for [x, y] in polygons.flat_map(|polygon| polygon.vertices()) {
+    for [x, y] in polygons.flat_map(Polygon::vertices) {
         // Vertices are in 1/256 pixel.
         let [x, y] = [x >> 8, y >> 8];
         let [left, top, right, bottom] = seen.unwrap_or([x, y, x, y]);

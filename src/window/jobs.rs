@@ -47,7 +47,7 @@ type Cancelled = Arc<AtomicBool>;
 
 /// The thread that does jobs.
 pub struct Jobs {
-    jobs: Option<Sender<(Job, Cancelled)>>,
+    submitted: Option<Sender<(Job, Cancelled)>>,
     progress: Receiver<(Progress, Cancelled)>,
     current: Cancelled,
     thread: Option<JoinHandle<()>>,
@@ -61,14 +61,14 @@ impl Jobs {
     pub fn start(level: Level) -> Result<Self, WindowError> {
         let threads = (all_cores() - 1).max(1);
         let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
-        let (jobs, submitted) = mpsc::channel();
+        let (submitted, jobs) = mpsc::channel();
         let (tell, progress) = mpsc::channel();
         let thread = thread::Builder::new()
             .name("jobs".to_owned())
-            .spawn(move || work(&submitted, &tell, level, &pool))
+            .spawn(move || work(&jobs, &tell, level, &pool))
             .map_err(WindowError::Jobs)?;
         Ok(Jobs {
-            jobs: Some(jobs),
+            submitted: Some(submitted),
             progress,
             current: Cancelled::default(),
             thread: Some(thread),
@@ -79,9 +79,9 @@ impl Jobs {
     pub fn submit(&mut self, job: Job) {
         self.cancel();
         self.current = Cancelled::default();
-        if let Some(jobs) = &self.jobs {
+        if let Some(submitted) = &self.submitted {
             // Only a thread that panicked does not listen; its panic has been told.
-            let _ = jobs.send((job, Arc::clone(&self.current)));
+            let _ = submitted.send((job, Arc::clone(&self.current)));
         }
     }
 
@@ -102,7 +102,7 @@ impl Jobs {
 impl Drop for Jobs {
     fn drop(&mut self) {
         self.cancel();
-        self.jobs = None;
+        self.submitted = None;
         if let Some(thread) = self.thread.take() {
             // A panic of the thread has been told.
             let _ = thread.join();

@@ -85,7 +85,7 @@ impl Columns {
         let (mut mark, mut label) = (0, 0);
         for line in lines {
             if let Line::Command(command) = line {
-                let keys = keycaps(command, face).last().map_or(0, |cap| cap.right());
+                let keys = keycaps(command, face).last().map_or(0, Rect::right);
                 mark = mark.max(keys + face.advance());
                 if command.mark != Mark::None {
                     label = mark_size(face) + face.advance();

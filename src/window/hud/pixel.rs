@@ -65,7 +65,7 @@ fn places(surface: &Surface) -> Vec<(String, &Light)> {
             .iter_mut()
             .find(|(_, it)| it.to_light == light.to_light)
         {
-            Some((names, _)) => *names = "lights".to_owned(),
+            Some((names, _)) => "lights".clone_into(names),
             None => places.push((light.name.clone(), light)),
         }
     }
@@ -117,9 +117,13 @@ fn table(surface: &Surface, modes: &[Mode]) -> Vec<Line> {
 
 /// A name and triples of cells, their columns right.
 fn row(name: &str, triples: &[[String; 3]]) -> String {
-    let cells = triples.iter().flatten();
-    let cells: String = cells.map(|cell| format!("{cell:>NUMBER$}")).collect();
-    format!("{:<NAME$}{cells}", fit(name, NAME))
+    let mut row = format!("{:<NAME$}", fit(name, NAME));
+    for cell in triples.iter().flatten() {
+        let gap = NUMBER.saturating_sub(cell.chars().count());
+        row.push_str(&" ".repeat(gap));
+        row.push_str(cell);
+    }
+    row
 }
 
 /// The cells of what does not exist.
