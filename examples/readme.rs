@@ -14,24 +14,22 @@ use shadetrade::prove::prove;
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::Action;
 use shadetrade::window::composition::Composition;
-use shadetrade::window::examiner::{Answer, examine};
-use shadetrade::window::hud::{Hud, Shown};
+use shadetrade::window::examination::examine;
+use shadetrade::window::hud::{self, Hud};
+use shadetrade::window::jobs::Progress;
 use shadetrade::window::session::Session;
-use shadetrade::window::views::ViewMode;
 
 /// As the window opens, in pixels.
 const SIZE: [usize; 2] = [960, 720];
-/// So many frames that the time in the panel is that of a warm one.
-const FRAMES: usize = 60;
 
 fn main() -> anyhow::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
     let phong = Action::Shading(ShadingMode::Phong);
     for (name, actions) in [
         ("window", vec![phong]),
-        ("wipe", vec![Action::Show(ViewMode::GouraudPhong)]),
-        ("error-map", vec![Action::Show(ViewMode::ErrorMap)]),
-        ("tiles", vec![phong, Action::Show(ViewMode::Tiles)]),
+        ("wipe", vec![Action::View(1)]),
+        ("error-map", vec![Action::View(3)]),
+        ("tiles", vec![phong, Action::View(4)]),
     ] {
         let pixels = window_after(actions)?;
         let path = folder.join(name).with_extension("png");
@@ -57,21 +55,22 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     for action in actions {
         session.apply(action);
     }
-    let mut composition = Composition::new(workers()?, workers()?);
-    for _ in 0..FRAMES {
-        composition.draw(&mut session, SIZE)?;
-    }
-    let mut question = session.question(SIZE);
-    if let Some(findings) = examine(&mut question, workers()?, &|| false) {
-        let revision = findings.revision;
-        session.answer(Answer::Findings(findings));
-        let (world, view) = (&mut question.scene.world, &question.view);
+    let picture = hud::picture(&session, SIZE);
+    let size = [picture.width as usize, picture.height as usize];
+    let mut composition = Composition::new(workers()?);
+    composition.draw(&mut session, size)?;
+    composition.time(&mut session)?;
+    let mut request = session.reference_request(size);
+    if let Some(result) = examine(&mut request, workers()?, &|| false) {
+        let revision = result.revision;
+        session.hear(Progress::Examined(result));
+        let (world, view) = (&mut request.scene.world, &request.view);
         if let Some(proof) = prove(world, view, [workers()?, workers()?], &|| false, &|_| ())? {
-            session.answer(Answer::Proof(revision, proof));
+            session.hear(Progress::Proven(revision, proof));
         }
     }
-    let mut pixels = Vec::new();
-    composition.compose(&session, &mut pixels);
-    Hud::new(&session, SIZE, Shown::Lasting).draw(&mut pixels);
+    let (mut picture, mut pixels) = (Vec::new(), Vec::new());
+    composition.compose(&session, &mut picture);
+    Hud::new(&session, SIZE).draw(&picture, true, &mut pixels);
     Ok(pixels)
 }

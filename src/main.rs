@@ -107,13 +107,13 @@ fn view(options: &DrawingOptions) -> Result<(), Failure> {
     let drawing = options.open()?;
     let scene = drawing.scene.name.clone();
     match window::run(drawing) {
-        Err(WindowError::NoDisplay { .. }) if scene == BUILT_IN[0].0 => {
-            output::say("no display to open a window on; drawing the figures instead");
+        Err(missing @ WindowError::NoDisplay { .. }) if scene == BUILT_IN[0].0 => {
+            output::say(&format!("{missing}; drawing the figures instead"));
             Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
         }
-        Err(WindowError::NoDisplay { .. }) => Err(Failure::Work(anyhow!(
-            "no display to open a window on; `shadetrade render {scene} -o FILE.png` draws a picture without one"
+        Err(missing @ WindowError::NoDisplay { .. }) => Err(Failure::Work(anyhow!(
+            "{missing}; `shadetrade render {scene} -o FILE.png` draws a picture without one"
         ))),
-        closed => Ok(closed.map(drop).map_err(anyhow::Error::from)?),
+        closed => Ok(closed.map_err(anyhow::Error::from)?),
     }
 }

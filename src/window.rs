@@ -2,32 +2,30 @@
 //!
 //! ```text
 //! display --Event--> input --Gesture--> response --Action--> session --View--> composition
-//!    ^             (bindings)          (hud: which row)     (actions)                |
-//!    '---------------------- hud, over it <-- pixels -------------------------------'
+//!    ^             (bindings)          (hud: which row)     (actions)  ^             |
+//!    |                                            jobs --Progress-----'              |
+//!    '---------------------- hud, around it and over it <-- pixels ------------------'
 //! ```
-//! Everything but [`display`] and [`run`] is pure and tested without a display. Rule: nothing is drawn while nothing
-//! changes, and what the user does shows within a sixtieth of a second.
+//! Everything but [`display`], [`jobs`] and [`run`] is pure and tested without a display. Rule: nothing is drawn while
+//! nothing changes, and what the user does shows within a sixtieth of a second.
 
 pub mod bindings;
 pub mod composition;
 pub mod display;
 pub mod examination;
-pub mod examiner;
+pub mod frame_times;
 pub mod hud;
 pub mod input;
-pub mod looking;
-pub mod measuring;
+pub mod jobs;
 pub mod orbit;
-pub mod overlay;
-pub mod probing;
 pub mod response;
 pub mod screenshot;
 pub mod session;
-pub mod statistics;
+pub mod view_state;
 pub mod views;
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -36,11 +34,10 @@ use crate::frame::Workers;
 use crate::memory::OutOfMemory;
 use composition::Composition;
 use display::Display;
-use examiner::Examiner;
-use hud::{Hud, Shown};
+use hud::{Hud, Part};
 use input::Input;
-use measuring::Measurement;
-use session::{Redraw, Request, Session};
+use jobs::{Job, Jobs};
+use session::{Measuring, Redraw, Request, Session};
 
 pub use display::restart_without_input_method;
 
@@ -55,19 +52,18 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
 
-/// What came of it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Outcome {
-    /// The pictures saved, in order.
-    pub screenshots: Vec<PathBuf>,
-}
-
 /// Why there is no window, or no longer.
 #[derive(Debug, thiserror::Error)]
 pub enum WindowError {
     /// There is nothing to open a window on; nothing has been done.
     #[error("no display to open a window on ({reason})")]
     NoDisplay {
+        /// What the window system says.
+        reason: String,
+    },
+    /// There is a display, and the window could not be opened on it.
+    #[error("cannot open a window: {reason}")]
+    Open {
         /// What the window system says.
         reason: String,
     },
@@ -84,8 +80,8 @@ pub enum WindowError {
     #[error("cannot start the threads that draw: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     /// The system gives no thread.
-    #[error("cannot start the thread that examines pictures: {0}")]
-    Examiner(#[source] io::Error),
+    #[error("cannot start the thread that compares and measures: {0}")]
+    Jobs(#[source] io::Error),
     /// The window is larger than memory allows.
     #[error(transparent)]
     OutOfMemory(#[from] OutOfMemory),
@@ -95,24 +91,29 @@ pub enum WindowError {
 ///
 /// # Errors
 /// [`WindowError::NoDisplay`] before anything else is done; otherwise see [`WindowError`].
-pub fn run(drawing: Drawing) -> Result<Outcome, WindowError> {
+pub fn run(drawing: Drawing) -> Result<(), WindowError> {
     restart_without_input_method()?;
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
     let session = Session::new(drawing);
-    let display = Display::open(&hud::lines::title(&session), size)?;
-    let workers = || Workers::new(threads, level);
+    let hud = Hud::new(&session, size);
+    let title = title(&session, &hud);
     let window = Window {
+        display: Display::open(&title, size)?,
         session,
-        display,
         input: Input::default(),
-        composition: Composition::new(workers()?, workers()?),
-        examiner: Examiner::start(level)?,
-        measurement: None,
+        composition: Composition::new(Workers::new(threads, level)?),
+        jobs: Jobs::start(level)?,
+        hud,
+        picture: Vec::new(),
         shown: Vec::new(),
-        title: String::new(),
-        outcome: Outcome::default(),
+        title,
     };
     window.run()
+}
+
+/// What the frame around the window says.
+fn title(session: &Session, hud: &Hud) -> String {
+    hud::lines::title(session, hud.boards(Part::Panel).next().is_some())
 }
 
 /// The running window.
@@ -121,42 +122,61 @@ struct Window {
     display: Display,
     input: Input,
     composition: Composition,
-    examiner: Examiner,
-    measurement: Option<Measurement>,
-    /// The picture with everything over it, as it was last shown.
+    jobs: Jobs,
+    /// The layout that is shown.
+    hud: Hud,
+    /// The picture as its view shows it.
+    picture: Vec<u32>,
+    /// The window's pixels as they were last shown.
     shown: Vec<u32>,
     title: String,
-    outcome: Outcome,
 }
 
 impl Window {
-    fn run(mut self) -> Result<Outcome, WindowError> {
+    fn run(mut self) -> Result<(), WindowError> {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
         let mut size = [0, 0];
         let mut active = false;
+        let mut job_is_for = (0, false);
         while self.display.is_open() {
             let now = start.elapsed();
             if self.display.has_events() {
                 last_event = now;
             }
-            size = self.react(now, size);
-            self.examiner.keep_to(self.session.revision());
-            self.measurement
-                .take_if(|_| !self.session.measuring().is_running());
+            self.react(now);
+            let new_size = self.display.size();
+            let picture = hud::picture(&self.session, new_size);
+            let picture = [picture.width as usize, picture.height as usize];
+            if size != new_size || picture != self.composition.size() {
+                self.session.resized();
+            }
+            size = new_size;
+            let measures = matches!(self.session.measuring(), Measuring::Running(_));
+            let wanted = (self.session.revision(), measures);
+            if std::mem::replace(&mut job_is_for, wanted) != wanted {
+                self.jobs.cancel();
+            }
             let redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
-                self.draw(redraw, size)?;
+                if redraw == Redraw::Picture {
+                    self.composition.draw(&mut self.session, picture)?;
+                }
+                self.compose(size);
             }
             for request in self.session.take_requests() {
                 match request {
-                    Request::Screenshot => self.save_screenshot(),
+                    Request::Screenshot => self.save_screenshot(size),
+                    Request::Time => self.composition.time(&mut self.session)?,
                     Request::Measure => {
-                        let request = self.session.measurement(size);
-                        self.measurement = Some(Measurement::start(request));
+                        let request = self.session.measurement(picture);
+                        self.jobs.submit(Job::Measure(request));
                     }
-                    Request::Examine => self.examiner.ask(self.session.question(size)),
-                    Request::Quit => return Ok(self.outcome),
+                    Request::Examine => {
+                        let request = self.session.reference_request(picture);
+                        self.jobs.submit(Job::Examine(request));
+                    }
+                    Request::Quit => return Ok(()),
                 }
             }
             let raised = std::mem::replace(&mut active, self.display.is_active()) != active;
@@ -175,60 +195,44 @@ impl Window {
                 thread::sleep(if busy { BUSY_PAUSE } else { IDLE_PAUSE });
             }
         }
-        Ok(self.outcome)
+        Ok(())
     }
 
-    /// Lets the session know what has happened; returns the window's size.
-    fn react(&mut self, now: Duration, old_size: [usize; 2]) -> [usize; 2] {
-        let size = self.display.size();
-        if size != old_size {
-            self.session.resized();
-        }
+    /// Lets the session know what has happened.
+    fn react(&mut self, now: Duration) {
         self.session.tick(now);
-        for news in self.measurement.iter().flat_map(Measurement::news) {
-            self.session.hear(news);
-        }
-        for answer in self.examiner.answers() {
-            self.session.answer(answer);
+        for progress in self.jobs.progress() {
+            self.session.hear(progress);
         }
         for event in self.display.take_events() {
             if let Some(gesture) = self.input.handle(event, now) {
-                response::respond(&mut self.session, gesture, size);
+                response::respond(&mut self.session, gesture, &self.hud);
             }
         }
         while let Some(gesture) = self.input.repeated(now) {
-            response::respond(&mut self.session, gesture, size);
+            response::respond(&mut self.session, gesture, &self.hud);
         }
-        size
     }
 
-    /// Draws what has changed, and tells in the window's frame what state that is.
-    fn draw(&mut self, redraw: Redraw, size: [usize; 2]) -> Result<(), OutOfMemory> {
-        if redraw == Redraw::Picture {
-            self.composition.draw(&mut self.session, size)?;
-        }
-        self.composition.compose(&self.session, &mut self.shown);
-        Hud::new(&self.session, size, Shown::All).draw(&mut self.shown);
-        let title = hud::lines::title(&self.session);
+    /// Puts the window's pixels together, and tells in the window's frame what state that is.
+    fn compose(&mut self, size: [usize; 2]) {
+        self.hud = Hud::new(&self.session, size);
+        self.composition.compose(&self.session, &mut self.picture);
+        self.hud.draw(&self.picture, false, &mut self.shown);
+        let title = title(&self.session, &self.hud);
         if title != self.title {
             self.display.set_title(&title);
             self.title = title;
         }
-        Ok(())
     }
 
-    fn save_screenshot(&mut self) {
-        let size = self.composition.size();
+    fn save_screenshot(&mut self, size: [usize; 2]) {
         let mut pixels = Vec::new();
-        self.composition.compose(&self.session, &mut pixels);
-        Hud::new(&self.session, size, Shown::Lasting).draw(&mut pixels);
+        self.hud.draw(&self.picture, true, &mut pixels);
         match screenshot::save(Path::new("."), &pixels, size) {
             Ok(path) => {
-                self.session.say(format!(
-                    "saved {}",
-                    path.file_name().unwrap_or_default().display()
-                ));
-                self.outcome.screenshots.push(path);
+                let name = path.file_name().unwrap_or_default().display();
+                self.session.say(format!("saved {name}"));
             }
             Err(error) => self.session.say(format!("no picture saved: {error}")),
         }

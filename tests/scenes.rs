@@ -202,11 +202,37 @@ fn every_built_in_scene_loads_and_the_first_is_the_default() {
     assert_eq!(scene.camera_names(), ["1", "2"]);
     assert_eq!(scene.light_names(), ["white", "red", "specular", "ambient"]);
     assert_eq!(on(&scene), [true; 4]);
-    assert_eq!(scene.background, DVec3::new(20.0, 20.0, 24.0));
+}
+
+/// The relative luminance of sRGB levels (WCAG 2).
+fn luminance(levels: DVec3) -> f64 {
+    let linear = levels.to_array().map(|level| {
+        let level = level / 255.0;
+        if level <= 0.04045 {
+            level / 12.92
+        } else {
+            ((level + 0.055) / 1.055).powf(2.4)
+        }
+    });
+    0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 }
 
 #[test]
-fn all_built_in_scenes_have_the_default_material_lights_and_background() {
+fn faces_in_ambient_light_stand_out_from_the_background() {
+    for name in ["cuboid", "assignment"] {
+        let scene = load(Some(name));
+        let ambient = value::<Material>(&scene, scene.cuboids[0]).ambient;
+        let light = value::<Light>(&scene, scene.lights[3]);
+        let face = ambient * light.color * light.intensity * light.gain;
+        let mut both = [face, scene.background].map(luminance);
+        both.sort_by(f64::total_cmp);
+        let contrast = (both[1] + 0.05) / (both[0] + 0.05);
+        assert!(contrast >= 3.0, "{name}: {contrast}");
+    }
+}
+
+#[test]
+fn all_built_in_scenes_have_the_default_material_and_lights() {
     let values = |scene: &Scene| {
         let place = |&light| value::<Transform>(scene, light);
         let places: Vec<Transform> = scene.lights.iter().map(place).collect();
@@ -214,7 +240,7 @@ fn all_built_in_scenes_have_the_default_material_lights_and_background() {
         let lights: Vec<Light> = scene.lights.iter().map(light).collect();
         let material = value::<Material>(scene, scene.cuboids[0]);
         let names = scene.light_names();
-        (names, places, lights, material, scene.background)
+        (names, places, lights, material)
     };
     let expected = values(&load(None));
     for (name, _) in BUILT_IN {

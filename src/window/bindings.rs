@@ -5,7 +5,6 @@
 
 use minifb::Key;
 
-use super::views::ViewMode;
 use crate::components::{Projection, ShadingMode};
 
 /// What the user can have done.
@@ -21,20 +20,14 @@ pub enum Action {
     SceneShading,
     /// Shades more coarsely by so many steps of [`super::session::TOLERANCES`], or finer where negative.
     Tolerance(i32),
-    /// The next coarser tolerance, after the coarsest the finest.
-    NextTolerance,
     /// Projects so.
     Projection(Projection),
     /// The other projection.
     NextProjection,
-    /// Looks from the camera of this place in the file, counted from 0.
-    Camera(usize),
     /// Looks from the next camera of the file, after the last from the first.
     NextCamera,
-    /// Shows the scene so.
-    Show(ViewMode),
-    /// The next view, after the last the first.
-    NextView,
+    /// The view so many steps on, or back where negative; the first follows the last.
+    View(i32),
     /// Shows the reference, and hides it again.
     Blink,
     /// Measures what every method costs and errs in this view, and ends or closes that.
@@ -122,13 +115,14 @@ pub struct Binding {
     pub characters: &'static [char],
     /// What it does.
     pub action: Action,
-    /// What it does, in words; lights, modes, tolerances, projections, cameras and views are called by their names
-    /// instead.
+    /// What it does, in words; lights and modes are called by their names instead.
     pub says: &'static str,
     /// Whether the panel has it too; the help has all.
     pub on_panel: bool,
     /// What happens while its key is held.
     pub hold: Hold,
+    /// Whether the shift key is held with it.
+    pub shift: bool,
 }
 
 /// What happens while a key is held.
@@ -161,6 +155,7 @@ impl Binding {
             says,
             on_panel: false,
             hold: Hold::Rests,
+            shift: false,
         }
     }
 
@@ -173,6 +168,12 @@ impl Binding {
     /// The same row, going on while its key is held.
     const fn repeats(mut self) -> Self {
         self.hold = Hold::Repeats;
+        self
+    }
+
+    /// The same row, with the shift key.
+    const fn with_shift(mut self) -> Self {
+        self.shift = true;
         self
     }
 
@@ -222,11 +223,13 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Lights, &["A"], &[Key::A], &['a'], Action::LightNamed("ambient"), "").on_panel(),
     Binding::new(Section::Shading, &["G"], &[Key::G], &['g'], GOURAUD, "").on_panel(),
     Binding::new(Section::Shading, &["P"], &[Key::P], &['p'], PHONG, "").on_panel(),
-    Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "").on_panel(),
-    Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "").on_panel(),
-    Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "").on_panel(),
-    Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "").on_panel(),
-    Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::NextView, "").on_panel(),
+    Binding::new(Section::Shading, &["E"], &[Key::E], &['e'], Action::SceneShading, "each cuboid's own"),
+    Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "tolerance").on_panel(),
+    Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "tolerance").on_panel(),
+    Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "projection").on_panel(),
+    Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "camera").on_panel(),
+    Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::View(1), "view").on_panel(),
+    Binding::new(Section::View, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view before").with_shift(),
     Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
     Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
     Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit left, or drag").repeats(),
@@ -244,9 +247,16 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Window, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
 ];
 
-/// What a press of `key` calls up.
-pub fn bound_to_key(key: Key) -> Option<&'static Binding> {
-    BINDINGS.iter().find(|binding| binding.keys.contains(&key))
+/// What a press of `key` calls up, with the shift key or without.
+pub fn bound_to_key(key: Key, shift: bool) -> Option<&'static Binding> {
+    let bound = || {
+        BINDINGS
+            .iter()
+            .filter(|binding| binding.keys.contains(&key))
+    };
+    let exactly = bound().find(|binding| binding.shift == shift);
+    // What needs no shift key does not mind it.
+    exactly.or_else(|| bound().find(|binding| !binding.shift))
 }
 
 /// What `character` calls up where its press gave no bound key.

@@ -1,37 +1,42 @@
 //! The session's scene -> the picture that its view asks for, short of what lies over it.
 //!
 //! ```text
-//!            +-- frame: as it is shaded -------------------+
-//! Session ---+-- frame: Gouraud, Phong (for their wipe) ---+-- views --> pixels
-//!            +-- levels: how tiles were drawn -------------+
-//!            '-- findings: reference, error map -----------'
+//!            +-- frame: as it is shaded, or both sides of Gouraud | Phong --+
+//! Session ---+-- levels: how tiles were drawn ------------------------------+-- views --> pixels
+//!            '-- reference, error map --------------------------------------'
 //! ```
-//! Rule: what is not computed yet is shown as the picture dimmed, never as something else.
+//! Rules: what is not computed yet is shown as the picture dimmed, never as something else. A frame is timed from the
+//! first stage to the display step, nothing else is.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+use super::frame_times::{FRAMES, FrameTimes};
 use super::session::Session;
 use super::views::{self, ViewMode};
 use crate::components::ShadingMode;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory::OutOfMemory;
 
+/// The longest time for which the user waits while a picture is drawn again to be timed.
+const TIMING_BUDGET: Duration = Duration::from_millis(100);
+
 /// The pictures that views are made of.
 pub struct Composition {
+    /// The picture; of Gouraud | Phong the right side.
     frame: Frame,
+    /// The left side of Gouraud | Phong.
+    left: Vec<u32>,
     levels: Frame,
-    gouraud: Vec<u32>,
-    phong: Vec<u32>,
 }
 
 impl Composition {
-    /// Nothing drawn yet; both draw alike.
-    pub fn new(workers: Workers, other_workers: Workers) -> Self {
+    /// Nothing drawn yet.
+    pub fn new(workers: Workers) -> Self {
+        let level = workers.level();
         Composition {
             frame: Frame::new(Keep::Display, workers),
-            levels: Frame::new(Keep::Levels, other_workers),
-            gouraud: Vec::new(),
-            phong: Vec::new(),
+            left: Vec::new(),
+            levels: Frame::new(Keep::Levels, Workers::alone(level)),
         }
     }
 
@@ -40,64 +45,118 @@ impl Composition {
         self.frame.size()
     }
 
-    /// Draws anew what the session's view needs; the time of the picture itself is noted in its statistics.
+    /// Draws anew what the session's view needs, and tells the session what that took.
     ///
     /// # Errors
     /// When it does not fit in memory.
     pub fn draw(&mut self, session: &mut Session, size: [usize; 2]) -> Result<(), OutOfMemory> {
         session.update_probe(size, self.frame.workers().level())?;
-        let mode = session.view_mode();
-        if mode == ViewMode::GouraudPhong {
-            for (pixels, mode) in [
-                (&mut self.gouraud, ShadingMode::Gouraud),
-                (&mut self.phong, ShadingMode::Phong),
-            ] {
-                session.draw_as(Some(mode), size, &mut self.frame)?;
-                pixels.clear();
-                pixels.extend_from_slice(self.frame.pixels());
-            }
-        }
-        if mode == ViewMode::Tiles {
+        let times = self.draw_sides(session, size, 1)?;
+        if session.state().mode == ViewMode::Tiles {
             session.draw(size, &mut self.levels)?;
         }
-        let start = Instant::now();
-        session.draw(size, &mut self.frame)?;
-        session.record(start.elapsed(), &self.frame);
+        session.drawn(times, self.frame.pixels());
         Ok(())
+    }
+
+    /// Draws the same again, until enough warm frames are timed or the user would notice the time that takes.
+    ///
+    /// # Errors
+    /// When it does not fit in memory.
+    pub fn time(&mut self, session: &mut Session) -> Result<(), OutOfMemory> {
+        let mut times = self.draw_sides(session, self.size(), 1 + FRAMES)?;
+        for side in &mut times.sides {
+            // The first frame warms caches and branch predictors.
+            if side.len() > 1 {
+                side.remove(0);
+            }
+        }
+        session.timed(times);
+        Ok(())
+    }
+
+    /// Draws each side so many times.
+    fn draw_sides(
+        &mut self,
+        session: &mut Session,
+        size: [usize; 2],
+        frames: usize,
+    ) -> Result<FrameTimes, OutOfMemory> {
+        let frame = &mut self.frame;
+        let sides = if session.state().mode == ViewMode::GouraudPhong {
+            let gouraud = Some(ShadingMode::Gouraud);
+            let left = draw_timed(session, gouraud, size, frame, frames)?;
+            self.left.clear();
+            self.left.extend_from_slice(frame.pixels());
+            let phong = Some(ShadingMode::Phong);
+            [left, draw_timed(session, phong, size, frame, frames)?]
+        } else {
+            let own = session.view(size).shading;
+            [draw_timed(session, own, size, frame, frames)?, Vec::new()]
+        };
+        Ok(FrameTimes {
+            sides,
+            counts: self.frame.counts(),
+            threads: self.frame.workers().threads(),
+        })
     }
 
     /// Puts what was last drawn together as the session wants to see it now.
     pub fn compose(&self, session: &Session, pixels: &mut Vec<u32>) {
         let [width, _] = self.size();
         let picture = self.frame.pixels();
-        let findings = session.findings();
-        let reference = findings.map(|findings| findings.reference.as_slice());
+        let result = session.reference();
+        let reference = result.map(|result| result.reference.as_slice());
+        let dimmed = || {
+            let mut waiting = picture.to_vec();
+            views::dim(&mut waiting);
+            waiting
+        };
+        let state = session.state();
+        let divider = state.divider_column(width);
         pixels.clear();
-        if let Some(reference) = reference.filter(|_| session.blinks()) {
-            return pixels.extend_from_slice(reference);
+        if state.shows_reference {
+            match reference {
+                Some(reference) => pixels.extend_from_slice(reference),
+                None => pixels.extend(dimmed()),
+            }
+            return;
         }
-        pixels.extend_from_slice(picture);
-        match session.view_mode() {
-            ViewMode::Picture => {}
-            ViewMode::GouraudPhong => {
-                let divider = session.divider_column(width);
-                views::wipe(pixels, &self.gouraud, &self.phong, width, divider);
-            }
-            ViewMode::MethodReference => {
-                let divider = session.divider_column(width);
-                if let Some(reference) = reference {
-                    views::wipe(pixels, picture, reference, width, divider);
-                } else {
-                    let mut waiting = picture.to_vec();
-                    views::dim(&mut waiting);
-                    views::wipe(pixels, picture, &waiting, width, divider);
-                }
-            }
-            ViewMode::ErrorMap => match findings {
-                Some(findings) => pixels.copy_from_slice(&findings.error_map),
-                None => views::dim(pixels),
+        match state.mode {
+            ViewMode::Picture => pixels.extend_from_slice(picture),
+            ViewMode::GouraudPhong => views::wipe(pixels, &self.left, picture, width, divider),
+            ViewMode::MethodReference => match reference {
+                Some(reference) => views::wipe(pixels, picture, reference, width, divider),
+                None => views::wipe(pixels, picture, &dimmed(), width, divider),
             },
-            ViewMode::Tiles => views::tint(pixels, self.levels.kinds(), self.levels.triangles()),
+            ViewMode::ErrorMap => match result {
+                Some(result) => pixels.extend_from_slice(&result.error_map),
+                None => pixels.extend(dimmed()),
+            },
+            ViewMode::Tiles => {
+                pixels.extend_from_slice(picture);
+                views::tint(pixels, self.levels.kinds(), self.levels.triangles());
+            }
         }
     }
+}
+
+/// Draws the same picture so many times, or until [`TIMING_BUDGET`] is used up; returns what each took.
+fn draw_timed(
+    session: &mut Session,
+    shading: Option<ShadingMode>,
+    size: [usize; 2],
+    frame: &mut Frame,
+    frames: usize,
+) -> Result<Vec<Duration>, OutOfMemory> {
+    let mut times = Vec::with_capacity(frames);
+    let mut spent = Duration::ZERO;
+    while times.is_empty() || times.len() < frames && spent < TIMING_BUDGET {
+        let start = Instant::now();
+        session.draw_as(shading, size, frame)?;
+        let time = start.elapsed();
+        times.push(time);
+        spent += time;
+    }
+    Ok(times)
 }

@@ -1,7 +1,7 @@
 //! The window system behind [`Event`]s and pixels; what is peculiar to minifb 0.29 is dealt with here and nowhere else.
 //!
-//! Two limits remain. The button is only polled, so a click shorter than the time between two polls is lost: poll often
-//! while the mouse is in use. And a window that another program destroys ends this one inside Xlib: write results first.
+//! Two limits remain. minifb reports keys to a callback but lets the button only be polled, so a click shorter than the
+//! time between two polls is lost: poll often while the mouse is in use. And a window that another program destroys ends this one inside Xlib: write results first.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -51,7 +51,7 @@ impl Display {
     /// Opens a window with a picture area of `size` pixels.
     ///
     /// # Errors
-    /// [`WindowError::NoDisplay`] when there is nothing to open it on.
+    /// [`WindowError::NoDisplay`] when there is nothing to open it on, [`WindowError::Open`] when it cannot be opened.
     pub fn open(title: &str, size: [usize; 2]) -> Result<Self, WindowError> {
         let options = WindowOptions {
             resize: true,
@@ -61,7 +61,7 @@ impl Display {
         };
         // A window of no size ends the program inside Xlib.
         let mut window = minifb::Window::new(title, size[0].max(1), size[1].max(1), options)
-            .map_err(no_display)?;
+            .map_err(not_opened)?;
         let reported = Rc::new(RefCell::new(Vec::new()));
         window.set_input_callback(Box::new(Reporter(Rc::clone(&reported))));
         let is_wayland = window
@@ -191,12 +191,21 @@ impl Display {
     }
 }
 
-fn no_display(error: minifb::Error) -> WindowError {
+/// A missing display, or what else kept the window from opening.
+fn not_opened(error: minifb::Error) -> WindowError {
     let reason = match error {
         minifb::Error::WindowCreate(reason) => reason,
         other => other.to_string(),
     };
-    WindowError::NoDisplay { reason }
+    let unset = |name| std::env::var_os(name).is_none_or(|value| value.is_empty());
+    let none_named =
+        cfg!(all(unix, not(target_os = "macos"))) && unset("DISPLAY") && unset("WAYLAND_DISPLAY");
+    // minifb has no error of its own for an X server that does not answer.
+    if none_named || reason == "XOpenDisplay failed" {
+        WindowError::NoDisplay { reason }
+    } else {
+        WindowError::Open { reason }
+    }
 }
 
 /// Puts the key before its character, as the other systems report them; minifb does it the other way round on Wayland.

@@ -1,61 +1,147 @@
-//! When the picture changes and what is found out about it -> what is known of the picture as it is now.
+//! A picture that rests in; what the reference says of it out: exact Phong, the error map, the errors.
 //!
-//! Rule: nothing is known of a picture but what was found out about that very picture, and nothing is asked before the
-//! picture has rested for [`REST`].
+//! Rule: the best picture of the scene is exact Phong, whatever mode draws it; a mode's own truth gives its own error only.
 
-use std::time::Duration;
+use crate::components::{ShadingMode, View};
+use crate::frame::{Frame, Keep, Workers, display_step};
+use crate::memory;
+use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
+use crate::reference::{self, Truth};
+use crate::scene::Scene;
+use crate::systems;
+use crate::trade::error_map::ErrorMap;
+use crate::trade::metrics::{self, Difference, Picture};
 
-use super::examiner::{Answer, Findings};
+/// Rows that are compared at once: what a picture of any size takes beside the two that are kept.
+const BAND: usize = 64;
 
-/// How long nothing changes before a picture is examined.
-pub const REST: Duration = Duration::from_millis(100);
-
-/// What is known of the present picture, and what was asked.
-#[derive(Debug, Default)]
-pub struct Examination {
-    revision: u64,
-    changed: Duration,
-    asked: bool,
-    findings: Option<Findings>,
+/// A picture to be compared with the reference.
+pub struct ReferenceRequest {
+    /// A copy of the scene, of its own.
+    pub scene: Scene,
+    pub view: View,
+    /// Which state of the session that is.
+    pub revision: u64,
 }
 
-impl Examination {
-    /// The number of the present picture: every change makes it larger.
-    pub fn revision(&self) -> u64 {
-        self.revision
-    }
+/// Largest and mean error in levels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    pub max: f64,
+    pub mean: f64,
+}
 
-    /// What was found out about the present picture.
-    pub fn findings(&self) -> Option<&Findings> {
-        self.findings.as_ref()
-    }
+/// What the reference says of one state of the session.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReferenceResult {
+    /// Which state that is.
+    pub revision: u64,
+    /// Exact Phong in f64, 0x00RRGGBB.
+    pub reference: Vec<u32>,
+    /// Where the picture errs from exact Phong, in the colours of [`crate::trade::error_map`].
+    pub error_map: Vec<u32>,
+    /// Against exact Phong; `None` where nothing can be compared.
+    pub errors: Option<Errors>,
+    /// Against the picture's own mode; `None` where nothing can be compared.
+    pub own_errors: Option<Errors>,
+    /// The proof that the picture keeps its tolerance, which takes longest; `None` until it is there.
+    pub proof: Option<Proof>,
+}
 
-    /// The picture is another one from the time `now` on.
-    pub fn restart(&mut self, now: Duration) {
-        self.revision += 1;
-        self.changed = now;
-        self.asked = false;
-        self.findings = None;
+/// Compares the picture with the reference; `None` as soon as `cancelled` says yes, or where memory does not suffice.
+pub fn examine(
+    request: &mut ReferenceRequest,
+    workers: Workers,
+    cancelled: &(dyn Fn() -> bool + Sync),
+) -> Option<ReferenceResult> {
+    let view = request.view.clone();
+    let [width, height] = view.size;
+    let mut frame = Frame::new(Keep::Levels, workers);
+    let phong = View {
+        shading: Some(ShadingMode::Phong),
+        ..view.clone()
+    };
+    let is_phong = view.shading == phong.shading;
+    let mut reference = memory::room_for_pixels(view.size).ok()?;
+    let mut error_map = memory::room_for_pixels(view.size).ok()?;
+    let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
+    for start in (0..height).step_by(BAND) {
+        let rows = start..(start + BAND).min(height);
+        systems::draw_rows(&mut request.scene.world, &view, rows.clone(), &mut frame).ok()?;
+        let truth = |view| {
+            let rows = rows.clone();
+            reference::picture(&request.scene.world, view, rows, cancelled, &|_| ())
+        };
+        let exact = truth(&phong)?;
+        let own = if is_phong { None } else { Some(truth(&view)?) };
+        let drawn = Picture {
+            width,
+            levels: frame.levels(),
+            triangles: frame.triangles(),
+        };
+        let compared = picture_of(&exact);
+        let own = own.as_ref().map_or(compared, picture_of);
+        errors.add(&metrics::compare(drawn, compared));
+        own_errors.add(&metrics::compare(drawn, own));
+        error_map.extend(ErrorMap::between(drawn, compared).pixels());
+        reference.extend(exact.levels.iter().map(|levels| {
+            let [red, green, blue] = levels.map(display_step);
+            u32::from_be_bytes([0, red, green, blue])
+        }));
     }
+    Some(ReferenceResult {
+        revision: request.revision,
+        reference,
+        error_map,
+        errors: errors.statistics(),
+        own_errors: own_errors.statistics(),
+        proof: None,
+    })
+}
 
-    /// Whether to ask at the time `now`; says so once for every picture.
-    pub fn is_due(&mut self, now: Duration) -> bool {
-        let due = !self.asked && now >= self.changed + REST;
-        self.asked |= due;
-        due
-    }
-
-    /// Takes an answer; returns whether it is about the present picture.
-    pub fn answer(&mut self, answer: Answer) -> bool {
-        match (answer, &mut self.findings) {
-            (Answer::Findings(findings), known) if findings.revision == self.revision => {
-                *known = Some(findings);
+impl ReferenceResult {
+    /// Takes the proof, and marks in the error map what it lacks.
+    pub fn add_proof(&mut self, proof: Proof) {
+        for (pixel, mark) in self.error_map.iter_mut().zip(&proof.marks) {
+            match mark.verdict {
+                Verdict::Proven => {}
+                Verdict::Undecided => *pixel = UNDECIDED,
+                Verdict::Refuted => *pixel = REFUTED,
             }
-            (Answer::Proof(revision, proof), Some(findings)) if revision == self.revision => {
-                findings.add_proof(proof);
-            }
-            _ => return false,
         }
-        true
+        self.proof = Some(proof);
+    }
+}
+
+fn picture_of(truth: &Truth) -> Picture<'_, f64> {
+    Picture {
+        width: truth.width,
+        levels: &truth.levels,
+        triangles: &truth.triangles,
+    }
+}
+
+/// The errors of bands, as those of the whole.
+#[derive(Default)]
+struct Sum {
+    max: f64,
+    total: f64,
+    pixels: u64,
+}
+
+impl Sum {
+    fn add(&mut self, difference: &Difference) {
+        if let Some(error) = difference.error {
+            self.max = self.max.max(error.max);
+            self.total += error.mean * difference.compared_pixels as f64;
+            self.pixels += difference.compared_pixels;
+        }
+    }
+
+    fn statistics(&self) -> Option<Errors> {
+        (self.pixels > 0).then(|| Errors {
+            max: self.max,
+            mean: self.total / self.pixels as f64,
+        })
     }
 }

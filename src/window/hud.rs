@@ -1,166 +1,372 @@
-//! What lies over the picture: the panel, the help, what is known of a pixel, what was measured, and messages.
+//! The session and the window's size -> where everything stands: the panel, the picture, and the boards over it.
 //!
 //! ```text
-//! session --lines, pixel, measurements--> lines --layout (board, style)--> boards --paint--> canvas
-//!    '------- legend, message --------------------------------------------------------------^
+//!   +-------+---------------------------+
+//!   | panel |  picture      +---------+ |   The panel has a strip of its own, the picture the rest.
+//!   |       |     /\        |  probe  | |   Boards stand where they cover neither the probed pixel nor
+//!   |       |    /  \       +---------+ |   each other and the panel nor the cuboids, in this order of
+//!   |       |    \  /   [message]       |   importance, as far as the window allows.
+//!   +-------+---------------------------+
 //! ```
-//! Rule: pure on pixels; the help lies over the panel and the panel over the picture, a pixel looked at is never covered by
-//! what is said of it, and what does not fit the window is left out step by step, down to nothing.
+//! Rules: pure; every text is set in the largest letters for which there is room. A board for which the smallest are too
+//! large is left out. What was drawn is what is clicked: the [`Hud`] that was drawn answers where a click goes.
 
 pub mod board;
-mod ink;
-mod layout;
 pub mod legend;
 pub mod lines;
 pub mod measurements;
-mod message;
-mod paint;
 pub mod pixel;
-mod room;
-pub mod style;
+mod place;
 
 use super::bindings::Action;
-use super::overlay::Pane;
 use super::session::Session;
-use crate::canvas::{Canvas, Ink, Point, Rect};
-use board::Board;
-use legend::Legend;
-use message::Message;
+use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
+use crate::components::{Polygon, Projected};
+use board::{Board, Setting};
+use lines::Line;
+use place::place;
+
+/// How many letters wide the panel is; values that change never change it.
+const PANEL_LETTERS: usize = 33;
+/// The panel takes at most this share of the window's width, in percent.
+const PANEL_SHARE: i32 = 38;
+/// The widths at which words are broken, in letters, the widest first.
+const WRAPS: [usize; 2] = [60, 40];
 
 const SHADE: Ink = Ink::glass(0, 120);
+const DIVIDER: Ink = Ink::glass(0x00ff_ffff, 230);
+const DIVIDER_EDGE: Ink = Ink::glass(0, 110);
+const GRIP: Ink = Ink::solid(0x0055_5b62);
 
-/// What is shown over a picture.
+/// How far the divider can be missed and is still caught, in pixels.
+pub const REACH: i32 = 14;
+
+/// What a board is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
-    /// Everything.
-    All,
-    /// What does not pass by itself: what a saved picture shows.
-    Lasting,
+pub enum Part {
+    Panel,
+    /// What explains the view.
+    Legend,
+    /// What is known of a pixel.
+    Probe,
+    /// What is measured.
+    Table,
+    Message,
+    Help,
 }
 
-/// Everything over the picture, each in its place.
+/// Everything in the window, each in its place.
+#[derive(Debug)]
 pub struct Hud {
     size: [usize; 2],
-    panel: Option<Board>,
-    help: Option<Board>,
-    table: Option<Board>,
-    probe: Option<Board>,
+    picture: Rect,
+    /// The upper ones last.
+    boards: Vec<(Part, Board)>,
+    /// The divider's column in the window.
+    divider: Option<i32>,
+    /// The probed pixel in the window.
     cross: Option<Point>,
-    legend: Option<Legend>,
-    message: Option<Message>,
     hovered: Option<Action>,
-    shades: bool,
+}
+
+/// The panel where it is wanted and there is room for it, and the picture beside it.
+fn strips(session: &Session, size: [usize; 2]) -> (Option<Board>, Rect, Face) {
+    let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
+    let lines = lines::panel(session);
+    let width = |face: Face| {
+        let padding = Setting::new(face).padding();
+        face.width(PANEL_LETTERS) + 2 * padding
+    };
+    let setting = |face: &Face| {
+        let loose = Setting::new(*face);
+        // Rows may be as close as their letters are high.
+        let tight = Setting {
+            pitch: face.height(),
+            ..loose
+        };
+        let room = window.height - 2 * loose.padding();
+        let fits = width(*face) <= window.width * PANEL_SHARE / 100 && tight.height(&lines) <= room;
+        let rows = tight.height(&lines) / tight.pitch + 1;
+        let pitch = (room / rows).clamp(tight.pitch, face.height() * 5 / 4);
+        fits.then_some(Setting { pitch, ..loose })
+    };
+    let Some(setting) = FACES.iter().rev().find_map(setting) else {
+        return (None, window, FACES[0]);
+    };
+    if !session.state().panel {
+        return (None, window, setting.face);
+    }
+    let strip = Rect {
+        width: width(setting.face),
+        ..window
+    };
+    let picture = Rect::new(strip.right(), 0, window.width - strip.width, window.height);
+    (
+        Some(Board::new(lines, setting, strip)),
+        picture,
+        setting.face,
+    )
+}
+
+/// Where the picture stands in a window of `size` pixels.
+pub fn picture(session: &Session, size: [usize; 2]) -> Rect {
+    strips(session, size).1
+}
+
+/// What the cuboids take of the picture as it was last drawn, in its pixels; empty where nothing is seen.
+fn seen_part(session: &Session) -> Rect {
+    let mut seen: Option<[i32; 4]> = None;
+    let mut cuboids = session.scene().world.query::<&Projected>();
+    let polygons = cuboids.iter().flat_map(|projected| &projected.polygons);
+    for [x, y] in polygons.flat_map(Polygon::vertices) {
+        // Vertices are in 1/256 pixel.
+        let [x, y] = [x >> 8, y >> 8];
+        let [left, top, right, bottom] = seen.unwrap_or([x, y, x, y]);
+        seen = Some([left.min(x), top.min(y), right.max(x), bottom.max(y)]);
+    }
+    seen.map_or(Rect::default(), |[left, top, right, bottom]| {
+        Rect::new(left, top, right - left + 1, bottom - top + 1)
+    })
 }
 
 impl Hud {
-    /// Lays out what `session` shows over a picture of `size` pixels.
-    pub fn new(session: &Session, size: [usize; 2], shown: Shown) -> Hud {
-        let area = Rect::new(0, 0, size[0] as i32, size[1] as i32);
-        let area = area.inset((area.width.min(area.height) / 60).max(2));
-        let all = shown == Shown::All;
-        let panel = layout::panel(session, size, area, shown);
-        let covered = panel.as_ref().map(Board::rect);
-        let panel_face = panel
-            .as_ref()
-            .map(|panel| panel.style.face)
-            .or_else(|| layout::panel_face(size));
-        let probe = layout::probe(session, size, area, covered);
-        let beside_probe = layout::beside(area, probe.as_ref());
-        let taken: Vec<Rect> = covered
-            .into_iter()
-            .chain(probe.as_ref().map(Board::rect))
-            .collect();
-        let legend = |face| Legend::new(session, size, face, &[area, beside_probe], &taken);
+    /// Lays out what `session` shows in a window of `size` pixels, after its picture was drawn.
+    pub fn new(session: &Session, size: [usize; 2]) -> Hud {
+        let (panel, picture, face) = strips(session, size);
+        let state = session.state();
+        let seen = seen_part(session);
+        let moved = Rect::new(
+            picture.x + seen.x,
+            picture.y + seen.y,
+            seen.width,
+            seen.height,
+        );
+        let cross = session.probed().map(|probe| {
+            let [x, y] = probe.pixel.map(|at| at as i32);
+            [picture.x + x, picture.y + y]
+        });
+        let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
+        let margin = FACES[0].advance();
+        let mut layout = Layout {
+            window: window.inset(margin),
+            faces: FACES
+                .into_iter()
+                .rev()
+                .filter(|it| it.height() <= face.height())
+                .collect(),
+            cuboids: moved.intersection(&picture),
+            cross: cross.map(pixel::mark),
+            boards: panel
+                .map(|panel| (Part::Panel, panel))
+                .into_iter()
+                .collect(),
+        };
+        let area = picture.inset(margin);
+        let mut divider = None;
+        if let Some(names) = legend::sides(session) {
+            let column = picture.x + state.divider_column(picture.width as usize) as i32;
+            layout.add_sides(names, column, area, face);
+            divider = Some(column);
+        }
+        let below = [area.x + area.width / 2, area.bottom()];
+        let above = [area.right(), area.y];
+        layout.add(Part::Legend, &[legend::lines(session)], below);
+        if let Some(probe) = session.probed() {
+            let lines = [false, true].map(|wide| pixel::lines(probe, wide));
+            layout.add(Part::Probe, &lines, above);
+        }
+        let table = |letters| measurements::lines(session.measuring(), letters);
+        layout.add(Part::Table, &WRAPS.map(table), above);
+        if let Some(text) = state.message() {
+            let broken = |letters| wrapped(text, letters).into_iter().map(Line::Text).collect();
+            layout.add(Part::Message, &WRAPS.map(broken), below);
+        }
+        let mut boards = layout.boards;
+        if state.help {
+            boards.extend(help(session, window).into_iter().map(|it| (Part::Help, it)));
+        }
         Hud {
             size,
-            probe,
-            cross: session
-                .probed()
-                .map(|probe| probe.pixel.map(|at| at as i32)),
-            panel,
-            legend: panel_face.map(legend),
-            help: layout::help(session, size, area),
-            message: session
-                .overlay()
-                .message()
-                .filter(|_| all)
-                .and_then(|text| Message::new(text, size, area)),
-            hovered: session.overlay().hovered().filter(|_| all),
-            table: layout::table(session, size, area),
-            shades: session.overlay().shows_help(),
+            picture,
+            boards,
+            divider,
+            cross,
+            hovered: state.hovered,
         }
     }
 
-    /// Draws it all over the picture in `pixels`, 0x00RRGGBB, row by row from the top.
-    pub fn draw(&self, pixels: &mut [u32]) {
+    /// Where the picture stands.
+    pub fn picture(&self) -> Rect {
+        self.picture
+    }
+
+    /// The boards of this kind.
+    pub fn boards(&self, part: Part) -> impl Iterator<Item = &Board> {
+        let boards = self.boards.iter();
+        boards
+            .filter(move |(it, _)| *it == part)
+            .map(|(_, board)| board)
+    }
+
+    /// Puts the picture in its place, and everything over it; `lasting` leaves out what passes by itself.
+    pub fn draw(&self, picture: &[u32], lasting: bool, pixels: &mut Vec<u32>) {
+        let [width, height] = self.size;
+        pixels.clear();
+        pixels.resize(width * height, 0);
+        let left = self.picture.x as usize;
+        let rows = pixels.chunks_exact_mut(width);
+        for (row, drawn) in rows.zip(picture.chunks_exact(width - left)) {
+            row[left..].copy_from_slice(drawn);
+        }
         let canvas = &mut Canvas::new(pixels, self.size);
-        if let Some(legend) = &self.legend {
-            legend.draw(canvas);
+        let over_picture = &mut canvas.clipped(self.picture);
+        if let Some(column) = self.divider {
+            draw_divider(over_picture, column, FACES[0]);
         }
         if let Some(cross) = self.cross {
-            pixel::draw_cross(canvas, cross);
+            pixel::draw_cross(over_picture, cross);
         }
-        if let Some(panel) = &self.panel {
-            panel.draw(canvas, self.hovered.filter(|_| !self.shades));
+        let hovered = self.hovered.filter(|_| !lasting);
+        let has_help = self.boards(Part::Help).next().is_some();
+        let shown = |part: Part| !(lasting && part == Part::Message);
+        for (part, board) in self.boards.iter().filter(|(part, _)| shown(*part)) {
+            if *part != Part::Help {
+                board.draw(canvas, hovered.filter(|_| !has_help));
+            }
         }
-        if let Some(probe) = &self.probe {
-            probe.draw(canvas, None);
-        }
-        if let Some(table) = &self.table {
-            table.draw(canvas, None);
-        }
-        if self.shades {
+        if has_help {
             canvas.fill(canvas.clip(), SHADE);
         }
-        if let Some(help) = &self.help {
-            help.draw(canvas, self.hovered);
-        }
-        if let Some(message) = &self.message {
-            message.draw(canvas);
+        for board in self.boards(Part::Help) {
+            board.draw(canvas, hovered);
         }
     }
 
-    /// The panel, or the tab that stands in for it, where there is room for it.
-    pub fn panel(&self) -> Option<&Board> {
-        self.panel.as_ref()
+    /// The uppermost board at `point`.
+    pub fn board_at(&self, point: Point) -> Option<(Part, &Board)> {
+        let mut boards = self.boards.iter().rev();
+        let at = boards.find(|(_, board)| board.rect().contains(point));
+        at.map(|(part, board)| (*part, board))
     }
 
-    /// The help, where it is open and there is room for it.
-    pub fn help(&self) -> Option<&Board> {
-        self.help.as_ref()
-    }
-
-    /// What is known of a pixel, where one is looked at and there is room for it.
-    pub fn probe(&self) -> Option<&Board> {
-        self.probe.as_ref()
-    }
-
-    /// What is measured or was, where there is room for it.
-    pub fn table(&self) -> Option<&Board> {
-        self.table.as_ref()
-    }
-
-    /// What explains the view.
-    pub fn legend(&self) -> Option<&Legend> {
-        self.legend.as_ref()
-    }
-
-    /// The command of the uppermost board at `point`.
+    /// What a click at `point` does.
     pub fn action_at(&self, point: Point) -> Option<Action> {
         let (_, board) = self.board_at(point)?;
         board.action_at(point)
     }
 
-    /// The uppermost board at `point`.
-    pub fn board_at(&self, point: Point) -> Option<(Pane, &Board)> {
-        [
-            (Pane::Help, &self.help),
-            (Pane::Table, &self.table),
-            (Pane::Probe, &self.probe),
-            (Pane::Panel, &self.panel),
-        ]
-        .into_iter()
-        .filter_map(|(pane, board)| Some((pane, board.as_ref()?)))
-        .find(|(_, board)| board.rect().contains(point))
+    /// Whether a press at `point` catches the divider.
+    pub fn catches_divider(&self, point: Point) -> bool {
+        let near = |column: i32| (point[0] - column).abs() <= REACH;
+        self.picture.contains(point) && self.divider.is_some_and(near)
+    }
+
+    /// The pixel of the picture at `point` of the window.
+    pub fn pixel_at(&self, point: Point) -> Option<[usize; 2]> {
+        let [x, y] = [point[0] - self.picture.x, point[1] - self.picture.y];
+        let inside = self.picture.contains(point);
+        inside.then_some([x as usize, y as usize])
+    }
+}
+
+/// Boards being placed.
+struct Layout {
+    window: Rect,
+    /// The letters that may be used, the largest first.
+    faces: Vec<Face>,
+    cuboids: Rect,
+    /// What the probed pixel takes with its cross.
+    cross: Option<Rect>,
+    boards: Vec<(Part, Board)>,
+}
+
+impl Layout {
+    /// Adds a board near `wish` with the first of these versions of its lines, in the largest letters, that covers
+    /// nothing; where none does, the one that covers least.
+    fn add(&mut self, part: Part, versions: &[Vec<Line>], wish: Point) {
+        let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
+        let cross: Vec<Rect> = self.cross.into_iter().collect();
+        let obstacles: [&[Rect]; 3] = [&cross, &placed, &[self.cuboids]];
+        let faces = self.faces.iter().map(|face| Setting::new(*face));
+        let versions = versions.iter().filter(|lines| !lines.is_empty());
+        let settings = faces.flat_map(|it| versions.clone().map(move |lines| (it, lines)));
+        let all = settings.filter_map(|(setting, lines)| {
+            let size = setting.size(lines);
+            let corner = [wish[0] - size[0] / 2, wish[1] - size[1]];
+            let (rect, covered) = place(size, self.window, corner, &obstacles)?;
+            Some((covered, rect, setting, lines))
+        });
+        // Of several that cover as much the first has the largest letters.
+        if let Some((_, rect, setting, lines)) = all.min_by(|one, other| one.0.cmp(&other.0)) {
+            self.boards
+                .push((part, Board::new(lines.clone(), setting, rect)));
+        }
+    }
+
+    /// Adds the names of both sides of a wipe beside the divider, at the upper edge; one that the edge cuts is left out.
+    fn add_sides(&mut self, [left, right]: [String; 2], column: i32, area: Rect, face: Face) {
+        let setting = Setting::new(face);
+        let gap = face.advance();
+        let set = |text: String, x: &dyn Fn(i32) -> i32| {
+            let lines = vec![Line::Text(text)];
+            let [width, height] = setting.size(&lines);
+            Board::new(lines, setting, Rect::new(x(width), area.y, width, height))
+        };
+        let sides = [
+            set(left, &|width| column - gap - width),
+            set(right, &|_| column + gap),
+        ];
+        let fits = |board: &Board| board.rect().intersection(&area) == board.rect();
+        let fitting: Vec<_> = sides.into_iter().filter(fits).collect();
+        self.boards
+            .extend(fitting.into_iter().map(|board| (Part::Legend, board)));
+    }
+}
+
+/// The help in the middle of the window, in the largest letters in which both its boards fit; none where they do not.
+fn help(session: &Session, window: Rect) -> Vec<Board> {
+    let both = lines::help(session);
+    let area = window.inset(FACES[0].advance());
+    let setting = |face: &Face| {
+        let setting = Setting::new(*face);
+        let tight = Setting {
+            pitch: face.height(),
+            ..setting
+        };
+        [setting, tight].into_iter().find_map(|setting| {
+            let sizes = [&both[0], &both[1]].map(|lines| setting.size(lines));
+            let width = sizes[0][0] + setting.padding() + sizes[1][0];
+            let height = sizes[0][1].max(sizes[1][1]);
+            let fits = width <= area.width && height <= area.height;
+            fits.then_some((setting, sizes, [width, height]))
+        })
+    };
+    let Some((setting, sizes, [width, height])) = FACES.iter().rev().find_map(setting) else {
+        return Vec::new();
+    };
+    let mut x = window.x + (window.width - width) / 2;
+    let y = window.y + (window.height - height) / 2;
+    let boards = both.into_iter().zip(sizes).map(|(lines, [width, _])| {
+        let board = Board::new(lines, setting, Rect::new(x, y, width, height));
+        x += width + setting.padding();
+        board
+    });
+    boards.collect()
+}
+
+/// A thin line from top to bottom, and something to hold it by.
+fn draw_divider(canvas: &mut Canvas, column: i32, face: Face) {
+    let clip = canvas.clip();
+    for (x, width, ink) in [(column - 2, 4, DIVIDER_EDGE), (column - 1, 2, DIVIDER)] {
+        canvas.fill(Rect::new(x, clip.y, width, clip.height), ink);
+    }
+    let [width, height] = [face.advance() * 2, face.height() * 2];
+    let middle = clip.y + clip.height / 2;
+    let handle = Rect::new(column - width / 2, middle - height / 2, width, height);
+    canvas.rounded(handle, width / 2, DIVIDER);
+    canvas.outline(handle, width / 2, 1.0, DIVIDER_EDGE);
+    for x in [column - width / 8 - 1, column + width / 8] {
+        let line = Rect::new(x, middle - height / 5, 1, height * 2 / 5);
+        canvas.fill(line, GRIP);
     }
 }

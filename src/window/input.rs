@@ -59,7 +59,7 @@ pub enum Gesture {
         by: Point,
     },
     /// A drag ended.
-    Drop,
+    EndDrag,
     /// The wheel turned while the mouse was at `at`.
     Wheel {
         /// Where the mouse is.
@@ -137,7 +137,7 @@ impl Input {
                 let press = self.press.take()?;
                 Some(match press.told {
                     None => Gesture::Click(press.from),
-                    Some(_) => Gesture::Drop,
+                    Some(_) => Gesture::EndDrag,
                 })
             }
             Event::Wheel(notches) => Some(Gesture::Wheel {
@@ -177,7 +177,8 @@ impl Input {
     }
 
     fn key_down(&mut self, key: Key, now: Duration) -> Option<Gesture> {
-        let binding = bound_to_key(key);
+        let shift = |held: &Held| matches!(held.key, Key::LeftShift | Key::RightShift);
+        let binding = bound_to_key(key, self.held.iter().any(shift));
         let again = self.held.iter().any(|held| held.key == key);
         self.last_press = if again || binding.is_some() {
             LastPress::Answered

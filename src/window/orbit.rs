@@ -7,9 +7,11 @@ use glam::DVec3;
 use crate::components::{Mesh, Orbit, Spin, Transform, Viewpoint, length};
 use crate::scene::Scene;
 
-/// The camera goes no further away than so many times the scene's size, nor, where the near plane alone would stop it,
-/// closer than that part of it.
-const ZOOM_RANGE: f64 = 1000.0;
+/// Where the near plane alone would stop it, the camera comes no closer than this part of the scene's size.
+const CLOSEST: f64 = 0.001;
+/// The camera goes no further away than so many times the scene's size, nor sees so many times its height: beyond that
+/// there would be nothing left to see.
+const FARTHEST: f64 = 30.0;
 
 impl Orbit {
     /// This orbit moved by so many degrees to the right and up, as far as the poles allow.
@@ -87,7 +89,7 @@ impl Limits {
         let distance = length(from.position - from.camera.target);
         // A camera that stands closer than the farthest corner is meant to: only the near plane stops it.
         let clearance = if distance > clearance { clearance } else { 0.0 };
-        let closest = clearance.max(size / ZOOM_RANGE);
+        let closest = clearance.max(size * CLOSEST);
         let closest = match from.camera.near {
             Some(near) => closest + near,
             // The near plane is a thousandth of the distance away and follows it.
@@ -97,11 +99,11 @@ impl Limits {
             distance,
             height: from.camera.height,
             closest,
-            farthest: size * ZOOM_RANGE,
+            farthest: size * FARTHEST,
         }
     }
 
-    /// Whether `zoom` keeps the eye between the near plane and a thousand times the scene's size.
+    /// Whether `zoom` keeps the eye between the near plane and thirty times the scene's size.
     fn allow(&self, zoom: i32) -> bool {
         let factor = Orbit {
             zoom,

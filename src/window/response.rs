@@ -1,46 +1,41 @@
 //! A gesture at a place in the window -> what the session does about it.
 //!
-//! Rule: what lies over the picture is meant before the picture, the help before the panel.
+//! Rule: what lies over the picture is meant before the picture, as it was drawn.
 
 use super::bindings::Action;
-use super::hud::{Hud, Shown};
+use super::hud::{Hud, Part};
 use super::input::Gesture;
-use super::overlay::Pane;
 use super::session::Session;
-use crate::canvas::Point;
 
-/// How far a drag across the window's shorter side turns, in degrees.
+/// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
 
-/// Does what `gesture` means in a window of `size` pixels.
-pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
-    let hud = Hud::new(session, size, Shown::All);
+/// Does what `gesture` means in a window that shows `hud`.
+pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) {
+    let picture = hud.picture();
     match gesture {
         Gesture::Command(action) => session.apply(action),
         Gesture::Released(action) => session.release(action),
         Gesture::Hover(point) => session.hover(hud.action_at(point)),
         Gesture::Click(point) => {
             if let Some(action) = hud.action_at(point) {
-                session.apply(action);
-                return;
+                return session.apply(action);
             }
             match hud.board_at(point) {
-                Some((Pane::Probe, _)) => session.probe(None),
-                Some((Pane::Table, _)) => session.apply(Action::Measure),
+                Some((Part::Probe, _)) => session.probe(None),
+                Some((Part::Table, _)) => session.apply(Action::Measure),
+                Some((Part::Help, _)) => {}
+                _ if session.state().help => session.apply(Action::Help),
                 Some(_) => {}
-                None if session.overlay().shows_help() => session.apply(Action::Help),
-                None => session.probe(pixel_at(point, size)),
+                None => session.probe(hud.pixel_at(point)),
             }
         }
         Gesture::Drag { from, by } => {
-            let caught = hud.legend().is_some_and(|legend| legend.catches(from));
-            if hud.board_at(from).is_some() {
-                return;
-            }
-            if session.holds_divider() || caught {
-                session.drag_divider(f64::from(by[0]) / size[0].max(1) as f64);
-            } else {
-                let degrees = DRAG_TURN / size[0].min(size[1]).max(1) as f64;
+            let on_picture = hud.board_at(from).is_none() && picture.contains(from);
+            if session.state().drags_divider || on_picture && hud.catches_divider(from) {
+                session.drag_divider(f64::from(by[0]) / f64::from(picture.width.max(1)));
+            } else if on_picture {
+                let degrees = DRAG_TURN / f64::from(picture.width.min(picture.height).max(1));
                 // The cuboid follows the mouse, so the camera goes the other way.
                 session.apply(Action::Orbit {
                     azimuth: -f64::from(by[0]) * degrees,
@@ -48,22 +43,11 @@ pub fn respond(session: &mut Session, gesture: Gesture, size: [usize; 2]) {
                 });
             }
         }
-        Gesture::Drop => session.drop_divider(),
-        Gesture::Wheel { at, notches } => match hud.board_at(at) {
-            Some((pane, board)) => {
-                if let Some(scroll) = board.scroll() {
-                    let first = scroll.first.saturating_add_signed(-notches as isize);
-                    session.scroll_to(pane, first.min(scroll.total - scroll.seen));
-                }
+        Gesture::EndDrag => session.end_drag(),
+        Gesture::Wheel { at, notches } => {
+            if hud.board_at(at).is_none() {
+                session.apply(Action::Zoom(notches));
             }
-            None => session.apply(Action::Zoom(notches)),
-        },
+        }
     }
-}
-
-/// The pixel at `point`, where it lies in the picture.
-fn pixel_at(point: Point, size: [usize; 2]) -> Option<[usize; 2]> {
-    let [x, y] = point.map(|at| usize::try_from(at).ok());
-    let pixel = [x?, y?];
-    (pixel[0] < size[0] && pixel[1] < size[1]).then_some(pixel)
 }

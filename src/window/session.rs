@@ -13,21 +13,40 @@ use std::time::Duration;
 use fearless_simd::Level;
 
 use super::bindings::Action;
-use super::examination::Examination;
-use super::examiner::{Answer, Question};
-use super::looking::Looking;
-use super::measuring::{self, Measuring, News};
-use super::overlay::{Overlay, Pane};
-use super::probing::Probing;
-use super::statistics::Statistics;
+use super::examination::{ReferenceRequest, ReferenceResult};
+use super::frame_times::FrameTimes;
+use super::jobs::Progress;
+use super::view_state::{MESSAGE_TIME, ViewState};
 use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
-use crate::frame::Frame;
+use crate::frame::{Frame, Workers, display_step};
 use crate::memory::OutOfMemory;
+use crate::probe::{self, Probe};
 use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::systems;
-use crate::trade;
+use crate::trade::{self, Report};
+
+/// How long nothing changes before the picture is timed and examined.
+pub const REST: Duration = Duration::from_millis(100);
+
+/// How often a running measurement is shown: drawing the window takes time from what is measured.
+const PROGRESS_INTERVAL: Duration = Duration::from_millis(300);
+
+/// How long the frames of a measurement are timed, the comparison with the reference apart.
+const MEASURING_TIME: Duration = Duration::from_millis(1500);
+
+/// A measurement as it is shown.
+#[derive(Debug, Default)]
+pub enum Measuring {
+    /// None is shown.
+    #[default]
+    Off,
+    /// How far it is; nothing is known before it has told.
+    Running(Option<trade::Progress>),
+    /// What came of it.
+    Done(Box<Report>),
+}
 
 /// What has to be done anew because something changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,6 +65,8 @@ pub enum Redraw {
 pub enum Request {
     /// Saves what is shown.
     Screenshot,
+    /// Times warm frames of what is shown.
+    Time,
     /// Asks the reference about the picture.
     Examine,
     /// Starts measuring.
@@ -64,12 +85,22 @@ pub struct Session {
     tolerance: f64,
     /// When what spins has turned by one degree more.
     next_degree: Duration,
-    overlay: Overlay,
-    statistics: Statistics,
-    looking: Looking,
-    probing: Probing,
-    examination: Examination,
+    state: ViewState,
+    /// What is known of the pixel that is probed.
+    probe: Option<Probe>,
+    times: FrameTimes,
+    /// When what is shown was drawn, until its frames are timed.
+    to_be_timed: Option<Duration>,
+    /// Whether the drawn picture has one colour beside the background.
+    flat: bool,
+    /// The number of the present picture: every change makes it larger.
+    revision: u64,
+    /// When it changed, until the reference is asked about it.
+    to_be_examined: Option<Duration>,
+    reference: Option<ReferenceResult>,
     measuring: Measuring,
+    /// When the progress of a measurement is shown next.
+    next_progress: Duration,
     level: Level,
     now: Duration,
     redraw: Redraw,
@@ -87,12 +118,16 @@ impl Session {
             projection: drawing.projection,
             tolerance: drawing.tolerance,
             next_degree: Duration::ZERO,
-            overlay: Overlay::default(),
-            statistics: Statistics::default(),
-            looking: Looking::default(),
-            probing: Probing::default(),
-            examination: Examination::default(),
-            measuring: Measuring::default(),
+            state: ViewState::default(),
+            probe: None,
+            times: FrameTimes::default(),
+            to_be_timed: None,
+            flat: false,
+            revision: 0,
+            to_be_examined: Some(Duration::ZERO),
+            reference: None,
+            measuring: Measuring::Off,
+            next_progress: Duration::ZERO,
             level: drawing.level,
             now: Duration::ZERO,
             redraw: Redraw::Picture,
@@ -100,68 +135,84 @@ impl Session {
         }
     }
 
-    /// Finds out anew what there is to know of the pixel that is looked at, in a picture of `size` pixels.
+    /// Probes the pixel that is looked at anew, in a picture of `size` pixels; one outside is no longer looked at.
     ///
     /// # Errors
     /// When a row of it does not fit in memory.
     pub fn update_probe(&mut self, size: [usize; 2], level: Level) -> Result<(), OutOfMemory> {
+        let outside = |pixel: &mut [usize; 2]| pixel[0] >= size[0] || pixel[1] >= size[1];
+        self.state.pixel.take_if(outside);
         let view = self.view(size);
-        self.probing.update(&mut self.scene, &view, level)
+        let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, Workers::alone(level));
+        self.probe = self.state.pixel.map(&mut probe).transpose()?;
+        Ok(())
     }
 
-    /// Takes what was found out, unless it is about a picture that has changed since.
-    pub fn answer(&mut self, answer: Answer) {
-        if self.examination.answer(answer) {
-            self.wants(Redraw::Overlay);
-        }
-    }
-
-    /// Takes what the measurement tells, unless it is no longer shown.
-    pub fn hear(&mut self, news: News) {
-        if !self.measuring.is_running() {
-            return;
-        }
-        self.measuring = match news {
-            News::Progress(progress) => Measuring::Running(Some(progress)),
-            News::Done(report) => Measuring::Done(report),
-            News::Failed(reason) => {
-                self.say(format!("not measured: {reason}"));
-                Measuring::Off
+    /// Takes what a job has come to, unless it is about a picture that has changed since, or is no longer wanted.
+    pub fn hear(&mut self, progress: Progress) {
+        let measures = matches!(self.measuring, Measuring::Running(_));
+        match progress {
+            Progress::Examined(result) if result.revision == self.revision => {
+                self.reference = Some(result);
             }
-        };
-        self.overlay.scroll_to(Pane::Table, 0);
+            Progress::Proven(revision, proof) if revision == self.revision => {
+                if let Some(result) = &mut self.reference {
+                    result.add_proof(proof);
+                }
+            }
+            Progress::Measuring(progress) if measures => {
+                self.measuring = Measuring::Running(Some(progress));
+                if self.now < self.next_progress {
+                    return;
+                }
+                self.next_progress = self.now + PROGRESS_INTERVAL;
+            }
+            Progress::Measured(report) if measures => self.measuring = Measuring::Done(report),
+            Progress::NotMeasured(reason) if measures => {
+                self.measuring = Measuring::Off;
+                self.say(format!("not measured: {reason}"));
+            }
+            _ => return,
+        }
         self.wants(Redraw::Overlay);
     }
 
-    /// Tells the time since the start: what spins goes on, and what has stood long enough goes.
+    /// Tells the time since the start: what spins goes on, messages go, and what rests is timed and examined, in this order.
     pub fn tick(&mut self, now: Duration) {
         self.now = now;
-        if self.overlay.tick(now) {
+        if self
+            .state
+            .message
+            .take_if(|(_, until)| *until <= now)
+            .is_some()
+        {
             self.wants(Redraw::Overlay);
         }
         self.spin_on();
-        if self.examination.is_due(now) {
+        if matches!(self.measuring, Measuring::Running(_)) {
+            return;
+        }
+        let rested = |since: &mut Duration| now >= *since + REST;
+        if self.to_be_timed.take_if(rested).is_some() {
+            self.requests.push(Request::Time);
+        }
+        if self.to_be_examined.take_if(rested).is_some() {
             self.requests.push(Request::Examine);
         }
     }
 
-    /// Puts words into the window for two seconds.
+    /// Shows a message for two seconds.
     pub fn say(&mut self, text: impl Into<String>) {
-        self.overlay.say(text.into(), self.now);
+        self.state.message = Some((text.into(), self.now + MESSAGE_TIME));
         self.wants(Redraw::Overlay);
     }
 
-    /// The mouse moved, and is now over the row of this action or over none.
+    /// The mouse is now over the row of this action, or over none.
     pub fn hover(&mut self, action: Option<Action>) {
-        if self.overlay.hover(action, self.now) {
+        if self.state.hovered != action {
+            self.state.hovered = action;
             self.wants(Redraw::Overlay);
         }
-    }
-
-    /// Shows a pane from this row on.
-    pub fn scroll_to(&mut self, pane: Pane, row: usize) {
-        self.overlay.scroll_to(pane, row);
-        self.wants(Redraw::Overlay);
     }
 
     /// The window has another size.
@@ -216,23 +267,35 @@ impl Session {
             methods: METHODS.to_vec(),
             threads: 1,
             level: self.level,
-            time: measuring::TIME,
+            time: MEASURING_TIME,
             command: String::new(),
         }
     }
 
     /// What the reference is to be asked about a picture of `size` pixels.
-    pub fn question(&self, size: [usize; 2]) -> Question {
-        Question {
+    pub fn reference_request(&self, size: [usize; 2]) -> ReferenceRequest {
+        ReferenceRequest {
             scene: self.scene.snapshot(),
             view: self.view(size),
-            revision: self.revision(),
+            revision: self.revision,
         }
     }
 
-    /// Notes what drawing `frame` took.
-    pub fn record(&mut self, time: Duration, frame: &Frame) {
-        self.statistics.record(time, frame.counts(), frame.size());
+    /// Notes what the picture of these pixels took when it was drawn first.
+    pub fn drawn(&mut self, times: FrameTimes, pixels: &[u32]) {
+        let [red, green, blue] = self.scene.background.to_array().map(display_step);
+        let background = u32::from_be_bytes([0, red, green, blue]);
+        let mut covered = pixels.iter().filter(|pixel| **pixel != background);
+        let first = covered.next();
+        self.flat = first.is_some_and(|first| covered.all(|pixel| pixel == first));
+        self.times = times;
+        self.to_be_timed = Some(self.now);
+    }
+
+    /// Notes what warm frames of what is shown take.
+    pub fn timed(&mut self, times: FrameTimes) {
+        self.times = times;
+        self.wants(Redraw::Overlay);
     }
 
     /// What has to be done anew since this was last asked.
@@ -251,10 +314,12 @@ impl Session {
 
     /// The picture is another one.
     fn changed(&mut self) {
-        self.examination.restart(self.now);
-        self.requests
-            .retain(|request| !matches!(request, Request::Examine | Request::Measure));
+        self.revision += 1;
+        self.to_be_examined = Some(self.now);
+        self.reference = None;
         self.measuring = Measuring::Off;
+        self.requests
+            .retain(|request| matches!(request, Request::Screenshot | Request::Quit));
         self.wants(Redraw::Picture);
     }
 

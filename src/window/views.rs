@@ -16,7 +16,7 @@ pub enum ViewMode {
     Picture,
     /// Gouraud left of a divider, Phong right of it.
     GouraudPhong,
-    /// The picture left of a divider, the reference in its own mode right of it.
+    /// The picture left of a divider, the reference, exact Phong, right of it.
     MethodReference,
     /// How far the picture errs from exact Phong.
     ErrorMap,
@@ -45,11 +45,11 @@ impl ViewMode {
         }
     }
 
-    /// The next one, after the last the first.
+    /// The one so many steps on, or back where negative; the first follows the last.
     #[must_use]
-    pub fn next(self) -> Self {
-        let place = ViewMode::ALL.iter().position(|mode| *mode == self);
-        ViewMode::ALL[place.map_or(0, |place| (place + 1) % ViewMode::ALL.len())]
+    pub fn stepped(self, steps: i32) -> Self {
+        let count = ViewMode::ALL.len() as i32;
+        ViewMode::ALL[(self as i32 + steps).rem_euclid(count) as usize]
     }
 
     /// Whether a divider parts two pictures.

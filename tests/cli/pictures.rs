@@ -76,7 +76,7 @@ fn render_says_what_it_wrote_what_was_shaded_and_what_a_frame_takes() {
     assert!(
         bytes
             .chunks_exact(3)
-            .all(|pixel| pixel == [0, 0, 0] || pixel == [20, 20, 24])
+            .all(|pixel| pixel == [0, 0, 0] || pixel == [236, 238, 240])
     );
 }
 

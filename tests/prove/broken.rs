@@ -38,7 +38,7 @@ fn shown(scene: &naive::Scene<f64>, pixel: usize, face: Option<usize>, model: Mo
     let at = [pixel % SIZE[0], pixel / SIZE[0]];
     Shown {
         face,
-        levels: face.map_or([20.0, 20.0, 24.0], |face| scene.levels(face, at, model)),
+        levels: face.map_or([236.0, 238.0, 240.0], |face| scene.levels(face, at, model)),
         bytes: None,
     }
 }

@@ -10,7 +10,7 @@ use shadetrade::canvas::Point;
 use tempfile::TempDir;
 
 /// How long anything may take before it counts as failed.
-const PATIENCE: Duration = Duration::from_secs(20);
+const PATIENCE: Duration = Duration::from_secs(60);
 
 /// An X server without a screen to look at.
 struct Display {

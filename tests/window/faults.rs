@@ -123,3 +123,24 @@ fn a_storm_of_keys_and_sizes_leaves_a_window_that_answers() {
     program.press("q");
     program.end();
 }
+
+#[test]
+fn a_library_that_is_missing_is_told_and_is_no_missing_display() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for name in ["libXcursor.so", "libXcursor.so.1"] {
+        fs::write(folder.path().join(name), "no library").expect("written");
+    }
+    let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
+        .current_dir(folder.path())
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("XMODIFIERS")
+        .env("DISPLAY", ":12345")
+        .env("LD_LIBRARY_PATH", folder.path())
+        .output()
+        .expect("the program starts");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("XCursor"), "{said}");
+    let entries = fs::read_dir(folder.path()).expect("listed").count();
+    assert_eq!(entries, 2, "no figures are drawn instead");
+}

@@ -1,30 +1,28 @@
-//! What lies over the picture: that it says what it must.
+//! What panel and help say.
 
-use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::canvas::{Point, Rect};
-use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::window::bindings::{Action, BINDINGS};
 use shadetrade::window::hud::board::Board;
 use shadetrade::window::hud::lines::{Command, Line, Mark};
-use shadetrade::window::hud::{Hud, Shown};
-use shadetrade::window::input::Gesture;
-use shadetrade::window::response::respond;
+use shadetrade::window::hud::{Hud, Part};
 use shadetrade::window::session::Session;
 
-use super::{SIZE, default_session, mixed_session, press};
-
-/// What a picture holds before anything is drawn over it: a colour that no ink mixes to.
-pub(super) const UNTOUCHED: u32 = 0x0001_0203;
+use super::{SIZE, default_session, mixed_session, press, session_of};
 
 pub(super) fn hud(session: &Session, size: [usize; 2]) -> Hud {
-    Hud::new(session, size, Shown::All)
+    Hud::new(session, size)
 }
 
-pub(super) fn commands(board: &Board) -> Vec<(&Command, Rect)> {
-    board
-        .rows()
-        .iter()
+/// The first board of this kind.
+pub(super) fn board(hud: &Hud, part: Part) -> &Board {
+    hud.boards(part).next().expect("there is room")
+}
+
+pub(super) fn commands(hud: &Hud, part: Part) -> Vec<(&Command, Rect)> {
+    hud.boards(part)
+        .flat_map(Board::rows)
         .filter_map(|(line, rect)| match line {
             Line::Command(command) => Some((command, *rect)),
             _ => None,
@@ -32,21 +30,17 @@ pub(super) fn commands(board: &Board) -> Vec<(&Command, Rect)> {
         .collect()
 }
 
-fn middle(rect: Rect) -> Point {
-    [rect.x + rect.width / 2, rect.y + rect.height / 2]
-}
-
-/// The middle of the row that does `action`.
-pub(super) fn row_of(board: &Board, action: Action) -> Option<Point> {
-    commands(board)
-        .into_iter()
-        .find(|(command, _)| command.action == action)
-        .map(|(_, rect)| middle(rect))
+/// A place where a click does `action`, among the rows of `part`.
+pub(super) fn place_of(hud: &Hud, part: Part, action: Action) -> Option<Point> {
+    let rows = commands(hud, part).into_iter();
+    let mut points =
+        rows.flat_map(|(_, row)| (row.x..row.right()).map(move |x| [x, row.y + row.height / 2]));
+    points.find(|point| hud.action_at(*point) == Some(action))
 }
 
 /// A row's keys, its mark (`#` on, `.` off), its label and its state.
-fn in_words(board: &Board) -> Vec<String> {
-    commands(board)
+fn in_words(hud: &Hud) -> Vec<String> {
+    commands(hud, Part::Panel)
         .into_iter()
         .map(|(command, _)| {
             let mark = match command.mark {
@@ -54,127 +48,49 @@ fn in_words(board: &Board) -> Vec<String> {
                 Mark::Switch(true, _) | Mark::Choice(true) => '#',
                 Mark::Switch(false, _) | Mark::Choice(false) => '.',
             };
-            let keys = command.captions.join(" ");
-            format!("{keys} {mark} {} {}", command.label, command.state)
+            let keys: Vec<_> = command.keys.iter().map(|(caption, _)| *caption).collect();
+            format!(
+                "{} {mark} {} {}",
+                keys.join(" "),
+                command.label,
+                command.state
+            )
         })
         .collect()
 }
 
 #[test]
-fn the_panel_shows_each_light_mode_projection_and_camera_with_its_key_and_state() {
+fn the_panel_shows_each_light_mode_projection_camera_and_view_with_its_key_and_state() {
     let mut session = default_session();
-    press(&mut session, Key::R);
-    let hud = hud(&session, SIZE);
-    let panel = hud.panel().expect("there is room");
-    let rows = in_words(panel);
-    let expected = [
-        "1 W # white on",
-        "2 R . red off",
-        "3 S # specular on",
-        "4 A # ambient on",
-        "G # Gouraud ",
-        "P . Phong ",
-        "[ ]   tolerance 0.5",
-        "O # perspective ",
-        "O . orthographic ",
-        "C # 1 ",
-        "C . 2 ",
-        "Tab # picture ",
-        "Tab . Gouraud | Phong ",
-        "Tab . method | reference ",
-        "Tab . error map ",
-        "Tab . tiles ",
-        "B . hold: reference off",
-        "M . measure methods off",
-        "Home   reset view ",
-        "Space . turn cuboids off",
-        "I # panel on",
-        "H . help off",
-    ];
-    assert_eq!(rows, expected);
-    let facts: Vec<_> = panel
-        .rows()
-        .iter()
-        .filter_map(|(line, _)| match line {
-            Line::Fact(name, _) => Some(*name),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(
-        facts,
-        [
-            "frame",
-            "proven",
-            "window",
-            "error",
-            "vs Phong",
-            "vs own mode"
-        ]
-    );
-}
-
-#[test]
-fn in_a_small_window_one_row_stands_for_every_key_and_tells_the_present_state() {
-    let small = [640, 480];
-    let mut session = default_session();
-    for key in [Key::R, Key::P, Key::O, Key::C, Key::Tab] {
-        press(&mut session, key);
-    }
-    let rows = in_words(hud(&session, small).panel().expect("there is room"));
-    let expected = [
-        "1 W # white on",
-        "2 R . red off",
-        "3 S # specular on",
-        "4 A # ambient on",
-        "G . Gouraud ",
-        "P # Phong ",
-        "[ ]   within 0.5 ",
-        "O   orthographic ",
-        "C   camera 2 ",
-        "Tab   Gouraud | Phong ",
-        "I # panel on",
-        "H . help off",
-    ];
-    assert_eq!(rows, expected);
-    // A click goes on to the next state.
-    for (action, next) in [
-        (Action::NextTolerance, "within 1"),
-        (Action::NextProjection, "perspective"),
-        (Action::NextCamera, "camera 1"),
-        (Action::NextView, "method | reference"),
+    for (keys, expected) in [
+        (
+            vec![],
+            [
+                "1 W # white on",
+                "G # Gouraud ",
+                "O   projection perspective",
+                "C   camera 1",
+                "Tab   view picture",
+            ],
+        ),
+        (
+            vec![Key::W, Key::P, Key::O, Key::C, Key::Tab],
+            [
+                "1 W . white off",
+                "G . Gouraud ",
+                "O   projection orthographic",
+                "C   camera 2",
+                "Tab   view Gouraud | Phong",
+            ],
+        ),
     ] {
-        let row = row_of(hud(&session, small).panel().expect("there is room"), action);
-        let gesture = Gesture::Click(row.expect("a row"));
-        respond(&mut session, gesture, small);
-        let rows = in_words(hud(&session, small).panel().expect("there is room"));
-        assert!(
-            rows.iter().any(|row| row.contains(next)),
-            "{next}: {rows:?}"
-        );
-    }
-}
-
-#[test]
-fn the_panel_leaves_the_cuboid_of_the_first_sight_free() {
-    for (size, allowance) in [
-        (SIZE, 0),
-        ([1280, 720], 0),
-        ([1920, 1080], 0),
-        ([640, 480], 8),
-    ] {
-        let mut session = default_session();
-        let workers = Workers::new(1, Level::new()).expect("no thread is needed");
-        let mut frame = Frame::new(Keep::Levels, workers);
-        session.draw(size, &mut frame).expect("there is memory");
-        let drawn = (0..)
-            .zip(frame.triangles())
-            .filter(|(_, triangle)| **triangle != NO_TRIANGLE);
-        let leftmost = drawn.map(|(index, _)| index % size[0]).min();
-        let panel = hud(&session, size).panel().expect("there is room").rect();
-        assert!(
-            panel.right() <= leftmost.expect("a cuboid") as i32 + allowance,
-            "{size:?}"
-        );
+        for key in keys {
+            press(&mut session, key);
+        }
+        let rows = in_words(&hud(&session, SIZE));
+        for row in expected {
+            assert!(rows.iter().any(|it| it == row), "{row}: {rows:?}");
+        }
     }
 }
 
@@ -182,30 +98,61 @@ fn the_panel_leaves_the_cuboid_of_the_first_sight_free() {
 fn where_cuboids_differ_no_mode_is_marked() {
     let session = mixed_session();
     let hud = hud(&session, SIZE);
-    let marks: Vec<_> = commands(hud.panel().expect("there is room"))
-        .into_iter()
-        .filter(|(command, _)| matches!(command.action, Action::Shading(_)))
+    let rows = commands(&hud, Part::Panel).into_iter();
+    let shading = |command: &Command| matches!(command.keys[0].1, Action::Shading(_));
+    let marks: Vec<_> = rows
+        .filter(|(command, _)| shading(command))
         .map(|(command, _)| command.mark)
         .collect();
     assert_eq!(marks, [Mark::Choice(false); 2]);
 }
 
 #[test]
-fn the_help_tells_every_key() {
+fn lights_beyond_the_ninth_are_counted() {
+    let lamps = (0..8).map(|index| {
+        format!("[[light]]\nname = \"lamp {index}\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 1.0\n")
+    });
+    let text: String = [BUILT_IN[0].1.to_owned()]
+        .into_iter()
+        .chain(lamps)
+        .collect();
+    let session = session_of(Scene::parse("many.toml", &text).expect("a valid scene"));
+    let hud = hud(&session, SIZE);
+    let rows = board(&hud, Part::Panel).rows().iter();
+    let counted = |line: &Line| matches!(line, Line::Text(text) if text.contains("3 more"));
+    assert!(rows.clone().any(|(line, _)| counted(line)));
+    assert!(place_of(&hud, Part::Panel, Action::Light(8)).is_some());
+}
+
+#[test]
+fn the_help_tells_every_key_and_what_the_mouse_does() {
     let mut session = default_session();
     session.apply(Action::Help);
     let hud = hud(&session, SIZE);
-    let captions: Vec<&str> = commands(hud.help().expect("there is room"))
-        .into_iter()
-        .flat_map(|(command, _)| command.captions.clone())
-        .collect();
+    let rows = commands(&hud, Part::Help);
+    let lights = session.scene().lights.len();
     for binding in BINDINGS
         .iter()
-        .filter(|binding| !matches!(binding.action, Action::Light(4..)))
+        .filter(|it| !matches!(it.action, Action::Light(index) if index >= lights))
     {
         for caption in binding.captions {
-            assert!(captions.contains(caption), "{caption}");
+            let has = |command: &Command| command.keys.contains(&(caption, binding.action));
+            let rows = rows.iter().filter(|(command, _)| has(command));
+            assert_eq!(rows.count(), 1, "{caption}");
         }
+    }
+    let all = hud.boards(Part::Help).flat_map(Board::rows);
+    let facts: Vec<_> = all
+        .filter_map(|(line, _)| match line {
+            Line::Fact(name, does) => Some(format!("{name}: {does}")),
+            _ => None,
+        })
+        .collect();
+    for word in ["probe", "divider"] {
+        assert!(
+            facts.iter().any(|it| it.contains(word)),
+            "{word}: {facts:?}"
+        );
     }
 }
 
@@ -218,38 +165,63 @@ fn the_help_tells_the_state_as_it_is_now() {
     }
     let hud = hud(&session, SIZE);
     let state = |action| {
-        let rows = commands(hud.help().expect("there is room"));
-        rows.into_iter()
-            .find(|(command, _)| command.action == action)
+        let mut rows = commands(&hud, Part::Help).into_iter();
+        rows.find(|(command, _)| command.keys.iter().any(|(_, it)| *it == action))
             .map(|(command, _)| command.state.clone())
     };
-    assert_eq!(
-        state(Action::Orbit {
-            azimuth: 2.0,
-            elevation: 0.0
-        })
-        .as_deref(),
-        Some("4\u{b0}")
-    );
+    let right = Action::Orbit {
+        azimuth: 2.0,
+        elevation: 0.0,
+    };
+    assert_eq!(state(right).as_deref(), Some("4\u{b0}"));
     assert_eq!(state(Action::Zoom(1)).as_deref(), Some("1.10\u{d7}"));
     assert_eq!(state(Action::Light(0)).as_deref(), Some("off"));
 }
 
+/// The window's pixels around a picture of one colour.
+pub(super) fn pixels(session: &Session, picture: u32) -> Vec<u32> {
+    let hud = hud(session, SIZE);
+    let rect = hud.picture();
+    let mut shown = Vec::new();
+    let picture = vec![picture; (rect.width * rect.height) as usize];
+    hud.draw(&picture, false, &mut shown);
+    shown
+}
+
 #[test]
 fn on_and_off_differ_without_colour() {
+    // The light's colour is what a mark is filled with: without colour there is its brightness left.
     let mut session = default_session();
-    let mark = |session: &Session| {
-        let mut pixels = vec![UNTOUCHED; SIZE[0] * SIZE[1]];
-        let hud = hud(session, SIZE);
-        hud.draw(&mut pixels);
-        let row = row_of(hud.panel().expect("there is room"), Action::Light(1)).expect("a row");
-        // The brightest green in the row's left part, where keys and mark stand but no words: red has none.
-        let left = (0..40)
-            .map(|x| 40 + x)
-            .map(|x| pixels[row[1] as usize * SIZE[0] + x] >> 8 & 0xff);
-        left.collect::<Vec<_>>()
+    let hud = hud(&session, SIZE);
+    let rows = commands(&hud, Part::Panel);
+    let (_, row) = rows
+        .iter()
+        .find(|(command, _)| command.keys[0].1 == Action::Light(1))
+        .expect("a row");
+    let half = Rect {
+        width: row.width / 2,
+        ..*row
     };
-    let on = mark(&session);
+    // Red's mark has neither green nor blue: the row's left half, without the words "on" and "off", in grey.
+    let grey = |session: &Session| {
+        let pixels = pixels(session, 0);
+        let rows =
+            (half.y..half.bottom()).flat_map(|y| (half.x..half.right()).map(move |x| (x, y)));
+        let pixel = |(x, y)| pixels[y as usize * SIZE[0] + x as usize];
+        let brightness = |pixel: u32| {
+            pixel
+                .to_be_bytes()
+                .iter()
+                .map(|it| u32::from(*it))
+                .sum::<u32>()
+        };
+        rows.map(|at| brightness(pixel(at))).sum::<u32>()
+    };
+    let on = grey(&session);
     press(&mut session, Key::R);
-    assert_ne!(mark(&session), on);
+    let off = grey(&session);
+    assert!(
+        on > off + 255 * 20,
+        "{on} {off}: a filled mark of many pixels"
+    );
 }

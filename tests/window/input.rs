@@ -130,7 +130,7 @@ fn a_press_that_moves_four_pixels_is_a_drag_that_loses_no_movement() {
         input.handle(Event::MouseAt([100, 99]), at(4)),
         drag([-4, -1])
     );
-    assert_eq!(input.handle(Event::MouseUp, at(5)), Some(Gesture::Drop));
+    assert_eq!(input.handle(Event::MouseUp, at(5)), Some(Gesture::EndDrag));
     assert_eq!(
         input.handle(Event::MouseAt([90, 90]), at(6)),
         Some(Gesture::Hover([90, 90]))

@@ -5,13 +5,13 @@
 mod desktop;
 #[cfg(target_os = "linux")]
 mod display;
-mod examiner;
+mod examination;
 #[cfg(target_os = "linux")]
 mod faults;
 mod fit;
 mod hud;
 mod input;
-mod measuring;
+mod jobs;
 mod orbit;
 mod pointing;
 mod probing;
@@ -25,13 +25,15 @@ use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::components::{Projection, ShadingMode, Spin, Transform};
 use shadetrade::drawing::Drawing;
+use shadetrade::frame::Workers;
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::{Action, BINDINGS, Section};
-use shadetrade::window::hud::lines;
-use shadetrade::window::input::{Event, Input};
+use shadetrade::window::composition::Composition;
+use shadetrade::window::frame_times::{FRAMES, Spread};
+use shadetrade::window::hud::{Hud, lines};
+use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
-use shadetrade::window::statistics::Statistics;
 
 /// The size of the window in these tests, in pixels.
 const SIZE: [usize; 2] = [960, 720];
@@ -97,8 +99,14 @@ fn mixed_session() -> Session {
 fn press(session: &mut Session, key: Key) {
     let mut input = Input::default();
     if let Some(gesture) = input.handle(Event::KeyDown(key), Duration::ZERO) {
-        respond(session, gesture, SIZE);
+        does(session, gesture);
     }
+}
+
+/// What the user does in a window of [`SIZE`].
+fn does(session: &mut Session, gesture: Gesture) {
+    let hud = Hud::new(session, SIZE);
+    respond(session, gesture, &hud);
 }
 
 fn lights_on(session: &Session) -> Vec<bool> {
@@ -117,7 +125,7 @@ fn the_window_opens_on_what_the_scene_says() {
     assert_eq!(session.projection(), Projection::Perspective);
     assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
     assert_eq!(session.view(SIZE).tolerance, 0.5);
-    assert!(session.overlay().shows_panel());
+    assert!(session.state().panel);
     assert_eq!(session.take_redraw(), Redraw::Picture);
     assert_eq!(session.take_redraw(), Redraw::Nothing);
 }
@@ -148,13 +156,13 @@ fn a_light_that_does_not_exist_is_said_for_two_seconds() {
     ] {
         session.tick(Duration::from_secs(10));
         press(&mut session, key);
-        assert_eq!(session.overlay().message(), Some(words));
+        assert_eq!(session.state().message(), Some(words));
         session.take_redraw();
         session.tick(Duration::from_millis(11_999));
-        assert_eq!(session.overlay().message(), Some(words));
+        assert_eq!(session.state().message(), Some(words));
         assert_eq!(session.take_redraw(), Redraw::Nothing);
         session.tick(Duration::from_secs(12));
-        assert_eq!(session.overlay().message(), None);
+        assert_eq!(session.state().message(), None);
         assert_eq!(session.take_redraw(), Redraw::Overlay);
     }
     assert_eq!(lights_on(&session), [true]);
@@ -210,7 +218,7 @@ fn brackets_and_page_keys_step_the_tolerance() {
                 press(&mut session, key);
                 seen.push(session.view(SIZE).tolerance);
             }
-            (seen, session.overlay().message().map(str::to_owned))
+            (seen, session.state().message().map(str::to_owned))
         };
         let (seen, words) = steps(coarser);
         assert_eq!(seen, [1.0, 2.0, 4.0, 8.0, 8.0, 8.0, 8.0]);
@@ -219,17 +227,6 @@ fn brackets_and_page_keys_step_the_tolerance() {
         assert_eq!(seen, [4.0, 2.0, 1.0, 0.5, 0.25, 0.0, 0.0]);
         assert_eq!(words.as_deref(), Some("no finer than exact"));
     }
-}
-
-#[test]
-fn a_click_on_the_tolerance_goes_round() {
-    let mut session = default_session();
-    let mut seen = Vec::new();
-    for _ in 0..7 {
-        session.apply(Action::NextTolerance);
-        seen.push(session.tolerance());
-    }
-    assert_eq!(seen, [1.0, 2.0, 4.0, 8.0, 0.0, 0.25, 0.5]);
 }
 
 #[test]
@@ -251,7 +248,7 @@ fn c_goes_round_the_cameras_as_the_scene_has_them() {
     assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
     let mut lonely = mixed_session();
     press(&mut lonely, Key::C);
-    assert_eq!(lonely.overlay().message(), Some("there is one camera"));
+    assert_eq!(lonely.state().message(), Some("there is one camera"));
 }
 
 #[test]
@@ -307,9 +304,9 @@ fn space_turns_one_degree_in_thirty_milliseconds_about_the_own_x_axis() {
 fn escape_closes_the_help_first_and_quits_when_none_is_open() {
     let mut session = default_session();
     press(&mut session, Key::F1);
-    assert!(session.overlay().shows_help());
+    assert!(session.state().help);
     press(&mut session, Key::Escape);
-    assert!(!session.overlay().shows_help());
+    assert!(!session.state().help);
     assert_eq!(session.take_requests(), []);
     press(&mut session, Key::Escape);
     assert_eq!(session.take_requests(), [Request::Quit]);
@@ -326,7 +323,8 @@ fn every_key_and_every_character_calls_up_one_command() {
     for (index, binding) in BINDINGS.iter().enumerate() {
         for other in &BINDINGS[index + 1..] {
             assert!(
-                binding.keys.iter().all(|key| !other.keys.contains(key)),
+                binding.shift != other.shift
+                    || binding.keys.iter().all(|key| !other.keys.contains(key)),
                 "{binding:?}"
             );
             assert!(
@@ -338,61 +336,94 @@ fn every_key_and_every_character_calls_up_one_command() {
             );
             assert_ne!(binding.action, other.action);
         }
-        let named = matches!(
-            binding.section,
-            Section::Lights | Section::Shading | Section::Projection | Section::Camera
-        ) || binding.action == Action::NextView;
+        let named =
+            binding.section == Section::Lights || matches!(binding.action, Action::Shading(_));
         assert_eq!(binding.says.is_empty(), named, "{binding:?}");
     }
 }
 
 #[test]
-fn the_frame_around_the_window_tells_the_state_and_where_to_find_help() {
+fn the_frame_around_the_window_tells_the_state_and_how_to_get_panel_and_help() {
     let mut session = default_session();
-    assert_eq!(
-        lines::title(&session),
-        "shadetrade: cuboid, Gouraud, perspective, camera 1 - H for help"
-    );
+    for words in ["cuboid", "Gouraud", "perspective", "camera 1", "H for help"] {
+        assert!(lines::title(&session, true).contains(words), "{words}");
+    }
     for key in [Key::P, Key::O, Key::C] {
         press(&mut session, key);
     }
-    assert_eq!(
-        lines::title(&session),
-        "shadetrade: cuboid, Phong, orthographic, camera 2 - H for help"
-    );
+    for words in ["Phong", "orthographic", "camera 2"] {
+        assert!(lines::title(&session, true).contains(words), "{words}");
+    }
+    assert!(lines::title(&session, false).contains("no room for the panel"));
+    press(&mut session, Key::I);
+    assert!(lines::title(&session, false).contains("I for the panel"));
 }
 
 #[test]
-fn the_frame_time_is_the_median_of_the_last_sixty() {
-    let mut statistics = Statistics::default();
-    assert_eq!(statistics.frame_time(), None);
-    let mut record = |milliseconds: u64| {
-        let counts = shadetrade::frame::Counts {
-            covered_pixels: 7,
-            ..Default::default()
-        };
-        statistics.record(Duration::from_millis(milliseconds), counts, [3, 2]);
-        statistics.frame_time().expect("a frame was recorded")
+fn the_spread_of_times_is_their_quartiles() {
+    assert_eq!(Spread::of(&[]), None);
+    let spread = |times: &[u64]| {
+        let times: Vec<_> = times.iter().map(|it| Duration::from_millis(*it)).collect();
+        let spread = Spread::of(&times).expect("there are times");
+        [spread.lower, spread.median, spread.upper].map(|it| it.as_millis())
     };
-    assert_eq!(record(9), Duration::from_millis(9));
-    assert_eq!(record(1), Duration::from_millis(5));
-    assert_eq!(record(2), Duration::from_millis(2));
-    // Sixty more push the first three out: 1, 2, .. 60.
-    assert_eq!(
-        (1..=60).map(record).last(),
-        Some(Duration::from_micros(30_500))
-    );
-    assert_eq!((statistics.shaded_pixels(), statistics.size()), (7, [3, 2]));
+    assert_eq!(spread(&[7]), [7, 7, 7]);
+    assert_eq!(spread(&[9, 1, 8, 2, 7, 3, 6, 4, 5]), [3, 5, 7]);
+    assert_eq!(spread(&[4, 3, 2, 1]), [1, 2, 3]);
+}
+
+/// How many frames of each side are timed when it is drawn, whether more are asked for when it has rested for long
+/// enough, and how many are timed then.
+fn timed(
+    session: &mut Session,
+    composition: &mut Composition,
+    now: u64,
+) -> ([usize; 2], bool, [usize; 2]) {
+    if session.take_redraw() == Redraw::Picture {
+        composition
+            .draw(session, [96, 72])
+            .expect("there is memory");
+    }
+    let frames = |session: &Session| session.times().sides.each_ref().map(Vec::len);
+    let first = frames(session);
+    session.tick(Duration::from_millis(now));
+    let asked = session.take_requests().contains(&Request::Time);
+    if asked {
+        composition.time(session).expect("there is memory");
+    }
+    (first, asked, frames(session))
+}
+
+#[test]
+fn whatever_is_shown_is_timed_when_it_rests_and_what_moves_is_not() {
+    let mut session = default_session();
+    let mut composition = Composition::new(Workers::alone(Level::new()));
+    let once = ([1, 0], true, [FRAMES, 0]);
+    let known = ([FRAMES, 0], false, [FRAMES, 0]);
+    assert_eq!(timed(&mut session, &mut composition, 101), once);
+    assert_eq!(timed(&mut session, &mut composition, 202), known);
+    for (key, now) in [(Key::P, 303), (Key::LeftBracket, 404), (Key::W, 505)] {
+        press(&mut session, key);
+        assert_eq!(timed(&mut session, &mut composition, now), once, "{key:?}");
+    }
+    press(&mut session, Key::Tab);
+    let both = ([1, 1], true, [FRAMES, FRAMES]);
+    assert_eq!(timed(&mut session, &mut composition, 606), both);
+    press(&mut session, Key::Space);
+    for now in (640..2000).step_by(30) {
+        let (_, asked, _) = timed(&mut session, &mut composition, now);
+        assert!(!asked, "it turns");
+    }
 }
 
 #[test]
 fn zooming_past_the_end_says_so() {
     let mut session = default_session();
     session.apply(Action::Zoom(1000));
-    assert_eq!(session.overlay().message(), None);
+    assert_eq!(session.state().message(), None);
     session.apply(Action::Zoom(1));
-    assert_eq!(session.overlay().message(), Some("no closer than this"));
+    assert_eq!(session.state().message(), Some("no closer than this"));
     session.apply(Action::Zoom(-10_000));
     session.apply(Action::Zoom(-1));
-    assert_eq!(session.overlay().message(), Some("no further than this"));
+    assert_eq!(session.state().message(), Some("no further than this"));
 }

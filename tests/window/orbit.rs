@@ -118,7 +118,7 @@ fn zooming_in_stops_outside_of_the_cuboid_and_its_near_plane() {
     let distance = session.view(SIZE).viewpoint.position.length();
     let size = 2.0 * 2.6926;
     assert!(
-        distance <= 1000.0 * size && distance > 900.0 * size,
+        distance <= 30.0 * size && distance > 27.0 * size,
         "{distance}"
     );
 }

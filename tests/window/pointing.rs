@@ -1,24 +1,22 @@
-//! What the mouse does with what lies over the picture, and that all of it can be clicked.
+//! What the mouse does with what lies around and over the picture, and that all of it can be clicked.
 
-use std::iter;
 use std::time::Duration;
 
 use minifb::Key;
 use shadetrade::canvas::Point;
-use shadetrade::components::{Projection, ShadingMode};
-use shadetrade::scene::{BUILT_IN, Scene};
+use shadetrade::components::ShadingMode;
 use shadetrade::window::bindings::{Action, BINDINGS};
-use shadetrade::window::hud::{Hud, Shown};
-use shadetrade::window::input::Gesture;
+use shadetrade::window::hud::{Hud, Part};
+use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 use shadetrade::window::views::ViewMode;
 
-use super::hud::{UNTOUCHED, commands, hud, row_of};
-use super::{SIZE, default_session, press, session_of};
+use super::hud::{board, hud, pixels, place_of};
+use super::{SIZE, default_session, does};
 
 fn click(session: &mut Session, point: Point) {
-    respond(session, Gesture::Click(point), SIZE);
+    does(session, Gesture::Click(point));
 }
 
 /// Everything about a session that a command can change.
@@ -27,45 +25,17 @@ fn state(session: &mut Session) -> String {
     let lights: Vec<_> = (0..4)
         .map(|index| session.light(index).map(|light| light.on))
         .collect();
-    let overlay = session.overlay();
-    let shown = (
-        overlay.shows_panel(),
-        overlay.shows_help(),
-        overlay.message().map(str::to_owned),
-    );
     let turned = session.spin().degrees;
     let requests = session.take_requests();
-    format!(
-        "{:?}",
-        (
-            session.view(SIZE),
-            lights,
-            shown,
-            turned,
-            session.view_mode(),
-            session.blinks(),
-            requests
-        )
-    )
+    let (view, state) = (session.view(SIZE), session.state());
+    format!("{:?}", (view, lights, state, turned, requests))
 }
 
 #[test]
-fn a_click_in_the_help_does_what_the_key_does() {
-    let shown = |action| match action {
-        // What steps through several states has a row for each of them; here the one that the step leads to.
-        Action::Tolerance(1) => Action::NextTolerance,
-        Action::NextProjection => Action::Projection(Projection::Orthographic),
-        Action::NextCamera => Action::Camera(1),
-        Action::NextView => Action::Show(ViewMode::GouraudPhong),
-        Action::LightNamed("white") => Action::Light(0),
-        Action::LightNamed("red") => Action::Light(1),
-        Action::LightNamed("specular") => Action::Light(2),
-        Action::LightNamed("ambient") => Action::Light(3),
-        other => other,
-    };
+fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
+    let lights = default_session().scene().lights.len();
     for binding in BINDINGS {
-        // A click steps the tolerance one way only.
-        if matches!(binding.action, Action::Light(4..) | Action::Tolerance(-1)) {
+        if matches!(binding.action, Action::Light(index) if index >= lights) {
             continue;
         }
         let [mut pressed, mut clicked] = [default_session(), default_session()];
@@ -73,15 +43,18 @@ fn a_click_in_the_help_does_what_the_key_does() {
             session.apply(Action::Help);
             session.take_redraw();
         }
-        let point = row_of(
-            hud(&clicked, SIZE).help().expect("there is room"),
-            shown(binding.action),
-        );
+        let point = place_of(&hud(&clicked, SIZE), Part::Help, binding.action);
         click(
             &mut clicked,
-            point.unwrap_or_else(|| panic!("no row for {binding:?}")),
+            point.unwrap_or_else(|| panic!("no key for {binding:?}")),
         );
-        press(&mut pressed, binding.keys[0]);
+        let mut input = Input::default();
+        let shift = binding.shift.then_some(Key::LeftShift);
+        for key in shift.iter().chain(&binding.keys[..1]) {
+            if let Some(gesture) = input.handle(Event::KeyDown(*key), Duration::ZERO) {
+                does(&mut pressed, gesture);
+            }
+        }
         let changed = pressed.take_redraw();
         assert_eq!(clicked.take_redraw(), changed, "{binding:?}");
         let quiet = matches!(binding.action, Action::Screenshot | Action::Quit);
@@ -91,147 +64,108 @@ fn a_click_in_the_help_does_what_the_key_does() {
 }
 
 #[test]
+fn a_click_on_a_bracket_steps_the_tolerance_as_the_bracket_says_and_never_round() {
+    let mut session = default_session();
+    for (action, expected) in [
+        (Action::Tolerance(-1), [0.25, 0.0, 0.0]),
+        (Action::Tolerance(1), [0.25, 0.5, 1.0]),
+        (Action::Tolerance(1), [2.0, 4.0, 8.0]),
+        (Action::Tolerance(1), [8.0, 8.0, 8.0]),
+    ] {
+        let key = place_of(&hud(&session, SIZE), Part::Panel, action).expect("a key");
+        for tolerance in expected {
+            click(&mut session, key);
+            assert_eq!(session.tolerance(), tolerance);
+        }
+    }
+}
+
+#[test]
 fn panel_and_help_come_before_the_picture() {
     let mut session = default_session();
-    let title = [40, 30];
+    let title = [40, 10];
     let drag = |from| Gesture::Drag { from, by: [50, 0] };
-    respond(&mut session, drag(title), SIZE);
-    respond(
-        &mut session,
-        Gesture::Wheel {
-            at: title,
-            notches: 1,
-        },
-        SIZE,
-    );
+    let wheel = |at| Gesture::Wheel { at, notches: 1 };
+    does(&mut session, drag(title));
+    does(&mut session, wheel(title));
     assert_eq!(session.orbit(), shadetrade::components::Orbit::default());
-    respond(&mut session, drag([600, 300]), SIZE);
+    does(&mut session, drag([600, 300]));
     assert!(
         session.orbit().azimuth < 0.0,
         "the cuboid follows the mouse to the right"
     );
-    respond(
-        &mut session,
-        Gesture::Wheel {
-            at: [600, 300],
-            notches: 1,
-        },
-        SIZE,
-    );
+    does(&mut session, wheel([600, 300]));
     assert_eq!(session.orbit().zoom, 1);
     // The help lies over the panel.
     session.apply(Action::Help);
-    let over = hud(&session, SIZE).help().expect("there is room").rect();
-    let panel = hud(&session, SIZE).panel().expect("there is room").rect();
-    assert!(!panel.intersection(&over).is_empty());
-    let phong = Action::Shading(ShadingMode::Phong);
-    let row = row_of(hud(&session, SIZE).help().expect("there is room"), phong).expect("a row");
-    let covered = [panel.right() - 12, row[1]];
-    assert!(over.contains(covered) && panel.contains(covered));
-    click(&mut session, covered);
-    assert_eq!(
-        session.shading(),
-        Some(ShadingMode::Phong),
-        "the uppermost row is clicked"
-    );
+    let hud = hud(&session, SIZE);
+    let over = board(&hud, Part::Help).rect();
+    let phong = place_of(&hud, Part::Help, Action::Shading(ShadingMode::Phong));
+    click(&mut session, phong.expect("a row"));
+    assert_eq!(session.shading(), Some(ShadingMode::Phong));
     click(&mut session, [over.x + 1, over.y + 1]);
-    assert!(
-        session.overlay().shows_help(),
-        "a click beside its rows does nothing"
-    );
+    assert!(session.state().help, "a click beside its rows does nothing");
     click(&mut session, [SIZE[0] as i32 - 2, SIZE[1] as i32 - 2]);
-    assert!(
-        !session.overlay().shows_help(),
-        "a click beside it closes it"
-    );
+    assert!(!session.state().help, "a click beside it closes it");
     assert_eq!(session.take_requests(), Vec::<Request>::new());
 }
 
 #[test]
-fn the_mouse_brings_a_hidden_panel_back() {
+fn what_was_drawn_is_what_is_clicked() {
     let mut session = default_session();
-    press(&mut session, Key::I);
-    assert!(hud(&session, SIZE).panel().is_none());
-    respond(&mut session, Gesture::Hover([500, 500]), SIZE);
-    assert_eq!(session.take_redraw(), Redraw::Picture);
-    let tab = hud(&session, SIZE);
-    let row = row_of(tab.panel().expect("a tab"), Action::Panel).expect("a row");
-    assert!(
-        Hud::new(&session, SIZE, Shown::Lasting).panel().is_none(),
-        "not in a saved picture"
-    );
-    session.tick(Duration::from_millis(1999));
-    assert!(session.overlay().shows_tab());
-    session.tick(Duration::from_secs(2));
-    assert!(
-        !session.overlay().shows_tab(),
-        "gone once the mouse has rested"
-    );
-    respond(&mut session, Gesture::Hover([500, 501]), SIZE);
-    click(&mut session, row);
-    assert!(session.overlay().shows_panel());
+    session.apply(Action::Help);
+    let shown = hud(&session, SIZE);
+    let phong = Action::Shading(ShadingMode::Phong);
+    let point = place_of(&shown, Part::Help, phong).expect("a row");
+    // The help closes within the same poll, and is still seen.
+    for gesture in [Gesture::Command(Action::Help), Gesture::Click(point)] {
+        respond(&mut session, gesture, &shown);
+    }
+    assert_eq!(session.shading(), Some(ShadingMode::Phong));
+    assert_ne!(hud(&session, SIZE).action_at(point), Some(phong));
+}
+
+#[test]
+fn shift_and_tab_go_back() {
+    let mut session = default_session();
+    let mut input = Input::default();
+    let mut down = |session: &mut Session, key| {
+        let gesture = input.handle(Event::KeyDown(key), Duration::ZERO);
+        input.handle(Event::KeyUp(key), Duration::ZERO);
+        if let Some(gesture) = gesture {
+            does(session, gesture);
+        }
+    };
+    down(&mut session, Key::Tab);
+    assert_eq!(session.state().mode, ViewMode::ALL[1]);
+    let mut input = Input::default();
+    input.handle(Event::KeyDown(Key::LeftShift), Duration::ZERO);
+    for expected in [0, 4, 3] {
+        let gesture = input.handle(Event::KeyDown(Key::Tab), Duration::ZERO);
+        input.handle(Event::KeyUp(Key::Tab), Duration::ZERO);
+        does(&mut session, gesture.expect("it is bound"));
+        assert_eq!(session.state().mode, ViewMode::ALL[expected]);
+    }
+    // What needs no shift key does not mind it.
+    let gesture = input.handle(Event::KeyDown(Key::Equal), Duration::ZERO);
+    assert_eq!(gesture, Some(Gesture::Command(Action::Zoom(1))));
 }
 
 #[test]
 fn the_row_under_the_mouse_lights_up() {
     let mut session = default_session();
     session.take_redraw();
-    let draw = |session: &Session| {
-        let mut pixels = vec![UNTOUCHED; SIZE[0] * SIZE[1]];
-        hud(session, SIZE).draw(&mut pixels);
-        pixels
-    };
-    let before = draw(&session);
-    let row = row_of(
-        hud(&session, SIZE).panel().expect("there is room"),
-        Action::Light(1),
-    )
-    .expect("a row");
-    respond(&mut session, Gesture::Hover(row), SIZE);
+    let before = pixels(&session, 0);
+    let row = place_of(&Hud::new(&session, SIZE), Part::Panel, Action::Light(1)).expect("a row");
+    does(&mut session, Gesture::Hover(row));
     assert_eq!(session.take_redraw(), Redraw::Overlay);
-    assert_ne!(draw(&session), before);
-    respond(&mut session, Gesture::Hover([row[0] + 1, row[1]]), SIZE);
+    assert_ne!(pixels(&session, 0), before);
+    does(&mut session, Gesture::Hover([row[0] + 1, row[1]]));
     assert_eq!(
         session.take_redraw(),
         Redraw::Nothing,
         "the same row: nothing to draw"
     );
-    respond(&mut session, Gesture::Hover([600, 300]), SIZE);
-    assert_eq!(draw(&session), before);
-}
-
-#[test]
-fn a_panel_that_is_too_long_scrolls() {
-    let lamps = (0..60).map(|index| {
-        format!("[[light]]\nname = \"lamp {index}\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 1.0\n")
-    });
-    let text: String = iter::once(BUILT_IN[0].1.to_owned()).chain(lamps).collect();
-    let mut session = session_of(Scene::parse("many.toml", &text).expect("a valid scene"));
-    let last_seen = |session: &Session| {
-        let hud = hud(session, SIZE);
-        commands(hud.panel().expect("there is room"))
-            .last()
-            .map(|(command, _)| command.action)
-    };
-    let scroll = |session: &mut Session, notches| {
-        let at = [30, 30];
-        respond(session, Gesture::Wheel { at, notches }, SIZE);
-    };
-    let start = last_seen(&session);
-    assert!(matches!(start, Some(Action::Light(_))), "{start:?}");
-    scroll(&mut session, -1000);
-    assert_eq!(last_seen(&session), Some(Action::Help));
-    super::fit::check_fit(&session, SIZE);
-    scroll(&mut session, 1);
-    assert_eq!(last_seen(&session), Some(Action::Panel));
-    scroll(&mut session, 1000);
-    assert_eq!(last_seen(&session), start);
-    // A light beyond the ninth has no key; its row is there to click.
-    let row = row_of(
-        hud(&session, SIZE).panel().expect("there is room"),
-        Action::Light(20),
-    )
-    .expect("a row");
-    click(&mut session, row);
-    assert_eq!(session.light(20).map(|light| light.on), Some(false));
+    does(&mut session, Gesture::Hover([600, 300]));
+    assert_eq!(pixels(&session, 0), before);
 }

@@ -5,30 +5,44 @@ use minifb::Key;
 use shadetrade::canvas::Point;
 use shadetrade::frame::Workers;
 use shadetrade::probe;
+use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::pixel::lines;
+use shadetrade::window::hud::{Part, picture};
 use shadetrade::window::input::Gesture;
-use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 
-use super::hud::{UNTOUCHED, hud};
-use super::{SIZE, default_session, press};
+use super::fit::drawn;
+use super::hud::{board, hud, pixels};
+use super::{SIZE, default_session, does, press, session_of};
 
-/// On the cuboid, right of the panel.
-const ON_CUBOID: Point = [600, 300];
+/// The picture's size in pixels.
+fn picture_size(session: &Session) -> [usize; 2] {
+    let rect = picture(session, SIZE);
+    [rect.width as usize, rect.height as usize]
+}
 
-fn click(session: &mut Session, point: Point) {
-    respond(session, Gesture::Click(point), SIZE);
+fn update(session: &mut Session) {
     session
-        .update_probe(SIZE, Level::new())
+        .update_probe(picture_size(session), Level::new())
         .expect("there is memory");
 }
+
+/// Clicks on this pixel of the picture.
+fn click(session: &mut Session, [x, y]: Point) {
+    let rect = picture(session, SIZE);
+    does(session, Gesture::Click([rect.x + x, rect.y + y]));
+    update(session);
+}
+
+/// A pixel of the picture on the cuboid.
+const ON_CUBOID: Point = [300, 300];
 
 fn texts(lines: &[Line]) -> Vec<String> {
     let text = |line: &Line| match line {
         Line::Title(name, detail) => format!("{name} {detail}"),
         Line::Text(text) => text.clone(),
-        Line::Heading(text) => (*text).to_owned(),
+        Line::Rule => String::new(),
         _ => panic!("{line:?}"),
     };
     lines.iter().map(text).collect()
@@ -40,9 +54,9 @@ fn a_click_looks_at_a_pixel_and_another_one_moves_on() {
     session.take_redraw();
     click(&mut session, ON_CUBOID);
     assert_eq!(session.take_redraw(), Redraw::Picture);
-    assert_eq!(session.probed().map(|it| it.pixel), Some([600, 300]));
-    click(&mut session, [300, 600]);
-    assert_eq!(session.probed().map(|it| it.pixel), Some([300, 600]));
+    assert_eq!(session.probed().map(|it| it.pixel), Some([300, 300]));
+    click(&mut session, [200, 600]);
+    assert_eq!(session.probed().map(|it| it.pixel), Some([200, 600]));
     assert_eq!(session.revision(), 0, "looking changes nothing");
 }
 
@@ -52,15 +66,13 @@ fn what_is_said_follows_the_picture() {
     click(&mut session, ON_CUBOID);
     let before = session.probed().cloned();
     press(&mut session, Key::R);
-    session
-        .update_probe(SIZE, Level::new())
-        .expect("there is memory");
+    update(&mut session);
     let after = session.probed().cloned();
     assert_ne!(before, after);
-    let view = session.view(SIZE);
+    let view = session.view(picture_size(&session));
     let mut scene = session.scene().snapshot();
     let workers = Workers::alone(Level::new());
-    let expected = probe::at(&mut scene, &view, [600, 300], workers).expect("there is memory");
+    let expected = probe::at(&mut scene, &view, [300, 300], workers).expect("there is memory");
     assert_eq!(after, Some(expected));
 }
 
@@ -69,11 +81,11 @@ fn a_click_on_what_is_said_or_escape_closes_it() {
     let mut session = default_session();
     for by_key in [true, false] {
         click(&mut session, ON_CUBOID);
-        let board = hud(&session, SIZE).probe().expect("there is room").rect();
+        let board = board(&hud(&session, SIZE), Part::Probe).rect();
         if by_key {
             press(&mut session, Key::Escape);
         } else {
-            click(&mut session, [board.x + 20, board.y + 20]);
+            does(&mut session, Gesture::Click([board.x + 20, board.y + 20]));
         }
         assert!(session.probed().is_none());
         assert_eq!(session.take_requests(), []);
@@ -87,7 +99,7 @@ fn a_pixel_that_the_window_no_longer_has_is_no_longer_looked_at() {
     let mut session = default_session();
     click(&mut session, ON_CUBOID);
     session
-        .update_probe([600, 400], Level::new())
+        .update_probe([250, 400], Level::new())
         .expect("there is memory");
     assert!(session.probed().is_none());
     click(&mut session, [-1, 5]);
@@ -98,59 +110,14 @@ fn a_pixel_that_the_window_no_longer_has_is_no_longer_looked_at() {
 #[test]
 fn the_pixel_itself_is_never_covered() {
     let mut session = default_session();
-    for (size, beside_panel) in [
-        (SIZE, true),
-        ([1920, 1080], true),
-        ([640, 480], true),
-        ([500, 1100], false),
-        ([320, 240], false),
-    ] {
-        let panel = hud(&session, size).panel().expect("there is room").rect();
-        for x in (panel.right() as usize + 20..size[0]).step_by(61) {
-            let point = [x as i32, 200];
-            respond(&mut session, Gesture::Click([1, 1]), [1, 1]);
-            session.probe(Some([x, 200]));
-            session
-                .update_probe(size, Level::new())
-                .expect("there is memory");
-            let hud = hud(&session, size);
-            let board = hud.probe().unwrap_or_else(|| panic!("no room at {size:?}"));
-            assert!(!board.rect().contains(point), "{size:?} {point:?}");
-            let off_panel = board.rect().intersection(&panel).is_empty();
-            assert!(off_panel || !beside_panel, "{size:?} {x}");
-            let mut pixels = vec![UNTOUCHED; size[0] * size[1]];
-            hud.draw(&mut pixels);
-            assert_eq!(
-                pixels[200 * size[0] + x],
-                UNTOUCHED,
-                "seen within the cross"
-            );
-            assert_ne!(pixels[200 * size[0] + x - 5], UNTOUCHED, "the cross");
-        }
-    }
-}
-
-#[test]
-fn it_fits_any_window() {
-    let mut session = default_session();
-    for size in [
-        [1, 1],
-        [100, 60],
-        [320, 240],
-        [640, 480],
-        [5000, 20],
-        [17, 900],
-    ] {
-        session.probe(Some([0, 0]));
-        session
-            .update_probe(size, Level::new())
-            .expect("there is memory");
-        super::fit::check_fit(&session, size);
-        session.probe(Some([size[0] / 2, size[1] / 2]));
-        session
-            .update_probe(size, Level::new())
-            .expect("there is memory");
-        super::fit::check_fit(&session, size);
+    for pixel in [[300, 300], [20, 20], [500, 600], [310, 360]] {
+        session.probe(Some(pixel));
+        let hud = drawn(&mut session, SIZE);
+        let point = [hud.picture().x as usize + pixel[0], pixel[1]];
+        let shown = pixels(&session, 0x0001_0203);
+        let at = |x: usize| shown[point[1] * SIZE[0] + x];
+        assert_eq!(at(point[0]), 0x0001_0203, "seen within the cross");
+        assert_ne!(at(point[0] - 5), 0x0001_0203, "the cross");
     }
 }
 
@@ -160,49 +127,96 @@ fn all_that_the_probe_knows_is_said() {
     click(&mut session, ON_CUBOID);
     let probe = session.probed().expect("looked at").clone();
     let surface = probe.surface.clone().expect("the cuboid");
-    let wide = texts(&lines(&probe, true));
-    assert_eq!(wide[0], "pixel 600,300");
-    assert_eq!(wide[1], format!("emerald, triangle {}", surface.triangle));
-    let [x, y, z] = surface.normal.expect("known").to_array();
-    assert_eq!(wide[4], format!("normal   n{x:>9.3}{y:>9.3}{z:>9.3}"));
-    let names: Vec<&str> = wide
-        .iter()
-        .map(|line| line.split("  ").next().unwrap_or_default().trim())
-        .collect();
-    let expected = [
-        "pixel 600,300",
-        &wide[1],
-        "vectors",
-        "position",
-        "normal",
-        "to eye",
-        "white",
-        "",
-        "red",
-        "",
-        "specular l",
-        "",
-        "levels and bytes",
-        "",
-        "white",
-        "red",
-        "specular",
-        "ambient",
-        "drawn",
-        "reference",
-        "bytes",
-        "reference",
-    ];
-    assert_eq!(names, expected);
-    let [r, g, b] = surface.phong.bytes;
-    assert!(wide[20].ends_with(&format!("{r:>9}{g:>9}{b:>9}")));
-    let narrow = texts(&lines(&probe, false));
-    assert!(narrow.iter().all(|line| line.chars().count() <= 40));
-    assert_eq!(narrow.len(), wide.len() + 9);
-    click(&mut session, [950, 10]);
+    for wide in [true, false] {
+        let said = texts(&lines(&probe, wide));
+        assert!(
+            said.iter()
+                .all(|line| line.chars().count() <= if wide { 70 } else { 40 })
+        );
+        let row = |name: &str| {
+            said.iter()
+                .filter(|it| it.starts_with(name))
+                .cloned()
+                .collect::<Vec<_>>()
+        };
+        assert!(row("emerald")[0].contains(&surface.triangle_label()));
+        for (name, vector) in [("normal n", surface.normal), ("to eye o", surface.to_eye)] {
+            let words: Vec<String> = row(name)[0]
+                .split_whitespace()
+                .skip(name.split(' ').count())
+                .map(str::to_owned)
+                .collect();
+            let numbers: Vec<f64> = words
+                .iter()
+                .map(|it| it.parse().expect("a number"))
+                .collect();
+            let vector = vector.expect("known").to_array();
+            assert!(
+                numbers
+                    .iter()
+                    .zip(vector)
+                    .all(|(a, b)| (a - b).abs() <= 0.0005),
+                "{words:?}"
+            );
+        }
+        // Three lights at one place: one l and one r.
+        assert_eq!(said.iter().filter(|it| it.contains(" l ")).count(), 1);
+        assert_eq!(row("reflected r").len(), 1);
+        // Every light's term, the sums and the bytes, once for each mode.
+        let bytes =
+            [surface.gouraud.bytes, surface.phong.bytes].map(|it| it.map(|byte| byte.to_string()));
+        let told: Vec<String> = row("bytes")
+            .iter()
+            .flat_map(|it| it.split_whitespace().skip(1))
+            .map(str::to_owned)
+            .collect();
+        assert_eq!(told, bytes.concat());
+        for name in [
+            "white",
+            "red",
+            "specular",
+            "ambient",
+            "drawn",
+            "reference",
+            "levels",
+        ] {
+            assert_eq!(
+                row(name).len(),
+                if wide { 1 } else { 2 },
+                "{name}: {said:?}"
+            );
+        }
+        // The headings end where the numbers end.
+        let ends = |line: &str| {
+            let letters: Vec<char> = line.chars().skip(11).chain([' ']).collect();
+            let last = |at: &usize| letters[*at] != ' ' && letters[at + 1] == ' ';
+            (0..letters.len() - 1).filter(last).collect::<Vec<_>>()
+        };
+        assert_eq!(ends(&row("levels")[0]), ends(&row("drawn")[0]));
+        assert_eq!(ends(&said[2]), ends(&row("position")[0]), "x y z");
+    }
+    click(&mut session, [600, 10]);
     let background = session.probed().expect("looked at");
-    assert_eq!(
-        texts(&lines(background, true)),
-        ["pixel ", "950,10: background"]
+    assert!(texts(&lines(background, true))[1].contains("background"));
+}
+
+#[test]
+fn lights_at_two_places_have_two_directions_and_nothing_is_said_to_be_almost_nothing() {
+    let text = BUILT_IN[0].1.replacen(
+        "position = [10.0, 10.0, 10.0]   #",
+        "position = [9.0, 9.0, 10.0] #",
+        1,
     );
+    let mut session = session_of(Scene::parse("two.toml", &text).expect("a valid scene"));
+    click(&mut session, ON_CUBOID);
+    let said = texts(&lines(session.probed().expect("looked at"), true));
+    assert_eq!(
+        said.iter()
+            .filter(|it| it.starts_with("reflected r"))
+            .count(),
+        2
+    );
+    // Far from the highlight a specular term of shininess 76.8 is far below any level that can be seen.
+    let tiny = |line: &&String| line.contains("e-1") || line.contains("e-2");
+    assert_eq!(said.iter().find(tiny), None);
 }

@@ -11,13 +11,13 @@ use shadetrade::canvas::Point;
 use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
-use shadetrade::trade::{self, Progress};
+use shadetrade::trade;
 use shadetrade::window::bindings::{Action, BINDINGS};
 use shadetrade::window::composition::Composition;
-use shadetrade::window::examiner::{Answer, Question, examine};
-use shadetrade::window::hud::{Hud, Shown, lines};
+use shadetrade::window::examination::{ReferenceRequest, examine};
+use shadetrade::window::hud::{self, Hud, lines};
 use shadetrade::window::input::{Event, Input};
-use shadetrade::window::measuring::News;
+use shadetrade::window::jobs::Progress;
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 use shadetrade::window::views::ViewMode;
@@ -78,9 +78,8 @@ fn any_action() -> impl Strategy<Value = Action> {
         any::<usize>().prop_map(Action::Light),
         (-1000..1000_i32).prop_map(Action::Tolerance),
         (-1000..1000_i32).prop_map(Action::Zoom),
-        Just(Action::NextTolerance),
         [angle(), angle()].prop_map(|[azimuth, elevation]| Action::Orbit { azimuth, elevation }),
-        prop::sample::select(ViewMode::ALL.to_vec()).prop_map(Action::Show),
+        any::<i8>().prop_map(|steps| Action::View(i32::from(steps))),
         prop::sample::select(vec![Projection::Perspective, Projection::Orthographic])
             .prop_map(Action::Projection),
     ]
@@ -151,21 +150,24 @@ struct Window {
     session: Session,
     input: Input,
     composition: Composition,
+    hud: Hud,
     size: [usize; 2],
     now: Duration,
-    asked: Option<Question>,
+    asked: Option<ReferenceRequest>,
     shown: Vec<u32>,
 }
 
 impl Window {
     fn open(text: &str) -> Self {
         let scene = Scene::parse("storm.toml", text).unwrap_or_else(|error| panic!("{error}"));
-        let workers = || Workers::alone(Level::new());
+        let session = session_of(scene);
+        let size = [120, 90];
         Window {
-            session: session_of(scene),
+            hud: Hud::new(&session, size),
+            session,
             input: Input::default(),
-            composition: Composition::new(workers(), workers()),
-            size: [120, 90],
+            composition: Composition::new(Workers::alone(Level::new())),
+            size,
             now: Duration::ZERO,
             asked: None,
             shown: Vec::new(),
@@ -187,16 +189,14 @@ impl Window {
             Happening::Do(action) => self.session.apply(*action),
             Happening::Resize(size) => {
                 self.size = *size;
-                self.session.resized();
             }
             Happening::Wait(milliseconds) => self.now += Duration::from_millis(*milliseconds),
             Happening::Answer => {
-                let question = self.asked.take();
+                let asked = self.asked.take();
                 let workers = Workers::alone(Level::new());
-                if let Some(findings) =
-                    question.and_then(|mut asked| examine(&mut asked, workers, &|| false))
-                {
-                    self.session.answer(Answer::Findings(findings));
+                let result = asked.and_then(|mut asked| examine(&mut asked, workers, &|| false));
+                if let Some(result) = result {
+                    self.session.hear(Progress::Examined(result));
                 }
             }
             Happening::Measured(done) => self.session.hear(if *done {
@@ -205,9 +205,9 @@ impl Window {
                     ..self.session.measurement([8, 6])
                 };
                 let report = trade::measure(request, &|_| ()).expect("there is memory");
-                News::Done(Box::new(report))
+                Progress::Measured(Box::new(report))
             } else {
-                News::Progress(Progress {
+                Progress::Measuring(trade::Progress {
                     step: "timing frames",
                     share: 0.5,
                 })
@@ -215,38 +215,49 @@ impl Window {
         }
         self.session.tick(self.now);
         while let Some(gesture) = self.input.repeated(self.now) {
-            respond(&mut self.session, gesture, self.size);
+            respond(&mut self.session, gesture, &self.hud);
         }
         self.draw();
     }
 
     fn report(&mut self, event: Event) {
         if let Some(gesture) = self.input.handle(event, self.now) {
-            respond(&mut self.session, gesture, self.size);
+            respond(&mut self.session, gesture, &self.hud);
         }
     }
 
+    /// The picture's size in the window.
+    fn picture(&self) -> [usize; 2] {
+        let rect = hud::picture(&self.session, self.size);
+        [rect.width as usize, rect.height as usize]
+    }
+
     fn draw(&mut self) {
+        let size = self.picture();
+        if size != self.composition.size() || self.shown.len() != self.size[0] * self.size[1] {
+            self.session.resized();
+        }
         let redraw = self.session.take_redraw();
         if redraw == Redraw::Picture {
-            let drawn = self.composition.draw(&mut self.session, self.size);
+            let drawn = self.composition.draw(&mut self.session, size);
             drawn.expect("a small picture fits");
         }
         if redraw > Redraw::Nothing {
-            self.composition.compose(&self.session, &mut self.shown);
-            Hud::new(&self.session, self.size, Shown::All).draw(&mut self.shown);
-            assert!(lines::title(&self.session).starts_with("shadetrade: "));
+            let mut picture = Vec::new();
+            self.composition.compose(&self.session, &mut picture);
+            self.hud = Hud::new(&self.session, self.size);
+            self.hud.draw(&picture, false, &mut self.shown);
+            assert!(lines::title(&self.session, true).starts_with("shadetrade: "));
         }
         for request in self.session.take_requests() {
             match request {
-                Request::Examine => self.asked = Some(self.session.question(self.size)),
-                Request::Screenshot => {
-                    let mut pixels = Vec::new();
-                    self.composition.compose(&self.session, &mut pixels);
-                    Hud::new(&self.session, self.size, Shown::Lasting).draw(&mut pixels);
+                Request::Examine => self.asked = Some(self.session.reference_request(size)),
+                Request::Time => {
+                    let timed = self.composition.time(&mut self.session);
+                    timed.expect("a small picture fits");
                 }
                 // Who quits sees no more; here it goes on, for nothing may depend on it.
-                Request::Measure | Request::Quit => {}
+                Request::Measure | Request::Screenshot | Request::Quit => {}
             }
         }
     }
@@ -255,13 +266,14 @@ impl Window {
     fn check(&self) {
         let Window { session, size, .. } = self;
         assert_eq!(self.shown.len(), size[0] * size[1]);
-        assert_eq!(self.composition.size(), *size);
+        assert_eq!(self.composition.size(), self.picture());
         assert!((0.0..=255.0).contains(&session.tolerance()));
         assert!(session.camera() < session.scene().cameras.len());
-        assert!(session.divider_column(size[0]) <= size[0]);
+        assert!(session.state().divider_column(size[0]) <= size[0]);
         assert!(session.spin().degrees < 360);
         assert!(session.orbit().azimuth.abs() <= 180.0);
         if let Some(probe) = session.probed() {
+            let size = self.picture();
             assert!(probe.pixel[0] < size[0] && probe.pixel[1] < size[1]);
         }
         let view = session.view(*size);
@@ -272,9 +284,10 @@ impl Window {
         for axis in viewpoint.axes() {
             assert!((axis.length() - 1.0).abs() < 1e-6, "{viewpoint:?}");
         }
-        if let Some(findings) = session.findings() {
-            assert_eq!(findings.revision, session.revision());
-            assert_eq!(findings.reference.len(), size[0] * size[1]);
+        if let Some(result) = session.reference() {
+            assert_eq!(result.revision, session.revision());
+            let [width, height] = self.picture();
+            assert_eq!(result.reference.len(), width * height);
         }
     }
 }
@@ -348,10 +361,10 @@ fn undoable() -> Vec<(Action, Vec<Action>)> {
         (orbit(0.0, 2.0), vec![orbit(0.0, -2.0)]),
         (orbit(0.0, -4.0), vec![orbit(0.0, 4.0)]),
         (
-            Action::NextView,
-            vec![Action::NextView; ViewMode::ALL.len() - 1],
+            Action::View(1),
+            vec![Action::View(1); ViewMode::ALL.len() - 1],
         ),
-        (Action::NextTolerance, vec![Action::NextTolerance; 6]),
+        (Action::View(2), vec![Action::View(-2)]),
     ]);
     all
 }

@@ -1,18 +1,22 @@
 //! What views make of pictures, and how keys and the mouse choose between them.
 
-use std::time::Duration;
-
+use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::components::ShadingMode;
-use shadetrade::frame::{NO_TRIANGLE, OUTLINE};
+use shadetrade::frame::{NO_TRIANGLE, OUTLINE, Workers};
+use shadetrade::scene::Scene;
 use shadetrade::window::bindings::Action;
+use shadetrade::window::composition::Composition;
+use shadetrade::window::hud::board::Board;
+use shadetrade::window::hud::lines::Line;
+use shadetrade::window::hud::{Part, picture};
 use shadetrade::window::input::Gesture;
-use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Session};
 use shadetrade::window::views::{TINTS, ViewMode, dim, tint, wipe};
 
-use super::hud::{UNTOUCHED, hud};
-use super::{SIZE, default_session, press};
+use super::fit::drawn;
+use super::hud::{hud, pixels};
+use super::{SIZE, default_session, does, press, session_of};
 
 #[test]
 fn a_wipe_shows_one_picture_left_and_the_other_right() {
@@ -58,112 +62,127 @@ fn tab_goes_round_the_views_and_changes_nothing_that_is_judged() {
     session.take_redraw();
     for expected in [1, 2, 3, 4, 0].map(|place| ViewMode::ALL[place]) {
         press(&mut session, Key::Tab);
-        assert_eq!(session.view_mode(), expected);
+        assert_eq!(session.state().mode, expected);
         assert_eq!(session.take_redraw(), Redraw::Picture);
         assert_eq!(session.revision(), revision);
     }
 }
 
 fn drag(session: &mut Session, from: [i32; 2], by: [i32; 2]) {
-    respond(session, Gesture::Drag { from, by }, SIZE);
+    does(session, Gesture::Drag { from, by });
+}
+
+/// The divider's column in the window.
+fn divider(session: &Session) -> i32 {
+    let rect = picture(session, SIZE);
+    rect.x + session.state().divider_column(rect.width as usize) as i32
 }
 
 #[test]
 fn the_divider_follows_the_mouse_and_nothing_else_moves() {
     let mut session = default_session();
     press(&mut session, Key::Tab);
-    assert_eq!(session.divider_column(SIZE[0]), 480);
-    let orbit = session.orbit();
-    drag(&mut session, [485, 300], [96, 5]);
-    assert_eq!(session.divider_column(SIZE[0]), 576);
+    let (orbit, start) = (session.orbit(), divider(&session));
+    let rect = picture(&session, SIZE);
+    let middle = rect.x + rect.width / 2;
+    assert!((start - middle).abs() <= 1, "in the middle of the picture");
+    drag(&mut session, [start + 5, 300], [96, 5]);
+    let moved_by = |session: &Session, pixels: i32| {
+        let moved = divider(session) - start;
+        assert!(
+            (moved - pixels).abs() <= 1,
+            "{moved}, {pixels} by the mouse"
+        );
+    };
+    moved_by(&session, 96);
     // Still the same press: it is far from the divider by now and holds it all the same.
-    drag(&mut session, [485, 300], [2000, 0]);
-    assert_eq!(session.divider_column(SIZE[0]), 960);
-    drag(&mut session, [485, 300], [-1900, 0]);
-    assert_eq!(session.divider_column(SIZE[0]), 676);
-    respond(&mut session, Gesture::Drop, SIZE);
+    drag(&mut session, [start + 5, 300], [2000, 0]);
+    drag(&mut session, [start + 5, 300], [-1900, 0]);
+    moved_by(&session, 196);
+    does(&mut session, Gesture::EndDrag);
     assert_eq!(session.orbit(), orbit);
-    drag(&mut session, [485, 300], [96, 0]);
-    assert_eq!(session.divider_column(SIZE[0]), 676, "let go, and missed");
+    drag(&mut session, [start + 5, 300], [96, 0]);
+    // Let go, and missed.
+    moved_by(&session, 196);
     assert_ne!(session.orbit(), orbit);
 }
 
 #[test]
-fn a_divider_dragged_out_of_the_picture_is_found_at_its_edge() {
-    let mut session = default_session();
-    press(&mut session, Key::Tab);
-    drag(&mut session, [480, 300], [5000, 0]);
-    respond(&mut session, Gesture::Drop, SIZE);
-    drag(&mut session, [955, 300], [-96, 0]);
-    assert_eq!(session.divider_column(SIZE[0]), 864);
+fn a_divider_dragged_out_of_the_picture_can_still_be_seen_and_caught() {
+    for by in [5000, -5000] {
+        let mut session = default_session();
+        press(&mut session, Key::Tab);
+        let start = divider(&session);
+        drag(&mut session, [start, 300], [by, 0]);
+        does(&mut session, Gesture::EndDrag);
+        let end = divider(&session);
+        let rect = picture(&session, SIZE);
+        assert!((rect.x + 4..rect.right() - 4).contains(&end), "{end}");
+        drag(&mut session, [end, 300], [-by.signum() * 96, 0]);
+        let moved = divider(&session) - end;
+        assert!((moved + by.signum() * 96).abs() <= 1, "{moved}");
+    }
+}
+
+/// What is said about the view.
+fn said(session: &Session) -> Vec<String> {
+    let hud = hud(session, SIZE);
+    let rows = hud.boards(Part::Legend).flat_map(Board::rows);
+    let text = |line: &Line| match line {
+        Line::Text(text) | Line::Title(_, text) => text.clone(),
+        _ => String::new(),
+    };
+    rows.map(|(line, _)| text(line)).collect()
 }
 
 #[test]
-fn both_sides_of_a_wipe_are_named() {
+fn both_sides_of_a_wipe_are_named_and_what_is_not_known_yet_is_called_so() {
     let mut session = default_session();
     press(&mut session, Key::P);
-    let mut names = |mode| {
-        session.apply(Action::Show(mode));
-        let hud = hud(&session, SIZE);
-        let chips = hud.legend().expect("there is room").chips().iter();
-        chips.map(|(_, text)| text.clone()).collect::<Vec<_>>()
-    };
-    assert_eq!(names(ViewMode::GouraudPhong), ["Gouraud", "Phong"]);
-    assert_eq!(
-        names(ViewMode::MethodReference),
-        ["Phong, 0.5", "computing ..."]
-    );
-    assert_eq!(names(ViewMode::ErrorMap), ["computing ..."]);
-    assert_eq!(names(ViewMode::Picture), [""; 0]);
-}
-
-#[test]
-fn the_names_of_a_wipe_go_where_there_is_room_for_most_of_them() {
-    let mut session = default_session();
-    session.apply(Action::Show(ViewMode::GouraudPhong));
-    let chips = |session: &Session, size| {
-        let hud = hud(session, size);
-        let legend = hud.legend().expect("there is room");
-        let chips = legend.chips().iter();
-        chips
-            .map(|(rect, text)| (text.clone(), rect.y < 100))
-            .collect::<Vec<_>>()
-    };
-    let both = |above| [("Gouraud".to_owned(), above), ("Phong".to_owned(), above)];
-    assert_eq!(chips(&session, SIZE), both(true));
-    let narrow = [500, 1100];
-    assert_eq!(chips(&session, narrow), both(false), "below the panel");
-    session.drag_divider(-0.25);
-    assert_eq!(chips(&session, SIZE), both(false), "below the panel");
-    session.drag_divider(0.74);
-    assert_eq!(
-        chips(&session, SIZE),
-        both(true)[..1],
-        "no room on the right"
-    );
+    for (expected, waits) in [
+        (vec![], false),
+        (vec!["Gouraud", "Phong"], false),
+        (vec!["Phong, 0.5"], true),
+        (vec![], true),
+    ] {
+        let said = said(&session);
+        for word in expected {
+            assert!(said.iter().any(|it| it.contains(word)), "{word}: {said:?}");
+        }
+        assert_eq!(
+            said.iter().any(|it| it.contains("computing")),
+            waits,
+            "{said:?}"
+        );
+        press(&mut session, Key::Tab);
+    }
 }
 
 #[test]
 fn the_error_map_and_the_tiles_have_a_key_to_their_colours() {
-    let mut session = default_session();
-    for (mode, has_key) in ViewMode::ALL
-        .into_iter()
-        .zip([false, false, false, true, true])
-    {
-        session.apply(Action::Show(mode));
-        for size in [[640, 480], SIZE, [1920, 1080], [3840, 2160]] {
-            let hud = hud(&session, size);
-            let key = hud.legend().expect("there is room").key();
-            assert_eq!(key.is_some(), has_key, "{mode:?} {size:?}");
-            let mut pixels = vec![UNTOUCHED; size[0] * size[1]];
-            hud.draw(&mut pixels);
-            let seen = |color| pixels.contains(&color);
-            assert_eq!(
-                mode == ViewMode::Tiles,
-                TINTS[..6].iter().all(|it| seen(*it))
-            );
-        }
+    for size in [[640, 480], SIZE, [1920, 1080], [3840, 2160]] {
+        let mut session = default_session();
+        session.apply(Action::View(3));
+        let map = drawn(&mut session, size);
+        let has_scale = |(line, _): &&(Line, _)| matches!(line, Line::Scale);
+        let rows = map.boards(Part::Legend).flat_map(Board::rows);
+        assert_eq!(rows.filter(has_scale).count(), 1, "{size:?}");
+        session.apply(Action::View(1));
+        let tiles = drawn(&mut session, size);
+        let rows = tiles.boards(Part::Legend).flat_map(Board::rows);
+        let colors: Vec<u32> = rows
+            .filter_map(|(line, _)| match line {
+                Line::Swatches(all) => Some(all.iter().map(|(color, _)| *color)),
+                _ => None,
+            })
+            .flatten()
+            .collect();
+        assert_eq!(colors, TINTS, "{size:?}");
     }
+    let mut session = default_session();
+    session.apply(Action::View(4));
+    let seen = pixels(&session, 0);
+    assert!(TINTS.iter().all(|it| seen.contains(it)));
 }
 
 #[test]
@@ -171,15 +190,66 @@ fn b_shows_the_reference_as_long_as_it_is_held() {
     let mut session = default_session();
     session.take_redraw();
     press(&mut session, Key::B);
-    assert!(session.blinks());
+    assert!(session.state().shows_reference);
     assert_eq!(session.take_redraw(), Redraw::Overlay);
-    respond(
-        &mut session,
-        Gesture::Released(shadetrade::window::bindings::Action::Blink),
-        SIZE,
-    );
-    assert!(!session.blinks());
+    does(&mut session, Gesture::Released(Action::Blink));
+    assert!(!session.state().shows_reference);
+    assert_eq!(session.take_redraw(), Redraw::Overlay);
     assert_eq!(session.shading(), Some(ShadingMode::Gouraud));
-    session.tick(Duration::ZERO);
-    assert_eq!(session.take_redraw(), Redraw::Overlay);
+}
+
+#[test]
+fn until_there_is_a_reference_b_shows_the_picture_dimmed() {
+    let mut session = default_session();
+    let mut composition = Composition::new(Workers::alone(Level::new()));
+    composition
+        .draw(&mut session, [96, 72])
+        .expect("there is memory");
+    let shown = |session: &Session| {
+        let mut pixels = Vec::new();
+        composition.compose(session, &mut pixels);
+        pixels
+    };
+    let picture = shown(&session);
+    press(&mut session, Key::B);
+    let mut dimmed = picture.clone();
+    dim(&mut dimmed);
+    assert_ne!(dimmed, picture);
+    assert_eq!(shown(&session), dimmed);
+}
+
+#[test]
+fn the_sides_of_gouraud_and_phong_are_what_these_modes_draw() {
+    let mut session = default_session();
+    let mut composition = Composition::new(Workers::alone(Level::new()));
+    let mut shown = |session: &mut Session| {
+        let mut pixels = Vec::new();
+        composition
+            .draw(session, [96, 72])
+            .expect("there is memory");
+        composition.compose(session, &mut pixels);
+        pixels
+    };
+    let gouraud = shown(&mut session);
+    press(&mut session, Key::P);
+    let phong = shown(&mut session);
+    session.apply(Action::View(1));
+    let both = shown(&mut session);
+    let mut expected = Vec::new();
+    wipe(&mut expected, &gouraud, &phong, 96, 48);
+    assert!(gouraud != phong && both == expected);
+}
+
+#[test]
+fn a_picture_of_one_colour_says_why() {
+    let flat = |name: &str| {
+        let scene = Scene::load(Some(name)).expect("it is built in");
+        let mut session = session_of(scene);
+        drawn(&mut session, SIZE);
+        let words = said(&session).concat();
+        assert_eq!(session.is_flat(), words.contains("ambient"), "{words}");
+        session.is_flat()
+    };
+    assert!(flat("assignment"));
+    assert!(!flat("cuboid"));
 }

@@ -1,108 +1,172 @@
-//! Lines of text -> a box of rows on the screen: where each stands, and what a click on it does.
+//! Lines of text -> a box of rows on the screen, what a click on each does, and the pixels.
 //!
 //! ```text
 //!   +-----------------------------+
-//!   | shadetrade           cuboid |   head: the title
-//!   | LIGHTS                      |   body: headings and commands (keys, mark, label, state), in columns or scrolled
-//!   | [1][W]  #  white         on |
-//!   | frame               1.20 ms |   foot: the facts at the end
+//!   | shadetrade           cuboid |   title
+//!   | LIGHTS                      |   heading
+//!   | [1][W]  #  white         on |   command: keys, mark, label, state
+//!   | frame               1.20 ms |   fact
 //!   +-----------------------------+
 //! ```
-//! Rule: a board never leaves the area it was laid out for; what does not fit is cut or scrolled away where its style
-//! allows that, and makes the layout fail where it does not.
+//! Rules: what is wider than its row is cut, so a name in a scene file never makes a board wider than it may be. Letters
+//! keep a contrast of at least 4.5 to 1 whatever picture shines through the pane. Every state is told by a filled or a
+//! hollow mark or by words, with colour only on top of it.
 
-use super::lines::Line;
-use super::style::{Columns, Style};
-use crate::canvas::{Point, Rect};
+use super::lines::{Command, Line, Mark, ON};
+use crate::canvas::{Canvas, Face, Ink, Point, Rect, fit};
+use crate::trade::error_map;
 use crate::window::bindings::Action;
 
-/// Which rows of the body are seen of those there are.
+const PANE: Ink = Ink::glass(0x0010_1216, 236);
+const EDGE: Ink = Ink::glass(0x00ff_ffff, 40);
+const TEXT: Ink = Ink::solid(0x00e8_eaed);
+const ALARM: Ink = Ink::solid(0x00ff_7a6b);
+const DIM: Ink = Ink::solid(0x00a8_afb7);
+const OFF: Ink = Ink::solid(0x008a_9199);
+const KEYCAP: Ink = Ink::glass(0x00ff_ffff, 22);
+const KEYCAP_EDGE: Ink = Ink::glass(0x00ff_ffff, 84);
+const HOVER: Ink = Ink::glass(0x00ff_ffff, 34);
+const ACCENT: Ink = Ink::solid(ON);
+
+/// The errors named on the scale of the error map, in levels.
+const TICKS: [f64; 11] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0];
+/// How wide the scale is, in letters.
+const SCALE_LETTERS: usize = 44;
+
+/// How the rows of a board are set: the letters, and the pixels from one row to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Scroll {
-    /// The first one seen.
-    pub first: usize,
-    /// How many are seen.
-    pub seen: usize,
-    /// How many there are.
-    pub total: usize,
+pub struct Setting {
+    pub face: Face,
+    pub pitch: i32,
 }
 
-/// Where in its area a board stands.
+impl Setting {
+    /// Rows so close that a board covers little.
+    pub fn new(face: Face) -> Self {
+        let pitch = face.height() * 17 / 16;
+        Setting { face, pitch }
+    }
+
+    /// From a board's edge to its rows, in pixels.
+    pub fn padding(self) -> i32 {
+        self.face.advance() * 3 / 4
+    }
+
+    /// Pixels across and down of a board with these lines.
+    pub fn size(self, lines: &[Line]) -> [i32; 2] {
+        let columns = Columns::of(lines, self.face);
+        let width = lines.iter().map(|line| columns.width(line, self.face));
+        [width.max().unwrap_or(0), self.height(lines)].map(|it| it + 2 * self.padding())
+    }
+
+    /// How high these lines are below one another.
+    pub fn height(self, lines: &[Line]) -> i32 {
+        lines.iter().map(|line| self.row_height(line)).sum()
+    }
+
+    fn row_height(self, line: &Line) -> i32 {
+        match line {
+            Line::Rule => self.pitch / 2,
+            Line::Scale => 2 * self.pitch,
+            _ => self.pitch,
+        }
+    }
+}
+
+/// Where the marks and the labels of commands stand, in pixels from the row's left edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// In the upper left corner.
-    Corner,
-    /// In the upper right corner.
-    Side,
-    /// In the middle.
-    Middle,
+struct Columns {
+    mark: i32,
+    label: i32,
+}
+
+impl Columns {
+    fn of(lines: &[Line], face: Face) -> Self {
+        let (mut mark, mut label) = (0, 0);
+        for line in lines {
+            if let Line::Command(command) = line {
+                let keys = keycaps(command, face).last().map_or(0, Rect::right);
+                mark = mark.max(keys + face.advance());
+                if command.mark != Mark::None {
+                    label = mark_size(face) + face.advance();
+                }
+            }
+        }
+        Columns {
+            mark,
+            label: mark + label,
+        }
+    }
+
+    /// What a line takes, in pixels.
+    fn width(self, line: &Line, face: Face) -> i32 {
+        let count = |text: &str| text.chars().count();
+        match line {
+            Line::Command(command) => {
+                self.label + face.width(count(&command.label) + 2 + count(&command.state))
+            }
+            Line::Title(name, detail) => face.width(count(name) + 2 + count(detail)),
+            Line::Fact(name, value) | Line::Alarm(name, value) => {
+                face.width(count(name) + 2 + count(value))
+            }
+            Line::Text(text) => face.width(count(text)),
+            Line::Heading(text) => face.width(count(text)),
+            Line::Rule => 0,
+            Line::Scale => face.width(SCALE_LETTERS),
+            Line::Swatches(all) => {
+                face.width(all.iter().map(|(_, text)| swatch_letters(text)).sum())
+            }
+        }
+    }
+}
+
+/// What a swatch takes with its text and the gap behind it.
+fn swatch_letters(text: &str) -> usize {
+    text.chars().count() + 4
+}
+
+/// The keys of a command, side by side from the row's upper left corner.
+fn keycaps(command: &Command, face: Face) -> Vec<Rect> {
+    let mut x = 0;
+    let caps = command.keys.iter().map(|(caption, _)| {
+        let width = face.width(caption.chars().count() + 1);
+        let cap = Rect::new(x, 0, width, face.height());
+        x += width + face.advance() / 2;
+        cap
+    });
+    caps.collect()
+}
+
+fn mark_size(face: Face) -> i32 {
+    face.height() * 5 / 8
 }
 
 /// A box of rows.
 #[derive(Debug)]
 pub struct Board {
-    pub(super) rect: Rect,
-    pub(super) style: Style,
-    pub(super) columns: Columns,
-    pub(super) rows: Vec<(Line, Rect)>,
-    /// Which rows are seen, where not all are.
-    pub(super) scroll: Option<Scroll>,
+    rect: Rect,
+    setting: Setting,
+    columns: Columns,
+    rows: Vec<(Line, Rect)>,
 }
 
 impl Board {
-    /// Sets `lines` within `area`, from row `first` on where not all are seen; `None` where they do not fit.
-    pub fn lay_out(
-        lines: Vec<Line>,
-        style: Style,
-        area: Rect,
-        place: Place,
-        first: usize,
-    ) -> Option<Board> {
-        let [across, down] = style.padding();
-        let columns = Columns::of(&lines, &style, area.width - 2 * across)?;
-        let Parts {
-            head,
-            stacks,
-            foot,
-            scroll,
-        } = Parts::of(lines, &style, area.height - 2 * down, first)?;
-        let (head_height, body_height) = (style.height(&head), tallest(&stacks, &style));
-        let width = columns.all() + 2 * across;
-        let height = head_height + body_height + style.height(&foot) + 2 * down;
-        let (x, y) = match place {
-            Place::Corner => (area.x, area.y),
-            Place::Side => (area.right() - width, area.y),
-            Place::Middle => (
-                area.x + (area.width - width) / 2,
-                area.y + (area.height - height) / 2,
-            ),
+    /// Sets `lines` in `rect`, from the top.
+    pub fn new(lines: Vec<Line>, setting: Setting, rect: Rect) -> Board {
+        let inside = rect.inset(setting.padding());
+        let columns = Columns::of(&lines, setting.face);
+        let mut y = inside.y;
+        let mut set = |line: Line| {
+            let row = Rect::new(inside.x, y, inside.width, setting.row_height(&line));
+            y = row.bottom();
+            (line, row)
         };
-        let (left, top) = (x + across, y + down);
-        let mut rows = Vec::new();
-        let mut set = |lines: Vec<Line>, x: i32, mut y: i32, width: i32| {
-            for line in lines {
-                let row = Rect::new(x, y, width, style.line_height(&line));
-                y = row.bottom();
-                rows.push((line, row));
-            }
-        };
-        set(head, left, top, columns.all());
-        for (stack, index) in stacks.into_iter().zip(0..) {
-            set(
-                stack,
-                left + columns.stride() * index,
-                top + head_height,
-                columns.one(),
-            );
-        }
-        set(foot, left, top + head_height + body_height, columns.all());
-        Some(Board {
-            rect: Rect::new(x, y, width, height),
-            style,
+        Board {
+            rect,
+            setting,
             columns,
-            rows,
-            scroll,
-        })
+            rows: lines.into_iter().map(&mut set).collect(),
+        }
     }
 
     /// Where it stands.
@@ -110,105 +174,172 @@ impl Board {
         self.rect
     }
 
-    /// Which rows are seen, where not all are.
-    pub fn scroll(&self) -> Option<Scroll> {
-        self.scroll
-    }
-
-    /// The lines seen, and where each stands.
+    /// The lines, and where each stands.
     pub fn rows(&self) -> &[(Line, Rect)] {
         &self.rows
     }
 
-    /// The command at `point`.
+    /// What a click at `point` does: what the key there does, or what the row does.
     pub fn action_at(&self, point: Point) -> Option<Action> {
-        self.rows.iter().find_map(|(line, row)| match line {
-            Line::Command(command) if row.contains(point) => Some(command.action),
-            _ => None,
-        })
-    }
-}
-
-/// The lines of a board, each where it belongs.
-struct Parts {
-    head: Vec<Line>,
-    stacks: Vec<Vec<Line>>,
-    foot: Vec<Line>,
-    scroll: Option<Scroll>,
-}
-
-impl Parts {
-    /// `lines` in a height of `room` pixels; `None` where they do not fit.
-    fn of(lines: Vec<Line>, style: &Style, room: i32, first: usize) -> Option<Parts> {
-        let mut head = lines;
-        let mut body = head.split_off(usize::from(matches!(head.first(), Some(Line::Title(..)))));
-        let is_foot = |line: &Line| matches!(line, Line::Fact(..) | Line::Alarm(..) | Line::Rule);
-        let mut foot = body.split_off(
-            body.iter()
-                .rposition(|line| !is_foot(line))
-                .map_or(0, |last| last + 1),
-        );
-        let rows_in = |head: &[Line], foot: &[Line]| {
-            usize::try_from((room - style.height(head) - style.height(foot)) / style.pitch())
-                .unwrap_or(0)
-        };
-        let stacks = stacked(&body, style.columns);
-        if style.height(&head) + tallest(&stacks, style) + style.height(&foot) <= room {
-            return Some(Parts {
-                head,
-                stacks,
-                foot,
-                scroll: None,
-            });
-        }
-        if !style.scrolls() || style.columns > 1 {
+        let (line, row) = self.rows.iter().find(|(_, row)| row.contains(point))?;
+        let Line::Command(command) = line else {
             return None;
-        }
-        if rows_in(&head, &foot) < foot.len() {
-            body.append(&mut foot);
-        }
-        let (total, seen) = (body.len(), rows_in(&head, &foot).min(body.len()));
-        let first = first.min(total - seen);
-        body.truncate(first + seen);
-        body.drain(..first);
-        let scroll = Some(Scroll { first, seen, total });
-        (seen > 0).then_some(Parts {
-            head,
-            stacks: vec![body],
-            foot,
-            scroll,
-        })
+        };
+        let x = point[0] - row.x;
+        let caps = keycaps(command, self.setting.face);
+        let mut keys = command.keys.iter().zip(caps);
+        let on_key = keys.find(|(_, cap)| (cap.x..cap.right()).contains(&x));
+        let (_, action) = on_key.map_or(command.keys.last()?, |(key, _)| key);
+        Some(*action)
     }
-}
 
-fn tallest(stacks: &[Vec<Line>], style: &Style) -> i32 {
-    stacks
-        .iter()
-        .map(|stack| style.height(stack))
-        .max()
-        .unwrap_or(0)
-}
-
-/// `lines` in at most so many stacks of about the same number; a heading stays with what follows it.
-fn stacked(lines: &[Line], stacks: usize) -> Vec<Vec<Line>> {
-    let sections: Vec<&[Line]> = lines
-        .chunk_by(|_, next| !matches!(next, Line::Heading(_)))
-        .collect();
-    let fill = |limit: usize| {
-        let mut filled: Vec<Vec<Line>> = vec![Vec::new()];
-        for section in &sections {
-            match filled.last_mut() {
-                Some(stack) if stack.is_empty() || stack.len() + section.len() <= limit => {
-                    stack.extend_from_slice(section);
+    /// Draws it, the row of `hovered` lit.
+    pub fn draw(&self, canvas: &mut Canvas, hovered: Option<Action>) {
+        let canvas = &mut canvas.clipped(self.rect);
+        let radius = self.setting.padding();
+        canvas.rounded(self.rect, radius, PANE);
+        canvas.outline(self.rect, radius, 1.0, EDGE);
+        let face = self.setting.face;
+        for (line, row) in &self.rows {
+            let y = row.y + (row.height - face.height()) / 2;
+            match line {
+                Line::Title(name, detail) => {
+                    canvas.bold(face, [row.x, y], TEXT, name);
+                    self.draw_right(canvas, *row, name.len() + 1, detail, DIM);
                 }
-                _ => filled.push(section.to_vec()),
+                Line::Heading(text) => {
+                    canvas.bold(face, [row.x, y], DIM, &text.to_uppercase());
+                }
+                Line::Command(command) => {
+                    let does = |(_, action): &(_, Action)| Some(*action) == hovered;
+                    if command.keys.iter().any(does) {
+                        canvas.rounded(*row, face.advance() / 2, HOVER);
+                    }
+                    self.draw_command(canvas, *row, command);
+                }
+                Line::Text(text) => {
+                    canvas.text(face, [row.x, y], TEXT, &fit(text, self.letters(*row)));
+                }
+                Line::Fact(name, value) => {
+                    canvas.text(face, [row.x, y], DIM, name);
+                    self.draw_right(canvas, *row, name.len() + 1, value, TEXT);
+                }
+                Line::Alarm(name, value) => {
+                    canvas.text(face, [row.x, y], DIM, name);
+                    self.draw_right(canvas, *row, name.len() + 1, value, ALARM);
+                }
+                Line::Rule => {
+                    canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), EDGE);
+                }
+                Line::Scale => draw_scale(canvas, face, *row),
+                Line::Swatches(all) => draw_swatches(canvas, face, [row.x, y], all),
             }
         }
-        filled
-    };
-    let total = lines.len();
-    (total / stacks.max(1)..total)
-        .map(fill)
-        .find(|filled| filled.len() <= stacks)
-        .unwrap_or_else(|| vec![lines.to_vec()])
+    }
+
+    /// How many letters there is room for in a row.
+    fn letters(&self, row: Rect) -> usize {
+        (row.width / self.setting.face.advance()).max(0) as usize
+    }
+
+    /// `text` at the right end of a row, cut to what the first letters leave.
+    fn draw_right(&self, canvas: &mut Canvas, row: Rect, taken: usize, text: &str, ink: Ink) {
+        let face = self.setting.face;
+        let text = fit(text, self.letters(row).saturating_sub(taken));
+        let x = row.right() - face.width(text.chars().count());
+        let y = row.y + (row.height - face.height()) / 2;
+        canvas.text(face, [x, y], ink, &text);
+    }
+
+    fn draw_command(&self, canvas: &mut Canvas, row: Rect, command: &Command) {
+        let face = self.setting.face;
+        let y = row.y + (row.height - face.height()) / 2;
+        for ((caption, _), cap) in command.keys.iter().zip(keycaps(command, face)) {
+            let cap = Rect::new(row.x + cap.x, y, cap.width, cap.height - 1);
+            canvas.rounded(cap, face.advance() / 2, KEYCAP);
+            canvas.outline(cap, face.advance() / 2, 1.0, KEYCAP_EDGE);
+            canvas.text(face, [cap.x + face.advance() / 2, y], TEXT, caption);
+        }
+        let size = mark_size(face);
+        let mark = Rect::new(
+            row.x + self.columns.mark,
+            row.y + (row.height - size) / 2,
+            size,
+            size,
+        );
+        draw_mark(canvas, mark, command.mark);
+        let ink = match command.mark {
+            Mark::Switch(false, _) | Mark::Choice(false) => DIM,
+            _ => TEXT,
+        };
+        let words = Rect::new(
+            row.x + self.columns.label,
+            row.y,
+            row.width - self.columns.label,
+            row.height,
+        );
+        let room = self.letters(words);
+        let label = fit(
+            &command.label,
+            room.saturating_sub(command.state.chars().count() + 1),
+        );
+        canvas.text(face, [words.x, y], ink, &label);
+        self.draw_right(
+            canvas,
+            words,
+            label.chars().count() + 1,
+            &command.state,
+            ink,
+        );
+    }
+}
+
+fn draw_mark(canvas: &mut Canvas, rect: Rect, mark: Mark) {
+    let stroke = rect.width as f32 / 7.0;
+    let (square, round) = (rect.width / 4, rect.width / 2);
+    match mark {
+        Mark::None => {}
+        Mark::Switch(on, color) => {
+            if on {
+                canvas.rounded(rect, square, Ink::solid(color));
+            }
+            canvas.outline(rect, square, stroke, OFF);
+        }
+        Mark::Choice(true) => {
+            canvas.outline(rect, round, stroke, ACCENT);
+            let dot = rect.inset(rect.width / 4);
+            canvas.rounded(dot, dot.width / 2, ACCENT);
+        }
+        Mark::Choice(false) => canvas.outline(rect, round, stroke, OFF),
+    }
+}
+
+/// The error map's colours from the left, and below them what errors they stand for.
+fn draw_scale(canvas: &mut Canvas, face: Face, row: Rect) {
+    let half = row.height / 2;
+    // Half of the last tick's letters stand right of it.
+    let length = row.width - face.width(2);
+    for x in 0..length {
+        let share = f64::from(x) / f64::from((length - 1).max(1));
+        let color = error_map::color(error_map::error_at(share));
+        canvas.fill(Rect::new(row.x + x, row.y, 1, half), Ink::solid(color));
+    }
+    for tick in TICKS {
+        let x = row.x + (error_map::position(tick) * f64::from(length - 1)).round() as i32;
+        canvas.fill(Rect::new(x, row.y + half * 3 / 4, 1, half / 4), TEXT);
+        let label = tick.to_string();
+        let left = (x - face.width(label.len()) / 2).max(row.x);
+        canvas.text(face, [left, row.y + half], TEXT, &label);
+    }
+}
+
+fn draw_swatches(canvas: &mut Canvas, face: Face, [mut x, y]: Point, all: &[(u32, String)]) {
+    let size = mark_size(face);
+    for (color, text) in all {
+        let swatch = Rect::new(x, y + (face.height() - size) / 2, size, size);
+        canvas.rounded(swatch, size / 4, Ink::solid(*color));
+        canvas.outline(swatch, size / 4, 1.0, EDGE);
+        canvas.text(face, [x + face.width(2), y], TEXT, text);
+        x += face.width(swatch_letters(text));
+    }
 }

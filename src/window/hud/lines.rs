@@ -1,24 +1,24 @@
 //! The state of the window and the table of bindings -> what the panel and the help say, line by line.
 //!
-//! Rule: each state is told by shape or words, never by colour alone.
+//! Rules: each state is told by shape or words, never by colour alone. The panel has as many lines whatever the state, so
+//! that the picture beside it keeps its size.
 
 mod commands;
 mod facts;
 
 use std::path::Path;
 
-use crate::components::ShadingMode;
 use crate::window::bindings::{Action, Section};
 use crate::window::session::Session;
 use crate::window::views::mode_label;
-use commands::{command, commands, label};
+use commands::commands;
 
 pub use commands::tolerance;
+pub use facts::shaded_by;
 
 /// The sign before a command that has a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// The command has no state.
     None,
     /// On or off by itself, filled with this colour (0x00RRGGBB) where it is on.
     Switch(bool, u32),
@@ -29,16 +29,12 @@ pub enum Mark {
 /// A command as it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Command {
-    /// The keys that call it up.
-    pub captions: Vec<&'static str>,
-    /// Its state as a sign.
+    /// The keys, and what each does; a click on the row does what the last one does.
+    pub keys: Vec<(&'static str, Action)>,
     pub mark: Mark,
-    /// What it is called.
     pub label: String,
-    /// Its state in words; empty where the sign says it all.
+    /// Its state in words; empty where the mark says it all.
     pub state: String,
-    /// What a click does.
-    pub action: Action,
 }
 
 /// One line of a board.
@@ -48,16 +44,19 @@ pub enum Line {
     Title(&'static str, String),
     /// What the next lines have in common.
     Heading(&'static str),
-    /// Something to click.
     Command(Command),
     /// Words and numbers whose columns stand below one another.
     Text(String),
-    /// Something to know: its name and its value.
+    /// A name at the left and its value at the right.
     Fact(&'static str, String),
     /// The same, and something is wrong.
     Alarm(&'static str, String),
     /// A line drawn between what can be clicked and what can be known.
     Rule,
+    /// The colours of the error map with errors in levels below them; two rows high.
+    Scale,
+    /// Colours (0x00RRGGBB) and what they stand for.
+    Swatches(Vec<(u32, String)>),
 }
 
 /// The colour of what is on.
@@ -70,81 +69,65 @@ pub fn panel(session: &Session) -> Vec<Line> {
         .file_name()
         .map_or_else(|| name.clone(), |it| it.to_string_lossy().into_owned());
     let mut lines = vec![Line::Title("shadetrade", file)];
-    for section in Section::ALL {
-        let commands: Vec<_> = commands(session, section, true).collect();
-        if !commands.is_empty() {
-            lines.push(Line::Heading(section.title()));
-            lines.extend(commands.into_iter().map(Line::Command));
-        }
+    for sections in PANEL_SECTIONS {
+        lines.push(Line::Heading(sections[0].title()));
+        let commands = sections
+            .iter()
+            .flat_map(|section| commands(session, *section, true));
+        lines.extend(commands);
     }
     lines.push(Line::Rule);
     lines.extend(facts::all(session));
     lines
 }
 
-/// The panel where room is short: one row where a key steps through states, which tells the present one.
-pub fn brief_panel(session: &Session) -> Vec<Line> {
-    let short = |action| command(session, action, 1);
-    let named = |action, label: String| Command {
-        label,
-        state: String::new(),
-        ..short(action)
+/// The sections of the panel, those together that have one heading.
+const PANEL_SECTIONS: [&[Section]; 4] = [
+    &[Section::Lights],
+    &[Section::Shading],
+    &[Section::View, Section::Projection, Section::Camera],
+    &[Section::Window, Section::Motion],
+];
+
+/// The help: every command there is, in two boards side by side.
+pub fn help(session: &Session) -> [Vec<Line>; 2] {
+    let section = |section: Section| {
+        let heading = Line::Heading(section.title());
+        [heading]
+            .into_iter()
+            .chain(commands(session, section, false))
     };
-    let lights = (0..session.scene().lights.len()).map(Action::Light);
-    let camera = label(session, Action::Camera(session.camera()));
-    let mut commands: Vec<Command> = lights.map(short).collect();
-    commands.extend([
-        short(Action::Shading(ShadingMode::Gouraud)),
-        short(Action::Shading(ShadingMode::Phong)),
-        named(
-            Action::NextTolerance,
-            match session.tolerance() {
-                0.0 => "exact".to_owned(),
-                levels => format!("within {levels}"),
-            },
-        ),
-        named(
-            Action::NextProjection,
-            session.projection().name().to_owned(),
-        ),
-        named(Action::NextCamera, format!("camera {camera}")),
-        named(Action::NextView, session.view_mode().label().to_owned()),
-        short(Action::Panel),
-        short(Action::Help),
-    ]);
-    let mut lines: Vec<Line> = commands.into_iter().map(Line::Command).collect();
-    lines.push(Line::Rule);
-    lines.extend(facts::brief(session));
+    let (left, right) = Section::ALL.split_at(5);
+    let titles = [("help", ""), ("", "H or Esc closes it")];
+    let mut lines = [(left, titles[0]), (right, titles[1])].map(|(sections, (name, detail))| {
+        let mut lines = vec![Line::Title(name, detail.to_owned())];
+        lines.extend(sections.iter().flat_map(|it| section(*it)));
+        lines
+    });
+    let mouse = [
+        ("click on a row", "does what its key does"),
+        ("click on the picture", "probes the pixel"),
+        ("drag the picture", "orbits"),
+        ("drag the divider", "moves it"),
+        ("wheel", "zooms"),
+    ];
+    lines[1].push(Line::Heading("mouse"));
+    lines[1].extend(mouse.map(|(name, does)| Line::Fact(name, does.to_owned())));
     lines
 }
 
-/// What stands in for the hidden panel: how to get it back, and the help.
-pub fn tab(session: &Session) -> Vec<Line> {
-    let wanted = |command: &Command| matches!(command.action, Action::Panel | Action::Help);
-    commands(session, Section::Window, true)
-        .filter(wanted)
-        .map(Line::Command)
-        .collect()
-}
-
-/// The help: every command there is.
-pub fn help(session: &Session) -> Vec<Line> {
-    let mut lines = vec![Line::Title("keys", "every row can be clicked".to_owned())];
-    for section in Section::ALL {
-        lines.push(Line::Heading(section.title()));
-        lines.extend(commands(session, section, false).map(Line::Command));
-    }
-    lines
-}
-
-/// What the window's title says.
-pub fn title(session: &Session) -> String {
+/// What the window's title says; `panel` is whether there is room for it.
+pub fn title(session: &Session, panel: bool) -> String {
     let scene = &session.scene().name;
     let shading = session.shading().map_or("mixed shading", mode_label);
     let projection = session.projection().name();
-    let camera = label(session, Action::Camera(session.camera()));
-    let title =
-        format!("shadetrade: {scene}, {shading}, {projection}, camera {camera} - H for help");
+    let camera = session.name(session.scene().cameras[session.camera()]);
+    let hint = match (session.state().panel, panel) {
+        (false, _) => "I for the panel, H for help",
+        (true, false) => "no room for the panel, H for help",
+        (true, true) => "H for help",
+    };
+    let title = format!("shadetrade: {scene}, {shading}, {projection}, camera {camera} - {hint}");
     // What no window system could show.
     title.replace(char::is_control, " ")
 }

@@ -2,12 +2,10 @@
 //!
 //! Rule: whatever was wanted shows: in the picture, over it, or as words that say why not.
 
-use super::{DEGREE_TIME, Redraw, Request, Session};
+use super::{DEGREE_TIME, Measuring, Redraw, Request, Session};
 use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
-use crate::window::measuring::Measuring;
 use crate::window::orbit::Limits;
-use crate::window::overlay::Pane;
 
 /// The tolerances that keys step through, in levels.
 pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -24,10 +22,6 @@ impl Session {
             Action::Shading(mode) => self.shade(Some(mode)),
             Action::SceneShading => self.shade(None),
             Action::Tolerance(steps) => self.step_tolerance(steps),
-            Action::NextTolerance if self.next_tolerance(1).is_none() => {
-                self.shade_within(TOLERANCES[0]);
-            }
-            Action::NextTolerance => self.step_tolerance(1),
             Action::Projection(projection) => {
                 self.projection = projection;
                 self.changed();
@@ -36,7 +30,6 @@ impl Session {
                 Projection::Perspective => Projection::Orthographic,
                 Projection::Orthographic => Projection::Perspective,
             })),
-            Action::Camera(index) => self.look_from(index),
             Action::NextCamera if self.scene.cameras.len() == 1 => self.say("there is one camera"),
             Action::NextCamera => self.look_from((self.camera() + 1) % self.scene.cameras.len()),
             Action::Orbit { azimuth, elevation } => {
@@ -60,20 +53,20 @@ impl Session {
                 }
                 self.set_orbit(Orbit::default());
             }
-            Action::Show(mode) => {
-                self.looking.mode = mode;
+            Action::View(steps) => {
+                self.state.mode = self.state.mode.stepped(steps);
                 self.wants(Redraw::Picture);
             }
-            Action::NextView => self.apply(Action::Show(self.looking.mode.next())),
-            Action::Blink => {
-                self.looking.blinks ^= true;
-                self.wants(Redraw::Overlay);
-            }
-            Action::Measure if self.measuring.is_open() => self.stop_measuring(),
+            Action::Blink => self.show_reference(!self.state.shows_reference),
+            Action::Measure if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
             Action::Measure if self.spin().on => {
-                self.say("what turns cannot be measured");
+                self.say("stop the rotation (Space) before measuring");
             }
             Action::Measure => {
+                // A measurement runs alone: the comparison with the reference is cancelled, and asked for again after it.
+                if self.reference.as_ref().is_none_or(|it| it.proof.is_none()) {
+                    self.to_be_examined = Some(self.now);
+                }
                 self.measuring = Measuring::Running(None);
                 self.requests.push(Request::Measure);
                 self.wants(Redraw::Overlay);
@@ -86,16 +79,19 @@ impl Session {
                 self.wants(Redraw::Overlay);
             }
             Action::Panel => {
-                self.overlay.switch_panel();
+                self.state.panel ^= true;
                 self.wants(Redraw::Overlay);
+                if !self.state.panel {
+                    self.say("I shows the panel again");
+                }
             }
             Action::Help => {
-                self.overlay.switch_help();
+                self.state.help ^= true;
                 self.wants(Redraw::Overlay);
             }
-            Action::Close if self.overlay.shows_help() => self.apply(Action::Help),
-            Action::Close if self.measuring.is_open() => self.stop_measuring(),
-            Action::Close if self.probing.is_open() => self.probe(None),
+            Action::Close if self.state.help => self.apply(Action::Help),
+            Action::Close if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
+            Action::Close if self.state.pixel.is_some() => self.probe(None),
             Action::Close | Action::Quit => self.requests.push(Request::Quit),
             Action::Screenshot => self.requests.push(Request::Screenshot),
         }
@@ -103,29 +99,36 @@ impl Session {
 
     /// The key of `action` went up, and what lasted as long ends.
     pub fn release(&mut self, action: Action) {
-        if action == Action::Blink && self.looking.blinks {
-            self.apply(action);
+        if action == Action::Blink {
+            self.show_reference(false);
         }
     }
 
     /// Moves the divider by this share of the picture's width to the right.
     pub fn drag_divider(&mut self, by: f64) {
-        self.looking.drag(by);
+        self.state.divider += by;
+        self.state.drags_divider = true;
         self.wants(Redraw::Overlay);
     }
 
-    /// Lets the divider stand where it is.
-    pub fn drop_divider(&mut self) {
-        self.looking.let_go();
+    /// Leaves the divider where it is seen.
+    pub fn end_drag(&mut self) {
+        self.state.end_drag();
     }
 
-    /// Looks at this pixel from now on, or no longer at any.
+    /// Probes this pixel of the picture from now on, or none.
     pub fn probe(&mut self, pixel: Option<[usize; 2]>) {
-        self.probing.look_at(pixel);
-        self.overlay.scroll_to(Pane::Probe, 0);
+        self.state.pixel = pixel;
+        self.probe = None;
         self.wants(Redraw::Picture);
     }
 
+    fn show_reference(&mut self, shown: bool) {
+        self.state.shows_reference = shown;
+        self.wants(Redraw::Overlay);
+    }
+
+    /// Ends a measurement or closes its table.
     fn stop_measuring(&mut self) {
         self.requests.retain(|request| *request != Request::Measure);
         self.measuring = Measuring::Off;

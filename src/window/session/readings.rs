@@ -4,15 +4,13 @@
 
 use hecs::Entity;
 
-use super::Session;
+use super::{Measuring, Session};
 use crate::components::{Light, Name, Orbit, Projection, ShadingMode, Spin};
 use crate::probe::Probe;
 use crate::scene::Scene;
-use crate::window::examiner::Findings;
-use crate::window::measuring::Measuring;
-use crate::window::overlay::Overlay;
-use crate::window::statistics::Statistics;
-use crate::window::views::ViewMode;
+use crate::window::examination::ReferenceResult;
+use crate::window::frame_times::FrameTimes;
+use crate::window::view_state::ViewState;
 
 impl Session {
     /// What is seen.
@@ -76,19 +74,14 @@ impl Session {
         self.tolerance
     }
 
-    /// What is shown of the scene.
-    pub fn view_mode(&self) -> ViewMode {
-        self.looking.mode
+    /// How the scene is looked at.
+    pub fn state(&self) -> &ViewState {
+        &self.state
     }
 
-    /// Whether the reference is to be seen.
-    pub fn blinks(&self) -> bool {
-        self.looking.blinks
-    }
-
-    /// What is known of the pixel that is looked at.
+    /// What is known of the pixel that is probed.
     pub fn probed(&self) -> Option<&Probe> {
-        self.probing.found()
+        self.probe.as_ref()
     }
 
     /// What is measured, or was.
@@ -96,39 +89,29 @@ impl Session {
         &self.measuring
     }
 
-    /// Whether the divider is being moved.
-    pub fn holds_divider(&self) -> bool {
-        self.looking.is_held()
-    }
-
-    /// The first column right of the divider in a picture of this width.
-    pub fn divider_column(&self, width: usize) -> usize {
-        self.looking.column(width)
-    }
-
     /// The number of the present picture: every change makes it larger.
     pub fn revision(&self) -> u64 {
-        self.examination.revision()
+        self.revision
     }
 
-    /// What was found out about the present picture.
-    pub fn findings(&self) -> Option<&Findings> {
-        self.examination.findings()
+    /// What the reference says of the present picture.
+    pub fn reference(&self) -> Option<&ReferenceResult> {
+        self.reference.as_ref()
+    }
+
+    /// What frames of what is shown take.
+    pub fn times(&self) -> &FrameTimes {
+        &self.times
+    }
+
+    /// Whether the drawn picture has one colour beside the background.
+    pub fn is_flat(&self) -> bool {
+        self.flat
     }
 
     /// How far the cuboids have turned, and whether they go on: all do alike.
     pub fn spin(&self) -> Spin {
         let mut query = self.scene.world.query::<&Spin>();
         query.iter().next().copied().unwrap_or_default()
-    }
-
-    /// What lies over the picture.
-    pub fn overlay(&self) -> &Overlay {
-        &self.overlay
-    }
-
-    /// What drawing has cost.
-    pub fn statistics(&self) -> &Statistics {
-        &self.statistics
     }
 }

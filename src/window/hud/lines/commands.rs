@@ -3,147 +3,96 @@
 //! Rule: a command is shown with every key that calls it up and with its present state.
 
 use glam::DVec3;
-use hecs::Entity;
 
-use super::{Command, Mark, ON};
-use crate::components::{Projection, ShadingMode};
-use crate::window::bindings::{Action, BINDINGS, Binding, Section};
-use crate::window::session::Session;
-use crate::window::views::{ViewMode, mode_label};
+use super::{Command, Line, Mark, ON};
+use crate::window::bindings::{Action, BINDINGS, Section};
+use crate::window::session::{Measuring, Session};
+use crate::window::views::mode_label;
 
 /// The commands of a section: those that the panel has, or all.
-pub fn commands(session: &Session, section: Section, panel: bool) -> impl Iterator<Item = Command> {
-    let shown = if panel { 1 } else { usize::MAX };
-    choices(session, section)
-        .into_iter()
-        .filter(move |&action| {
-            // What the table has no key for, such as a tenth light, has nothing but its row.
-            !panel
-                || bindings(session, action)
-                    .next()
-                    .is_none_or(|binding| binding.on_panel)
-        })
-        .map(move |action| command(session, action, shown))
-}
-
-/// The command of `action`, each of its bindings with at most so many of its keys.
-pub fn command(session: &Session, action: Action, keys: usize) -> Command {
-    let (mark, state) = state(session, action);
-    Command {
-        captions: bindings(session, action)
-            .flat_map(|it| it.captions.iter().take(keys).copied())
-            .collect(),
-        mark,
-        label: label(session, action),
-        state,
-        action,
+pub fn commands(session: &Session, section: Section, panel: bool) -> Vec<Line> {
+    let mut rows: Vec<(Action, Command)> = Vec::new();
+    let bindings = BINDINGS.iter().filter(|it| it.section == section);
+    for binding in bindings.filter(|it| it.on_panel || !panel) {
+        let Some(row) = row(session, binding.action) else {
+            continue;
+        };
+        let captions = binding.captions.iter();
+        let keys = captions
+            .take(if panel { 1 } else { usize::MAX })
+            .map(|caption| (*caption, binding.action));
+        if let Some((_, command)) = rows.iter_mut().find(|(action, _)| *action == row) {
+            command.keys.extend(keys);
+            continue;
+        }
+        let (mark, state) = state(session, row);
+        let command = Command {
+            keys: keys.collect(),
+            mark,
+            label: label(session, row).unwrap_or_else(|| binding.says.to_owned()),
+            state,
+        };
+        rows.push((row, command));
     }
-}
-
-/// The rows of the table whose keys lead to what the row of `shown` does.
-fn bindings(session: &Session, shown: Action) -> impl Iterator<Item = &'static Binding> {
-    BINDINGS
-        .iter()
-        .filter(move |binding| serves(session, binding.action, shown))
-}
-
-/// What can be clicked in a section: where a key steps through several states, each of them.
-fn choices(session: &Session, section: Section) -> Vec<Action> {
-    match section {
-        Section::Lights => (0..session.scene().lights.len())
-            .map(Action::Light)
-            .collect(),
-        Section::Camera => (0..session.scene().cameras.len())
-            .map(Action::Camera)
-            .collect(),
-        Section::Projection => Projection::ALL.map(Action::Projection).to_vec(),
-        Section::Shading => vec![
-            Action::Shading(ShadingMode::Gouraud),
-            Action::Shading(ShadingMode::Phong),
-            Action::NextTolerance,
-        ],
-        Section::View => ViewMode::ALL
-            .into_iter()
-            .map(Action::Show)
-            .chain([Action::Blink, Action::Measure])
-            .collect(),
-        Section::Motion | Section::Window => BINDINGS
-            .iter()
-            .filter(|binding| binding.section == section)
-            .map(|binding| binding.action)
-            .collect(),
+    let mut lines: Vec<Line> = rows.into_iter().map(|it| Line::Command(it.1)).collect();
+    let shown = lines.len();
+    if section == Section::Lights && session.scene().lights.len() > shown {
+        let more = session.scene().lights.len() - shown;
+        lines.push(Line::Text(format!("and {more} more without a key")));
     }
+    lines
 }
 
-/// Whether a key bound to `bound` leads to what the row of `shown` does.
-fn serves(session: &Session, bound: Action, shown: Action) -> bool {
-    match (bound, shown) {
-        (Action::LightNamed(name), Action::Light(index)) => session
-            .scene()
-            .lights
-            .get(index)
-            .is_some_and(|&light| session.is_named(light, name)),
-        (Action::Tolerance(_), Action::NextTolerance)
-        | (Action::NextProjection, Action::Projection(_))
-        | (Action::NextCamera, Action::Camera(_))
-        | (Action::NextView, Action::Show(_)) => true,
-        _ => bound == shown,
-    }
-}
-
-/// What a command is called.
-pub fn label(session: &Session, action: Action) -> String {
-    let name = |entities: &[Entity], index: usize| {
-        entities
-            .get(index)
-            .map_or_else(String::new, |&entity| session.name(entity))
-    };
+/// The row that shows what `action` does: several actions may share one; `None` for a light that the scene lacks.
+fn row(session: &Session, action: Action) -> Option<Action> {
     match action {
-        Action::Light(index) => name(&session.scene().lights, index),
-        Action::Camera(index) => name(&session.scene().cameras, index),
-        Action::Shading(mode) => mode_label(mode).to_owned(),
-        Action::Show(mode) => mode.label().to_owned(),
-        Action::Projection(projection) => projection.name().to_owned(),
-        Action::NextTolerance => "tolerance".to_owned(),
-        _ => BINDINGS
-            .iter()
-            .find(|binding| binding.action == action)
-            .map_or_else(String::new, |binding| binding.says.to_owned()),
+        Action::LightNamed(name) => session.light_named(name).map(Action::Light),
+        Action::Light(index) => session.light(index).map(|_| action),
+        Action::Tolerance(_) => Some(Action::Tolerance(1)),
+        _ => Some(action),
+    }
+}
+
+/// What a command is called where its own words do not say it.
+fn label(session: &Session, action: Action) -> Option<String> {
+    match action {
+        Action::Light(index) => Some(session.name(session.scene().lights[index])),
+        Action::Shading(mode) => Some(mode_label(mode).to_owned()),
+        _ => None,
     }
 }
 
 fn state(session: &Session, action: Action) -> (Mark, String) {
     let switch = |on: bool, color: u32| {
-        (
-            Mark::Switch(on, color),
-            if on { "on" } else { "off" }.to_owned(),
-        )
+        let words = if on { "on" } else { "off" };
+        (Mark::Switch(on, color), words.to_owned())
     };
-    let choice = |chosen: bool| (Mark::Choice(chosen), String::new());
+    let words = |words: String| (Mark::None, words);
     let orbit = session.orbit();
+    let state = session.state();
     match action {
-        Action::Light(index) => session
-            .light(index)
-            .map_or((Mark::None, String::new()), |light| {
-                switch(light.on, brightest(light.color))
-            }),
-        Action::Shading(mode) => choice(session.shading() == Some(mode)),
-        Action::NextTolerance => (Mark::None, tolerance(session.tolerance())),
-        Action::Projection(projection) => choice(session.projection() == projection),
-        Action::Camera(index) => choice(session.camera() == index),
-        Action::Show(mode) => choice(session.view_mode() == mode),
-        Action::Blink => switch(session.blinks(), ON),
-        Action::Measure => switch(session.measuring().is_open(), ON),
-        Action::Turning => switch(session.spin().on, ON),
-        Action::Panel => switch(session.overlay().shows_panel(), ON),
-        Action::Help => switch(session.overlay().shows_help(), ON),
-        Action::Orbit { azimuth, .. } if azimuth != 0.0 => (Mark::None, degrees(orbit.azimuth)),
-        Action::Orbit { .. } => (Mark::None, degrees(orbit.elevation)),
-        Action::Zoom(_) => (Mark::None, format!("{:.2}\u{d7}", 1.0 / orbit.factor())),
-        Action::ResetView if session.spin().degrees > 0 => {
-            (Mark::None, degrees(f64::from(session.spin().degrees)))
+        Action::Light(index) => session.light(index).map_or_else(
+            || words(String::new()),
+            |light| switch(light.on, brightest(light.color)),
+        ),
+        Action::Shading(mode) => (Mark::Choice(session.shading() == Some(mode)), String::new()),
+        Action::Tolerance(_) => words(tolerance(session.tolerance())),
+        Action::NextProjection => words(session.projection().name().to_owned()),
+        Action::NextCamera => words(session.name(session.scene().cameras[session.camera()])),
+        Action::View(1) => words(state.mode.label().to_owned()),
+        Action::Blink => switch(state.shows_reference, ON),
+        Action::Measure => switch(!matches!(session.measuring(), Measuring::Off), ON),
+        Action::Turning => {
+            let spin = session.spin();
+            let (mark, _) = switch(spin.on, ON);
+            (mark, degrees(f64::from(spin.degrees)))
         }
-        _ => (Mark::None, String::new()),
+        Action::Panel => switch(state.panel, ON),
+        Action::Help => switch(state.help, ON),
+        Action::Orbit { azimuth, .. } if azimuth != 0.0 => words(degrees(orbit.azimuth)),
+        Action::Orbit { .. } => words(degrees(orbit.elevation)),
+        Action::Zoom(_) => words(format!("{:.2}\u{d7}", 1.0 / orbit.factor())),
+        _ => words(String::new()),
     }
 }
 
@@ -162,7 +111,7 @@ pub fn tolerance(levels: f64) -> String {
     if levels == 0.0 {
         "exact".to_owned()
     } else {
-        levels.to_string()
+        format!("{levels} level{}", if levels > 1.0 { "s" } else { "" })
     }
 }
 

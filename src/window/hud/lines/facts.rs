@@ -1,73 +1,86 @@
 //! What the session knows of its picture -> facts, a line each.
 //!
-//! Rule: "..." for what is being found out, "-" for what there is not.
+//! Rule: "..." for what is being computed, "-" for what does not exist.
 
-use super::Line;
+use std::time::Duration;
+
+use super::{Line, tolerance};
 use crate::trade::words::short;
-use crate::window::examiner::{Errors, Findings};
+use crate::window::examination::{Errors, ReferenceResult};
+use crate::window::frame_times::Spread;
 use crate::window::session::Session;
+use crate::window::views::{ViewMode, mode_label};
 
-/// Everything: what drawing took, and how far the picture errs.
+/// What frames took, how much is proven, and how far the picture errs; always as many lines.
 pub fn all(session: &Session) -> [Line; 6] {
-    let statistics = session.statistics();
-    let [width, height] = statistics.size();
-    let columns = |max: &str, mean: &str| format!("{max:>6}{mean:>7}");
-    let both = |errors: Errors| columns(&short_error(errors.max), &short_error(errors.mean));
+    let times = session.times();
+    let [left, right] = &times.sides;
+    let wipe = session.state().mode == ViewMode::GouraudPhong;
+    let [frames, threads] = [left.len(), times.threads].map(|count| {
+        move |noun: &str| format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+    });
     [
-        Line::Fact("frame", frame_time(session)),
+        Line::Fact(if wipe { "Gouraud" } else { "frame" }, milliseconds(left)),
+        if wipe {
+            Line::Fact("Phong", milliseconds(right))
+        } else {
+            Line::Text(String::new())
+        },
+        Line::Fact(
+            "median of",
+            format!("{}, {}", frames("frame"), threads("thread")),
+        ),
         proven(session),
-        Line::Fact("window", format!("{width}\u{d7}{height}")),
-        Line::Fact("error", columns("max", "mean")),
-        Line::Fact("vs Phong", errors(session, |it| it.errors, both)),
-        Line::Fact("vs own mode", errors(session, |it| it.own_errors, both)),
+        Line::Fact("max vs Phong", errors(session, |it| it.errors)),
+        Line::Fact("max vs own", errors(session, |it| it.own_errors)),
     ]
 }
 
-/// The most important of it.
-pub fn brief(session: &Session) -> [Line; 2] {
-    let max = |errors: Errors| short_error(errors.max);
-    [
-        Line::Fact("frame", frame_time(session)),
-        Line::Fact("max error", errors(session, |it| it.errors, max)),
-    ]
+/// The method that draws the picture, in words.
+pub fn shaded_by(session: &Session) -> String {
+    let mode = session.shading().map_or("mixed", mode_label);
+    format!("{mode}, {}", tolerance(session.tolerance()))
+}
+
+/// A median with its quartiles.
+fn milliseconds(times: &[Duration]) -> String {
+    let text = |time: Duration| short(Some(time.as_secs_f64() * 1e3));
+    match Spread::of(times) {
+        None => "-".to_owned(),
+        Some(spread) if times.len() == 1 => format!("{} ms", text(spread.median)),
+        Some(spread) => format!(
+            "{} ({} to {}) ms",
+            text(spread.median),
+            text(spread.lower),
+            text(spread.upper)
+        ),
+    }
 }
 
 /// How many of the pixels that show a cuboid are proven, or what is missing.
 fn proven(session: &Session) -> Line {
     let name = "proven";
-    let shaded = grouped(session.statistics().shaded_pixels());
-    let Some(proof) = session.findings().and_then(|it| it.proof.as_ref()) else {
-        return Line::Fact(name, format!("... of {shaded}"));
+    let covered = grouped(session.times().counts.covered_pixels);
+    let Some(proof) = session.reference().and_then(|it| it.proof.as_ref()) else {
+        return Line::Fact(name, format!("... of {covered}"));
     };
     match (proof.refuted, proof.undecided) {
-        (0, 0) => Line::Fact(name, format!("{} of {shaded}", grouped(proof.covered))),
+        (0, 0) => Line::Fact(name, format!("{} of {covered}", grouped(proof.covered))),
         (0, undecided) => Line::Alarm(name, format!("not {} px", grouped(undecided))),
         (refuted, _) => Line::Alarm(name, format!("{} px refuted", grouped(refuted))),
     }
 }
 
-fn frame_time(session: &Session) -> String {
-    session.statistics().frame_time().map_or_else(
-        || "-".to_owned(),
-        |time| format!("{:.2} ms", time.as_secs_f64() * 1e3),
-    )
-}
-
-/// Errors in levels as `told`, or why there are none.
-fn errors(
-    session: &Session,
-    of: fn(&Findings) -> Option<Errors>,
-    told: impl Fn(Errors) -> String,
-) -> String {
-    match session.findings().map(of) {
+/// Errors in levels, or why there are none.
+fn errors(session: &Session, of: fn(&ReferenceResult) -> Option<Errors>) -> String {
+    match session.reference().map(of) {
         None => "...".to_owned(),
         Some(None) => "-".to_owned(),
-        Some(Some(errors)) => told(errors),
+        Some(Some(errors)) => {
+            let [max, mean] = [errors.max, errors.mean].map(|it| short(Some(it)));
+            format!("{max} (mean {mean})")
+        }
     }
-}
-
-fn short_error(levels: f64) -> String {
-    short(Some(levels))
 }
 
 /// A number with its digits in threes.

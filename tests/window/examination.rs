@@ -1,33 +1,35 @@
 //! What is found out about a picture that rests, and when.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::frame::Workers;
 use shadetrade::prove::{Proof, REFUTED, UNDECIDED, Verdict, prove};
 use shadetrade::trade::error_map;
-use shadetrade::window::examiner::{Answer, Errors, Examiner, Findings, Question, examine};
+use shadetrade::window::examination::{Errors, ReferenceRequest, ReferenceResult, examine};
 use shadetrade::window::hud::lines::Line;
-use shadetrade::window::hud::{Hud, Shown};
+use shadetrade::window::hud::{Hud, Part};
+use shadetrade::window::jobs::{Job, Jobs, Progress};
 use shadetrade::window::session::{Redraw, Request, Session};
 
+use super::jobs::until_heard;
 use super::{default_session, press};
 
 /// A small picture, higher than one band of rows.
 const SMALL: [usize; 2] = [96, 80];
 
-fn found(mut question: Question) -> Findings {
+fn found(mut request: ReferenceRequest) -> ReferenceResult {
     let workers = Workers::alone(Level::new());
-    examine(&mut question, workers, &|| false).expect("nobody cancels it")
+    examine(&mut request, workers, &|| false).expect("nobody cancels it")
 }
 
-fn proof(mut question: Question) -> Proof {
+fn proof(mut request: ReferenceRequest) -> Proof {
     let workers = [(); 2].map(|()| Workers::alone(Level::new()));
     let proof = prove(
-        &mut question.scene.world,
-        &question.view,
+        &mut request.scene.world,
+        &request.view,
         workers,
         &|| false,
         &|_| (),
@@ -36,8 +38,13 @@ fn proof(mut question: Question) -> Proof {
 }
 
 fn facts(session: &Session) -> Vec<String> {
-    let hud = Hud::new(session, super::SIZE, Shown::All);
-    let rows = hud.panel().expect("there is room").rows().iter();
+    let hud = Hud::new(session, super::SIZE);
+    let rows = hud
+        .boards(Part::Panel)
+        .next()
+        .expect("there is room")
+        .rows()
+        .iter();
     rows.filter_map(|(line, _)| match line {
         Line::Fact(_, value) => Some(value.clone()),
         _ => None,
@@ -79,54 +86,54 @@ fn a_picture_is_examined_once_when_it_has_rested_for_a_tenth_of_a_second() {
 #[test]
 fn an_answer_about_another_picture_is_dropped() {
     let mut session = default_session();
-    let findings = found(session.question(SMALL));
+    let findings = found(session.reference_request(SMALL));
     press(&mut session, Key::R);
     session.take_redraw();
-    session.answer(Answer::Findings(findings));
-    assert!(session.findings().is_none());
+    session.hear(Progress::Examined(findings));
+    assert!(session.reference().is_none());
     assert_eq!(session.take_redraw(), Redraw::Nothing);
-    session.answer(Answer::Findings(found(session.question(SMALL))));
-    assert!(session.findings().is_some());
+    session.hear(Progress::Examined(found(session.reference_request(SMALL))));
+    assert!(session.reference().is_some());
     assert_eq!(session.take_redraw(), Redraw::Overlay);
     press(&mut session, Key::P);
-    assert!(session.findings().is_none());
+    assert!(session.reference().is_none());
 }
 
 #[test]
 fn the_panel_tells_the_error_or_why_there_is_none() {
     let mut session = default_session();
-    assert_eq!(facts(&session)[4..6], ["...", "..."]);
-    let mut findings = found(session.question(SMALL));
+    assert_eq!(facts(&session)[3..], ["...", "..."]);
+    let mut findings = found(session.reference_request(SMALL));
     findings.errors = Some(Errors {
         max: 163.4,
         mean: 9.934,
     });
     findings.own_errors = None;
-    session.answer(Answer::Findings(findings));
-    assert_eq!(facts(&session)[4..6], ["   163   9.93", "-"]);
+    session.hear(Progress::Examined(findings));
+    assert_eq!(facts(&session)[3..], ["163 (mean 9.93)", "-"]);
 }
 
 #[test]
 fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
     let mut session = default_session();
-    session.answer(Answer::Proof(
+    session.hear(Progress::Proven(
         session.revision(),
-        proof(session.question(SMALL)),
+        proof(session.reference_request(SMALL)),
     ));
     assert!(
-        facts(&session)[1].starts_with("... of"),
+        facts(&session)[2].starts_with("... of"),
         "a proof follows the findings"
     );
-    session.answer(Answer::Findings(found(session.question(SMALL))));
-    let proven = proof(session.question(SMALL));
-    session.answer(Answer::Proof(session.revision() + 1, proven.clone()));
+    session.hear(Progress::Examined(found(session.reference_request(SMALL))));
+    let proven = proof(session.reference_request(SMALL));
+    session.hear(Progress::Proven(session.revision() + 1, proven.clone()));
     assert!(
-        facts(&session)[1].starts_with("... of"),
+        facts(&session)[2].starts_with("... of"),
         "a proof of another picture"
     );
-    session.answer(Answer::Proof(session.revision(), proven.clone()));
+    session.hear(Progress::Proven(session.revision(), proven.clone()));
     let covered = proven.covered.to_string();
-    let told = facts(&session)[1].replace(' ', "");
+    let told = facts(&session)[2].replace(' ', "");
     assert!(
         told.starts_with(&format!("{covered}of")) && proven.covered > 1000,
         "{told}"
@@ -135,24 +142,29 @@ fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
     let mut lacking = proven.clone();
     lacking.undecided = 2;
     lacking.marks[3].verdict = Verdict::Undecided;
-    session.answer(Answer::Proof(session.revision(), lacking.clone()));
+    session.hear(Progress::Proven(session.revision(), lacking.clone()));
     assert!(alarm(&session).contains('2'), "{}", alarm(&session));
     lacking.refuted = 7;
     lacking.marks[4].verdict = Verdict::Refuted;
-    session.answer(Answer::Proof(session.revision(), lacking));
+    session.hear(Progress::Proven(session.revision(), lacking));
     assert!(
         alarm(&session).contains("7 px refuted"),
         "{}",
         alarm(&session)
     );
-    let map = &session.findings().expect("they were given").error_map;
+    let map = &session.reference().expect("they were given").error_map;
     assert_eq!(map[3..5], [UNDECIDED, REFUTED]);
     assert_ne!(map[5], REFUTED);
 }
 
 fn alarm(session: &Session) -> String {
-    let hud = Hud::new(session, super::SIZE, Shown::All);
-    let mut rows = hud.panel().expect("there is room").rows().iter();
+    let hud = Hud::new(session, super::SIZE);
+    let mut rows = hud
+        .boards(Part::Panel)
+        .next()
+        .expect("there is room")
+        .rows()
+        .iter();
     let alarm = rows.find_map(|(line, _)| match line {
         Line::Alarm(_, value) => Some(value.clone()),
         _ => None,
@@ -163,14 +175,17 @@ fn alarm(session: &Session) -> String {
 #[test]
 fn phong_errs_by_its_tolerance_at_most_and_gouraud_by_more() {
     let mut session = default_session();
-    let gouraud = found(session.question(SMALL));
+    let gouraud = found(session.reference_request(SMALL));
     let [errors, own] = [gouraud.errors, gouraud.own_errors].map(|it| it.expect("covered"));
     assert!(errors.max > 10.0 && errors.mean > 1.0, "{errors:?}");
     assert!(own.max <= 0.5 && own.mean <= own.max, "{own:?}");
     press(&mut session, Key::P);
-    let phong = found(session.question(SMALL));
+    let phong = found(session.reference_request(SMALL));
     assert_eq!(phong.errors, phong.own_errors);
-    assert_ne!(phong.reference, gouraud.reference);
+    assert!(
+        phong.reference == gouraud.reference,
+        "exact Phong whatever is drawn"
+    );
     // Where nothing is drawn, in the picture's corner.
     assert_eq!(phong.error_map[0], error_map::NOTHING);
     assert_eq!(phong.error_map.len(), SMALL[0] * SMALL[1]);
@@ -183,7 +198,7 @@ fn the_reference_looks_like_the_picture() {
     let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let mut frame = shadetrade::frame::Frame::new(shadetrade::frame::Keep::Display, workers);
     session.draw(SMALL, &mut frame).expect("there is memory");
-    let reference = found(session.question(SMALL)).reference;
+    let reference = found(session.reference_request(SMALL)).reference;
     let far = |(drawn, exact): (&u32, &u32)| {
         let [drawn, exact] = [drawn, exact].map(|it| it.to_be_bytes());
         drawn.iter().zip(exact).any(|(a, b)| a.abs_diff(b) > 1)
@@ -195,12 +210,12 @@ fn the_reference_looks_like_the_picture() {
 #[test]
 fn where_nothing_is_drawn_there_is_no_error() {
     let mut session = default_session();
-    let mut question = session.question([1, 1]);
-    question.view.viewpoint.camera.target = question.view.viewpoint.position * 2.0;
-    let findings = found(question);
+    let mut request = session.reference_request([1, 1]);
+    request.view.viewpoint.camera.target = request.view.viewpoint.position * 2.0;
+    let findings = found(request);
     assert_eq!((findings.errors, findings.own_errors), (None, None));
-    session.answer(Answer::Findings(findings));
-    assert_eq!(facts(&session)[4..6], ["-", "-"]);
+    session.hear(Progress::Examined(findings));
+    assert_eq!(facts(&session)[3..], ["-", "-"]);
 }
 
 #[test]
@@ -210,29 +225,38 @@ fn an_examination_stops_as_soon_as_it_is_cancelled() {
     let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let cancelled = || asked.fetch_add(1, Ordering::Relaxed) >= 3;
     assert_eq!(
-        examine(&mut session.question(SMALL), workers, &cancelled),
+        examine(&mut session.reference_request(SMALL), workers, &cancelled),
         None
     );
 }
 
 #[test]
-fn the_newest_question_is_answered() {
+fn the_newest_request_is_answered_and_what_is_cancelled_is_not() {
     let mut session = default_session();
-    let examiner = Examiner::start(Level::new()).expect("there are threads");
+    let mut jobs = Jobs::start(Level::new()).expect("there are threads");
     for _ in 0..20 {
         press(&mut session, Key::R);
-        examiner.ask(session.question([400, 300]));
+        jobs.submit(Job::Examine(session.reference_request([400, 300])));
     }
-    let start = Instant::now();
-    while session.findings().is_none_or(|it| it.proof.is_none()) {
-        assert!(start.elapsed() < Duration::from_secs(60));
-        for answer in examiner.answers() {
-            session.answer(answer);
-        }
-    }
-    // Asked and withdrawn: nothing comes.
+    until_heard(&jobs, |progress| {
+        let last = matches!(progress, Progress::Proven(..));
+        session.hear(progress);
+        last
+    });
+    assert!(session.reference().is_some_and(|it| it.proof.is_some()));
+    // Cancelled at once: the next job is done all the same, and nothing else is heard of.
+    jobs.submit(Job::Examine(session.reference_request([4000, 3000])));
+    jobs.cancel();
     press(&mut session, Key::R);
-    examiner.ask(session.question([4000, 3000]));
-    examiner.keep_to(session.revision() + 1);
-    drop(examiner);
+    jobs.submit(Job::Examine(session.reference_request(SMALL)));
+    until_heard(&jobs, |progress| match progress {
+        Progress::Examined(result) => {
+            assert_eq!(result.reference.len(), SMALL[0] * SMALL[1]);
+            true
+        }
+        other => panic!("{other:?}"),
+    });
+    // Dropping it waits for the thread, which does not finish what is cancelled.
+    jobs.submit(Job::Examine(session.reference_request([4000, 3000])));
+    drop(jobs);
 }
