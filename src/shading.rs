@@ -3,7 +3,7 @@
 //! ```text
 //!  face --affine N, L, O--> square --the model at nine nodes--> biquadratic --cheapest rows--> levels
 //!                             |         where a bound on third derivatives keeps the tolerance
-//!                             '-- elsewhere: four squares; at 8 pixels the model at each
+//!                             '-- elsewhere: four squares; on 16 x 16 pixels the model at each
 //! ```
 //! Rule: a face is set up in f64 from unsnapped corners; what is done in f32 is done only where its rounding error is
 //! bounded below the tolerance, and in f64 elsewhere.

@@ -1,11 +1,11 @@
-//! Who may import whom: as the crate's front page draws it, floor by floor.
+//! Who may import whom: as the crate's front page draws it, layer by layer.
 
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The rooms by floor, from the top: the block of text below its heading on the front page.
-fn floors() -> Vec<Vec<&'static str>> {
+/// The modules by layer, from the top: the block of text below its heading on the front page.
+fn layers() -> Vec<Vec<&'static str>> {
     let (_, page) = include_str!("../src/lib.rs")
         .split_once("# Who may import whom")
         .expect("the front page has it");
@@ -14,8 +14,8 @@ fn floors() -> Vec<Vec<&'static str>> {
         .lines()
         .skip(1)
         .map(|line| line.trim_start_matches("//!"));
-    let floors = lines.map(|line| line.split_whitespace().collect::<Vec<_>>());
-    floors.filter(|rooms| !rooms.is_empty()).collect()
+    let layers = lines.map(|line| line.split_whitespace().collect::<Vec<_>>());
+    layers.filter(|modules| !modules.is_empty()).collect()
 }
 
 /// Every source file below `folder`.
@@ -54,10 +54,10 @@ fn imported(code: &str) -> Vec<&str> {
 
 #[test]
 fn every_room_imports_from_lower_floors_only() {
-    let floors = floors();
-    let rooms = (0..).zip(&floors);
-    let floor_of: HashMap<&str, usize> = rooms
-        .flat_map(|(floor, rooms)| rooms.iter().map(move |room| (*room, floor)))
+    let layers = layers();
+    let modules = (0..).zip(&layers);
+    let floor_of: HashMap<&str, usize> = modules
+        .flat_map(|(layer, modules)| modules.iter().map(move |module| (*module, layer)))
         .collect();
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut arrows = 0;
@@ -66,23 +66,23 @@ fn every_room_imports_from_lower_floors_only() {
             .strip_prefix(&source)
             .expect("below it")
             .with_extension("");
-        let room = inside.iter().next().expect("a name").to_string_lossy();
-        if room == "lib" {
+        let module = inside.iter().next().expect("a name").to_string_lossy();
+        if module == "lib" {
             continue;
         }
-        let floor = *floor_of
-            .get(&*room)
-            .unwrap_or_else(|| panic!("{room} is on no floor"));
+        let layer = *floor_of
+            .get(&*module)
+            .unwrap_or_else(|| panic!("{module} is on no layer"));
         let text = fs::read_to_string(&path).expect("it can be read");
         let code: Vec<&str> = text
             .lines()
             .filter(|line| !line.trim_start().starts_with("//"))
             .collect();
         for other in imported(&code.join("\n")) {
-            let Some(below) = floor_of.get(other).filter(|_| other != room) else {
+            let Some(below) = floor_of.get(other).filter(|_| other != module) else {
                 continue;
             };
-            assert!(*below > floor, "{} imports {other}", path.display());
+            assert!(*below > layer, "{} imports {other}", path.display());
             arrows += 1;
         }
     }

@@ -26,15 +26,16 @@
 //! ```text
 //!   (s^rho)''' = rho s^(rho-1) s''' + 3 rho (rho-1) s^(rho-2) s' s'' + rho (rho-1) (rho-2) s^(rho-3) s'^3
 //! ```
-//! and |s'| <= Q sin(theta), Q the sum of the speeds of o, R and l. As s decreases and the sine increases with theta, what
-//! stands before the derivatives of s is bounded by s at the least theta of the square and the sine at the largest, and by
-//! its largest value anywhere.
+//! and |s'| <= Q sin(theta), Q the sum of the speeds of o, R and l. s^(rho-k) is bounded at the largest s if rho >= 3, else by
+//! s_max^rho / s_min^k. The sine moves no more than theta does, so it is at most the sine at the middle plus the turn. Each
+//! product of the two is also bounded by its largest value at any angle.
 //!
 //! Rule: four squares are bounded side by side, each as it would be alone; whatever is not a number bounds nothing.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
 
+use super::U;
 use super::affine::{Affine, Scalar};
 use super::interpolation::NODE;
 use super::kernel::{Power, Reals, dot};
@@ -384,8 +385,8 @@ impl Highlight {
 /// An upper bound of s^rho for s of at most 1.
 #[inline(always)]
 pub fn power<S: Simd>(power: &Power, most: Lanes<S>) -> Lanes<S> {
-    // Rounding of 1 - s to f32 is relative; of s^rho, see there.
-    let lambda = positive(1.0 - most).min(Lanes::splat(most.token(), 1.0));
+    // f32 may round 1 - s up, which would make the power smaller.
+    let lambda = positive((1.0 - most) * (1.0 - 2.0 * U)).min(Lanes::splat(most.token(), 1.0));
     lambda.powers(power) * 1.001 + 1e-30
 }
 
@@ -404,6 +405,14 @@ pub fn quotient_error<S: Simd>([a, b, c]: [Lanes<S>; 3], [e, g]: [Lanes<S>; 2]) 
         interpolation_error([x, y]),
         Lanes::splat(a.token(), f64::INFINITY),
     )
+}
+
+/// The least value of a scalar on four squares.
+#[inline(always)]
+pub fn least<S: Simd>(scalar: &Scalar, places: &Places<S>) -> Lanes<S> {
+    let ([x, y], [width, height]) = (places.middle, places.half);
+    let middle = x * scalar.dx + y * scalar.dy + scalar.centre;
+    middle - width * scalar.dx.abs() - height * scalar.dy.abs()
 }
 
 /// w on four squares over its value at the middle: what x and y add.

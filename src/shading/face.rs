@@ -292,10 +292,11 @@ impl Face {
     /// The most and the least of N.L between the normal at any corner and the vector from any corner to a light, whose place
     /// is given from the eye; what is not a number is the most.
     ///
-    /// N and L are combinations, with weights that are nowhere negative, of what they are at the corners: below the least
-    /// and above the most is no N.L of the face.
+    /// N and L are combinations, with weights that are nowhere negative, of what they are at the corners of a face that is
+    /// larger by what pixels overshoot: below the least and above the most is no N.L of a pixel.
     pub fn light_from(&self, light: DVec3) -> [f64; 2] {
-        const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+        const END: f64 = 1.0 + 2.0 * OVERSHOOT;
+        const CORNERS: [[f64; 2]; 4] = [[-END, -END], [END, -END], [-END, END], [END, END]];
         let normals = CORNERS.map(|corner| self.normal_at(corner));
         let [mut most, mut least] = [f64::NEG_INFINITY, f64::INFINITY];
         for corner in CORNERS {

@@ -142,7 +142,7 @@ impl Gouraud<'_> {
         // Each affine value is rounded five times, the fold is multiplied and added, and the sum is divided: twenty roundings
         // of the largest colour, over the smallest w, at least half the middle's; and the display may be that of the next float.
         let rounding = 42.0 * U * largest;
-        if !(self.face.is_steady(w.at(x, y))
+        if !(self.face.is_steady_on([x, y], half)
             && reach(w.dx, w.dy) < 0.5
             && rounding <= limit(self.tolerance))
         {

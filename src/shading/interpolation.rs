@@ -6,7 +6,7 @@
 //! x and y run from -1 to 1 over the square. Terms that the rest of the tolerance allows to be left out are: x^2 is then
 //! replaced by its mean 1/2, which leaves 1/2 (economization; Lanczos 1938).
 //!
-//! Rule: f32 rounds a value at most ten times at the size of the sum of its terms. Where the tolerance has `FIXED` to spare
+//! Rule: f32 rounds a value at most fourteen times at the size of the sum of its terms. Where the tolerance has `FIXED` to spare
 //! and no channel leaves the display's range, values are formed in multiples of 1/256 level, so that nothing is left
 //! to clamp and bytes only have to be cut out.
 
@@ -53,8 +53,10 @@ pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
     transposed(&columns)
 }
 
-/// What f32 makes of a value, over the size of its terms.
-const ROUNDING: f64 = 10.0 * U;
+/// What f32 makes of a value, over the size of its terms. A term x^2 y^2 is rounded once as a
+/// coefficient, and at most twice for each power of x and of y: nine times. What is cut off is rounded three times more where it is multiplied and added, and the display may be that of
+/// the next float, which is two.
+const ROUNDING: f64 = 14.0 * U;
 
 /// What multiples of 1/256 level cost: three roundings.
 const FIXED: f64 = 1.5 / 256.0;
@@ -104,6 +106,8 @@ impl<S: Simd> Interpolant<S> {
         let zero = Lanes::splat(budget.token(), 0.0);
         let [mut size, mut curve, mut slope] = [zero; 3];
         let mut inside = budget.simd_gt(0.0);
+        // What is not a number is smaller than nothing, and the larger of two may hide it.
+        let mut finite = inside;
         let mut lit = zero;
         for terms in colors.terms[3] {
             lit = lit + terms[0].abs() + terms[1].abs() + terms[2].abs();
@@ -120,7 +124,9 @@ impl<S: Simd> Interpolant<S> {
             inside = inside
                 & (c[0][0] - sway).simd_ge(FIXED_RANGE[0])
                 & (c[0][0] + sway).simd_le(FIXED_RANGE[1]);
-            size = size.max(c[0][0].abs() + sway + lit * colors.crossing[channel]);
+            let all = c[0][0].abs() + sway + lit * colors.crossing[channel];
+            finite &= all.simd_lt(f64::INFINITY);
+            size = size.max(all);
             curve = curve.max(rest);
             slope = slope.max(linear + cubic * 0.5 + rest);
         }
@@ -132,7 +138,7 @@ impl<S: Simd> Interpolant<S> {
                 #[inline(always)]
                 |channel| economized(&colors.terms[channel]),
             ),
-            possible: left.simd_gt(0.0).to_bitmask(),
+            possible: (finite & left.simd_gt(0.0)).to_bitmask(),
             fixed: fixed.to_bitmask(),
             crosses: colors.crosses.to_bitmask(),
             curved: curve.simd_gt(rest).to_bitmask(),

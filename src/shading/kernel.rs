@@ -6,7 +6,7 @@
 //! The same lines evaluate sixteen pixels in f32, four in f64, and a node of each of four squares in f64. Where s is near 1
 //! it is formed as 1 - |r - o|^2 / 2, which holds for unit vectors and cancels nothing (Lyon 1993).
 //!
-//! Rule: what rounding costs is counted here, once: [`Rounding`], per light and per term of the sum.
+//! Rule: what rounding costs the model is counted here: [`Rounding`], per light and per term of the sum.
 
 use std::ops::{Add, Mul};
 
@@ -63,7 +63,7 @@ pub struct Power {
     pub error: f64,
 }
 
-/// A bound on what the power errs by in f32: see [`specular::power`].
+/// A bound on what the power errs by, with 1 - s rounded to f32 first: [`specular::power`] errs by less than half of it.
 const POWER_ERROR: f64 = 16.0 * U;
 
 impl Power {
@@ -81,13 +81,15 @@ impl Power {
         }
     }
 
-    /// What an error in |r - o| makes of s^rho. Below a shininess of 1 the slope has no bound as s goes to 0, but powers of
-    /// two numbers then differ by no more than the power of their difference.
-    fn moved(&self, apart: f64) -> f64 {
+    /// What an error in |r - o|, and four roundings of 1 - s, make of s^rho. Below a shininess of 1 the slope has no bound as
+    /// s goes to 0, but powers of two numbers then differ by no more than the power of their difference. From 1 on it makes
+    /// relative errors of 1 - s no larger: rho (1 - s) s^(rho - 1) <= 1.
+    fn moved(&self, apart: f64, unit: f64) -> f64 {
+        let rounded = 4.0 * unit;
         match self.exact {
             0.0 => 0.0,
-            shininess if shininess < 1.0 => (2.0 * apart).powf(shininess),
-            _ => self.steepest * apart,
+            shininess if shininess < 1.0 => (2.0 * apart + rounded).powf(shininess),
+            _ => self.steepest * apart + rounded,
         }
     }
 }
@@ -141,6 +143,13 @@ impl<S: Simd> Reals<S> for f64x4<S> {
 
     #[inline(always)]
     fn powers(self, power: &Power) -> Self {
+        if power.exact > 0.0 && power.exact < 1.0 {
+            // The slope has no bound at s = 0: there f32 would make levels of a rounding.
+            let exact = self
+                .as_array()
+                .map(|lambda| specular::power_exact(power.exact, lambda));
+            return Self::simd_from(self.token(), exact);
+        }
         let mut lambda = [0.0; 16];
         for (lambda, own) in lambda.iter_mut().zip(self.as_array()) {
             *lambda = *own as f32;
@@ -225,7 +234,7 @@ fn gated<S: Simd, V: Reals<S>>(simd: S, gate: V, number: V) -> V {
     gate.simd_gt(zero).select(number, zero)
 }
 
-/// What rounding costs a sum over lights, in levels: the one place where it is counted.
+/// What rounding costs the model at one pixel, in levels. Rows of polynomials are counted in [`super::interpolation`].
 ///
 /// A vector of length one at the middle is formed as (c + a x) + b y: c, a and b are rounded, then both products and both
 /// sums, each by at most u times its size. So its direction errs by
@@ -237,7 +246,10 @@ fn gated<S: Simd, V: Reals<S>>(simd: S, gate: V, number: V) -> V {
 /// errs by the delta of n and of l, and by twelve roundings: those of n, three of the product, three of the length of l,
 /// one more. |r - o| errs by twice the delta of n, those of l and o, and 50 roundings: 2 n.l n, of size two, by twice
 /// those of n.l, n and a product; l and o by five each; and two differences of size at most three. s^rho errs by what that
-/// makes of it, by four roundings of 1 - s, which it makes no larger, and by the power's own error.
+/// and four roundings of 1 - s make of it, and by the power's own error.
+///
+/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, so that no row and no
+/// column sees another vector.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounding {
     /// Unit round-off.
@@ -273,7 +285,7 @@ impl Rounding {
     /// Adds a light's specular term of at most so many levels.
     pub fn specular(&mut self, light: Extent, levels: f64, power: &Power) {
         let apart = 2.0 * self.normal + direction(self.unit, light) + self.eye + 50.0 * self.unit;
-        self.error += levels * (power.moved(apart) + 4.0 * self.unit + power.error);
+        self.error += levels * (power.moved(apart, self.unit) + power.error);
         self.count(levels);
     }
 

@@ -195,7 +195,10 @@ impl<'a> Phong<'a> {
         let never = Lanes::splat(simd, f64::NEG_INFINITY);
         let normal = Field::new(&self.normal, places);
         let eye = Field::new(&self.to_eye, places);
-        let steady = normal.is_calm() & eye.is_calm();
+        // What pixels show of a sliver is held on the face, one by one.
+        let least = bound::least(&self.face.w, places);
+        let steady = least.simd_gt(self.face.least_steady().max(0.0));
+        let steady = steady & normal.is_calm() & eye.is_calm();
         let mut budget = steady.select(Lanes::splat(simd, self.tolerance - self.sampling), never);
         let ambient = self.surface.ambient();
         let mut colors: [Nine<S>; 4] = [[[zero; 3]; 3]; 4];
@@ -225,9 +228,10 @@ impl<'a> Phong<'a> {
                 error += highlight;
             }
             // One light of a square may be cut off, if its highlight is too faint to be cut off with it.
-            let cut = !(side.lit | side.dark | shines | crosses);
+            let idle = mask64x4::splat(simd, light.diffuse == DVec3::ZERO) & !shines;
+            let cut = !(side.lit | side.dark | idle | shines | crosses);
             crosses |= cut;
-            let sure = to_light.is_calm() & (side.lit | side.dark | cut);
+            let sure = to_light.is_calm() & (side.lit | side.dark | idle | cut);
             budget -= side.dark.select(zero, error);
             budget = sure.select(budget, never);
             if !budget.simd_gt(0.0).any_true() {
@@ -341,6 +345,7 @@ impl<'a> Phong<'a> {
             #[inline(always)]
             |index| Rounding::new([U, kernel::DOUBLE][index], extents, ambient),
         );
+        // The specular term jumps where n.l = 0. f32 may put a pixel on the wrong side, so such squares take f64.
         let (mut dropped, mut gated) = (0.0, false);
         active.clear();
         let mut highlights = 0;

@@ -132,7 +132,7 @@ fn subject(random: &mut Random) -> Subject {
         ambient: random.vector(0.0, 1.0),
         diffuse: random.vector(0.0, 1.0),
         specular: random.vector(0.0, 1.0),
-        shininess: random.decade(-0.301, 3.0),
+        shininess: random.decade(-1.0, 3.0),
     };
     let count = random.one_of(&[1, 1, 1, 2, 3]);
     let points = (0..count).map(|_| {
