@@ -1,10 +1,10 @@
 //! Scenes in; whether their pictures are right out.
 //!
 //! ```text
-//! Judge::Proven    enclosures of every pixel's exact levels
-//!        SameBits, SamePicture    the same scene without the extreme, which comes first
-//!        Known     values on paper
-//!        Own       anything else: what is expected, and a function that tries it
+//! scenes --Renderer--> pictures --+-- Proven: enclosures of every pixel's exact levels
+//!                                 +-- SameBits, SamePicture: the first scene, which is without the extreme
+//!                                 +-- Known: facts on paper
+//!                                 '-- Own: a function of the case
 //! ```
 //!
 //! Rule: what is right never comes from what is tried. A picture that shows too little proves nothing, and fails.
@@ -28,13 +28,13 @@ const MIN_COVERED: u64 = 100;
 pub enum Judge {
     /// Enclosures: every pixel of each scene is proven in every projection and mode, at every tolerance.
     Proven(Vec<SceneSpec>),
-    /// The first scene: the others have the same bits.
+    /// The first scene, which is without the extreme: the others have the same bits.
     SameBits(Vec<SceneSpec>),
-    /// The first scene: the others are within so many levels of it.
+    /// The first scene, which is without the extreme: the others are within so many levels of it.
     SamePicture(f64, Vec<SceneSpec>),
-    /// Paper.
+    /// Facts known on paper.
     Known(Vec<Known>),
-    /// A function of its own.
+    /// A function of the case, which says what it observed.
     Own(fn(&mut Renderer) -> Result<String, CaseError>),
 }
 

@@ -114,11 +114,14 @@ fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// About six powers of ten, evenly spaced.
+/// At most eight powers of ten, evenly spaced.
 fn decades(range: &Range<f64>) -> Vec<f64> {
     let exponents = range.start.log10().ceil() as i32..=range.end.log10().floor() as i32;
-    let step = exponents.clone().count().div_ceil(7);
-    let exponents = exponents.step_by(step);
+    let count = exponents.clone().count() as i32;
+    let steps = [1, 2, 3, 5, 10, 20, 30, 50];
+    let step = steps.into_iter().find(|step| count <= 7 * step);
+    let step = step.unwrap_or(100);
+    let exponents = exponents.filter(|exponent| exponent % step == 0);
     exponents.map(|exponent| 10.0_f64.powi(exponent)).collect()
 }
 
