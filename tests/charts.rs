@@ -4,8 +4,9 @@ use std::sync::LazyLock;
 
 use fearless_simd::Level;
 use serde_json::Value;
-use shadetrade::extremes::stability::{Curve, EVALUATIONS, SWEEPS, csv, json, measure, table};
+use shadetrade::extremes::stability::{Curve, EVALUATIONS, SWEEPS, csv, measure, table};
 use shadetrade::prove::Verdict;
+use shadetrade::trade::export::json;
 
 static CURVES: LazyLock<Vec<Curve>> =
     LazyLock::new(|| measure(SWEEPS, Level::new(), &|_| ()).expect("every value makes a scene"));
@@ -94,8 +95,8 @@ fn is_near(found: &Value, number: f64) -> bool {
 #[test]
 fn csv_and_json_hold_every_point() {
     let parsed: Value =
-        serde_json::from_str(&json(&CURVES).expect("it is text")).expect("it is JSON");
-    let text = csv(&CURVES);
+        serde_json::from_str(&json(&*CURVES).expect("it is text")).expect("it is JSON");
+    let text = csv(&CURVES).expect("it is text");
     let mut rows = text.lines().skip(1);
     for (curve, object) in CURVES.iter().zip(parsed.as_array().expect("an array")) {
         assert_eq!(object["number"], curve.number);

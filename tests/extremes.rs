@@ -5,8 +5,9 @@
 
 use fearless_simd::Level;
 use serde_json::{Value, json as value};
-use shadetrade::extremes::{Options, Outcome, examine, json, text};
+use shadetrade::extremes::{Options, Outcome, examine, text};
 use shadetrade::simd;
+use shadetrade::trade::export::json;
 
 #[test]
 fn every_extreme_passes() {
@@ -46,7 +47,8 @@ fn an_outcome_is_printed_with_its_name_what_was_expected_what_was_observed_and_w
         observed: if pass { "four" } else { "five" }.to_owned(),
         pass,
     });
-    let parsed: Value = serde_json::from_str(&json(&outcomes)).expect("it is JSON");
+    let parsed: Value =
+        serde_json::from_str(&json(&outcomes).expect("it is text")).expect("it is JSON");
     let one = |observed, pass| value!({ "name": "two by two", "expected": "four", "observed": observed, "pass": pass });
     assert_eq!(parsed, value!([one("four", true), one("five", false)]));
     let table = text(&outcomes);

@@ -1,64 +1,46 @@
-//! Polygons in, how many of them cover each pixel out; and the twins that decide pixel by pixel, in i128 and from the
-//! definition alone.
+//! Polygons in; how many of them cover each pixel out, and a twin that decides pixel by pixel from the definition alone.
 //!
-//! Rule: a twin shares nothing with the scan conversion but the polygon, and its integers cannot overflow.
+//! Rule: the twin shares nothing with the scan conversion but the polygon, and its 128-bit integers cannot overflow.
 
-use super::bench::Trouble;
-use super::{Case, Rule};
+use std::array::from_fn;
+
+use super::renderer::CaseError;
+use super::{Case, own};
 use crate::components::Polygon;
 use crate::systems::coverage::Scan;
 
 /// The cases.
-pub const CASES: &[Case] = &[
-    Case {
-        name: "all quadrilaterals of corners on a grid of half pixels",
-        rule: Rule::Own(
+pub fn cases() -> Vec<Case> {
+    vec![
+        own(
+            "all quadrilaterals of corners on a grid of half pixels",
             "two halves count each pixel inside once, and no others (i128)",
             |_| quadrilaterals(),
         ),
-    },
-    Case {
-        name: "a fan of 360 triangles round a pixel's centre",
-        rule: Rule::Own("every pixel inside once (i128)", |_| fan()),
-    },
-    Case {
-        name: "slivers 1/256 pixel wide and 4000 long",
-        rule: Rule::Own("the centres they meet (i128)", |_| {
-            long_triangles(4000.0 * 256.0, 1.0)
+        own(
+            "a fan of 360 triangles round a pixel's centre",
+            "every pixel inside once (i128)",
+            |_| fan(),
+        ),
+        own(
+            "slivers 1/256 pixel wide and 4000 long",
+            "the centres they meet (i128)",
+            |_| long_triangles(4000.0 * 256.0, 1.0),
+        ),
+        own(
+            "triangles up to 2^22 pixels from the picture",
+            "the same pixels as in i128",
+            |_| {
+                let limit = f64::from(1 << 30) - 4096.0;
+                long_triangles(limit, 1000.0)?;
+                long_triangles(limit, 1e9)
+            },
+        ),
+        own("polygons without area, and turned over", "0 pixels", |_| {
+            without_area()
         }),
-    },
-    Case {
-        name: "triangles up to 2^22 pixels from the picture",
-        rule: Rule::Own("the same pixels as in i128", |_| {
-            let limit = f64::from(1 << 30) - 4096.0;
-            long_triangles(limit, 1000.0)?;
-            long_triangles(limit, 1e9)
-        }),
-    },
-    Case {
-        name: "polygons without area, and turned over",
-        rule: Rule::Own("0 pixels", |_| {
-            let [a, b, c, d] = [[0, 0], [0, 2048], [2048, 2048], [2048, 0]];
-            let on_centres = [128, 128 + 256, 128 + 512];
-            let flat: [&[[i32; 2]]; 8] = [
-                &[],
-                &[a, a, a],
-                &[a, b, a],
-                &[a, a, c, c],
-                &[a, c, a, c, a],
-                &on_centres.map(|place| [place, place]),
-                &[c, b, a],
-                &[d, c, b, a],
-            ];
-            let counts = flat.map(|vertices| pixels(&snapped(vertices), [8, 8]));
-            if counts == [0; 8] && pixels(&snapped(&[a, b, c, d]), [8, 8]) == 64 {
-                Ok("0 pixels, and 64 of the whole".to_owned())
-            } else {
-                Err(Trouble::Wrong(format!("{counts:?} pixels")))
-            }
-        }),
-    },
-];
+    ]
+}
 
 /// A polygon whose vertices are given in 1/256 pixel, counter-clockwise as seen.
 ///
@@ -92,40 +74,16 @@ pub fn pixels(polygon: &Polygon, size: [usize; 2]) -> u32 {
     count(&[*polygon], size).iter().sum()
 }
 
-/// The centre of a pixel in 1/256 pixel.
-fn centre(x: usize, y: usize) -> [i128; 2] {
-    [x, y].map(|pixels| 256 * pixels as i128 + 128)
-}
-
-/// The edges of a closed ring that have a length.
-fn edges(ring: &[[i32; 2]]) -> impl Iterator<Item = [[i128; 2]; 2]> {
-    let wide = |vertex: [i32; 2]| vertex.map(i128::from);
-    (0..ring.len())
-        .map(move |index| [wide(ring[index]), wide(ring[(index + 1) % ring.len()])])
-        .filter(|[from, to]| from != to)
-}
-
-/// The naive twin: a convex polygon covers what lies on the inner side of each edge, and of what lies on an edge that on
-/// a left one (which goes down) or a top one (level, to the left).
-pub fn covers(polygon: &Polygon, x: usize, y: usize) -> bool {
-    let [x, y] = centre(x, y);
-    edges(polygon.vertices()).all(|[from, to]| {
-        let [right, down] = [to[0] - from[0], to[1] - from[1]];
-        let inwards = down * (x - from[0]) - right * (y - from[1]);
-        inwards > 0 || (inwards == 0 && (down > 0 || (down == 0 && right < 0)))
-    })
-}
-
-/// Whether a ring, convex or not, encloses a pixel's centre moved right by next to nothing and down by still less, which
-/// is what the top-left rule comes to: the number of edges to the left of that point is odd.
+/// Whether a ring of vertices in 1/256 pixel, convex or not, encloses the centre of pixel (`x`, `y`) moved right by next to
+/// nothing and down by still less, which is what the top-left rule comes to: the number of edges to the left of that point
+/// is odd.
 pub fn encloses(ring: &[[i32; 2]], x: usize, y: usize) -> bool {
-    let [x, y] = centre(x, y);
-    let crossed = edges(ring).filter(|[from, to]| {
-        let [upper, lower] = if from[1] < to[1] {
-            [from, to]
-        } else {
-            [to, from]
-        };
+    let [x, y] = [x, y].map(|pixels| 256 * pixels as i128 + 128);
+    let crossed = (0..ring.len()).filter(|&index| {
+        let ends = [ring[index], ring[(index + 1) % ring.len()]];
+        let mut ends = ends.map(|vertex| vertex.map(i128::from));
+        ends.sort_by_key(|vertex| vertex[1]);
+        let [upper, lower] = ends;
         let [right, down] = [lower[0] - upper[0], lower[1] - upper[1]];
         upper[1] <= y && y < lower[1] && right * (y - upper[1]) <= (x - upper[0]) * down
     });
@@ -140,14 +98,13 @@ pub fn agrees(
     polygons: &[Polygon],
     [width, height]: [usize; 2],
     twin: impl Fn(usize, usize) -> bool,
-) -> Result<u32, String> {
+) -> Result<u32, CaseError> {
     let counts = count(polygons, [width, height]);
     for (pixel, &count) in counts.iter().enumerate() {
         let (x, y) = (pixel % width, pixel / width);
         if count != u32::from(twin(x, y)) {
-            return Err(format!(
-                "pixel ({x}, {y}) is counted {count} times in {polygons:?}"
-            ));
+            let what = format!("pixel ({x}, {y}) is counted {count} times in {polygons:?}");
+            return Err(CaseError::Wrong(what));
         }
     }
     Ok(counts.iter().sum())
@@ -161,56 +118,62 @@ pub fn turn([a, b, c]: [[i32; 2]; 3]) -> i128 {
 
 /// A triangle, turned over if it must be to face the eye.
 pub fn facing([a, b, c]: [[i32; 2]; 3]) -> Polygon {
-    snapped(&if turn([a, b, c]) > 0 {
-        [a, b, c]
+    let is_facing = turn([a, b, c]) > 0;
+    snapped(&if is_facing { [a, b, c] } else { [a, c, b] })
+}
+
+fn without_area() -> Result<String, CaseError> {
+    let [a, b, c, d] = [[0, 0], [0, 2048], [2048, 2048], [2048, 0]];
+    let on_centres = [128, 128 + 256, 128 + 512].map(|place| [place, place]);
+    let polygons: [&[[i32; 2]]; 8] = [
+        &[],
+        &[a, a, a],
+        &[a, b, a],
+        &[a, a, c, c],
+        &[a, c, a, c, a],
+        &on_centres,
+        &[c, b, a],
+        &[d, c, b, a],
+    ];
+    let counts = polygons.map(|vertices| pixels(&snapped(vertices), [8, 8]));
+    if counts == [0; 8] && pixels(&snapped(&[a, b, c, d]), [8, 8]) == 64 {
+        Ok("0 pixels, and 64 of the whole".to_owned())
     } else {
-        [a, c, b]
-    })
+        Err(CaseError::Wrong(format!("{counts:?} pixels")))
+    }
 }
 
 /// All of four corners among 5 x 5 that are half a pixel apart, from a pixel's centre on.
-fn quadrilaterals() -> Result<String, Trouble> {
-    let grid: Vec<[i32; 2]> = (0..25)
-        .map(|index| [index % 5, index / 5].map(|step| 128 * step))
-        .collect();
+fn quadrilaterals() -> Result<String, CaseError> {
+    let grid = |index: usize| [index % 5, index / 5].map(|step| 128 * step as i32);
     let (mut covered, mut rings) = (0, 0);
-    for a in &grid {
-        for b in &grid {
-            for c in &grid {
-                if turn([*a, *b, *c]) <= 0 {
-                    continue;
-                }
-                for d in grid.iter().filter(|d| turn([*a, *c, **d]) > 0) {
-                    let halves = [snapped(&[*a, *b, *c]), snapped(&[*a, *c, *d])];
-                    let ring = [*a, *b, *c, *d];
-                    covered += agrees(&halves, [3, 3], |x, y| encloses(&ring, x, y))
-                        .map_err(Trouble::Wrong)?;
-                    rings += 1;
-                }
-            }
+    for number in 0..25_usize.pow(4) {
+        let ring @ [a, b, c, d] =
+            [25_usize.pow(3), 625, 25, 1].map(|place| grid(number / place % 25));
+        if turn([a, b, c]) > 0 && turn([a, c, d]) > 0 {
+            let halves = [snapped(&[a, b, c]), snapped(&[a, c, d])];
+            covered += agrees(&halves, [3, 3], |x, y| encloses(&ring, x, y))?;
+            rings += 1;
         }
     }
     Ok(format!("{covered} pixels of {rings} quadrilaterals"))
 }
 
-fn fan() -> Result<String, Trouble> {
-    let rim: Vec<[i32; 2]> = (0..360)
-        .map(|degrees| {
-            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
-            [10.5 + 9.7 * cos, 10.5 - 9.7 * sin].map(|pixels| (pixels * 256.0) as i32)
-        })
-        .collect();
+fn fan() -> Result<String, CaseError> {
+    let rim: [[i32; 2]; 360] = from_fn(|degrees| {
+        let (sin, cos) = (degrees as f64).to_radians().sin_cos();
+        [10.5 + 9.7 * cos, 10.5 - 9.7 * sin].map(|pixels| (pixels * 256.0) as i32)
+    });
     let middle = [10 * 256 + 128; 2];
-    let fan: Vec<Polygon> = (0..360)
-        .map(|degrees| snapped(&[middle, rim[degrees], rim[(degrees + 1) % 360]]))
-        .collect();
-    let covered = agrees(&fan, [21, 21], |x, y| encloses(&rim, x, y)).map_err(Trouble::Wrong)?;
+    let fan: [Polygon; 360] =
+        from_fn(|degrees| snapped(&[middle, rim[degrees], rim[(degrees + 1) % 360]]));
+    let covered = agrees(&fan, [21, 21], |x, y| encloses(&rim, x, y))?;
     Ok(format!("{covered} pixels"))
 }
 
 /// Triangles round a small picture in all directions: up to `reach` long to both sides of it and up to twice `aside`
 /// wide, in 1/256 pixel.
-fn long_triangles(reach: f64, aside: f64) -> Result<String, Trouble> {
+fn long_triangles(reach: f64, aside: f64) -> Result<String, CaseError> {
     let mut covered = 0;
     for step in 0..4000 {
         // Multiples of irrational numbers spread evenly.
@@ -231,8 +194,7 @@ fn long_triangles(reach: f64, aside: f64) -> Result<String, Trouble> {
             [x, y].map(|coordinate| coordinate.round() as i32)
         });
         let triangle = facing(ends);
-        covered += agrees(&[triangle], [16, 16], |x, y| covers(&triangle, x, y))
-            .map_err(Trouble::Wrong)?;
+        covered += agrees(&[triangle], [16, 16], |x, y| encloses(&ends, x, y))?;
     }
     Ok(format!("the same: {covered} pixels of 4000 triangles"))
 }

@@ -5,129 +5,124 @@ use std::hint::black_box;
 use fearless_simd::Level;
 use glam::DVec3;
 
-use super::bench::{Bench, Trouble, ways, wrong};
-use super::setting::{Body, Setting, Way};
-use super::{Case, Known, Rule};
+use super::judge::{Fact, Known, expect_covered};
+use super::renderer::{CaseError, Renderer, wrong_pixel};
+use super::scene_spec::{
+    CuboidSpec, MODES, RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene,
+};
+use super::{Case, known_pixels, own, proven};
 use crate::components::{Projection, ShadingMode};
 use crate::frame::NO_TRIANGLE;
 use crate::prove::{self, Shown, Verdict};
 use crate::reference::{Interval, Reference};
 use crate::simd;
+use crate::systems;
 
 /// The cases.
-pub const CASES: &[Case] = &[
-    Case {
-        name: "a picture of 1x1",
-        // The ray through the middle meets the face z = 1 at its middle: n = (0, 0, 1), l = (0, 0, 1): 30 + kD 170 + kE 255.
-        rule: Rule::Known(|| {
-            let one = Setting::with(|setting| {
-                setting.size = [1, 1];
-                setting.eye = DVec3::Z * 10.0;
-                for light in &mut setting.lights {
-                    light.position = DVec3::Z * 5.0;
+pub fn cases() -> Vec<Case> {
+    let one_pixel = || {
+        let lights = lights_at([0.0, 0.0, 5.0]);
+        scene().size([1, 1]).eye(DVec3::Z * 10.0).lights(lights)
+    };
+    let phong = RenderConfig::all().filter(|config| config.mode == ShadingMode::Phong);
+    vec![
+        // The ray through the middle meets the face z = 1 at its middle: n = l = r = o = (0, 0, 1).
+        known_pixels(
+            "a picture of 1x1",
+            phong.map(|config| {
+                let material = default_cuboid().material;
+                let levels = 30.0 + 170.0 * material.diffuse + 255.0 * material.specular;
+                Known {
+                    scene: one_pixel(),
+                    config,
+                    fact: Fact::Pixel([0, 0], levels.to_array()),
                 }
-            });
-            let levels = [0.07568, 0.61424, 0.07568];
-            let highlight = [0.633, 0.72811, 0.66];
-            let all = ways()
-                .filter(|way| way.mode == ShadingMode::Phong)
-                .map(|way| Known {
-                    setting: one.clone(),
-                    way,
-                    pixel: [0, 0],
-                    levels: [0, 1, 2]
-                        .map(|channel| 30.0 + 170.0 * levels[channel] + 255.0 * highlight[channel]),
-                });
-            all.collect()
-        }),
-    },
-    Case {
-        name: "a picture of 1x16384",
-        rule: Rule::Proven(|| vec![Setting::with(|setting| setting.size = [1, 16_384])]),
-    },
-    Case {
-        name: "a picture of 16384x1",
-        rule: Rule::Proven(|| {
-            vec![Setting::with(|setting| {
-                setting.size = [16_384, 1];
-                // So that the cuboid fills a good part of the row.
-                setting.fov = 1e-2;
-                setting.height = 2e-3;
-            })]
-        }),
-    },
-    Case {
-        name: "a picture of 16384x16384",
-        rule: Rule::Own(
+            }),
+        ),
+        proven("a picture of 1x16384", [scene().size([1, 16_384])]),
+        // The cuboid fills a good part of the row.
+        proven(
+            "a picture of 16384x1",
+            [scene().size([16_384, 1]).fov(1e-2).height(2e-3)],
+        ),
+        own(
+            "a picture of 16384x16384",
             "sampled bytes proven within half a level and their rounding",
             largest,
         ),
-    },
-    Case {
-        name: "corners on pixel centres: the top and the left are covered",
-        rule: Rule::Own("12 pixels of a face 4 wide and 3 high", |bench| {
-            covered(bench, [4.0, 3.0], 0.0, 12)
-        }),
-    },
-    Case {
-        name: "corners on pixel corners",
-        rule: Rule::Own(
-            "25 pixels of a face of 5 x 5, 15 of them right of the diagonal",
-            |bench| covered(bench, [5.0, 5.0], 0.5, 25),
+        own(
+            "corners on pixel centres: the top and the left are covered",
+            "12 pixels of a face 4 wide and 3 high",
+            |renderer| count_halves(renderer, [4.0, 3.0], 0.0, [3, 9]),
         ),
-    },
-    Case {
-        name: "every SIMD level of this machine",
-        rule: Rule::Own("the same bits", same_on_every_level),
-    },
-    Case {
-        name: "2, 3 and 7 threads",
-        rule: Rule::Own("the same bits", same_on_any_threads),
-    },
-    Case {
-        name: "the state of the processor's floating point after all that",
-        rule: Rule::Own("rounds to nearest and keeps subnormal numbers", |_| {
-            let least = black_box(f32::from_bits(1));
-            let halves = [
-                black_box(1.0_f32) + f32::EPSILON / 2.0,
-                black_box(-1.0_f32) - f32::EPSILON / 2.0,
-            ];
-            if least * black_box(2.0) == f32::from_bits(2) && halves == [1.0, -1.0] {
-                Ok("does".to_owned())
-            } else {
-                Err(Trouble::Wrong("does not".to_owned()))
+        own(
+            "corners on pixel corners",
+            "25 pixels of a face of 5 x 5, 15 of them right of the diagonal",
+            |renderer| count_halves(renderer, [5.0, 5.0], 0.5, [15, 10]),
+        ),
+        own(
+            "every SIMD level of this machine",
+            "the same bits",
+            |renderer| {
+                let levels: Vec<Level> = simd::NAMES.into_iter().filter_map(simd::named).collect();
+                for level in &levels {
+                    expect_same(renderer, &mut Renderer::new(*level, 1, false)?)?;
+                }
+                let names: Vec<_> = levels.into_iter().map(simd::name).collect();
+                Ok(format!("the same: {}", names.join(", ")))
+            },
+        ),
+        own("2, 3 and 7 threads", "the same bits", |renderer| {
+            for threads in [2, 3, 7] {
+                let level = renderer.workers().level();
+                expect_same(renderer, &mut Renderer::new(level, threads, false)?)?;
             }
+            Ok("the same".to_owned())
         }),
-    },
-];
+        own(
+            "the state of the processor's floating point after all that",
+            "rounds to nearest and keeps subnormal numbers",
+            |_| {
+                let least = black_box(f32::from_bits(1));
+                let halves = [
+                    black_box(1.0_f32) + f32::EPSILON / 2.0,
+                    black_box(-1.0_f32) - f32::EPSILON / 2.0,
+                ];
+                if least * black_box(2.0) == f32::from_bits(2) && halves == [1.0, -1.0] {
+                    Ok("does".to_owned())
+                } else {
+                    Err(CaseError::Wrong("does not".to_owned()))
+                }
+            },
+        ),
+    ]
+}
 
 /// Draws the largest picture and proves the bytes of one pixel in a hundred thousand.
-fn largest(bench: &mut Bench) -> Result<String, Trouble> {
-    let side = if bench.full { 16_384 } else { 1024 };
-    let setting = Setting::with(|setting| setting.size = [side, side]);
-    let mut scene = setting.scene()?;
-    let view = setting.view(
-        &scene,
-        Way {
-            projection: Projection::Perspective,
-            mode: ShadingMode::Phong,
-            tolerance: 0.5,
-        },
-    );
-    // Its memory is given back at the end.
-    let mut large = bench.another(bench.threads())?;
-    let frame = match large.display(&mut scene, &view) {
-        Ok(frame) => frame,
-        Err(full) => return Ok(format!("said of itself: {full}")),
+fn largest(renderer: &mut Renderer) -> Result<String, CaseError> {
+    let side = if renderer.full { 16_384 } else { 1024 };
+    let spec = scene().size([side, side]);
+    let mut scene = spec.parse()?;
+    let config = RenderConfig {
+        tolerance: 0.5,
+        ..RenderConfig::EXACT_PHONG
     };
+    let view = spec.view(&scene, config);
+    // A renderer of its own, whose memory is given back at the end.
+    let workers = renderer.workers();
+    let mut large = Renderer::new(workers.level(), workers.threads(), false)?;
+    if let Err(full) = systems::draw(&mut scene.world, &view, &mut large.display) {
+        return Ok(format!("said of itself: {full}"));
+    }
     let reference = Reference::<Interval>::new(&scene.world, &view);
-    let (mut worst, mut samples) = (0.0_f64, 0);
+    let (mut worst, mut covered) = (0.0_f64, 0);
     for step in 0..2_000 {
         // Multiples of the golden ratio and its square spread evenly (Roberts 2018).
         let place @ [x, y] = [0.754_877_666, 0.569_840_291]
             .map(|share: f64| (share * f64::from(step)).fract() * side as f64)
             .map(|coordinate| coordinate as usize);
-        let [_, bytes @ ..] = frame.pixels()[y * side + x].to_be_bytes();
+        let pixel = y * side + x;
+        let [_, bytes @ ..] = large.display.pixels()[pixel].to_be_bytes();
         // Only the bytes are known, not the face: it is one that may be seen.
         let all = reference.at(place);
         let judged = all.iter().map(|seen| {
@@ -140,99 +135,69 @@ fn largest(bench: &mut Bench) -> Result<String, Trouble> {
         });
         let mut proven = judged.filter(|(mark, _)| mark.verdict == Verdict::Proven);
         let Some((mark, error)) = proven.next() else {
-            return Err(wrong(&view, place, &format!("is {bytes:?}, not {all:?}")));
+            let what = format!("is {bytes:?}, not {all:?}");
+            return Err(wrong_pixel(&view, pixel, &what));
         };
         worst = worst.max(error);
-        samples += u64::from(mark.is_covered);
+        covered += u64::from(mark.is_covered);
     }
-    super::bench::enough(samples)?;
+    expect_covered(covered)?;
     Ok(format!(
-        "{side}x{side}: {worst:.2} levels at most at {samples} pixels"
+        "{side}x{side}: {worst:.2} levels at most at {covered} pixels"
     ))
 }
 
-/// Counts the pixels of a face so many pixels wide and high whose corners lie `shift` pixels off pixel centres.
-fn covered(
-    bench: &mut Bench,
+/// Counts the pixels of both halves of a face so many pixels wide and high whose corners lie `shift` pixels off pixel
+/// centres.
+fn count_halves(
+    renderer: &mut Renderer,
     [width, height]: [f64; 2],
     shift: f64,
-    expected: u64,
-) -> Result<String, Trouble> {
-    let setting = Setting::with(|setting| {
-        // A unit is a pixel; corners at halves of a side lie on centres in a picture of odd size, and the other way round.
-        setting.cuboids = vec![Body {
-            size: DVec3::new(width, height, 2.0),
-            position: DVec3::new(0.5 * width + shift, 0.5 * height + shift, 0.0),
-            ..Body::default()
-        }];
-        setting.eye = DVec3::Z * 10.0;
-        setting.size = [21, 21];
-        setting.height = 21.0;
-    });
-    let mut counts = [0_u64; 2];
-    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-        let way = Way {
+    expected: [usize; 2],
+) -> Result<String, CaseError> {
+    // A unit is a pixel; corners at halves of a side lie on centres in a picture of odd size, and the other way round.
+    let place = [0.5 * width + shift, 0.5 * height + shift, 0.0];
+    let scene = scene()
+        .cuboid(cuboid([width, height, 2.0], place))
+        .eye(DVec3::Z * 10.0)
+        .size([21, 21])
+        .height(21.0);
+    for mode in MODES {
+        let config = RenderConfig {
             projection: Projection::Orthographic,
             mode,
             tolerance: 0.0,
         };
-        let drawn = bench.picture(&setting, way)?;
-        counts =
-            [8, 9].map(|id| drawn.triangles.iter().filter(|other| **other == id).count() as u64);
-        let others = drawn
-            .triangles
-            .iter()
-            .filter(|id| ![8, 9, NO_TRIANGLE].contains(id));
-        if counts[0] + counts[1] != expected || others.count() > 0 || shift > 0.0 && counts[0] != 15
-        {
-            return Err(Trouble::Wrong(format!("{counts:?} pixels of its halves")));
+        let picture = renderer.picture(&scene, config)?;
+        let count = |id: u32| {
+            picture
+                .triangles
+                .iter()
+                .filter(|other| **other == id)
+                .count()
+        };
+        let counts = [8, 9].map(count);
+        if counts != expected || counts[0] + counts[1] + count(NO_TRIANGLE) != 21 * 21 {
+            let what = format!("{counts:?} pixels of its halves");
+            return Err(CaseError::Wrong(what));
         }
     }
-    Ok(format!("{} and {} pixels", counts[0], counts[1]))
+    Ok(format!("{} and {} pixels", expected[0], expected[1]))
 }
 
-/// Three cuboids, near enough that the picture is worth sharing among threads.
-fn close_up() -> Setting {
-    let turned = |x: f64| Body {
-        rotation: DVec3::new(x, 20.0, 30.0),
-        ..Body::default()
+/// Compares what two renderers draw of one and of three cuboids, near enough that the picture is worth sharing among
+/// threads.
+fn expect_same(renderer: &mut Renderer, other: &mut Renderer) -> Result<(), CaseError> {
+    let cuboids = [10.0, 50.0, 100.0].map(|x| default_cuboid().rotation([x, 20.0, 30.0]));
+    let close_up = |cuboids: &[CuboidSpec]| -> SceneSpec {
+        let scene = scene().cuboids(cuboids.to_vec()).size([400, 320]);
+        scene.fov(12.0).height(2.0)
     };
-    Setting::with(|setting| {
-        setting.cuboids = vec![turned(10.0), turned(50.0), turned(100.0)];
-        setting.fov = 12.0;
-        setting.height = 2.0;
-        setting.size = [400, 320];
-    })
-}
-
-fn same_on_every_level(bench: &mut Bench) -> Result<String, Trouble> {
-    let levels: Vec<Level> = simd::NAMES.into_iter().filter_map(simd::named).collect();
-    let mut names = Vec::new();
-    for level in levels {
-        let mut other = Bench::alone(level);
-        expect_same(bench, &mut other)?;
-        names.push(simd::name(level));
-    }
-    Ok(format!("the same: {}", names.join(", ")))
-}
-
-fn same_on_any_threads(bench: &mut Bench) -> Result<String, Trouble> {
-    for threads in [2, 3, 7] {
-        expect_same(bench, &mut bench.another(threads)?)?;
-    }
-    Ok("the same".to_owned())
-}
-
-fn expect_same(bench: &mut Bench, other: &mut Bench) -> Result<(), Trouble> {
-    let setting = close_up();
-    let lone = setting.clone().and(|setting| setting.cuboids.truncate(1));
-    for way in ways() {
-        for setting in [&setting, &lone] {
-            let (expected, drawn) = (bench.picture(setting, way)?, other.picture(setting, way)?);
-            super::bench::enough(expected.seen())?;
-            if let Some(pixel) = drawn.first_other(&expected) {
-                return Err(Trouble::Wrong(format!("pixel {pixel} differs, {way:?}")));
-            }
+    for config in RenderConfig::all() {
+        for scene in [close_up(&cuboids), close_up(&cuboids[..1])] {
+            let expected = renderer.picture(&scene, config)?;
+            expect_covered(expected.covered())?;
+            other.picture(&scene, config)?.expect_bits_of(&expected)?;
         }
     }
     Ok(())

@@ -2,7 +2,7 @@
 //! enclosures of its exact levels out.
 //!
 //! ```text
-//! Sweep (sweeps) --values--> Setting --+-- textbook: all of it in f32 --+
+//! Sweep (sweeps) --values--> SceneSpec -+-- textbook: all of it in f32 --+
 //!                                      +-- the renderer at 0 and 0.5 ---+-- enclosures --> Curves --> report, plot
 //!                                      '-- the reference in f64 --------+
 //! ```
@@ -25,16 +25,17 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::Options;
-use super::bench::{Bench, Trouble, enclosures};
-use super::setting::{Setting, Way};
-use crate::components::{Projection, ShadingMode};
+use super::judge::enclosures;
+use super::renderer::{CaseError, Renderer};
+use super::scene_spec::{RenderConfig, SceneSpec};
 use crate::output::{self, Output};
 use crate::prove::{Verdict, nearest, shown_face};
 use crate::reference;
 use crate::shading::EXACT;
+use crate::trade::export::json;
 use crate::trade::make_writable;
 use crate::trade::progress::{Progress, with_bar};
-pub use report::{csv, json, table};
+pub use report::{csv, table};
 pub use sweeps::{SWEEPS, Sweep};
 use textbook::Textbook;
 
@@ -46,24 +47,16 @@ pub struct Evaluation {
     pub limit: f64,
 }
 
+const fn evaluation(id: &'static str, limit: f64) -> Evaluation {
+    Evaluation { id, limit }
+}
+
 /// What is compared.
 pub const EVALUATIONS: [Evaluation; 4] = [
-    Evaluation {
-        id: "textbook-f32",
-        limit: EXACT,
-    },
-    Evaluation {
-        id: "phong-0",
-        limit: EXACT,
-    },
-    Evaluation {
-        id: "phong-0.5",
-        limit: 0.5,
-    },
-    Evaluation {
-        id: "reference-f64",
-        limit: EXACT,
-    },
+    evaluation("textbook-f32", EXACT),
+    evaluation("phong-0", EXACT),
+    evaluation("phong-0.5", 0.5),
+    evaluation("reference-f64", EXACT),
 ];
 
 /// How an evaluation fares over the range of a number.
@@ -115,15 +108,13 @@ impl Curve {
         let points: Vec<Point> = points.collect();
         let runs = points.split(|point| point.verdict != Verdict::Proven);
         let longest = runs.max_by_key(|run| run.len()).unwrap_or_default();
+        let ends = longest.first().zip(longest.last());
         Curve {
             number: sweep.number,
             unit: sweep.unit,
             evaluation: id,
             limit,
-            keeps: longest
-                .first()
-                .zip(longest.last())
-                .map(|(first, last)| [first.value, last.value]),
+            keeps: ends.map(|(first, last)| [first.value, last.value]),
             points,
         }
     }
@@ -137,60 +128,59 @@ pub fn measure(
     sweeps: &[Sweep],
     level: Level,
     progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Vec<Curve>, Trouble> {
-    let all: Vec<(&Sweep, f64)> = sweeps
-        .iter()
-        .flat_map(|sweep| sweep.values().into_iter().map(move |value| (sweep, value)))
-        .collect();
+) -> Result<Vec<Curve>, CaseError> {
+    let total: usize = sweeps.iter().map(|sweep| sweep.values().len()).sum();
     let done = AtomicUsize::new(0);
-    let errors = all.par_iter().map(|(sweep, value)| {
-        let errors = errors(&(sweep.setting)(*value), level)?;
+    let at = |sweep: &Sweep, value: f64| -> Result<(f64, Errors), CaseError> {
+        let errors = errors(&(sweep.scene)(value), level)?;
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
         progress(Progress {
             step: "sweeping numbers",
-            share: done as f64 / all.len() as f64,
+            share: done as f64 / total as f64,
         });
-        Ok((*value, errors))
+        Ok((value, errors))
+    };
+    let curves = sweeps.par_iter().map(|sweep| {
+        let values = sweep.values().into_par_iter();
+        let errors = values.map(|value| at(sweep, value));
+        let errors = errors.collect::<Result<Vec<_>, CaseError>>()?;
+        let evaluations = 0..EVALUATIONS.len();
+        Ok(evaluations
+            .map(|evaluation| Curve::new(sweep, evaluation, &errors))
+            .collect())
     });
-    let mut errors: Vec<(f64, Errors)> = errors.collect::<Result<_, Trouble>>()?;
-    let curves = sweeps.iter().flat_map(|sweep| {
-        let rest = errors.split_off(sweep.values().len());
-        let of_sweep = std::mem::replace(&mut errors, rest);
-        (0..EVALUATIONS.len()).map(move |evaluation| Curve::new(sweep, evaluation, &of_sweep))
-    });
-    Ok(curves.collect())
+    let curves = curves.collect::<Result<Vec<Vec<Curve>>, CaseError>>()?;
+    Ok(curves.into_iter().flatten().collect())
 }
 
 /// How far each evaluation strays in one picture.
-fn errors(setting: &Setting, level: Level) -> Result<Errors, Trouble> {
-    let way = |tolerance| Way {
-        projection: Projection::Perspective,
-        mode: ShadingMode::Phong,
-        tolerance,
+fn errors(spec: &SceneSpec, level: Level) -> Result<Errors, CaseError> {
+    let half_a_level = RenderConfig {
+        tolerance: 0.5,
+        ..RenderConfig::EXACT_PHONG
     };
-    let scene = setting.scene()?;
-    let view = setting.view(&scene, way(0.0));
-    let enclosures = enclosures(&scene, &view);
-    let mut bench = Bench::alone(level);
-    let exact = bench.picture(setting, way(0.0))?;
-    let half = bench.picture(setting, way(0.5))?;
+    let mut renderer = Renderer::new(level, 1, false)?;
+    let exact = renderer.picture(spec, RenderConfig::EXACT_PHONG)?;
+    let half = renderer.picture(spec, half_a_level)?;
+    let (scene, view) = (spec.parse()?, exact.view);
     let rows = 0..view.size[1];
     let truth = reference::picture(&scene.world, &view, rows, &|| false, &|_| ())
-        .expect("nobody cancels it");
-    let textbook = Textbook::new(setting);
+        .ok_or_else(|| CaseError::Wrong("the reference was cancelled".to_owned()))?;
+    let textbook = Textbook::new(spec);
     let mut errors = Errors::default();
-    for (pixel, seen) in enclosures.iter().enumerate() {
+    for (pixel, seen) in enclosures(&scene, &view).iter().enumerate() {
         let place = [pixel % view.size[0], pixel / view.size[0]];
         let met = seen.iter().find_map(|seen| seen.face);
+        let levels = |levels: [f32; 3]| levels.map(f64::from);
         let shown = [
-            met.map(|face| (Some(face), textbook.levels(face, place).map(f64::from))),
+            met.map(|face| (Some(face), levels(textbook.levels(face, place)))),
             Some((
                 shown_face(exact.triangles[pixel]),
-                exact.levels[pixel].map(f64::from),
+                levels(exact.levels[pixel]),
             )),
             Some((
                 shown_face(half.triangles[pixel]),
-                half.levels[pixel].map(f64::from),
+                levels(half.levels[pixel]),
             )),
             Some((shown_face(truth.triangles[pixel]), truth.levels[pixel])),
         ];
@@ -228,7 +218,7 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
     if let Some(folder) = out {
         for (name, content) in [
             ("stability.json", json(&curves)?),
-            ("stability.csv", csv(&curves)),
+            ("stability.csv", csv(&curves)?),
             ("stability.svg", plot::svg(&curves)?),
         ] {
             Output::File(folder.join(name)).write(|writer| writer.write_all(content.as_bytes()))?;

@@ -2,7 +2,7 @@
 
 use shadetrade::components::Polygon;
 use shadetrade::extremes::coverage::agrees;
-pub use shadetrade::extremes::coverage::{count, covers, encloses, facing, pixels, snapped, turn};
+pub use shadetrade::extremes::coverage::{count, encloses, facing, pixels, snapped, turn};
 
 /// A polygon whose vertices are given in pixels, right and down, counter-clockwise as seen.
 pub fn polygon<const LEN: usize>(vertices: [[f64; 2]; LEN]) -> Polygon {
@@ -31,4 +31,18 @@ pub fn assert_twin(
     twin: impl Fn(usize, usize) -> bool,
 ) -> u32 {
     agrees(polygons, size, twin).unwrap_or_else(|wrong| panic!("{wrong}"))
+}
+
+/// The definition: a convex polygon covers what lies on the inner side of each edge, and of what lies on an edge that on a
+/// left one (which goes down) or a top one (level, to the left). In 128 bits nothing overflows.
+pub fn covers(polygon: &Polygon, x: usize, y: usize) -> bool {
+    let [x, y] = [x, y].map(|pixels| 256 * pixels as i128 + 128);
+    let ring = polygon.vertices();
+    (0..ring.len()).all(|index| {
+        let ends = [ring[index], ring[(index + 1) % ring.len()]];
+        let [from, to] = ends.map(|vertex| vertex.map(i128::from));
+        let [right, down] = [to[0] - from[0], to[1] - from[1]];
+        let inwards = down * (x - from[0]) - right * (y - from[1]);
+        from == to || inwards > 0 || (inwards == 0 && (down > 0 || (down == 0 && right < 0)))
+    })
 }

@@ -81,18 +81,13 @@ const UNDECIDED: RGBColor = RGBColor(0xdd, 0xdf, 0xe2);
 fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
     area.draw_text(curves[0].number, &text_style(13.0, INK), (58, 8))?;
     let [from, to] = curves[0].range();
-    let across = Axis {
-        name: curves[0].unit,
-        range: from..to * 1.0001,
-        ticks: decades(from, to, 6),
+    let axes = [(curves[0].unit, from..to * 1.0001), ("levels", ERRORS)];
+    let [across, up] = axes.map(|(name, range)| Axis {
+        name,
+        ticks: decades(&range),
+        range,
         label: &|value| power(*value),
-    };
-    let up = Axis {
-        name: "levels",
-        range: ERRORS,
-        ticks: decades(ERRORS.start, ERRORS.end, 7),
-        label: &|value| power(*value),
-    };
+    });
     let mut chart = chart::on(area, &BORDERS, across, up)?;
     let undecided = curves.iter().flat_map(|curve| &curve.points);
     let undecided = undecided.filter(|point| point.verdict == Verdict::Undecided);
@@ -119,26 +114,22 @@ fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// At most so many powers of ten, evenly spaced, from the axis' start.
-fn decades(from: f64, to: f64, most: i32) -> Vec<f64> {
-    let [first, last] = [
-        from.log10().ceil() as i32,
-        (to * 1.0001).log10().floor() as i32,
-    ];
-    let spaces = [1, 2, 3, 5, 10, 20, 25, 50];
-    let space = spaces
-        .into_iter()
-        .find(|space| (last - first) / space < most);
-    let space = space.unwrap_or(100);
-    let exponents = (first..=last).filter(|exponent| exponent.rem_euclid(space) == 0);
+/// At most eight powers of ten, evenly spaced.
+fn decades(range: &Range<f64>) -> Vec<f64> {
+    let exponents = range.start.log10().ceil() as i32..=range.end.log10().floor() as i32;
+    let count = exponents.clone().count() as i32;
+    let steps = [1, 2, 3, 5, 10, 20, 30, 50];
+    let step = steps.into_iter().find(|step| count <= 7 * step);
+    let step = step.unwrap_or(100);
+    let exponents = exponents.filter(|exponent| exponent % step == 0);
     exponents.map(|exponent| 10.0_f64.powi(exponent)).collect()
 }
 
 /// A power of ten as it is written.
 fn power(value: f64) -> String {
-    match value.log10().round() as i32 {
-        exponent @ 0..=3 => 10_i32.pow(exponent as u32).to_string(),
-        -1 => "0.1".to_owned(),
-        exponent => format!("1e{exponent}"),
+    if (0.1..=1000.0).contains(&value) {
+        value.to_string()
+    } else {
+        format!("1e{}", value.log10().round())
     }
 }

@@ -1,6 +1,8 @@
-//! Curves in; a table, JSON and CSV out.
+//! Curves in; a table and CSV out.
 //!
 //! Rule: pure; every figure is one of the curves'.
+
+use anyhow::Context;
 
 use super::{Curve, EVALUATIONS};
 use crate::prove::Verdict;
@@ -8,8 +10,9 @@ use crate::trade::tables::{aligned, wrapped};
 
 /// What a terminal shows: for each number, the range in which each evaluation keeps its limit.
 pub fn table(curves: &[Curve]) -> String {
-    let ids = EVALUATIONS.map(|evaluation| evaluation.id.to_owned());
-    let head = [vec!["number".to_owned(), "swept".to_owned()], ids.into()].concat();
+    let ids = EVALUATIONS.map(|evaluation| evaluation.id);
+    let head = ["number", "swept"].into_iter().chain(ids);
+    let head: Vec<String> = head.map(str::to_owned).collect();
     let rows = curves.chunks(EVALUATIONS.len()).map(|curves| {
         let start = [curves[0].number.to_owned(), span(curves[0].range())];
         start.into_iter().chain(curves.iter().map(kept)).collect()
@@ -25,62 +28,60 @@ const LEGEND: &str = "The range in which the largest error of a picture is prove
 
 /// The range in which a limit is kept.
 fn kept(curve: &Curve) -> String {
-    let verdicts = || curve.points.iter().map(|point| point.verdict);
+    let has = |verdict| curve.points.iter().any(|point| point.verdict == verdict);
     match curve.keeps {
         None => "none".to_owned(),
-        Some(_) if verdicts().all(|verdict| verdict == Verdict::Proven) => "all".to_owned(),
-        Some(ends) => {
-            let is_refuted = verdicts().any(|verdict| verdict == Verdict::Refuted);
-            span(ends) + if is_refuted { "" } else { " ?" }
-        }
+        Some(ends) if has(Verdict::Refuted) => span(ends),
+        Some(ends) if has(Verdict::Undecided) => span(ends) + " ?",
+        Some(_) => "all".to_owned(),
     }
 }
 
+/// A range in as many digits as matter.
 fn span(ends: [f64; 2]) -> String {
+    let rounded = |value| match value {
+        1.0..1e4 => format!("{value:.0}"),
+        _ => format!("{value:.1e}").replace(".0e", "e"),
+    };
     ends.map(rounded).join(" to ")
 }
 
-/// A number with as many digits as matter.
-fn rounded(value: f64) -> String {
-    if (1.0..1e4).contains(&value) {
-        format!("{value:.0}")
-    } else {
-        format!("{value:.1e}").replace(".0e", "e")
-    }
-}
-
-/// An array with an object for each number and evaluation.
+/// CSV (RFC 4180), a line for each value and evaluation; the first line names the columns.
 ///
 /// # Errors
-/// None that `serde_json` has a reason for.
-pub fn json(curves: &[Curve]) -> serde_json::Result<String> {
-    Ok(serde_json::to_string_pretty(curves)? + "\n")
-}
-
-/// CSV (RFC 4180), a line for each value and evaluation; the first line names the columns.
-pub fn csv(curves: &[Curve]) -> String {
-    let mut text =
-        String::from("number,unit,value,evaluation,limit,least_error,largest_error,verdict\n");
+/// Those of the CSV library, which has no reason to give one.
+pub fn csv(curves: &[Curve]) -> anyhow::Result<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([
+        "number",
+        "unit",
+        "value",
+        "evaluation",
+        "limit",
+        "least_error",
+        "largest_error",
+        "verdict",
+    ])?;
     for curve in curves {
+        let Curve {
+            number,
+            unit,
+            evaluation,
+            limit,
+            ..
+        } = curve;
         for point in &curve.points {
-            let [least, largest] = point.error;
-            let verdict = match point.verdict {
-                Verdict::Proven => "proven",
-                Verdict::Undecided => "undecided",
-                Verdict::Refuted => "refuted",
-            };
-            let cells = [
-                curve.number,
-                curve.unit,
-                &format!("{:e}", point.value),
-                curve.evaluation,
-                &curve.limit.to_string(),
-                &format!("{least:e}"),
-                &format!("{largest:e}"),
-                verdict,
-            ];
-            text += &(cells.join(",") + "\n");
+            writer.serialize((
+                number,
+                unit,
+                point.value,
+                evaluation,
+                limit,
+                point.error,
+                point.verdict,
+            ))?;
         }
     }
-    text
+    let bytes = writer.into_inner().context("the table cannot be written")?;
+    Ok(String::from_utf8(bytes)?)
 }

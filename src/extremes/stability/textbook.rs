@@ -11,11 +11,11 @@ use glam::camera::rh::{proj, view};
 use glam::{DVec3, Mat3, Mat4, Vec3};
 
 use crate::components::{LightKind, Mesh, TRIANGLES};
-use crate::extremes::setting::{Body, Lamp, Setting};
+use crate::extremes::scene_spec::{CuboidSpec, LightSpec, SceneSpec};
 
 /// A perspective picture.
 pub struct Textbook<'a> {
-    setting: &'a Setting,
+    spec: &'a SceneSpec,
     cuboids: Vec<Cuboid>,
     eye: Vec3,
 }
@@ -28,19 +28,25 @@ struct Cuboid {
 }
 
 impl<'a> Textbook<'a> {
-    pub fn new(setting: &'a Setting) -> Self {
-        let [eye, target, up] = [setting.eye, setting.target, setting.up].map(DVec3::as_vec3);
-        let [width, height] = setting.size.map(|pixels| pixels as f32);
-        let fov = (setting.fov as f32).to_radians();
+    pub fn new(spec: &'a SceneSpec) -> Self {
+        let [eye, target, up] = [spec.eye, spec.camera.target, spec.camera.up].map(DVec3::as_vec3);
+        let [width, height] = spec.size.map(|pixels| pixels as f32);
+        let fov = (spec.camera.fov as f32).to_radians();
         // The near plane is of no account, for only x, y and w are used.
         let projection = proj::directx::perspective_infinite(fov, width / height, 1.0);
         let camera = projection * view::look_at_mat4(eye, target, up);
-        let cuboid = |body: &Body| {
-            let [x, y, z] = body.rotation.as_vec3().to_array().map(f32::to_radians);
+        let cuboid = |cuboid: &CuboidSpec| {
+            let [x, y, z] = cuboid
+                .transform
+                .rotation
+                .as_vec3()
+                .to_array()
+                .map(f32::to_radians);
             let rotation =
                 Mat3::from_rotation_z(z) * Mat3::from_rotation_y(y) * Mat3::from_rotation_x(x);
-            let model = Mat4::from_translation(body.position.as_vec3()) * Mat4::from_mat3(rotation);
-            let corners = Mesh::cuboid(body.size).corners.map(DVec3::as_vec3);
+            let model = Mat4::from_translation(cuboid.transform.position.as_vec3())
+                * Mat4::from_mat3(rotation);
+            let corners = Mesh::cuboid(cuboid.size).corners.map(DVec3::as_vec3);
             Cuboid {
                 corners: corners.map(|corner| model.transform_point3(corner)),
                 clip: corners.map(|corner| {
@@ -51,8 +57,8 @@ impl<'a> Textbook<'a> {
             }
         };
         Textbook {
-            setting,
-            cuboids: setting.cuboids.iter().map(cuboid).collect(),
+            spec,
+            cuboids: spec.cuboids.iter().map(cuboid).collect(),
             eye,
         }
     }
@@ -60,7 +66,7 @@ impl<'a> Textbook<'a> {
     /// The levels of a face, cuboid * 6 + face, at pixel (`x`, `y`).
     pub fn levels(&self, face: usize, [x, y]: [usize; 2]) -> [f32; 3] {
         let cuboid = &self.cuboids[face / 6];
-        let [width, height] = self.setting.size.map(|pixels| pixels as f32);
+        let [width, height] = self.spec.size.map(|pixels| pixels as f32);
         let pixel = Vec3::new(
             2.0 * (x as f32 + 0.5) / width - 1.0,
             1.0 - 2.0 * (y as f32 + 0.5) / height,
@@ -84,23 +90,28 @@ impl<'a> Textbook<'a> {
             a * weights.x + b * weights.y + c * weights.z
         };
         let (position, normal) = (blend(&cuboid.corners), blend(&cuboid.normals).normalize());
-        let material = &self.setting.cuboids[face / 6].material;
+        let material = &self.spec.cuboids[face / 6].material;
         let to_eye = (self.eye - position).normalize();
-        let terms = self.setting.lights.iter().map(|light: &Lamp| {
-            let sent = light.color.as_vec3() * light.intensity as f32 * light.gain as f32;
-            let to_light = (light.position.as_vec3() - position).normalize();
-            let facing = normal.dot(to_light);
-            match light.kind {
-                LightKind::Ambient => material.ambient.as_vec3() * sent,
-                LightKind::Diffuse => material.diffuse.as_vec3() * sent * facing.max(0.0),
-                LightKind::Specular if facing > 0.0 => {
-                    let reflected = normal * (2.0 * facing) - to_light;
-                    let along = to_eye.dot(reflected).max(0.0);
-                    material.specular.as_vec3() * sent * along.powf(material.shininess as f32)
+        let terms = self.spec.lights.iter().map(
+            |LightSpec {
+                 light,
+                 position: place,
+             }| {
+                let sent = light.color.as_vec3() * light.intensity as f32 * light.gain as f32;
+                let to_light = (place.as_vec3() - position).normalize();
+                let facing = normal.dot(to_light);
+                match light.kind {
+                    LightKind::Ambient => material.ambient.as_vec3() * sent,
+                    LightKind::Diffuse => material.diffuse.as_vec3() * sent * facing.max(0.0),
+                    LightKind::Specular if facing > 0.0 => {
+                        let reflected = normal * (2.0 * facing) - to_light;
+                        let along = to_eye.dot(reflected).max(0.0);
+                        material.specular.as_vec3() * sent * along.powf(material.shininess as f32)
+                    }
+                    LightKind::Specular => Vec3::ZERO,
                 }
-                LightKind::Specular => Vec3::ZERO,
-            }
-        });
+            },
+        );
         terms.sum::<Vec3>().to_array()
     }
 }

@@ -1,0 +1,330 @@
+//! Scenes in; whether their pictures are right out.
+//!
+//! ```text
+//! scenes --Renderer--> pictures --+-- Proven: enclosures of every pixel's exact levels
+//!                                 +-- SameBits, SamePicture: the first scene, which is without the extreme
+//!                                 +-- Known: facts on paper
+//!                                 '-- Own: a function of the case
+//! ```
+//!
+//! Rule: what is right never comes from what is tried. A picture that shows too little proves nothing, and fails.
+
+use rayon::prelude::*;
+
+use super::renderer::{CaseError, Picture, Renderer, name, wrong_pixel};
+use super::scene_spec::{LightSpec, MODES, RenderConfig, SceneSpec};
+use crate::components::{LightKind, Projection, View};
+use crate::prove::{self, Shown, Verdict, shown_face};
+use crate::reference::{Interval, Reference, Seen};
+use crate::scene::Scene;
+use crate::shading::{EXACT, limit};
+use crate::systems;
+use crate::trade::metrics::pixel_error;
+
+/// The least number of pixels that must show a cuboid for a comparison to mean something.
+const MIN_COVERED: u64 = 100;
+
+/// What decides whether a case is right.
+pub enum Judge {
+    /// Enclosures: every pixel of each scene is proven in every projection and mode, at every tolerance.
+    Proven(Vec<SceneSpec>),
+    /// The first scene, which is without the extreme: the others have the same bits.
+    SameBits(Vec<SceneSpec>),
+    /// The first scene, which is without the extreme: the others are within so many levels of it.
+    SamePicture(f64, Vec<SceneSpec>),
+    /// Facts known on paper.
+    Known(Vec<Known>),
+    /// A function of the case, which says what it observed.
+    Own(fn(&mut Renderer) -> Result<String, CaseError>),
+}
+
+/// What is known of a picture without drawing it.
+pub struct Known {
+    pub scene: SceneSpec,
+    pub config: RenderConfig,
+    pub fact: Fact,
+}
+
+#[derive(Clone, Copy)]
+pub enum Fact {
+    /// No cuboid is seen.
+    Background,
+    /// Wherever a cuboid is seen, it is this one.
+    Cuboid(u32),
+    /// Wherever a cuboid is seen, each channel has this level. Lights that send nothing cost nothing.
+    Everywhere(f64),
+    /// One pixel's levels.
+    Pixel([usize; 2], [f64; 3]),
+}
+
+impl Judge {
+    /// Draws the scenes and says what was observed.
+    ///
+    /// # Errors
+    /// When a picture is not as expected.
+    pub fn examine(&self, renderer: &mut Renderer) -> Result<String, CaseError> {
+        match self {
+            Judge::Proven(scenes) => proven(renderer, scenes),
+            Judge::SameBits(scenes) => same_bits(renderer, scenes),
+            Judge::SamePicture(levels, scenes) => same_picture(renderer, *levels, scenes),
+            Judge::Known(all) => known(renderer, all),
+            Judge::Own(examine) => examine(renderer),
+        }
+    }
+}
+
+/// How far proven pictures are from what they ought to be, at most.
+#[derive(Default)]
+struct Distance {
+    /// The largest error at tolerance 0, in levels.
+    exact: f64,
+    /// The largest error at the others, as a share of the tolerance.
+    share: f64,
+    /// Pixels that show a cuboid, or may.
+    covered: u64,
+    /// Pixels so near an edge that they may show either side.
+    outline: u64,
+}
+
+fn proven(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String, CaseError> {
+    let mut distance = Distance::default();
+    for (index, spec) in scenes.iter().enumerate() {
+        let covered = distance.covered;
+        prove_scene(renderer, spec, index, &mut distance)?;
+        expect_covered(distance.covered - covered)?;
+    }
+    Ok(format!(
+        "{} pixels, {} on edges: {:.1e} levels at 0, else up to {:.0} % of the tolerance",
+        distance.covered,
+        distance.outline,
+        distance.exact,
+        100.0 * distance.share
+    ))
+}
+
+/// Proves every pixel in every projection and mode and at every tolerance. Unless everything is to be drawn, each
+/// projection has one of the modes, the other at an odd `index`, and half of the tolerances.
+fn prove_scene(
+    renderer: &mut Renderer,
+    spec: &SceneSpec,
+    index: usize,
+    distance: &mut Distance,
+) -> Result<(), CaseError> {
+    let tolerances: &[f64] = if renderer.full {
+        &[0.0, 0.25, 0.5, 1.0, 2.0, 4.0]
+    } else {
+        &[0.0, 0.5, 4.0]
+    };
+    let mut scene = spec.parse()?;
+    for (first, projection) in Projection::ALL.into_iter().enumerate() {
+        for (second, mode) in MODES.into_iter().enumerate() {
+            if !renderer.full && (first + second + index) % 2 == 1 {
+                continue;
+            }
+            let view = |tolerance| {
+                let config = RenderConfig {
+                    projection,
+                    mode,
+                    tolerance,
+                };
+                spec.view(&scene, config)
+            };
+            let views: Vec<View> = tolerances.iter().copied().map(view).collect();
+            let enclosures = enclosures(&scene, &views[0]);
+            for view in &views {
+                prove_picture(renderer, &mut scene, view, &enclosures, distance)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Draws a picture and judges every pixel by what it may show.
+fn prove_picture(
+    renderer: &mut Renderer,
+    scene: &mut Scene,
+    view: &View,
+    enclosures: &[Vec<Seen<Interval>>],
+    distance: &mut Distance,
+) -> Result<(), CaseError> {
+    systems::draw(&mut scene.world, view, &mut renderer.levels)?;
+    systems::draw(&mut scene.world, view, &mut renderer.display)?;
+    for (pixel, seen) in enclosures.iter().enumerate() {
+        let [_, bytes @ ..] = renderer.display.pixels()[pixel].to_be_bytes();
+        let shown = Shown {
+            face: shown_face(renderer.levels.triangles()[pixel]),
+            levels: renderer.levels.levels()[pixel].map(f64::from),
+            bytes: Some(bytes),
+        };
+        let (mark, error) = prove::judge(shown, seen, limit(view.tolerance));
+        if mark.verdict != Verdict::Proven {
+            let what = format!("is {:?}: {shown:?}, not {seen:?}", mark.verdict);
+            return Err(wrong_pixel(view, pixel, &what));
+        }
+        if view.tolerance == 0.0 {
+            distance.exact = distance.exact.max(error);
+        } else {
+            distance.share = distance.share.max(error / view.tolerance);
+        }
+        distance.covered += u64::from(mark.is_covered);
+        distance.outline += u64::from(mark.is_outline);
+    }
+    Ok(())
+}
+
+/// What every pixel of a picture may show, row by row from the top.
+pub fn enclosures(scene: &Scene, view: &View) -> Vec<Vec<Seen<Interval>>> {
+    let reference = Reference::<Interval>::new(&scene.world, view);
+    let rows = (0..view.size[1]).into_par_iter().map(|y| {
+        let mut row = Vec::new();
+        reference.row(y, |_, seen| row.push(seen.to_vec()));
+        row
+    });
+    rows.collect::<Vec<_>>().concat()
+}
+
+fn same_bits(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String, CaseError> {
+    let mut covered = 0;
+    for config in RenderConfig::all() {
+        let plain = renderer.picture(&scenes[0], config)?;
+        covered += plain.covered();
+        for spec in &scenes[1..] {
+            renderer.picture(spec, config)?.expect_bits_of(&plain)?;
+        }
+    }
+    expect_covered(covered)?;
+    Ok(format!(
+        "the same: {covered} pixels, {} scenes",
+        scenes.len()
+    ))
+}
+
+fn same_picture(
+    renderer: &mut Renderer,
+    levels: f64,
+    scenes: &[SceneSpec],
+) -> Result<String, CaseError> {
+    let mut worst = 0.0_f64;
+    for config in RenderConfig::all() {
+        for spec in &scenes[1..] {
+            let both = [(&scenes[0], config), (spec, config)];
+            worst = worst.max(difference(renderer, both, levels)?);
+        }
+    }
+    Ok(format!("{worst:.2e} levels in {} scenes", scenes.len()))
+}
+
+/// The largest difference between two pictures, the plain one first, where they show the same face.
+///
+/// # Errors
+/// When it is above `most` levels, or they show different faces where the plain one may not.
+pub fn difference(
+    renderer: &mut Renderer,
+    [plain, extreme]: [(&SceneSpec, RenderConfig); 2],
+    most: f64,
+) -> Result<f64, CaseError> {
+    let expected = renderer.picture(plain.0, plain.1)?;
+    expect_covered(expected.covered())?;
+    let drawn = renderer.picture(extreme.0, extreme.1)?;
+    let reference = Reference::<Interval>::new(&plain.0.parse()?.world, &expected.view);
+    let width = expected.view.size[0];
+    let mut worst = 0.0_f64;
+    for (pixel, ids) in drawn.triangles.iter().zip(&expected.triangles).enumerate() {
+        let faces = [*ids.0, *ids.1].map(shown_face);
+        let may_show = || reference.at([pixel % width, pixel / width]);
+        if faces[0] == faces[1] {
+            worst = worst.max(pixel_error(drawn.levels[pixel], expected.levels[pixel]));
+        } else if !may_show().iter().any(|seen| seen.face == faces[0]) {
+            let what = format!("shows {}, not {}", name(*ids.0), name(*ids.1));
+            return Err(wrong_pixel(&drawn.view, pixel, &what));
+        }
+    }
+    if worst > most {
+        let what = format!("{worst} levels, {:?}", extreme.1);
+        return Err(CaseError::Wrong(what));
+    }
+    Ok(worst)
+}
+
+fn known(renderer: &mut Renderer, all: &[Known]) -> Result<String, CaseError> {
+    let (mut covered, mut observed) = (0, Vec::new());
+    for Known {
+        scene,
+        config,
+        fact,
+    } in all
+    {
+        let picture = renderer.picture(scene, *config)?;
+        fact.expect_of(&picture, scene)?;
+        covered += picture.covered();
+        if let Fact::Pixel([x, y], _) = fact {
+            let levels = picture.levels[y * scene.size[0] + x];
+            observed.push(levels_text(levels.map(f64::from)));
+        }
+    }
+    Ok(match all.first().map(|known| known.fact) {
+        None | Some(Fact::Background) => "nothing".to_owned(),
+        Some(Fact::Cuboid(cuboid)) => format!("cuboid {cuboid} at all of {covered} pixels"),
+        Some(Fact::Everywhere(level)) => format!("{level} levels at all of {covered} pixels"),
+        Some(Fact::Pixel(..)) => observed.join(", "),
+    })
+}
+
+impl Fact {
+    fn expect_of(self, picture: &Picture, spec: &SceneSpec) -> Result<(), CaseError> {
+        match self {
+            Fact::Background => picture.expect(|_, _| false),
+            Fact::Cuboid(cuboid) => {
+                expect_covered(picture.covered())?;
+                picture.expect(|id, _| id / 12 == cuboid)
+            }
+            Fact::Everywhere(level) => {
+                expect_covered(picture.covered())?;
+                let sends_nothing = spec.lights.iter().all(|LightSpec { light, .. }| {
+                    light.kind == LightKind::Ambient || light.intensity == 0.0
+                });
+                if sends_nothing && picture.specular_evaluations > 0 {
+                    return Err(CaseError::Wrong("powers are evaluated".to_owned()));
+                }
+                picture.expect(|_, levels| are_near(levels, [level; 3], 1e-4))
+            }
+            Fact::Pixel([x, y], expected) => {
+                let pixel = y * spec.size[0] + x;
+                let levels = picture.levels[pixel];
+                if are_near(levels, expected, EXACT) {
+                    return Ok(());
+                }
+                let what = format!("has levels {levels:?}");
+                Err(wrong_pixel(&picture.view, pixel, &what))
+            }
+        }
+    }
+}
+
+/// Whether levels are within `limit` of what they ought to be; NaN is not.
+pub fn are_near(levels: [f32; 3], expected: [f64; 3], limit: f64) -> bool {
+    let mut channels = levels.into_iter().zip(expected);
+    channels.all(|(level, expected)| (f64::from(level) - expected).abs() <= limit)
+}
+
+/// Too few pixels that show a cuboid prove nothing.
+///
+/// # Errors
+/// When there are too few.
+pub fn expect_covered(pixels: u64) -> Result<(), CaseError> {
+    if pixels < MIN_COVERED {
+        let what = format!("no more than {pixels} pixels show a cuboid");
+        return Err(CaseError::Wrong(what));
+    }
+    Ok(())
+}
+
+/// Three levels, or one where they are alike.
+pub fn levels_text(levels: [f64; 3]) -> String {
+    let [red, green, blue] = levels.map(|level| format!("{level:.3}"));
+    if red == green && green == blue {
+        red
+    } else {
+        format!("({red} {green} {blue})")
+    }
+}
