@@ -44,7 +44,7 @@ pub use display::restart_without_input_method;
 /// The time between two polls while the user does something, so that short clicks are seen.
 const BUSY_PAUSE: Duration = Duration::from_millis(4);
 /// The time between two polls while nothing happens.
-const IDLE_PAUSE: Duration = Duration::from_millis(8);
+const IDLE_PAUSE: Duration = Duration::from_millis(16);
 /// How long after the last event the user counts as busy.
 const BUSY_TIME: Duration = Duration::from_secs(1);
 /// The picture is shown again this often though nothing has changed, for the system does not say when another window
@@ -136,7 +136,7 @@ impl Window {
     fn run(mut self) -> Result<(), WindowError> {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
-        let mut size = [0, 0];
+        let (mut size, mut picture) = ([0, 0], [0, 0]);
         let mut active = false;
         let mut job_is_for = (0, false);
         while self.display.is_open() {
@@ -146,18 +146,23 @@ impl Window {
             }
             self.react(now);
             let new_size = self.display.size();
-            let picture = hud::picture(&self.session, new_size);
-            let picture = [picture.width as usize, picture.height as usize];
-            if size != new_size || picture != self.composition.size() {
+            if std::mem::replace(&mut size, new_size) != new_size {
                 self.session.resized();
             }
-            size = new_size;
+            let mut redraw = self.session.take_redraw();
+            if redraw > Redraw::Nothing {
+                let area = hud::picture(&self.session, size);
+                picture = [area.width as usize, area.height as usize];
+                if picture != self.composition.size() {
+                    self.session.resized();
+                    redraw = redraw.max(self.session.take_redraw());
+                }
+            }
             let measures = matches!(self.session.measuring(), Measuring::Running(_));
             let wanted = (self.session.revision(), measures);
             if std::mem::replace(&mut job_is_for, wanted) != wanted {
                 self.jobs.cancel();
             }
-            let redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
                 if redraw == Redraw::Picture {
                     self.composition.draw(&mut self.session, picture)?;
