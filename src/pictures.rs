@@ -9,12 +9,12 @@ pub use figures::figures;
 
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
-
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, display_step};
 use crate::memory::{self, OutOfMemory};
 use crate::output::{Output, say};
+use crate::trade::progress::{Progress, with_bar};
+use crate::trade::words::counted;
 use crate::{reference, simd, systems};
 
 /// Draws one picture into `output`, and says on standard error what it wrote and what a frame of it costs.
@@ -33,10 +33,10 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     say(&format!(
         "wrote {name}: PNG, {width}x{height}, {} shaded; a frame takes {:.3} ms \
          (median of {}, PNG apart; {}, {})",
-        count(frame.counts().covered_pixels as usize, "pixel"),
+        counted(frame.counts().covered_pixels as usize, "pixel"),
         time.as_secs_f64() * 1e3,
-        count(frames, "warm frame"),
-        count(frame.workers().threads(), "thread"),
+        counted(frames, "warm frame"),
+        counted(frame.workers().threads(), "thread"),
         simd::name(frame.workers().level()),
     ));
     Ok(())
@@ -50,36 +50,41 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let view = drawing.view();
     let [width, height] = view.size;
     let (mut pixels, mut covered) = (memory::room_for_pixels(view.size)?, 0);
-    let progress = ProgressBar::new(height as u64).with_style(ProgressStyle::with_template(
-        "drawing the reference {wide_bar} {percent:>3} %, {eta} left",
-    )?);
     let begin = Instant::now();
     // In bands, since the reference holds seven times what the picture does.
     let rows_at_once = (PIXELS_AT_ONCE / width).max(1);
-    for first in (0..height).step_by(rows_at_once) {
-        let rows = first..height.min(first + rows_at_once);
-        let done = |rows: usize| progress.set_position((first + rows) as u64);
-        let Some(truth) = reference::picture(&drawing.scene.world, &view, rows, &|| false, &done)
-        else {
-            break;
-        };
-        covered += truth
-            .triangles
-            .iter()
-            .filter(|&&triangle| triangle != NO_TRIANGLE)
-            .count();
-        pixels.extend(truth.levels.iter().map(|levels| {
-            let [red, green, blue] = levels.map(display_step);
-            u32::from_be_bytes([0, red, green, blue])
-        }));
-    }
-    progress.finish_and_clear();
+    with_bar(|on_progress| -> anyhow::Result<()> {
+        for first in (0..height).step_by(rows_at_once) {
+            let rows = first..height.min(first + rows_at_once);
+            let done = |rows: usize| {
+                on_progress(Progress {
+                    step: "drawing the reference",
+                    share: (first + rows) as f64 / height as f64,
+                });
+            };
+            let Some(truth) =
+                reference::picture(&drawing.scene.world, &view, rows, &|| false, &done)
+            else {
+                break;
+            };
+            covered += truth
+                .triangles
+                .iter()
+                .filter(|&&triangle| triangle != NO_TRIANGLE)
+                .count();
+            pixels.extend(truth.levels.iter().map(|levels| {
+                let [red, green, blue] = levels.map(display_step);
+                u32::from_be_bytes([0, red, green, blue])
+            }));
+        }
+        Ok(())
+    })?;
     let time = begin.elapsed();
     output.write_png(&pixels, view.size)?;
     say(&format!(
         "wrote {}: PNG, {width}x{height}, {} shaded by the reference in f64, in {:.3} s",
         output.name(),
-        count(covered, "pixel"),
+        counted(covered, "pixel"),
         time.as_secs_f64()
     ));
     Ok(())
@@ -87,10 +92,6 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
 
 /// How many pixels, at 28 bytes each, the reference draws before they become bytes.
 const PIXELS_AT_ONCE: usize = 1 << 20;
-
-fn count(number: usize, thing: &str) -> String {
-    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
-}
 
 /// The median time of a frame by `draw`, and of how many: an odd number, so that the median is one of them.
 fn warm_frame(

@@ -5,7 +5,6 @@
 use std::time::Instant;
 
 use anyhow::{Context, bail};
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use serde::Serialize;
 
@@ -16,6 +15,7 @@ use crate::frame::{Frame, Keep, Workers};
 use crate::output::Output;
 use crate::shading::limit;
 use crate::systems;
+use crate::trade::progress::{self, Progress};
 
 /// The colour of pixels that are proven to show one side of an edge.
 const OUTLINE: u32 = 0x0026_5a78;
@@ -96,14 +96,17 @@ fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
         .num_threads(drawing.threads)
         .build();
     let pool = pool.context("cannot start the threads that prove")?;
-    let bar = ProgressBar::new(view.size[1] as u64).with_style(ProgressStyle::with_template(
-        "proving {wide_bar} {percent:>3} %, {eta} left",
-    )?);
     let workers = [(), ()].map(|()| Workers::alone(drawing.level));
-    let progress = |rows: usize| bar.set_position(rows as u64);
     let world = &mut drawing.scene.world;
-    let proof = pool.install(|| prove(world, view, workers, &|| false, &progress))?;
-    bar.finish_and_clear();
+    let proof = progress::with_bar(|on_progress| {
+        let done = |rows: usize| {
+            on_progress(Progress {
+                step: "proving",
+                share: rows as f64 / view.size[1] as f64,
+            });
+        };
+        pool.install(|| prove(world, view, workers, &|| false, &done))
+    })?;
     proof.context("the proof was cancelled")
 }
 

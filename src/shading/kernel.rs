@@ -17,9 +17,10 @@ use glam::DVec3;
 use super::U;
 use super::affine::Affine;
 use super::bound::{Field, MAX_RADIUS};
-use super::display::Rows;
+use super::display::{Levels, Rows};
 use super::specular::{self, Squarings};
-use crate::simd::{inlined, three};
+use super::square::Region;
+use crate::simd::{apart, inlined, three};
 
 /// Unit round-off of f64.
 pub const DOUBLE: f64 = f64::EPSILON / 2.0;
@@ -415,6 +416,29 @@ pub struct Model<'a, S: Simd, V: Reals<S>, const UNIT: bool> {
 }
 
 impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
+    /// Evaluates what is covered of a region, where `wanted`: see [`Levels::fill_where`].
+    pub fn fill_where(
+        &mut self,
+        region: &Region,
+        levels: &mut Levels,
+        wanted: impl Fn([f64; 2]) -> bool,
+    ) {
+        apart(
+            self.simd,
+            #[inline(always)]
+            || levels.fill_where(region, self, wanted),
+        );
+    }
+
+    /// Evaluates all that is covered of a region.
+    pub fn fill(&mut self, region: &Region, levels: &mut Levels) {
+        apart(
+            self.simd,
+            #[inline(always)]
+            || levels.fill(region, self),
+        );
+    }
+
     /// In some of the sixteen columns, from `lane` on, `y` pixels below the middle.
     #[inline(always)]
     fn at(&self, lane: usize, y: V::Element) -> [V; 3] {

@@ -307,25 +307,11 @@ impl<'a> Phong<'a> {
         )?;
         let shines = found.highlights > 0;
         if found.kind == TileKind::Exact {
-            let mut model: Model<'_, S, f32x16<S>, false> =
-                self.model(simd, region, active, shines, single);
-            apart(
-                simd,
-                #[inline(always)]
-                || {
-                    levels.fill(region, &mut model);
-                },
-            );
+            let mut model = self.model::<S, f32x16<S>>(simd, region, active, shines, single);
+            model.fill(region, levels);
         } else {
-            let mut model: Model<'_, S, f64x4<S>, false> =
-                self.model(simd, region, active, shines, double);
-            apart(
-                simd,
-                #[inline(always)]
-                || {
-                    levels.fill(region, &mut model);
-                },
-            );
+            let mut model = self.model::<S, f64x4<S>>(simd, region, active, shines, double);
+            model.fill(region, levels);
         }
         Some(Evaluations {
             kind: found.kind,

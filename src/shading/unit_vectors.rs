@@ -18,7 +18,6 @@ use super::specular::power_exact;
 use super::square::Region;
 use super::{EXACT, Evaluations, Scratch, Surface, TileKind, U};
 use crate::components::{PointLight, unit};
-use crate::simd::apart;
 
 /// Draws the shortcut; it has no tolerance to keep.
 pub struct UnitVectors<'a> {
@@ -81,6 +80,11 @@ impl Triangle {
         }
         .map(|weights| weights / total)
     }
+}
+
+/// How many of a model's lights have a highlight.
+fn shining<S: Simd, V: Reals<S>>(model: &Model<'_, S, V, true>) -> usize {
+    model.lights.iter().filter(|light| light.is[1]).count()
 }
 
 fn blend(weights: DVec3, values: &[DVec3; 3]) -> DVec3 {
@@ -204,26 +208,12 @@ impl UnitVectors<'_> {
             } = scratch;
             if kind == TileKind::Exact {
                 let mut model = self.model::<S, f32x16<S>>(simd, triangle, weights, region, single);
-                highlights =
-                    highlights.max(model.lights.iter().filter(|light| light.is[1]).count());
-                apart(
-                    simd,
-                    #[inline(always)]
-                    || {
-                        levels.fill_where(region, &mut model, wanted);
-                    },
-                );
+                highlights = highlights.max(shining(&model));
+                model.fill_where(region, levels, wanted);
             } else {
                 let mut model = self.model::<S, f64x4<S>>(simd, triangle, weights, region, double);
-                highlights =
-                    highlights.max(model.lights.iter().filter(|light| light.is[1]).count());
-                apart(
-                    simd,
-                    #[inline(always)]
-                    || {
-                        levels.fill_where(region, &mut model, wanted);
-                    },
-                );
+                highlights = highlights.max(shining(&model));
+                model.fill_where(region, levels, wanted);
             }
         }
         Some(Evaluations {

@@ -5,7 +5,7 @@
 use std::time::Duration;
 
 use super::{Line, tolerance};
-use crate::trade::words::short;
+use crate::trade::words::{counted, short};
 use crate::window::examination::{Errors, ReferenceResult};
 use crate::window::frame_times::Spread;
 use crate::window::session::Session;
@@ -16,9 +16,10 @@ pub fn all(session: &Session) -> [Line; 6] {
     let times = session.times();
     let [left, right] = &times.sides;
     let wipe = session.state().mode == ViewMode::GouraudPhong;
-    let [frames, threads] = [left.len(), times.threads].map(|count| {
-        move |noun: &str| format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
-    });
+    let (frames, threads) = (
+        counted(left.len(), "frame"),
+        counted(times.threads, "thread"),
+    );
     [
         Line::Fact(if wipe { "Gouraud" } else { "frame" }, milliseconds(left)),
         if wipe {
@@ -26,10 +27,7 @@ pub fn all(session: &Session) -> [Line; 6] {
         } else {
             Line::Text(String::new())
         },
-        Line::Fact(
-            "median of",
-            format!("{}, {}", frames("frame"), threads("thread")),
-        ),
+        Line::Fact("median of", format!("{frames}, {threads}")),
         proven(session),
         Line::Fact("max vs Phong", errors(session, |it| it.errors)),
         Line::Fact("max vs own", errors(session, |it| it.own_errors)),
