@@ -86,7 +86,7 @@ struct Distance {
     outline: u64,
 }
 
-fn proven(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String, CaseError> {
+pub fn proven(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String, CaseError> {
     let mut distance = Distance::default();
     for (index, spec) in scenes.iter().enumerate() {
         let covered = distance.covered;

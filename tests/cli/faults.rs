@@ -9,7 +9,7 @@ use crate::{decode, folder, listing, said, shadetrade};
 
 /// Commands that write files, shortened to a second; the folder is `out`.
 const WRITERS: [&str; 2] = [
-    "trade --size 480x360 --seconds 0.1 -o out",
+    "trade --size 160x120 --seconds 0.05 -o out",
     "figures -o out",
 ];
 
@@ -153,8 +153,8 @@ fn a_signal_at_any_time_leaves_whole_files() {
 #[test]
 #[cfg(target_os = "linux")]
 fn threads_that_the_system_refuses_are_an_error_and_no_variable_asks_for_them() {
-    // A thread's stack takes two megabytes of addresses; the limit is in kibibytes.
-    let limit = "export RAYON_NUM_THREADS=1000; ulimit -v 1200000";
+    // Stacks of a gigabyte in 16 GB of addresses: the last one that is refused leaves room for what the others still need.
+    let limit = "export RAYON_NUM_THREADS=1000 RUST_MIN_STACK=1000000000; ulimit -v 16000000";
     for line in [
         "render --size 64x48 --reference -o a.png",
         "probe --size 64x48 --pixel 30,20",

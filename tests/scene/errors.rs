@@ -3,8 +3,7 @@
 use proptest::prelude::*;
 use shadetrade::scene::{BUILT_IN, Scene, SceneError};
 
-/// A scene with nothing but the keys that must be there; each line's number is the one [`REFUSED`] gives.
-const LEAST: &str = include_str!("support/least.toml");
+use crate::LEAST;
 
 /// A line of [`LEAST`], what is written there instead (`⏎` breaks the line), where the complaint is, and what is in it.
 const REFUSED: &str = r#"
