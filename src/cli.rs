@@ -20,7 +20,7 @@ use image::ImageFormat;
 use rayon::ThreadPoolBuilder;
 
 use crate::drawing::all_cores;
-use crate::output::Output;
+use crate::output::{Output, quoted};
 use crate::shading::{METHODS, Method};
 use crate::trade;
 pub use failure::Failure;
@@ -258,16 +258,6 @@ impl TradeOptions {
         };
         request.methods.retain(measured);
         Ok(request)
-    }
-}
-
-/// A word as a shell has to be given it.
-fn quoted(word: &str) -> String {
-    let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-+=:,./@%".contains(letter);
-    if !word.is_empty() && word.chars().all(plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
     }
 }
 

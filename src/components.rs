@@ -136,6 +136,11 @@ impl Mesh {
             corners: std::array::from_fn(|i| half * DVec3::new(sign(i, 0), sign(i, 1), sign(i, 2))),
         }
     }
+
+    /// The full edge lengths, in world units: those that [`Mesh::cuboid`] was given.
+    pub fn size(&self) -> DVec3 {
+        self.corners[7] - self.corners[0]
+    }
 }
 
 /// How a surface answers light: one coefficient per channel and term, and the exponent of the highlight.

@@ -109,6 +109,16 @@ pub fn printable(text: &str) -> String {
     text.replace(harmful, "\u{fffd}")
 }
 
+/// A word as a shell has to be given it.
+pub fn quoted(word: &str) -> String {
+    let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-+=:,./@%".contains(letter);
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
 /// Standard output as a file: the standard library's own handle says nothing when it cannot be written.
 fn standard_output() -> io::Result<File> {
     let stdout = io::stdout();
@@ -139,7 +149,7 @@ impl Write for Stdout {
 }
 
 /// Writes `content` through a buffer, and notices what fails only when it is emptied.
-pub(crate) fn buffered(
+fn buffered(
     writer: impl Write,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
@@ -203,8 +213,35 @@ fn replace(
     Ok(())
 }
 
+/// Writes a new file into `folder` under the first of the names that `name` gives for 1, 2, ... and nobody has taken;
+/// returns the file made.
+///
+/// # Errors
+/// When the folder cannot be written to, or the first 9999 names are taken.
+pub fn write_numbered(
+    folder: &Path,
+    name: impl Fn(u32) -> String,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<PathBuf> {
+    let mut file = temporary_file(folder)?;
+    buffered(file.as_file(), content)?;
+    for number in 1..=9999 {
+        let path = folder.join(name(number));
+        // The system refuses a name that is taken, so that two programs never get the same one.
+        match file.persist_noclobber(&path) {
+            Ok(_) => return Ok(path),
+            Err(taken) if taken.error.kind() == ErrorKind::AlreadyExists => file = taken.file,
+            Err(other) => return Err(other.error),
+        }
+    }
+    Err(io::Error::new(
+        ErrorKind::AlreadyExists,
+        "every number is taken",
+    ))
+}
+
 /// A hidden file that goes when it is dropped, with the permissions any new file gets.
-pub(crate) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     tempfile::Builder::new()
         .prefix(".shadetrade-")
         .suffix(".tmp")

@@ -8,12 +8,13 @@
 //! Rule: every number in a [`World`] spawned here is finite and within the range its key allows, every name is unique
 //! within its kind, cuboids carry their order in the file as a component, and exactly one camera is active.
 
+pub mod edit;
 mod error;
 mod file;
 mod format;
 mod keys;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use glam::DVec3;
@@ -52,6 +53,8 @@ pub fn is_built_in(path: &Path) -> bool {
 pub struct Scene {
     /// The built-in name, or the path as given.
     pub name: String,
+    /// The file it was read from, if any.
+    pub path: Option<PathBuf>,
     /// Everything; spawned once, in file order.
     pub world: World,
     /// Levels where nothing is drawn.
@@ -95,7 +98,13 @@ impl Scene {
     pub fn load_path(path: &Path) -> Result<Scene, SceneError> {
         match built_in(path) {
             Some((name, text)) => Scene::parse(name, text),
-            None => Scene::parse(&path.to_string_lossy(), &file::read(path)?),
+            None => {
+                let scene = Scene::parse(&path.to_string_lossy(), &file::read(path)?)?;
+                Ok(Scene {
+                    path: Some(path.to_path_buf()),
+                    ..scene
+                })
+            }
         }
     }
 
@@ -117,6 +126,7 @@ impl Scene {
         let mut world = World::new();
         let mut scene = Scene {
             name,
+            path: None,
             background: records.background,
             cuboids: records
                 .cuboids
@@ -148,7 +158,7 @@ impl Scene {
     /// transforms, and what a frame derives starts empty.
     #[must_use]
     pub fn snapshot(&self) -> Scene {
-        let mut copy = Scene::spawn(self.name.clone(), self.records());
+        let mut copy = Scene::spawn(self.name.clone(), self.records(Scene::viewpoint));
         copy.look_from(self.active_camera());
         copy
     }
@@ -156,11 +166,30 @@ impl Scene {
     /// The text of a scene file that describes the scene as it stands now: read again it gives the same components, bit
     /// for bit. The assignment's shortcut, which no file can ask for, becomes Phong.
     pub fn to_toml(&self) -> String {
-        format::write(self.records())
+        format::write(self.records(Scene::viewpoint))
+    }
+
+    /// The same with the view of the active camera, as it is now, as the first camera, and the others where the file has
+    /// them.
+    pub fn to_toml_with_view(&self) -> String {
+        let mut records = self.records(|scene, camera| scene.camera(camera).0);
+        let taken = self.camera_names();
+        let mut names = (2..).map(|number| format!("view-{number}"));
+        let name = if taken.iter().any(|name| name == "view") {
+            names.find(|name| !taken.contains(name))
+        } else {
+            None
+        };
+        let name = Name(name.unwrap_or_else(|| "view".to_owned()));
+        let Viewpoint { position, camera } = self.viewpoint(self.active_camera());
+        let rotation = DVec3::ZERO;
+        let view = (name, Transform { position, rotation }, camera);
+        records.cameras.insert(0, view);
+        format::write(records)
     }
 
     /// What the components say now.
-    fn records(&self) -> Records {
+    fn records(&self, viewpoint: impl Fn(&Scene, usize) -> Viewpoint) -> Records {
         type Cuboid<'a> = (
             &'a Name,
             &'a Transform,
@@ -183,7 +212,7 @@ impl Scene {
                 }),
             cameras: (0..self.cameras.len())
                 .map(|index| {
-                    let Viewpoint { position, camera } = self.viewpoint(index);
+                    let Viewpoint { position, camera } = viewpoint(self, index);
                     let name = self.copy::<&Name, _>(self.cameras[index], Name::clone);
                     let rotation = DVec3::ZERO;
                     (name, Transform { position, rotation }, camera)
@@ -238,6 +267,20 @@ impl Scene {
         }
         let looked_from = self.world.insert_one(self.cameras[index], ActiveCamera);
         looked_from.expect("a scene's cameras are never despawned");
+    }
+
+    /// Moves camera number `index` of the file so far from its own place.
+    ///
+    /// # Panics
+    /// When there are no more than `index` cameras.
+    pub fn set_orbit(&mut self, index: usize, orbit: Orbit) {
+        self.copy::<&mut Orbit, _>(self.cameras[index], |own| *own = orbit);
+    }
+
+    /// Whether a cuboid is shaded in another way than the file says.
+    pub fn is_shaded_otherwise(&self) -> bool {
+        let mut modes = self.world.query::<(&SceneShading, &ShadingMode)>();
+        modes.iter().any(|(own, mode)| own.0 != *mode)
     }
 
     /// Shades every cuboid so, or each as the file says.

@@ -14,15 +14,17 @@ pub mod composition;
 pub mod display;
 pub mod examination;
 pub mod frame_times;
+pub mod history;
 pub mod hud;
 pub mod input;
 pub mod jobs;
 pub mod orbit;
 pub mod response;
-pub mod screenshot;
+pub mod saving;
 pub mod session;
 pub mod view_state;
 pub mod views;
+pub mod watch;
 
 use std::io;
 use std::path::Path;
@@ -32,12 +34,15 @@ use std::time::{Duration, Instant};
 use crate::drawing::Drawing;
 use crate::frame::Workers;
 use crate::memory::OutOfMemory;
+use crate::output;
+use crate::scene::Scene;
 use composition::Composition;
 use display::Display;
 use hud::{Hud, Part};
 use input::Input;
 use jobs::{Job, Jobs};
 use session::{Measuring, Redraw, Request, Session};
+use watch::Watch;
 
 pub use display::restart_without_input_method;
 
@@ -94,12 +99,14 @@ pub enum WindowError {
 pub fn run(drawing: Drawing) -> Result<(), WindowError> {
     restart_without_input_method()?;
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
+    let watch = drawing.scene.path.clone().map(Watch::new);
     let session = Session::new(drawing);
     let hud = Hud::new(&session, size);
     let title = title(&session, &hud);
     let window = Window {
         display: Display::open(&title, size)?,
         session,
+        watch,
         input: Input::default(),
         composition: Composition::new(Workers::new(threads, level)?),
         jobs: Jobs::start(level)?,
@@ -119,6 +126,8 @@ fn title(session: &Session, hud: &Hud) -> String {
 /// The running window.
 struct Window {
     session: Session,
+    /// The scene's file, where it has one.
+    watch: Option<Watch>,
     display: Display,
     input: Input,
     composition: Composition,
@@ -172,6 +181,7 @@ impl Window {
             for request in self.session.take_requests() {
                 match request {
                     Request::Screenshot => self.save_screenshot(size),
+                    Request::Save => self.save_scene(picture),
                     Request::Time => self.composition.time(&mut self.session)?,
                     Request::Measure => {
                         let request = self.session.measurement(picture);
@@ -206,10 +216,15 @@ impl Window {
     /// Lets the session know what has happened.
     fn react(&mut self, now: Duration) {
         self.session.tick(now);
+        if let Some(path) = self.watch.as_mut().and_then(|it| it.changed(now)) {
+            self.session.reload(Scene::load_path(path));
+        }
         for progress in self.jobs.progress() {
             self.session.hear(progress);
         }
         for event in self.display.take_events() {
+            self.input
+                .set_editing(self.session.state().editor.is_some());
             if let Some(gesture) = self.input.handle(event, now) {
                 response::respond(&mut self.session, gesture, &self.hud);
             }
@@ -234,12 +249,24 @@ impl Window {
     fn save_screenshot(&mut self, size: [usize; 2]) {
         let mut pixels = Vec::new();
         self.hud.draw(&self.picture, true, &mut pixels);
-        match screenshot::save(Path::new("."), &pixels, size) {
+        match saving::save_picture(Path::new("."), &pixels, size) {
             Ok(path) => {
                 let name = path.file_name().unwrap_or_default().display();
                 self.session.say(format!("saved {name}"));
             }
             Err(error) => self.session.say(format!("no picture saved: {error}")),
+        }
+    }
+
+    fn save_scene(&mut self, size: [usize; 2]) {
+        match saving::save_scene(Path::new("."), &self.session) {
+            Ok(path) => {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let command = saving::command(&self.session, &name, size);
+                self.session.say(format!("saved {name}: {command}"));
+                output::say(&command);
+            }
+            Err(error) => self.session.say(format!("no scene saved: {error}")),
         }
     }
 }

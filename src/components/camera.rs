@@ -31,6 +31,14 @@ pub struct Camera {
     pub near: Option<f64>,
 }
 
+impl Camera {
+    /// Distance of the near plane of a camera that stands at `position`, in world units.
+    pub fn near_from(&self, position: DVec3) -> f64 {
+        self.near
+            .unwrap_or_else(|| length(self.target - position) * 1e-3)
+    }
+}
+
 /// The camera that the window looks from; exactly one of a scene's cameras has it.
 #[derive(Clone, Copy, Debug)]
 pub struct ActiveCamera;
@@ -105,9 +113,7 @@ impl Viewpoint {
 
     /// Distance of the near plane, in world units.
     pub fn near(&self) -> f64 {
-        self.camera
-            .near
-            .unwrap_or_else(|| length(self.camera.target - self.position) * 1e-3)
+        self.camera.near_from(self.position)
     }
 
     /// What is seen from where `orbit` moves the camera that stands here.

@@ -55,6 +55,72 @@ pub enum Action {
     Close,
     /// Ends the program.
     Quit,
+    /// Shows the numbers of the scene to be changed, and hides them again.
+    Editor,
+    /// Chooses the row of the editor so many rows on, or back where negative.
+    Row(i32),
+    /// Chooses a row of the editor, counted from 0, to type a number into.
+    ChooseRow(usize),
+    /// Changes the number of a row of the editor, or of the one that is chosen.
+    Step {
+        row: Option<usize>,
+        /// How often, down where negative.
+        steps: i32,
+        size: StepSize,
+    },
+    /// Takes the typed number.
+    Enter,
+    /// Takes back the last letter that was typed.
+    Erase,
+    /// Takes back the last change of the scene.
+    Undo,
+    /// Makes the change again that was last taken back.
+    Redo,
+    /// Writes the scene as it is into a new file.
+    Save,
+}
+
+/// How much a step changes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StepSize {
+    Fine,
+    #[default]
+    Usual,
+    Coarse,
+}
+
+impl StepSize {
+    /// What a usual step is multiplied by.
+    pub fn factor(self) -> f64 {
+        match self {
+            StepSize::Fine => 0.1,
+            StepSize::Usual => 1.0,
+            StepSize::Coarse => 10.0,
+        }
+    }
+}
+
+/// The keys that are held with another one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Modifiers {
+    pub shift: bool,
+    pub control: bool,
+}
+
+impl Modifiers {
+    const NONE: Modifiers = Modifiers {
+        shift: false,
+        control: false,
+    };
+
+    /// How much a step with these keys held changes.
+    pub fn step_size(self) -> StepSize {
+        match self {
+            Modifiers { shift: true, .. } => StepSize::Fine,
+            Modifiers { control: true, .. } => StepSize::Coarse,
+            Modifiers::NONE => StepSize::Usual,
+        }
+    }
 }
 
 /// The groups in which commands are shown.
@@ -72,19 +138,25 @@ pub enum Section {
     View,
     /// Moving about.
     Motion,
+    /// The scene as a whole.
+    Scene,
     /// The window itself.
     Window,
+    /// The numbers of the scene; its keys count while these are shown.
+    Editor,
 }
 
 impl Section {
     /// Every section, in the order in which they are shown.
-    pub const ALL: [Section; 7] = [
+    pub const ALL: [Section; 9] = [
         Section::Lights,
         Section::Shading,
         Section::Projection,
         Section::Camera,
         Section::View,
         Section::Motion,
+        Section::Scene,
+        Section::Editor,
         Section::Window,
     ];
 
@@ -97,6 +169,8 @@ impl Section {
             Section::Camera => "camera",
             Section::View => "view",
             Section::Motion => "move",
+            Section::Scene => "scene",
+            Section::Editor => "numbers of the scene",
             Section::Window => "window",
         }
     }
@@ -121,8 +195,8 @@ pub struct Binding {
     pub on_panel: bool,
     /// What happens while its key is held.
     pub hold: Hold,
-    /// Whether the shift key is held with it.
-    pub shift: bool,
+    /// What is held with it.
+    pub modifiers: Modifiers,
 }
 
 /// What happens while a key is held.
@@ -155,7 +229,7 @@ impl Binding {
             says,
             on_panel: false,
             hold: Hold::Rests,
-            shift: false,
+            modifiers: Modifiers::NONE,
         }
     }
 
@@ -173,7 +247,13 @@ impl Binding {
 
     /// The same row, with the shift key.
     const fn with_shift(mut self) -> Self {
-        self.shift = true;
+        self.modifiers.shift = true;
+        self
+    }
+
+    /// The same row, with the control key.
+    const fn with_control(mut self) -> Self {
+        self.modifiers.control = true;
         self
     }
 
@@ -202,6 +282,13 @@ const DOWN: Action = Action::Orbit {
     azimuth: 0.0,
     elevation: -ORBIT_STEP,
 };
+const fn step(steps: i32, size: StepSize) -> Action {
+    Action::Step {
+        row: None,
+        steps,
+        size,
+    }
+}
 const GOURAUD: Action = Action::Shading(ShadingMode::Gouraud);
 const PHONG: Action = Action::Shading(ShadingMode::Phong);
 
@@ -223,7 +310,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Lights, &["A"], &[Key::A], &['a'], Action::LightNamed("ambient"), "").on_panel(),
     Binding::new(Section::Shading, &["G"], &[Key::G], &['g'], GOURAUD, "").on_panel(),
     Binding::new(Section::Shading, &["P"], &[Key::P], &['p'], PHONG, "").on_panel(),
-    Binding::new(Section::Shading, &["E"], &[Key::E], &['e'], Action::SceneShading, "each cuboid's own"),
+    Binding::new(Section::Shading, &["F"], &[Key::F], &['f'], Action::SceneShading, "as the file says"),
     Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "tolerance").on_panel(),
     Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "tolerance").on_panel(),
     Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "projection").on_panel(),
@@ -240,6 +327,20 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Motion, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "away, or wheel").repeats(),
     Binding::new(Section::Motion, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),
     Binding::new(Section::Motion, &["Space"], &[Key::Space], &[' '], Action::Turning, "turn cuboids").on_panel(),
+    Binding::new(Section::Scene, &["E"], &[Key::E], &['e'], Action::Editor, "edit numbers").on_panel(),
+    Binding::new(Section::Scene, &["Ctrl Z"], &[Key::Z], &[], Action::Undo, "undo").with_control().repeats(),
+    Binding::new(Section::Scene, &["Ctrl Shift Z"], &[Key::Z], &[], Action::Redo, "redo").with_control().with_shift().repeats(),
+    Binding::new(Section::Scene, &["Ctrl S"], &[Key::S], &[], Action::Save, "save the scene").with_control(),
+    Binding::new(Section::Editor, &["Up"], &[Key::Up], &[], Action::Row(-1), "choose").repeats(),
+    Binding::new(Section::Editor, &["Down"], &[Key::Down], &[], Action::Row(1), "choose").repeats(),
+    Binding::new(Section::Editor, &["Left"], &[Key::Left], &[], step(-1, StepSize::Usual), "less, or wheel").repeats(),
+    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Usual), "more, or wheel").repeats(),
+    Binding::new(Section::Editor, &["Shift Left"], &[Key::Left], &[], step(-1, StepSize::Fine), "a tenth of it").with_shift().repeats(),
+    Binding::new(Section::Editor, &["Shift Right"], &[Key::Right], &[], step(1, StepSize::Fine), "a tenth of it").with_shift().repeats(),
+    Binding::new(Section::Editor, &["Ctrl Left"], &[Key::Left], &[], step(-1, StepSize::Coarse), "ten times it").with_control().repeats(),
+    Binding::new(Section::Editor, &["Ctrl Right"], &[Key::Right], &[], step(1, StepSize::Coarse), "ten times it").with_control().repeats(),
+    Binding::new(Section::Editor, &["0-9", "Enter"], &[Key::Enter, Key::NumPadEnter], &[], Action::Enter, "type a number"),
+    Binding::new(Section::Editor, &["Backspace"], &[Key::Backspace, Key::Delete], &[], Action::Erase, "erase a digit").repeats(),
     Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
     Binding::new(Section::Window, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
     Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save a picture"),
@@ -247,16 +348,24 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Window, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
 ];
 
-/// What a press of `key` calls up, with the shift key or without.
-pub fn bound_to_key(key: Key, shift: bool) -> Option<&'static Binding> {
-    let bound = || {
-        BINDINGS
-            .iter()
-            .filter(|binding| binding.keys.contains(&key))
+/// What a press of `key` calls up while these keys are held; the editor's keys come first while it is shown.
+pub fn bound_to_key(key: Key, modifiers: Modifiers, editing: bool) -> Option<&'static Binding> {
+    let find = |editor: bool, modifiers: Modifiers| {
+        BINDINGS.iter().find(|binding| {
+            binding.keys.contains(&key)
+                && binding.modifiers == modifiers
+                && (binding.section == Section::Editor) == editor
+        })
     };
-    let exactly = bound().find(|binding| binding.shift == shift);
+    let of_editor = || find(true, modifiers).filter(|_| editing);
     // What needs no shift key does not mind it.
-    exactly.or_else(|| bound().find(|binding| !binding.shift))
+    let unshifted = Modifiers {
+        shift: false,
+        ..modifiers
+    };
+    of_editor()
+        .or_else(|| find(false, modifiers))
+        .or_else(|| find(false, unshifted))
 }
 
 /// What `character` calls up where its press gave no bound key.

@@ -12,11 +12,15 @@
 //! large is left out. What was drawn is what is clicked: the [`Hud`] that was drawn answers where a click goes.
 
 pub mod board;
+pub mod editor;
 pub mod legend;
 pub mod lines;
+pub mod markers;
 pub mod measurements;
 pub mod pixel;
 mod place;
+
+use hecs::Entity;
 
 use super::bindings::Action;
 use super::session::Session;
@@ -24,6 +28,7 @@ use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
 use crate::components::{Polygon, Projected};
 use board::{Board, Setting};
 use lines::Line;
+use markers::{Marker, markers};
 use place::place;
 
 /// How many letters wide the panel is; values that change never change it.
@@ -53,6 +58,10 @@ pub enum Part {
     Table,
     Message,
     Help,
+    /// The numbers of the scene.
+    Editor,
+    /// What is wrong with the scene's file.
+    SceneError,
 }
 
 /// Everything in the window, each in its place.
@@ -66,6 +75,9 @@ pub struct Hud {
     divider: Option<i32>,
     /// The probed pixel in the window.
     cross: Option<Point>,
+    /// The lights, while the numbers of the scene are shown.
+    markers: Vec<Marker>,
+    face: Face,
     hovered: Option<Action>,
 }
 
@@ -168,6 +180,11 @@ impl Hud {
             layout.add_sides(names, column, area, face);
             divider = Some(column);
         }
+        layout.add(
+            Part::Editor,
+            &[editor::lines(session)],
+            [area.right(), area.y],
+        );
         let below = [area.x + area.width / 2, area.bottom()];
         let above = [area.right(), area.y];
         layout.add(Part::Legend, &[legend::lines(session)], below);
@@ -177,6 +194,16 @@ impl Hud {
         }
         let table = |letters| measurements::lines(session.measuring(), letters);
         layout.add(Part::Table, &WRAPS.map(table), above);
+        let error = state.scene_error.as_ref();
+        let error = error.map_or(Vec::new(), |text| {
+            let lines = text.lines().map(|line| Line::Text(line.to_owned()));
+            let title = Line::Title(
+                "the file is wrong",
+                "the last good scene is shown".to_owned(),
+            );
+            [title].into_iter().chain(lines).collect()
+        });
+        layout.add(Part::SceneError, &[error], below);
         if let Some(text) = state.message() {
             let broken = |letters| wrapped(text, letters).into_iter().map(Line::Text).collect();
             layout.add(Part::Message, &WRAPS.map(broken), below);
@@ -185,9 +212,16 @@ impl Hud {
         if state.help {
             boards.extend(help(session, window).into_iter().map(|it| (Part::Help, it)));
         }
+        let markers = if state.editor.is_some() {
+            markers(session, [picture.width as usize, picture.height as usize])
+        } else {
+            Vec::new()
+        };
         Hud {
             size,
             picture,
+            markers,
+            face,
             boards,
             divider,
             cross,
@@ -226,9 +260,13 @@ impl Hud {
         if let Some(cross) = self.cross {
             pixel::draw_cross(over_picture, cross);
         }
+        let origin = [self.picture.x, self.picture.y];
+        for marker in self.markers.iter().rev().filter(|_| !lasting) {
+            markers::draw(over_picture, marker, origin, self.face);
+        }
         let hovered = self.hovered.filter(|_| !lasting);
         let has_help = self.boards(Part::Help).next().is_some();
-        let shown = |part: Part| !(lasting && part == Part::Message);
+        let shown = |part: Part| !(lasting && matches!(part, Part::Message | Part::Editor));
         for (part, board) in self.boards.iter().filter(|(part, _)| shown(*part)) {
             if *part != Part::Help {
                 board.draw(canvas, hovered.filter(|_| !has_help));
@@ -259,6 +297,18 @@ impl Hud {
     pub fn catches_divider(&self, point: Point) -> bool {
         let near = |column: i32| (point[0] - column).abs() <= REACH;
         self.picture.contains(point) && self.divider.is_some_and(near)
+    }
+
+    /// The lights whose disc a press at `point` catches.
+    pub fn lights_at(&self, point: Point) -> Option<&[Entity]> {
+        let reach = markers::radius(self.face) + 2;
+        let caught = |marker: &&Marker| {
+            let x = point[0] - self.picture.x - marker.at[0];
+            let y = point[1] - self.picture.y - marker.at[1];
+            x * x + y * y <= reach * reach
+        };
+        let marker = self.markers.iter().find(caught)?;
+        Some(&marker.lights)
     }
 
     /// The pixel of the picture at `point` of the window.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use minifb::Key;
 
-use super::bindings::{Action, Hold, bound_to_character, bound_to_key};
+use super::bindings::{Action, Hold, Modifiers, bound_to_character, bound_to_key};
 use crate::canvas::Point;
 
 /// From how many pixels on a press that moves is a drag.
@@ -18,6 +18,9 @@ const REPEAT_DELAY: Duration = Duration::from_millis(300);
 const REPEAT_INTERVAL: Duration = Duration::from_millis(16);
 /// The same character sooner than this is the system's repetition, for no finger is as fast.
 const CHARACTER_INTERVAL: Duration = Duration::from_millis(120);
+
+/// The letters that numbers are typed with.
+const NUMBERS: &str = "0123456789.+-eE";
 
 /// What the system reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +60,7 @@ pub enum Gesture {
         from: Point,
         /// Right and down.
         by: Point,
+        modifiers: Modifiers,
     },
     /// A drag ended.
     EndDrag,
@@ -66,7 +70,10 @@ pub enum Gesture {
         at: Point,
         /// Away from the user is positive.
         notches: i32,
+        modifiers: Modifiers,
     },
+    /// A letter of a number was typed into the editor.
+    Typed(char),
 }
 
 /// A key that is down, when what it does goes on, and what ends with it.
@@ -106,9 +113,15 @@ pub struct Input {
     last_character: Option<(char, Duration)>,
     mouse: Point,
     press: Option<Press>,
+    editing: bool,
 }
 
 impl Input {
+    /// From now on numbers are typed into the editor, or no longer.
+    pub fn set_editing(&mut self, editing: bool) {
+        self.editing = editing;
+    }
+
     /// What `event` at the time `now` means, if anything.
     pub fn handle(&mut self, event: Event, now: Duration) -> Option<Gesture> {
         match event {
@@ -143,6 +156,7 @@ impl Input {
             Event::Wheel(notches) => Some(Gesture::Wheel {
                 at: self.mouse,
                 notches,
+                modifiers: self.modifiers(),
             }),
         }
     }
@@ -177,8 +191,9 @@ impl Input {
     }
 
     fn key_down(&mut self, key: Key, now: Duration) -> Option<Gesture> {
-        let shift = |held: &Held| matches!(held.key, Key::LeftShift | Key::RightShift);
-        let binding = bound_to_key(key, self.held.iter().any(shift));
+        let modifiers = self.modifiers();
+        let types = self.editing && !modifiers.control && types_a_number(key);
+        let binding = bound_to_key(key, modifiers, self.editing).filter(|_| !types);
         let again = self.held.iter().any(|held| held.key == key);
         self.last_press = if again || binding.is_some() {
             LastPress::Answered
@@ -207,7 +222,19 @@ impl Input {
             LastPress::Unknown if repeated => return None,
             LastPress::Unknown | LastPress::Unbound => {}
         }
+        if self.editing && NUMBERS.contains(character) {
+            return Some(Gesture::Typed(character));
+        }
         bound_to_character(character).map(|binding| Gesture::Command(binding.action))
+    }
+
+    /// The keys that are held with others.
+    fn modifiers(&self) -> Modifiers {
+        let is_held = |keys: [Key; 2]| self.held.iter().any(|held| keys.contains(&held.key));
+        Modifiers {
+            shift: is_held([Key::LeftShift, Key::RightShift]),
+            control: is_held([Key::LeftCtrl, Key::RightCtrl]),
+        }
     }
 
     fn mouse_at(&mut self, point: Point) -> Option<Gesture> {
@@ -224,9 +251,51 @@ impl Input {
             return None;
         }
         press.told = Some(point);
+        let from = press.from;
         Some(Gesture::Drag {
-            from: press.from,
+            from,
             by,
+            modifiers: self.modifiers(),
         })
     }
+}
+
+/// Whether `key` writes a letter of a number on most layouts.
+fn types_a_number(key: Key) -> bool {
+    use Key::{
+        Comma, E, Equal, Key0, Key1, Key2, Key3, Key4, Key5, Key6, Key7, Key8, Key9, Minus,
+        NumPad0, NumPad1, NumPad2, NumPad3, NumPad4, NumPad5, NumPad6, NumPad7, NumPad8, NumPad9,
+        NumPadDot, NumPadMinus, NumPadPlus, Period,
+    };
+    [
+        Key0,
+        Key1,
+        Key2,
+        Key3,
+        Key4,
+        Key5,
+        Key6,
+        Key7,
+        Key8,
+        Key9,
+        NumPad0,
+        NumPad1,
+        NumPad2,
+        NumPad3,
+        NumPad4,
+        NumPad5,
+        NumPad6,
+        NumPad7,
+        NumPad8,
+        NumPad9,
+        NumPadDot,
+        NumPadMinus,
+        NumPadPlus,
+        Comma,
+        Period,
+        Minus,
+        Equal,
+        E,
+    ]
+    .contains(&key)
 }

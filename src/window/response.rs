@@ -6,6 +6,7 @@ use super::bindings::Action;
 use super::hud::{Hud, Part};
 use super::input::Gesture;
 use super::session::Session;
+use super::view_state::Drag;
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
@@ -30,9 +31,21 @@ pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) {
                 None => session.probe(hud.pixel_at(point)),
             }
         }
-        Gesture::Drag { from, by } => {
+        Gesture::Typed(letter) => session.type_letter(letter),
+        Gesture::Drag {
+            from,
+            by,
+            modifiers,
+        } => {
             let on_picture = hud.board_at(from).is_none() && picture.contains(from);
-            if session.state().drags_divider || on_picture && hud.catches_divider(from) {
+            let drag = session.state().drag.clone().or_else(|| {
+                let lights = hud.lights_at(from).map(|it| Drag::Lights(it.to_vec()));
+                let divider = hud.catches_divider(from).then_some(Drag::Divider);
+                lights.or(divider).filter(|_| on_picture)
+            });
+            if let Some(Drag::Lights(lights)) = drag {
+                session.drag_lights(&lights, by, modifiers.shift, picture.height as usize);
+            } else if drag.is_some() {
                 session.drag_divider(f64::from(by[0]) / f64::from(picture.width.max(1)));
             } else if on_picture {
                 let degrees = DRAG_TURN / f64::from(picture.width.min(picture.height).max(1));
@@ -44,10 +57,20 @@ pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) {
             }
         }
         Gesture::EndDrag => session.end_drag(),
-        Gesture::Wheel { at, notches } => {
-            if hud.board_at(at).is_none() {
-                session.apply(Action::Zoom(notches));
+        Gesture::Wheel {
+            at,
+            notches,
+            modifiers,
+        } => match (hud.board_at(at), hud.action_at(at)) {
+            (None, _) => session.apply(Action::Zoom(notches)),
+            (Some(_), Some(Action::ChooseRow(row) | Action::Step { row: Some(row), .. })) => {
+                session.apply(Action::Step {
+                    row: Some(row),
+                    steps: notches,
+                    size: modifiers.step_size(),
+                });
             }
-        }
+            _ => {}
+        },
     }
 }

@@ -4,6 +4,7 @@
 //! tested without a display.
 
 mod actions;
+mod editing;
 mod readings;
 
 pub use actions::TOLERANCES;
@@ -15,8 +16,9 @@ use fearless_simd::Level;
 use super::bindings::Action;
 use super::examination::{ReferenceRequest, ReferenceResult};
 use super::frame_times::FrameTimes;
+use super::history::History;
 use super::jobs::Progress;
-use super::view_state::{MESSAGE_TIME, ViewState};
+use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
 use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Workers, display_step};
@@ -71,6 +73,8 @@ pub enum Request {
     Examine,
     /// Starts measuring.
     Measure,
+    /// Writes the scene into a new file.
+    Save,
     /// Ends the program.
     Quit,
 }
@@ -86,6 +90,10 @@ pub struct Session {
     /// When what spins has turned by one degree more.
     next_degree: Duration,
     state: ViewState,
+    /// What was changed in the scene.
+    history: History,
+    /// The page that the editor last showed.
+    last_page: usize,
     /// What is known of the pixel that is probed.
     probe: Option<Probe>,
     times: FrameTimes,
@@ -119,6 +127,8 @@ impl Session {
             tolerance: drawing.tolerance,
             next_degree: Duration::ZERO,
             state: ViewState::default(),
+            history: History::default(),
+            last_page: 0,
             probe: None,
             times: FrameTimes::default(),
             to_be_timed: None,
@@ -201,9 +211,11 @@ impl Session {
         }
     }
 
-    /// Shows a message for two seconds.
+    /// Shows a message as long as it takes to read, two seconds at least.
     pub fn say(&mut self, text: impl Into<String>) {
-        self.state.message = Some((text.into(), self.now + MESSAGE_TIME));
+        let text = text.into();
+        let time = MESSAGE_TIME.max(READING_TIME * text.chars().count() as u32);
+        self.state.message = Some((text, self.now + time));
         self.wants(Redraw::Overlay);
     }
 
@@ -318,8 +330,9 @@ impl Session {
         self.to_be_examined = Some(self.now);
         self.reference = None;
         self.measuring = Measuring::Off;
-        self.requests
-            .retain(|request| matches!(request, Request::Screenshot | Request::Quit));
+        self.requests.retain(|request| {
+            matches!(request, Request::Screenshot | Request::Save | Request::Quit)
+        });
         self.wants(Redraw::Picture);
     }
 

@@ -4,14 +4,49 @@
 
 use std::time::Duration;
 
+use hecs::Entity;
+
 use super::bindings::Action;
 use super::views::ViewMode;
 
-/// How long a message stands.
+/// How long a message stands at least.
 pub const MESSAGE_TIME: Duration = Duration::from_secs(2);
+/// How long one letter of a message is read.
+pub const READING_TIME: Duration = Duration::from_millis(60);
 
 /// The divider stays this share of the picture's width away from either edge, so that it can always be seen and caught.
 const DIVIDER_MARGIN: f64 = 0.02;
+
+/// What the mouse moves.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drag {
+    Divider,
+    /// Lights that were at one place when the drag began.
+    Lights(Vec<Entity>),
+}
+
+/// Which numbers of the scene are shown, and what is typed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Editor {
+    /// See [`crate::scene::Scene::page`].
+    pub page: usize,
+    /// The row that keys change: the first one goes through the pages.
+    pub row: usize,
+    /// What is typed for the row's number, or nothing.
+    pub typed: String,
+    /// What the row's number may be, after it was refused.
+    pub error: Option<String>,
+}
+
+impl Editor {
+    /// This page, and nothing typed.
+    pub fn on_page(page: usize) -> Self {
+        Editor {
+            page,
+            ..Editor::default()
+        }
+    }
+}
 
 /// How the scene is looked at.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,13 +60,17 @@ pub struct ViewState {
     pub shows_reference: bool,
     /// Where the divider of a wipe was dragged to, as a share of the picture's width; the mouse may leave the picture.
     pub divider: f64,
-    pub drags_divider: bool,
+    pub drag: Option<Drag>,
     /// The pixel of the picture that is probed.
     pub pixel: Option<[usize; 2]>,
     pub panel: bool,
     pub help: bool,
+    /// The numbers of the scene, where they are shown.
+    pub editor: Option<Editor>,
     /// The action whose row the mouse is over.
     pub hovered: Option<Action>,
+    /// What is wrong with the scene's file as it is now.
+    pub scene_error: Option<String>,
     /// A message, and when it goes.
     pub message: Option<(String, Duration)>,
 }
@@ -43,11 +82,13 @@ impl Default for ViewState {
             mode: ViewMode::default(),
             shows_reference: false,
             divider: 0.5,
-            drags_divider: false,
+            drag: None,
             pixel: None,
             panel: true,
             help: false,
+            editor: None,
             hovered: None,
+            scene_error: None,
             message: None,
         }
     }
@@ -62,7 +103,7 @@ impl ViewState {
     /// Ends a drag: the divider stays where it is seen.
     pub fn end_drag(&mut self) {
         self.divider = self.seen_divider();
-        self.drags_divider = false;
+        self.drag = None;
     }
 
     /// The message that stands in the window.

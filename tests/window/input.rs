@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use minifb::Key;
-use shadetrade::window::bindings::Action;
+use shadetrade::window::bindings::{Action, Modifiers};
 use shadetrade::window::input::{Event, Gesture, Input};
 
 const WHITE: Option<Gesture> = Some(Gesture::Command(Action::LightNamed("white")));
@@ -119,6 +119,7 @@ fn a_press_that_moves_four_pixels_is_a_drag_that_loses_no_movement() {
         Some(Gesture::Drag {
             from: [100, 100],
             by,
+            modifiers: Modifiers::default(),
         })
     };
     assert_eq!(
@@ -159,6 +160,7 @@ fn the_wheel_turns_where_the_mouse_is() {
     let expected = Some(Gesture::Wheel {
         at: [7, 8],
         notches: -1,
+        modifiers: Modifiers::default(),
     });
     assert_eq!(input.handle(Event::Wheel(-1), at(1)), expected);
 }

@@ -5,6 +5,7 @@
 mod desktop;
 #[cfg(target_os = "linux")]
 mod display;
+mod editing;
 mod examination;
 #[cfg(target_os = "linux")]
 mod faults;
@@ -323,7 +324,7 @@ fn every_key_and_every_character_calls_up_one_command() {
     for (index, binding) in BINDINGS.iter().enumerate() {
         for other in &BINDINGS[index + 1..] {
             assert!(
-                binding.shift != other.shift
+                binding.modifiers != other.modifiers
                     || binding.keys.iter().all(|key| !other.keys.contains(key)),
                 "{binding:?}"
             );

@@ -5,7 +5,7 @@ use std::time::Duration;
 use minifb::Key;
 use shadetrade::canvas::Point;
 use shadetrade::components::ShadingMode;
-use shadetrade::window::bindings::{Action, BINDINGS};
+use shadetrade::window::bindings::{Action, BINDINGS, Modifiers, Section};
 use shadetrade::window::hud::{Hud, Part};
 use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::response::respond;
@@ -40,6 +40,10 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
         }
         let [mut pressed, mut clicked] = [default_session(), default_session()];
         for session in [&mut pressed, &mut clicked] {
+            if binding.section == Section::Editor {
+                session.apply(Action::Editor);
+                session.apply(Action::Row(1));
+            }
             session.apply(Action::Help);
             session.take_redraw();
         }
@@ -49,15 +53,21 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
             point.unwrap_or_else(|| panic!("no key for {binding:?}")),
         );
         let mut input = Input::default();
-        let shift = binding.shift.then_some(Key::LeftShift);
-        for key in shift.iter().chain(&binding.keys[..1]) {
+        input.set_editing(binding.section == Section::Editor);
+        let Modifiers { shift, control } = binding.modifiers;
+        let shift = shift.then_some(Key::LeftShift);
+        let control = control.then_some(Key::LeftCtrl);
+        for key in shift.iter().chain(&control).chain(&binding.keys[..1]) {
             if let Some(gesture) = input.handle(Event::KeyDown(*key), Duration::ZERO) {
                 does(&mut pressed, gesture);
             }
         }
         let changed = pressed.take_redraw();
         assert_eq!(clicked.take_redraw(), changed, "{binding:?}");
-        let quiet = matches!(binding.action, Action::Screenshot | Action::Quit);
+        let quiet = matches!(
+            binding.action,
+            Action::Screenshot | Action::Save | Action::Quit
+        );
         assert_eq!(changed == Redraw::Nothing, quiet, "{binding:?}");
         assert_eq!(state(&mut pressed), state(&mut clicked), "{binding:?}");
     }
@@ -84,8 +94,17 @@ fn a_click_on_a_bracket_steps_the_tolerance_as_the_bracket_says_and_never_round(
 fn panel_and_help_come_before_the_picture() {
     let mut session = default_session();
     let title = [40, 10];
-    let drag = |from| Gesture::Drag { from, by: [50, 0] };
-    let wheel = |at| Gesture::Wheel { at, notches: 1 };
+    let modifiers = Modifiers::default();
+    let drag = |from| Gesture::Drag {
+        from,
+        by: [50, 0],
+        modifiers,
+    };
+    let wheel = |at| Gesture::Wheel {
+        at,
+        notches: 1,
+        modifiers,
+    };
     does(&mut session, drag(title));
     does(&mut session, wheel(title));
     assert_eq!(session.orbit(), shadetrade::components::Orbit::default());

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use shadetrade::window::screenshot::save;
+use shadetrade::window::saving::save_picture as save;
 
 const PIXELS: [u32; 6] = [
     0x0000_0000,

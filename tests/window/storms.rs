@@ -12,7 +12,7 @@ use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
 use shadetrade::trade;
-use shadetrade::window::bindings::{Action, BINDINGS};
+use shadetrade::window::bindings::{Action, BINDINGS, StepSize};
 use shadetrade::window::composition::Composition;
 use shadetrade::window::examination::{ReferenceRequest, examine};
 use shadetrade::window::hud::{self, Hud, lines};
@@ -80,6 +80,13 @@ fn any_action() -> impl Strategy<Value = Action> {
         (-1000..1000_i32).prop_map(Action::Zoom),
         [angle(), angle()].prop_map(|[azimuth, elevation]| Action::Orbit { azimuth, elevation }),
         any::<i8>().prop_map(|steps| Action::View(i32::from(steps))),
+        Just(Action::Editor),
+        (0..30_usize).prop_map(Action::ChooseRow),
+        (prop::option::of(0..12_usize), -300..300_i32).prop_map(|(row, steps)| Action::Step {
+            row,
+            steps,
+            size: StepSize::Coarse,
+        }),
         prop::sample::select(vec![Projection::Perspective, Projection::Orthographic])
             .prop_map(Action::Projection),
     ]
@@ -221,6 +228,8 @@ impl Window {
     }
 
     fn report(&mut self, event: Event) {
+        self.input
+            .set_editing(self.session.state().editor.is_some());
         if let Some(gesture) = self.input.handle(event, self.now) {
             respond(&mut self.session, gesture, &self.hud);
         }
@@ -257,7 +266,7 @@ impl Window {
                     timed.expect("a small picture fits");
                 }
                 // Who quits sees no more; here it goes on, for nothing may depend on it.
-                Request::Measure | Request::Screenshot | Request::Quit => {}
+                Request::Measure | Request::Screenshot | Request::Save | Request::Quit => {}
             }
         }
     }

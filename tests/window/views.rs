@@ -5,7 +5,7 @@ use minifb::Key;
 use shadetrade::components::ShadingMode;
 use shadetrade::frame::{NO_TRIANGLE, OUTLINE, Workers};
 use shadetrade::scene::Scene;
-use shadetrade::window::bindings::Action;
+use shadetrade::window::bindings::{Action, Modifiers};
 use shadetrade::window::composition::Composition;
 use shadetrade::window::hud::board::Board;
 use shadetrade::window::hud::lines::Line;
@@ -69,7 +69,15 @@ fn tab_goes_round_the_views_and_changes_nothing_that_is_judged() {
 }
 
 fn drag(session: &mut Session, from: [i32; 2], by: [i32; 2]) {
-    does(session, Gesture::Drag { from, by });
+    let modifiers = Modifiers::default();
+    does(
+        session,
+        Gesture::Drag {
+            from,
+            by,
+            modifiers,
+        },
+    );
 }
 
 /// The divider's column in the window.

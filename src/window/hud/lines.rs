@@ -13,7 +13,7 @@ use crate::window::session::Session;
 use crate::window::views::mode_label;
 use commands::commands;
 
-pub use commands::tolerance;
+pub use commands::{brightest, tolerance};
 pub use facts::shaded_by;
 
 /// The sign before a command that has a state.
@@ -86,7 +86,7 @@ const PANEL_SECTIONS: [&[Section]; 4] = [
     &[Section::Lights],
     &[Section::Shading],
     &[Section::View, Section::Projection, Section::Camera],
-    &[Section::Window, Section::Motion],
+    &[Section::Window, Section::Scene, Section::Motion],
 ];
 
 /// The help: every command there is, in two boards side by side.
@@ -97,7 +97,7 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
             .into_iter()
             .chain(commands(session, section, false))
     };
-    let (left, right) = Section::ALL.split_at(5);
+    let (left, right) = Section::ALL.split_at(6);
     let titles = [("help", ""), ("", "H or Esc closes it")];
     let mut lines = [(left, titles[0]), (right, titles[1])].map(|(sections, (name, detail))| {
         let mut lines = vec![Line::Title(name, detail.to_owned())];
@@ -109,6 +109,7 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
         ("click on the picture", "probes the pixel"),
         ("drag the picture", "orbits"),
         ("drag the divider", "moves it"),
+        ("drag a light's disc", "moves it"),
         ("wheel", "zooms"),
     ];
     lines[1].push(Line::Heading("mouse"));

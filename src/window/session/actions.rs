@@ -5,7 +5,9 @@
 use super::{DEGREE_TIME, Measuring, Redraw, Request, Session};
 use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
+use crate::window::history::Change;
 use crate::window::orbit::Limits;
+use crate::window::view_state::Drag;
 
 /// The tolerances that keys step through, in levels.
 pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -89,7 +91,21 @@ impl Session {
                 self.state.help ^= true;
                 self.wants(Redraw::Overlay);
             }
+            Action::Editor => self.toggle_editor(),
+            Action::Row(rows) => self.go_to_row(rows),
+            Action::ChooseRow(row) => self.choose_row(row),
+            Action::Step { row, steps, size } => self.step_number(row, steps, size),
+            Action::Enter => self.enter(),
+            Action::Erase => self.erase(),
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            Action::Save => self.requests.push(Request::Save),
             Action::Close if self.state.help => self.apply(Action::Help),
+            Action::Close if self.state.editor.is_some() => {
+                if !self.forget_typed() {
+                    self.toggle_editor();
+                }
+            }
             Action::Close if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
             Action::Close if self.state.pixel.is_some() => self.probe(None),
             Action::Close | Action::Quit => self.requests.push(Request::Quit),
@@ -107,13 +123,14 @@ impl Session {
     /// Moves the divider by this share of the picture's width to the right.
     pub fn drag_divider(&mut self, by: f64) {
         self.state.divider += by;
-        self.state.drags_divider = true;
+        self.state.drag = Some(Drag::Divider);
         self.wants(Redraw::Overlay);
     }
 
-    /// Leaves the divider where it is seen.
+    /// Leaves what was dragged where it is seen.
     pub fn end_drag(&mut self) {
         self.state.end_drag();
+        self.history.end_step();
     }
 
     /// Probes this pixel of the picture from now on, or none.
@@ -139,6 +156,8 @@ impl Session {
         let Some(&entity) = self.scene.lights.get(index) else {
             return self.say(format!("there is no light {}", index + 1));
         };
+        let before = vec![(entity, self.scene.editable(entity))];
+        self.history.note(before, Change::Single, self.now);
         if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
             light.on = !light.on;
         }
@@ -189,10 +208,7 @@ impl Session {
     }
 
     fn set_orbit(&mut self, orbit: Orbit) {
-        let camera = self.scene.cameras[self.camera()];
-        if let Ok(mut old) = self.scene.world.get::<&mut Orbit>(camera) {
-            *old = orbit;
-        }
+        self.scene.set_orbit(self.camera(), orbit);
         self.changed();
     }
 }

@@ -89,6 +89,7 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
         }
         Action::Panel => switch(state.panel, ON),
         Action::Help => switch(state.help, ON),
+        Action::Editor => switch(state.editor.is_some(), ON),
         Action::Orbit { azimuth, .. } if azimuth != 0.0 => words(degrees(orbit.azimuth)),
         Action::Orbit { .. } => words(degrees(orbit.elevation)),
         Action::Zoom(_) => words(format!("{:.2}\u{d7}", 1.0 / orbit.factor())),
@@ -97,7 +98,7 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
 }
 
 /// A light's colour as bright as it can be, 0x00RRGGBB: a dim light is on too, and a black one is grey.
-fn brightest(color: DVec3) -> u32 {
+pub fn brightest(color: DVec3) -> u32 {
     let largest = color.max_element();
     if largest <= 0.0 {
         return 0x0080_8080;

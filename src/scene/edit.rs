@@ -1,0 +1,267 @@
+//! A number of the scene by name in, its value out; a new value in, a component written.
+//!
+//! ```text
+//! Page (a light, a cuboid's shape, its material, a camera) --> Parameters --number, set_number--> components
+//! ```
+//! Rule: a number is allowed here exactly where the scene file allows it, and what is refused changes nothing.
+
+use glam::DVec3;
+use hecs::Entity;
+
+use super::Scene;
+use super::keys::{Angle, Coordinate, FieldOfView, Form, Interval, Length, Shininess, Strength};
+use crate::components::{Camera, Light, LightKind, Material, Mesh, Transform};
+
+/// What of an entity can be changed, by the scene file's keys.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Property {
+    Position,
+    Rotation,
+    Size,
+    Ambient,
+    Diffuse,
+    Specular,
+    Shininess,
+    Color,
+    Intensity,
+    Gain,
+    FieldOfView,
+    Height,
+    Near,
+}
+
+/// What the numbers of a property are called.
+const SPACE: &[&str] = &[" x", " y", " z"];
+const CHANNELS: &[&str] = &[" red", " green", " blue"];
+const ALONE: &[&str] = &[""];
+
+impl Property {
+    /// Its key in the scene file, the names of its numbers, and what a step changes one by.
+    fn key(self) -> (&'static str, &'static [&'static str], f64) {
+        match self {
+            Property::Position => ("position", SPACE, 0.1),
+            Property::Rotation => ("rotation", SPACE, 1.0),
+            Property::Size => ("size", SPACE, 0.1),
+            Property::Ambient => ("ambient", CHANNELS, 0.01),
+            Property::Diffuse => ("diffuse", CHANNELS, 0.01),
+            Property::Specular => ("specular", CHANNELS, 0.01),
+            Property::Shininess => ("shininess", ALONE, 1.0),
+            Property::Color => ("color", CHANNELS, 0.01),
+            Property::Intensity => ("intensity", ALONE, 1.0),
+            Property::Gain => ("gain", ALONE, 0.1),
+            Property::FieldOfView => ("fov", ALONE, 1.0),
+            Property::Height => ("height", ALONE, 0.1),
+            Property::Near => ("near", ALONE, 0.01),
+        }
+    }
+
+    /// The number if the scene file allows it, or what it allows in words.
+    fn checked(self, number: f64) -> Result<f64, String> {
+        fn of<I: Interval>(number: f64) -> Result<f64, String> {
+            I::number(number + 0.0).ok_or_else(I::words)
+        }
+        match self {
+            Property::Position => of::<Coordinate>(number),
+            Property::Rotation => of::<Angle>(number),
+            Property::Size | Property::Height | Property::Near => of::<Length>(number),
+            Property::Shininess => of::<Shininess>(number),
+            Property::FieldOfView => of::<FieldOfView>(number),
+            _ => of::<Strength>(number),
+        }
+    }
+}
+
+/// One number of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parameter {
+    pub entity: Entity,
+    pub property: Property,
+    /// Which of the property's numbers.
+    pub axis: usize,
+}
+
+impl Parameter {
+    /// What the scene file calls it, and which of three it is.
+    pub fn name(self) -> String {
+        let (key, axes, _) = self.property.key();
+        format!("{key}{}", axes[self.axis])
+    }
+
+    /// What a step changes it by.
+    pub fn step(self) -> f64 {
+        self.property.key().2
+    }
+}
+
+/// The numbers of an entity that are shown together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Page {
+    pub entity: Entity,
+    /// What the entity is, and what of it is shown.
+    pub kind: &'static str,
+    pub parameters: Vec<Parameter>,
+}
+
+/// Everything of an entity that can be changed; of a component that it lacks there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Editable {
+    transform: Transform,
+    size: Option<DVec3>,
+    material: Option<Material>,
+    light: Option<Light>,
+    camera: Option<Camera>,
+}
+
+impl Editable {
+    fn slot(&mut self, property: Property, axis: usize) -> Option<&mut f64> {
+        let material = self.material.as_mut();
+        let light = self.light.as_mut();
+        Some(match property {
+            Property::Position => &mut self.transform.position[axis],
+            Property::Rotation => &mut self.transform.rotation[axis],
+            Property::Size => &mut self.size.as_mut()?[axis],
+            Property::Ambient => &mut material?.ambient[axis],
+            Property::Diffuse => &mut material?.diffuse[axis],
+            Property::Specular => &mut material?.specular[axis],
+            Property::Shininess => &mut material?.shininess,
+            Property::Color => &mut light?.color[axis],
+            Property::Intensity => &mut light?.intensity,
+            Property::Gain => &mut light?.gain,
+            Property::FieldOfView => &mut self.camera.as_mut()?.fov,
+            Property::Height => &mut self.camera.as_mut()?.height,
+            Property::Near => {
+                let camera = self.camera.as_mut()?;
+                let near = camera.near_from(self.transform.position);
+                camera.near.get_or_insert(near)
+            }
+        })
+    }
+}
+
+impl Scene {
+    /// How many pages there are: one a light, two a cuboid, one a camera.
+    pub fn pages(&self) -> usize {
+        self.lights.len() + 2 * self.cuboids.len() + self.cameras.len()
+    }
+
+    /// A page: lights come first, then cuboids, then cameras, each in file order.
+    ///
+    /// # Panics
+    /// When there are no more than `index` pages.
+    pub fn page(&self, index: usize) -> Page {
+        let cuboids = self.lights.len();
+        let cameras = cuboids + 2 * self.cuboids.len();
+        let (entity, kind, properties): (_, _, &[Property]) = if index < cuboids {
+            let entity = self.lights[index];
+            let light = self.copy::<&Light, _>(entity, |light| *light);
+            let all: &[_] = &[
+                Property::Position,
+                Property::Color,
+                Property::Intensity,
+                Property::Gain,
+            ];
+            match light.kind {
+                LightKind::Ambient => (entity, "ambient light", &all[1..]),
+                LightKind::Diffuse => (entity, "diffuse light", all),
+                LightKind::Specular => (entity, "specular light", all),
+            }
+        } else if index >= cameras {
+            let all = &[Property::FieldOfView, Property::Height, Property::Near];
+            (self.cameras[index - cameras], "camera", all)
+        } else if (index - cuboids).is_multiple_of(2) {
+            let all = &[Property::Size, Property::Position, Property::Rotation];
+            (self.cuboids[(index - cuboids) / 2], "cuboid", all)
+        } else {
+            let all = &[
+                Property::Ambient,
+                Property::Diffuse,
+                Property::Specular,
+                Property::Shininess,
+            ];
+            (self.cuboids[(index - cuboids) / 2], "material", all)
+        };
+        let numbers = |&property: &Property| {
+            let axes = 0..property.key().1.len();
+            axes.map(move |axis| Parameter {
+                entity,
+                property,
+                axis,
+            })
+        };
+        Page {
+            entity,
+            kind,
+            parameters: properties.iter().flat_map(numbers).collect(),
+        }
+    }
+
+    /// The value of a number; 0 where the entity has none such.
+    pub fn number(&self, parameter: Parameter) -> f64 {
+        let mut editable = self.editable(parameter.entity);
+        let slot = editable.slot(parameter.property, parameter.axis);
+        slot.map_or(0.0, |slot| *slot)
+    }
+
+    /// Changes a number.
+    ///
+    /// # Errors
+    /// What is allowed, in words, where the scene file does not allow the number; nothing is changed then.
+    pub fn set_number(&mut self, parameter: Parameter, number: f64) -> Result<(), String> {
+        let number = parameter.property.checked(number)?;
+        let mut editable = self.editable(parameter.entity);
+        if let Some(slot) = editable.slot(parameter.property, parameter.axis) {
+            *slot = number;
+        }
+        self.restore(parameter.entity, editable);
+        Ok(())
+    }
+
+    /// Everything of an entity that can be changed, to be [restored](Scene::restore) later.
+    pub fn editable(&self, entity: Entity) -> Editable {
+        type Components<'a> = (
+            &'a Transform,
+            Option<&'a Mesh>,
+            Option<&'a Material>,
+            Option<&'a Light>,
+            Option<&'a Camera>,
+        );
+        self.copy::<Components, _>(entity, |(transform, mesh, material, light, camera)| {
+            Editable {
+                transform: *transform,
+                size: mesh.map(Mesh::size),
+                material: material.copied(),
+                light: light.copied(),
+                camera: camera.copied(),
+            }
+        })
+    }
+
+    /// Makes of an entity what it was.
+    pub fn restore(&mut self, entity: Entity, to: Editable) {
+        type Components<'a> = (
+            &'a mut Transform,
+            Option<&'a mut Mesh>,
+            Option<&'a mut Material>,
+            Option<&'a mut Light>,
+            Option<&'a mut Camera>,
+        );
+        self.copy::<Components, _>(entity, |(transform, mesh, material, light, camera)| {
+            *transform = to.transform;
+            mesh.into_iter()
+                .zip(to.size)
+                .for_each(|(it, size)| *it = Mesh::cuboid(size));
+            material
+                .into_iter()
+                .zip(to.material)
+                .for_each(|(it, was)| *it = was);
+            light
+                .into_iter()
+                .zip(to.light)
+                .for_each(|(it, was)| *it = was);
+            camera
+                .into_iter()
+                .zip(to.camera)
+                .for_each(|(it, was)| *it = was);
+        });
+    }
+}

@@ -1,0 +1,125 @@
+//! What was changed in a scene -> the way back, and forth again.
+//!
+//! ```text
+//! a change: note(what was before) --> steps        undo: steps --swap with the scene--> undone        redo: the other way
+//! ```
+//! Rules: a step holds what is not in the scene at the moment, so that going back and forth restores every bit. Changes
+//! that belong together are one step.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use hecs::Entity;
+
+use crate::scene::Scene;
+use crate::scene::edit::{Editable, Parameter};
+
+/// How many steps are kept.
+const STEPS: usize = 2000;
+/// Changes of one number that follow one another within this time are one step.
+const PAUSE: Duration = Duration::from_millis(600);
+
+/// What a change belongs to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    /// It stands alone.
+    Single,
+    /// It is one of several changes of a number.
+    Number(Parameter),
+    /// It is a part of the drag that goes on.
+    Drag,
+}
+
+/// What a step swaps with the scene.
+enum Saved {
+    Entities(Vec<(Entity, Editable)>),
+    Scene(Box<Scene>),
+}
+
+struct Step {
+    saved: Saved,
+    change: Change,
+    /// When it was last changed.
+    at: Duration,
+}
+
+impl Step {
+    fn swap(&mut self, scene: &mut Scene) {
+        match &mut self.saved {
+            Saved::Scene(other) => std::mem::swap(scene, other),
+            Saved::Entities(entities) => {
+                for (entity, saved) in entities {
+                    let now = scene.editable(*entity);
+                    scene.restore(*entity, *saved);
+                    *saved = now;
+                }
+            }
+        }
+    }
+}
+
+/// The steps that can be undone and redone.
+#[derive(Default)]
+pub struct History {
+    steps: VecDeque<Step>,
+    undone: Vec<Step>,
+}
+
+impl History {
+    /// Keeps what entities were before they changed at the time `now`.
+    pub fn note(&mut self, before: Vec<(Entity, Editable)>, change: Change, now: Duration) {
+        self.undone.clear();
+        let goes_on = |last: &&mut Step| match change {
+            Change::Single => false,
+            Change::Number(_) => last.change == change && now < last.at + PAUSE,
+            Change::Drag => last.change == change,
+        };
+        match self.steps.back_mut().filter(goes_on) {
+            Some(last) => last.at = now,
+            None => self.push(Saved::Entities(before), change, now),
+        }
+    }
+
+    /// Keeps a scene that another one has replaced.
+    pub fn note_replaced(&mut self, scene: Scene, now: Duration) {
+        self.undone.clear();
+        self.push(Saved::Scene(Box::new(scene)), Change::Single, now);
+    }
+
+    /// What follows is another step.
+    pub fn end_step(&mut self) {
+        if let Some(last) = self.steps.back_mut() {
+            last.change = Change::Single;
+        }
+    }
+
+    /// Takes back the last step; whether there was one.
+    pub fn undo(&mut self, scene: &mut Scene) -> bool {
+        let step = self.steps.pop_back();
+        let is_there = step.is_some();
+        self.undone.extend(step.map(|step| swapped(step, scene)));
+        is_there
+    }
+
+    /// Does the step again that was last taken back; whether there was one.
+    pub fn redo(&mut self, scene: &mut Scene) -> bool {
+        let step = self.undone.pop();
+        let is_there = step.is_some();
+        self.steps.extend(step.map(|step| swapped(step, scene)));
+        is_there
+    }
+
+    fn push(&mut self, saved: Saved, change: Change, at: Duration) {
+        self.steps.push_back(Step { saved, change, at });
+        if self.steps.len() > STEPS {
+            self.steps.pop_front();
+        }
+    }
+}
+
+/// A step once it has been exchanged with the scene; nothing that follows joins it.
+fn swapped(mut step: Step, scene: &mut Scene) -> Step {
+    step.swap(scene);
+    step.change = Change::Single;
+    step
+}

@@ -1,0 +1,143 @@
+//! The lights of the scene and the view -> discs in the picture, to be seen and dragged.
+//!
+//! Rules: lights at one place have one disc. A disc is filled where a light there is on and nothing hides it.
+
+use glam::DVec3;
+use hecs::Entity;
+
+use super::lines::brightest;
+use crate::canvas::{Canvas, Face, Ink, Point, Rect};
+use crate::components::{
+    Light, LightKind, Mesh, Name, Projection, Transform, View, WorldTransform,
+};
+use crate::window::session::Session;
+
+/// No more discs than this are drawn.
+const MOST: usize = 100;
+const EDGE: Ink = Ink::solid(0x0010_1216);
+const RING: Ink = Ink::solid(0x00ff_ffff);
+const NAME: Ink = Ink::solid(0x00e8_eaed);
+const NAME_DIM: Ink = Ink::solid(0x00a8_afb7);
+const PANE: Ink = Ink::glass(0x0010_1216, 170);
+
+/// The disc of the lights at one place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marker {
+    /// Its middle in the picture.
+    pub at: Point,
+    pub lights: Vec<Entity>,
+    pub name: String,
+    /// 0x00RRGGBB.
+    pub color: u32,
+    /// Whether a light there is on and not hidden by a cuboid.
+    pub is_lit: bool,
+}
+
+/// The discs in a picture of `size` pixels, in the order of the file.
+pub fn markers(session: &Session, size: [usize; 2]) -> Vec<Marker> {
+    let view = session.view(size);
+    let mut markers: Vec<Marker> = Vec::new();
+    let world = &session.scene().world;
+    for &entity in &session.scene().lights {
+        let mut query = world.query_one::<(&Name, &Transform, &Light)>(entity);
+        let Ok((name, transform, light)) = query.get() else {
+            continue;
+        };
+        let Some(at) = seen_at(transform.position, &view) else {
+            continue;
+        };
+        if light.kind == LightKind::Ambient || markers.len() == MOST {
+            continue;
+        }
+        let is_lit = light.on && !is_hidden(session, transform.position, &view);
+        match markers.iter_mut().find(|it| it.at == at) {
+            Some(marker) => {
+                marker.lights.push(entity);
+                marker.name += ", ";
+                marker.name += &name.0;
+                marker.is_lit |= is_lit;
+            }
+            None => markers.push(Marker {
+                at,
+                lights: vec![entity],
+                name: name.0.clone(),
+                color: brightest(light.color),
+                is_lit,
+            }),
+        }
+    }
+    markers
+}
+
+/// The pixel in which a point is seen; `None` for one behind the near plane or beside the picture.
+fn seen_at(point: DVec3, view: &View) -> Option<Point> {
+    let [right, up, forward] = view.viewpoint.axes();
+    let [width, height] = view.size.map(|side| side as f64);
+    let offset = point - view.viewpoint.position;
+    let depth = offset.dot(forward);
+    let scale = match view.projection {
+        Projection::Perspective => depth,
+        Projection::Orthographic => 1.0,
+    };
+    let pixel = view.viewpoint.pixel_pitch(view.projection, view.size[1]) * scale;
+    let x = width / 2.0 + offset.dot(right) / pixel;
+    let y = height / 2.0 - offset.dot(up) / pixel;
+    let inside = (0.0..width).contains(&x) && (0.0..height).contains(&y);
+    (depth > view.viewpoint.near() && inside).then_some([x as i32, y as i32])
+}
+
+/// Whether a cuboid stands between the viewer and a point.
+fn is_hidden(session: &Session, point: DVec3, view: &View) -> bool {
+    let eye = match view.projection {
+        Projection::Perspective => view.viewpoint.position,
+        Projection::Orthographic => {
+            let [_, _, forward] = view.viewpoint.axes();
+            point - forward * forward.dot(point - view.viewpoint.position)
+        }
+    };
+    let mut cuboids = session.scene().world.query::<(&WorldTransform, &Mesh)>();
+    cuboids.iter().any(|(place, mesh)| {
+        let to_cuboid = place.axes.transpose();
+        let from = to_cuboid * (eye - place.position);
+        let way = to_cuboid * (point - eye);
+        // The part of the way, from 0 to 1, that lies between each pair of opposite faces (Kay and Kajiya 1986).
+        let one = (-mesh.corners[7] - from) / way;
+        let other = (mesh.corners[7] - from) / way;
+        let enters = one.min(other).max_element().max(0.0);
+        let leaves = one.max(other).min_element().min(1.0);
+        enters < leaves
+    })
+}
+
+/// How far from a disc's middle a press catches it, in pixels.
+pub fn radius(face: Face) -> i32 {
+    face.height() / 2
+}
+
+/// Draws a disc and its name; the picture's upper left corner is `origin`.
+pub fn draw(canvas: &mut Canvas, marker: &Marker, origin: Point, face: Face) {
+    let [x, y] = [origin[0] + marker.at[0], origin[1] + marker.at[1]];
+    let radius = radius(face);
+    let disc = Rect::new(x - radius, y - radius, 2 * radius, 2 * radius);
+    canvas.rounded(disc, radius, EDGE);
+    let inner = disc.inset(2);
+    let color = Ink::solid(marker.color);
+    if marker.is_lit {
+        canvas.rounded(inner, inner.width / 2, color);
+        canvas.outline(inner, inner.width / 2, 1.0, RING);
+    } else {
+        canvas.outline(inner, inner.width / 2, 2.0, color);
+    }
+    let width = face.width(marker.name.chars().count());
+    let clip = canvas.clip();
+    let left = disc.right() + face.advance() / 2;
+    let left = if left + width > clip.right() {
+        disc.x - face.advance() / 2 - width
+    } else {
+        left
+    };
+    let top = y - face.height() / 2;
+    canvas.fill(Rect::new(left, top, width, face.height()), PANE);
+    let ink = if marker.is_lit { NAME } else { NAME_DIM };
+    canvas.text(face, [left, top], ink, &marker.name);
+}

@@ -1,0 +1,244 @@
+//! What the user wants of the scene's numbers -> components written, each change a step that can be taken back.
+//!
+//! Rule: a number that the scene file would refuse says what is allowed and changes nothing.
+
+use glam::DVec3;
+use hecs::Entity;
+
+use super::{Redraw, Session};
+use crate::components::{Projection, Spin};
+use crate::scene::edit::{Page, Parameter, Property};
+use crate::scene::{Scene, SceneError};
+use crate::window::bindings::StepSize;
+use crate::window::history::Change;
+use crate::window::view_state::{Drag, Editor};
+
+/// Numbers that are stepped to have so many digits: a tenth added ten times makes one.
+const STEP_DIGITS: usize = 12;
+
+impl Session {
+    /// The numbers that are shown.
+    pub fn page(&self) -> Option<Page> {
+        let editor = self.state.editor.as_ref()?;
+        Some(self.scene.page(editor.page))
+    }
+
+    /// Shows the numbers of the scene, or hides them.
+    pub(super) fn toggle_editor(&mut self) {
+        self.state.editor = match self.state.editor {
+            Some(_) => None,
+            None => Some(Editor::on_page(self.last_page)),
+        };
+        self.wants(Redraw::Overlay);
+    }
+
+    /// Goes to the row so many rows on; what was typed is taken first.
+    pub(super) fn go_to_row(&mut self, rows: i32) {
+        self.enter();
+        let Some(page) = self.page() else {
+            return;
+        };
+        let count = page.parameters.len() + 1;
+        self.edit(|editor| {
+            let row = editor.row as i32 + rows;
+            editor.row = row.rem_euclid(count as i32) as usize;
+        });
+    }
+
+    /// Goes to this row.
+    pub(super) fn choose_row(&mut self, row: usize) {
+        self.enter();
+        self.edit(|editor| editor.row = row);
+    }
+
+    /// Takes a letter of a number.
+    pub fn type_letter(&mut self, letter: char) {
+        self.edit(|editor| {
+            if editor.row > 0 {
+                editor.error = None;
+                editor.typed.push(letter);
+            }
+        });
+    }
+
+    /// Takes back the last letter of a number.
+    pub(super) fn erase(&mut self) {
+        self.edit(|editor| {
+            editor.error = None;
+            editor.typed.pop();
+        });
+    }
+
+    /// Forgets what was typed; whether anything was.
+    pub(super) fn forget_typed(&mut self) -> bool {
+        let editor = self.state.editor.as_mut();
+        let was_typed = editor.is_some_and(|editor| {
+            editor.error = None;
+            !std::mem::take(&mut editor.typed).is_empty()
+        });
+        self.wants(Redraw::Overlay);
+        was_typed
+    }
+
+    /// Takes the number that was typed.
+    pub(super) fn enter(&mut self) {
+        let typed = self.state.editor.as_ref().map(|it| it.typed.clone());
+        let (Some(typed), Some(parameter)) = (typed, self.chosen()) else {
+            return;
+        };
+        if typed.is_empty() {
+            return;
+        }
+        // What is no number is in no range.
+        let number = typed.parse().unwrap_or(f64::NAN);
+        self.set_number(parameter, number, Change::Single);
+        self.edit(|editor| editor.typed.clear());
+    }
+
+    /// Changes the number of a row by so many steps; the first row goes through the pages.
+    pub(super) fn step_number(&mut self, row: Option<usize>, steps: i32, size: StepSize) {
+        if let Some(row) = row {
+            self.choose_row(row);
+        }
+        self.forget_typed();
+        let Some(parameter) = self.chosen() else {
+            let pages = self.scene.pages() as i32;
+            self.edit(|editor| {
+                editor.page = (editor.page as i32 + steps).rem_euclid(pages) as usize
+            });
+            self.last_page = self.state.editor.as_ref().map_or(0, |it| it.page);
+            return;
+        };
+        let by = f64::from(steps) * parameter.step() * size.factor();
+        let number = self.scene.number(parameter) + by;
+        let digits = format!("{number:.*e}", STEP_DIGITS - 1);
+        let rounded = digits.parse().unwrap_or(number);
+        self.set_number(parameter, rounded, Change::Number(parameter));
+    }
+
+    /// Moves lights together with the mouse, `by` pixels right and down in a picture of so many rows: on the plane that
+    /// faces the viewer, or away from the viewer by what is up.
+    pub fn drag_lights(&mut self, lights: &[Entity], by: [i32; 2], in_depth: bool, rows: usize) {
+        let view = self.view([1, rows]);
+        let [right, up, forward] = view.viewpoint.axes();
+        let pitch = view.viewpoint.pixel_pitch(view.projection, rows);
+        let [across, down] = by.map(f64::from);
+        let moved = |place: DVec3| {
+            let depth = match view.projection {
+                Projection::Perspective => forward.dot(place - view.viewpoint.position),
+                Projection::Orthographic => 1.0,
+            };
+            let way = if in_depth {
+                forward * -down
+            } else {
+                right * across - up * down
+            };
+            place + way * (pitch * depth)
+        };
+        self.state.drag = Some(Drag::Lights(lights.to_vec()));
+        // A scene that has just been read again has other lights.
+        let lights: Vec<Entity> = lights
+            .iter()
+            .copied()
+            .filter(|it| self.scene.lights.contains(it))
+            .collect();
+        let before = lights.iter().map(|it| (*it, self.scene.editable(*it)));
+        self.history.note(before.collect(), Change::Drag, self.now);
+        for entity in lights {
+            let parameter = |axis| Parameter {
+                entity,
+                property: Property::Position,
+                axis,
+            };
+            let place = moved(
+                [0, 1, 2]
+                    .map(|axis| self.scene.number(parameter(axis)))
+                    .into(),
+            );
+            for axis in 0..3 {
+                // A light that would leave the range of the format stays.
+                let _ = self.scene.set_number(parameter(axis), place[axis]);
+            }
+        }
+        self.changed();
+    }
+
+    /// Takes back the last change of the scene.
+    pub(super) fn undo(&mut self) {
+        if self.history.undo(&mut self.scene) {
+            self.scene_changed();
+        } else {
+            self.say("nothing to undo");
+        }
+    }
+
+    /// Makes the change again that was last taken back.
+    pub(super) fn redo(&mut self) {
+        if self.history.redo(&mut self.scene) {
+            self.scene_changed();
+        } else {
+            self.say("nothing to redo");
+        }
+    }
+
+    /// Takes the scene's file as it was read again: the camera, its orbit, how all cuboids are shaded and that they turn
+    /// stay. A file that is wrong says so, and the scene stays.
+    pub fn reload(&mut self, read: Result<Scene, SceneError>) {
+        let mut scene = match read {
+            Ok(scene) => scene,
+            Err(error) => {
+                self.state.scene_error = Some(error.to_string());
+                return self.wants(Redraw::Overlay);
+            }
+        };
+        let camera = self.scene.cameras[self.camera()];
+        if let Some(same) = scene.find_camera(&self.name(camera)) {
+            scene.look_from(same);
+            scene.set_orbit(same, self.orbit());
+        }
+        if self.scene.is_shaded_otherwise() {
+            scene.shade(self.shading());
+        }
+        for spin in scene.world.query_mut::<&mut Spin>() {
+            *spin = self.spin();
+        }
+        let old = std::mem::replace(&mut self.scene, scene);
+        self.history.note_replaced(old, self.now);
+        self.state.scene_error = None;
+        self.scene_changed();
+        self.say("read the scene's file again");
+    }
+
+    /// The number of the chosen row.
+    fn chosen(&self) -> Option<Parameter> {
+        let row = self.state.editor.as_ref()?.row;
+        let page = self.page()?;
+        page.parameters.get(row.checked_sub(1)?).copied()
+    }
+
+    fn set_number(&mut self, parameter: Parameter, number: f64, change: Change) {
+        let before = self.scene.editable(parameter.entity);
+        let error = self.scene.set_number(parameter, number).err();
+        if self.scene.editable(parameter.entity) != before {
+            let before = vec![(parameter.entity, before)];
+            self.history.note(before, change, self.now);
+            self.changed();
+        }
+        self.edit(|editor| editor.error = error);
+    }
+
+    /// The scene is another one than its history says: what was shown of it may be gone.
+    pub(super) fn scene_changed(&mut self) {
+        let pages = self.scene.pages();
+        self.forget_typed();
+        self.edit(|editor| editor.page = editor.page.min(pages - 1));
+        self.last_page = self.last_page.min(pages - 1);
+        self.state.drag = None;
+        self.changed();
+    }
+
+    fn edit(&mut self, change: impl FnOnce(&mut Editor)) {
+        self.state.editor.as_mut().map(change);
+        self.wants(Redraw::Overlay);
+    }
+}
