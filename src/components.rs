@@ -38,6 +38,14 @@ pub struct Transform {
 }
 
 impl Transform {
+    /// A place, not turned.
+    pub fn at(position: DVec3) -> Self {
+        Transform {
+            position,
+            rotation: DVec3::ZERO,
+        }
+    }
+
     /// The rotation as a matrix whose columns are the entity's own axes in world space.
     ///
     /// Angles are reduced to one turn before they become radians, so 1e9 degrees is as exact as 280, and
@@ -157,10 +165,11 @@ pub struct Material {
 }
 
 /// How a cuboid's surface is shaded: what its picture means, whatever the tolerance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ShadingMode {
     /// The model at the vertices, its colours interpolated perspective-correctly (Gouraud 1971).
+    #[default]
     Gouraud,
     /// Position and normal interpolated perspective-correctly, the model at every pixel (Phong 1975).
     Phong,

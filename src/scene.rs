@@ -1,7 +1,7 @@
 //! A scene file in, a [`World`] of validated components out; nothing else knows TOML.
 //!
 //! ```text
-//! argument --file--> text --format (keys)--> records --spawn--> Scene
+//! argument --file--> text --records (keys)--> SceneRecord --spawn--> Scene
 //!                      '--- error: one located message ---'
 //! ```
 //!
@@ -11,8 +11,8 @@
 pub mod edit;
 mod error;
 mod file;
-mod format;
 mod keys;
+mod records;
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -21,6 +21,8 @@ use glam::DVec3;
 use hecs::{Entity, Query, World};
 
 pub use self::error::SceneError;
+pub(crate) use self::keys::key;
+pub(crate) use self::records::{CameraRecord, CuboidRecord, EMERALD, LightRecord, SceneRecord};
 use crate::components::{
     ActiveCamera, Camera, Light, Material, Mesh, Name, Orbit, SceneShading, ShadingMode, Spin,
     Transform, Viewpoint, cuboid,
@@ -67,21 +69,6 @@ pub struct Scene {
     pub cameras: Vec<Entity>,
 }
 
-/// What a scene says, as components and in its order: what a file gives and what a [`Scene`] is spawned from.
-pub(crate) struct Records {
-    /// Levels where nothing is drawn.
-    pub background: DVec3,
-    /// At least one.
-    pub cuboids: Vec<CuboidRecord>,
-    pub lights: Vec<LightRecord>,
-    /// At least one.
-    pub cameras: Vec<CameraRecord>,
-}
-
-pub(crate) type CuboidRecord = (Name, Transform, Mesh, Material, ShadingMode);
-pub(crate) type LightRecord = (Name, Transform, Light);
-pub(crate) type CameraRecord = (Name, Transform, Camera);
-
 impl Scene {
     /// The scene that `argument` names: a built-in one or else the file at that path; the default when there is none.
     ///
@@ -115,40 +102,52 @@ impl Scene {
     pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
         // Some editors put a byte order mark before the text; it is in no line and no column.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        match format::read(text) {
-            Ok(records) => Ok(Scene::spawn(name.to_owned(), records)),
+        match SceneRecord::read(text) {
+            Ok(record) => Ok(Scene::spawn(name.to_owned(), &record)),
             Err(fault) => Err(fault.locate(name, text)),
         }
     }
 
-    /// The scene of what `records` say, which must be within the ranges of the format.
-    pub(crate) fn spawn(name: String, records: Records) -> Scene {
+    /// The scene of what `record` says, which must be within the ranges of the format.
+    pub(crate) fn spawn(name: String, record: &SceneRecord) -> Scene {
         let mut world = World::new();
+        let cuboids = record.cuboid.iter().enumerate().map(|(order, it)| {
+            let transform = Transform {
+                position: *it.position,
+                rotation: *it.rotation,
+            };
+            let (mesh, material) = (Mesh::cuboid(*it.size), Material::from(&*it.material));
+            let name = Name(it.name.to_string());
+            world.spawn(cuboid(order, name, transform, mesh, material, *it.shading))
+        });
+        let cuboids = cuboids.collect();
+        let lights = record.light.iter();
+        let lights = lights.map(|it| {
+            world.spawn((
+                Name(it.name.to_string()),
+                Transform::at(it.place()),
+                it.light(),
+            ))
+        });
+        let lights = lights.collect();
+        let cameras = record.camera.iter().map(|it| {
+            let place = Transform::at(*it.position);
+            world.spawn((
+                Name(it.name.to_string()),
+                place,
+                it.camera(),
+                Orbit::default(),
+            ))
+        });
+        let cameras = cameras.collect();
         let mut scene = Scene {
             name,
             path: None,
-            background: records.background,
-            cuboids: records
-                .cuboids
-                .into_iter()
-                .enumerate()
-                .map(|(order, (name, transform, mesh, material, shading))| {
-                    world.spawn(cuboid(order, name, transform, mesh, material, shading))
-                })
-                .collect(),
-            lights: records
-                .lights
-                .into_iter()
-                .map(|light| world.spawn(light))
-                .collect(),
-            cameras: records
-                .cameras
-                .into_iter()
-                .map(|(name, transform, camera)| {
-                    world.spawn((name, transform, camera, Orbit::default()))
-                })
-                .collect(),
             world,
+            background: *record.background,
+            cuboids,
+            lights,
+            cameras,
         };
         scene.look_from(0);
         scene
@@ -158,7 +157,7 @@ impl Scene {
     /// transforms, and what a frame derives starts empty.
     #[must_use]
     pub fn snapshot(&self) -> Scene {
-        let mut copy = Scene::spawn(self.name.clone(), self.records(Scene::viewpoint));
+        let mut copy = Scene::spawn(self.name.clone(), &self.record(Scene::viewpoint));
         copy.look_from(self.active_camera());
         copy
     }
@@ -166,30 +165,27 @@ impl Scene {
     /// The text of a scene file that describes the scene as it stands now: read again it gives the same components, bit
     /// for bit. The assignment's shortcut, which no file can ask for, becomes Phong.
     pub fn to_toml(&self) -> String {
-        format::write(self.records(Scene::viewpoint))
+        self.record(Scene::viewpoint).write()
     }
 
     /// The same with the view of the active camera, as it is now, as the first camera, and the others where the file has
     /// them.
     pub fn to_toml_with_view(&self) -> String {
-        let mut records = self.records(|scene, camera| scene.camera(camera).0);
+        let mut record = self.record(|scene, camera| scene.camera(camera).0);
         let taken = self.camera_names();
-        let mut names = (2..).map(|number| format!("view-{number}"));
-        let name = if taken.iter().any(|name| name == "view") {
-            names.find(|name| !taken.contains(name))
-        } else {
-            None
-        };
-        let name = Name(name.unwrap_or_else(|| "view".to_owned()));
-        let Viewpoint { position, camera } = self.viewpoint(self.active_camera());
-        let rotation = DVec3::ZERO;
-        let view = (name, Transform { position, rotation }, camera);
-        records.cameras.insert(0, view);
-        format::write(records)
+        let mut names = (1..=taken.len() + 1).map(|number| match number {
+            1 => "view".to_owned(),
+            _ => format!("view-{number}"),
+        });
+        let free = names.find(|name| !taken.contains(name));
+        let name = free.expect("there is one name more than there are cameras");
+        let view = CameraRecord::of(name, self.viewpoint(self.active_camera()));
+        record.camera.value.insert(0, view);
+        record.write()
     }
 
-    /// What the components say now.
-    fn records(&self, viewpoint: impl Fn(&Scene, usize) -> Viewpoint) -> Records {
+    /// What the components say now, cameras where `viewpoint` has them.
+    fn record(&self, viewpoint: impl Fn(&Scene, usize) -> Viewpoint) -> SceneRecord {
         type Cuboid<'a> = (
             &'a Name,
             &'a Transform,
@@ -198,26 +194,32 @@ impl Scene {
             &'a Material,
             &'a ShadingMode,
         );
-        Records {
-            background: self.background,
-            cuboids: self.copies::<Cuboid, _>(
-                &self.cuboids,
-                |(name, at, spin, mesh, material, mode)| {
-                    (name.clone(), at.spun(*spin), *mesh, *material, *mode)
-                },
-            ),
-            lights: self
-                .copies::<(&Name, &Transform, &Light), _>(&self.lights, |(name, at, light)| {
-                    (name.clone(), *at, *light)
-                }),
-            cameras: (0..self.cameras.len())
-                .map(|index| {
-                    let Viewpoint { position, camera } = viewpoint(self, index);
-                    let name = self.copy::<&Name, _>(self.cameras[index], Name::clone);
-                    let rotation = DVec3::ZERO;
-                    (name, Transform { position, rotation }, camera)
-                })
-                .collect(),
+        let cuboid = |(name, at, spin, mesh, material, mode): <Cuboid as Query>::Item<'_>| {
+            let at = at.spun(*spin);
+            CuboidRecord {
+                name: key(name.0.clone()),
+                size: key(mesh.size()),
+                position: key(at.position),
+                rotation: key(at.rotation),
+                shading: key(*mode),
+                material: key((*material).into()),
+            }
+        };
+        let light = |(name, at, light): (&Name, &Transform, &Light)| LightRecord {
+            color: key(light.color),
+            gain: key(light.gain),
+            on: light.on,
+            ..LightRecord::new(&name.0, light.kind, light.intensity, at.position)
+        };
+        let camera = |index: usize| {
+            let name = self.copy::<&Name, _>(self.cameras[index], Name::clone);
+            CameraRecord::of(name.0, viewpoint(self, index))
+        };
+        SceneRecord {
+            background: key(self.background),
+            cuboid: key(self.copies::<Cuboid, _>(&self.cuboids, cuboid)),
+            light: key(self.copies::<(&Name, &Transform, &Light), _>(&self.lights, light)),
+            camera: key((0..self.cameras.len()).map(camera).collect()),
         }
     }
 

@@ -82,7 +82,9 @@ fn eye() -> Vec<Case> {
             "eye at the lights",
             [76.8, 1e6].map(|shininess| {
                 let cuboid = default_cuboid().shininess(shininess);
-                scene().cuboid(cuboid).lights(lights_at(scene().eye))
+                scene()
+                    .cuboid(cuboid)
+                    .lights(lights_at(*scene().camera.position))
             }),
         ),
         proven(
@@ -126,14 +128,14 @@ fn lens() -> Vec<Case> {
                 scene()
                     .height(1e6)
                     .cuboid(cuboid([4e5, 3e5, 2e5], [0.0; 3]))
-                    .eye(scene().eye * 1e6),
+                    .eye(*scene().camera.position * 1e6),
             ],
         ),
         same_picture(
             "up almost parallel to the view",
             1.0,
             [None, Some(1.0), Some(1e-3), Some(1e-7)].map(|share| {
-                let up = share.map(|share| scene().eye * -0.1 + DVec3::Y * share);
+                let up = share.map(|share| *scene().camera.position * -0.1 + DVec3::Y * share);
                 scene().up(up.unwrap_or(DVec3::Y))
             }),
         ),
@@ -175,13 +177,14 @@ fn cut_at(depth: f64) -> SceneSpec {
 
 /// The depths of that cuboid's corners, in order.
 fn corner_depths() -> [f64; 8] {
-    let SceneSpec { eye, camera, .. } = scene();
+    let camera = scene().camera;
+    let eye = *camera.position;
     let transform = Transform {
         position: DVec3::ZERO,
         rotation: ROTATION.into(),
     };
-    let forward = (camera.target - eye).normalize();
-    let corners = Mesh::cuboid(default_cuboid().size).corners;
+    let forward = (*camera.target - eye).normalize();
+    let corners = Mesh::cuboid(*default_cuboid().size).corners;
     let mut depths = corners.map(|corner| forward.dot(transform.axes() * corner - eye));
     depths.sort_by(f64::total_cmp);
     depths
@@ -230,9 +233,9 @@ fn perspective() -> impl Iterator<Item = RenderConfig> {
 /// The default scene from so many times as far, the field of view as much narrower.
 fn from_afar(times: f64) -> SceneSpec {
     let scene = scene();
-    let eye = scene.eye * times;
+    let eye = *scene.camera.position * times;
     let fov = 2.0
-        * (scene.camera.height / 2.0 / eye.length())
+        * (*scene.camera.height / 2.0 / eye.length())
             .atan()
             .to_degrees();
     scene.eye(eye).fov(fov)

@@ -12,7 +12,7 @@
 use rayon::prelude::*;
 
 use super::renderer::{CaseError, Picture, Renderer, name, wrong_pixel};
-use super::scene_spec::{LightSpec, MODES, RenderConfig, SceneSpec};
+use super::scene_spec::{MODES, RenderConfig, SceneSpec};
 use crate::components::{LightKind, Projection, View};
 use crate::prove::{self, Shown, Verdict, shown_face};
 use crate::reference::{Interval, Reference, Seen};
@@ -280,9 +280,10 @@ impl Fact {
             }
             Fact::Everywhere(level) => {
                 expect_covered(picture.covered())?;
-                let sends_nothing = spec.lights.iter().all(|LightSpec { light, .. }| {
-                    light.kind == LightKind::Ambient || light.intensity == 0.0
-                });
+                let sends_nothing = spec
+                    .lights
+                    .iter()
+                    .all(|light| *light.kind == LightKind::Ambient || *light.intensity == 0.0);
                 if sends_nothing && picture.specular_evaluations > 0 {
                     return Err(CaseError::Wrong("powers are evaluated".to_owned()));
                 }

@@ -6,9 +6,10 @@
 use glam::DVec3;
 
 use super::judge::{Fact, Known};
-use super::scene_spec::{MATERIAL, RenderConfig, SceneSpec, cuboid, light, lights_at, scene};
+use super::scene_spec::{RenderConfig, SceneSpec, cuboid, light, lights_at, scene};
 use super::{Case, known_pixels, proven, same_picture};
 use crate::components::{LightKind, Material, Projection};
+use crate::scene::EMERALD;
 
 const ULP_ABOVE_1: f64 = 1.0_f64.next_up();
 const ULP_BELOW_1: f64 = 1.0_f64.next_down();
@@ -127,7 +128,7 @@ fn straight_down([x, y]: [f64; 2], place: [f64; 3], shininess: f64, levels: f64)
         diffuse: DVec3::ONE,
         specular: DVec3::ONE,
         shininess,
-        ..MATERIAL
+        ..EMERALD
     };
     let scene = scene()
         .cuboid(cuboid([4.0; 3], [0.0; 3]).material(material))

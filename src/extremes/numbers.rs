@@ -1,5 +1,7 @@
 //! Single numbers: what the display step makes of any level, and what a scene file may not hold.
 
+use glam::DVec3;
+
 use super::renderer::CaseError;
 use super::scene_spec::scene;
 use super::{Case, own};
@@ -67,7 +69,7 @@ const REFUSED: [(&str, &str, &[&str]); 9] = [
 ];
 
 fn refused() -> Result<String, CaseError> {
-    let text = scene().text();
+    let text = scene().up(DVec3::Y).text();
     let mut count = 0;
     for (key, right, all) in REFUSED {
         for wrong in all {

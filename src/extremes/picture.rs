@@ -7,14 +7,13 @@ use glam::DVec3;
 
 use super::judge::{Fact, Known, expect_covered};
 use super::renderer::{CaseError, Renderer, wrong_pixel};
-use super::scene_spec::{
-    CuboidSpec, MODES, RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene,
-};
+use super::scene_spec::{MODES, RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene};
 use super::{Case, known_pixels, own, proven};
 use crate::components::{Projection, ShadingMode};
 use crate::frame::NO_TRIANGLE;
 use crate::prove::{self, Shown, Verdict};
 use crate::reference::{Interval, Reference};
+use crate::scene::{CuboidRecord, EMERALD};
 use crate::simd;
 use crate::systems;
 
@@ -30,8 +29,7 @@ pub fn cases() -> Vec<Case> {
         known_pixels(
             "a picture of 1x1",
             phong.map(|config| {
-                let material = default_cuboid().material;
-                let levels = 30.0 + 170.0 * material.diffuse + 255.0 * material.specular;
+                let levels = 30.0 + 170.0 * EMERALD.diffuse + 255.0 * EMERALD.specular;
                 Known {
                     scene: one_pixel(),
                     config,
@@ -189,7 +187,7 @@ fn count_halves(
 /// threads.
 fn expect_same(renderer: &mut Renderer, other: &mut Renderer) -> Result<(), CaseError> {
     let cuboids = [10.0, 50.0, 100.0].map(|x| default_cuboid().rotation([x, 20.0, 30.0]));
-    let close_up = |cuboids: &[CuboidSpec]| -> SceneSpec {
+    let close_up = |cuboids: &[CuboidRecord]| -> SceneSpec {
         let scene = scene().cuboids(cuboids.to_vec()).size([400, 320]);
         scene.fov(12.0).height(2.0)
     };

@@ -2,36 +2,21 @@
 //!
 //! Rule: every scene goes through the scene format, so that whatever is tried can be written into a file.
 
+use std::borrow::Borrow;
+
 use glam::DVec3;
 
-use crate::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
-};
-use crate::scene::{Records, Scene, SceneError};
+use crate::components::{LightKind, Material, Projection, ShadingMode, View};
+use crate::scene::{CameraRecord, CuboidRecord, LightRecord, Scene, SceneError, SceneRecord, key};
 
 /// A scene with one camera, and the size of its picture.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct SceneSpec {
-    pub cuboids: Vec<CuboidSpec>,
-    pub lights: Vec<LightSpec>,
-    pub eye: DVec3,
-    pub camera: Camera,
+    pub cuboids: Vec<CuboidRecord>,
+    pub lights: Vec<LightRecord>,
+    pub camera: CameraRecord,
     /// Width and height in pixels.
     pub size: [usize; 2],
-}
-
-#[derive(Clone, Copy, Debug)]
-pub struct CuboidSpec {
-    /// Full edge lengths.
-    pub size: DVec3,
-    pub transform: Transform,
-    pub material: Material,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub struct LightSpec {
-    pub light: Light,
-    pub position: DVec3,
 }
 
 /// How a scene is drawn.
@@ -64,74 +49,39 @@ impl RenderConfig {
     }
 }
 
-/// The material of the assignment with the highlight of emerald.
-pub const MATERIAL: Material = Material {
-    ambient: DVec3::splat(0.3),
-    diffuse: DVec3::new(0.07568, 0.61424, 0.07568),
-    specular: DVec3::new(0.633, 0.72811, 0.66),
-    shininess: 76.8,
-};
-
 /// The built-in scene's cuboid, camera and lights but the red one, in a small picture.
 pub fn scene() -> SceneSpec {
     SceneSpec {
         cuboids: vec![default_cuboid()],
         lights: lights_at([10.0; 3]),
-        eye: DVec3::new(7.0, 5.0, 8.0),
-        camera: Camera {
-            target: DVec3::ZERO,
-            up: DVec3::Y,
-            fov: 30.0,
-            height: 6.3,
-            near: None,
-        },
+        camera: CameraRecord::new("1", [7.0, 5.0, 8.0], DVec3::ZERO, [30.0, 6.3]),
         size: [96, 72],
     }
 }
 
 /// The cuboid of that scene.
-pub fn default_cuboid() -> CuboidSpec {
+pub fn default_cuboid() -> CuboidRecord {
     cuboid([4.0, 3.0, 2.0], [0.0; 3])
 }
 
 /// A cuboid of these edges at this place, not rotated.
-pub fn cuboid(size: impl Into<DVec3>, position: impl Into<DVec3>) -> CuboidSpec {
-    CuboidSpec {
-        size: size.into(),
-        transform: standing_at(position.into()),
-        material: MATERIAL,
-    }
+pub fn cuboid(size: impl Into<DVec3>, position: impl Into<DVec3>) -> CuboidRecord {
+    CuboidRecord::new("", size, position)
 }
 
 /// A white light that sends so many levels.
-pub fn light(kind: LightKind, levels: f64, position: impl Into<DVec3>) -> LightSpec {
-    LightSpec {
-        light: Light {
-            kind,
-            color: DVec3::ONE,
-            intensity: levels,
-            gain: 1.0,
-            on: true,
-        },
-        position: position.into(),
-    }
+pub fn light(kind: LightKind, levels: f64, position: impl Into<DVec3>) -> LightRecord {
+    LightRecord::new("", kind, levels, position)
 }
 
 /// A light of every kind at one place.
-pub fn lights_at(position: impl Into<DVec3>) -> Vec<LightSpec> {
+pub fn lights_at(position: impl Into<DVec3>) -> Vec<LightRecord> {
     let position = position.into();
     vec![
         light(LightKind::Diffuse, 170.0, position),
         light(LightKind::Specular, 255.0, position),
         light(LightKind::Ambient, 100.0, position),
     ]
-}
-
-fn standing_at(position: DVec3) -> Transform {
-    Transform {
-        position,
-        rotation: DVec3::ZERO,
-    }
 }
 
 /// Methods that return the value with one field replaced.
@@ -145,47 +95,66 @@ macro_rules! setters {
     )*};
 }
 
-impl CuboidSpec {
+impl CuboidRecord {
     setters!(
-        rotation: DVec3 => transform.rotation,
-        material: Material => material,
-        shininess: f64 => material.shininess
+        rotation: DVec3 => rotation.value,
+        shininess: f64 => material.shininess.value
     );
+
+    #[must_use]
+    pub fn material(mut self, material: Material) -> Self {
+        self.material = key(material.into());
+        self
+    }
 
     /// The same cuboid with ambient, diffuse and specular coefficients multiplied.
     #[must_use]
     pub fn reflecting(mut self, factor: f64) -> Self {
-        self.material.ambient *= factor;
-        self.material.diffuse *= factor;
-        self.material.specular *= factor;
+        *self.material.ambient *= factor;
+        *self.material.diffuse *= factor;
+        *self.material.specular *= factor;
         self
     }
 }
 
 impl SceneSpec {
     setters!(
-        cuboids: Vec<CuboidSpec> => cuboids,
-        lights: Vec<LightSpec> => lights,
-        eye: DVec3 => eye,
-        target: DVec3 => camera.target,
-        up: DVec3 => camera.up,
-        fov: f64 => camera.fov,
-        height: f64 => camera.height,
-        near: Option<f64> => camera.near,
+        lights: Vec<LightRecord> => lights,
+        eye: DVec3 => camera.position.value,
+        target: DVec3 => camera.target.value,
+        fov: f64 => camera.fov.value,
+        height: f64 => camera.height.value,
         size: [usize; 2] => size
     );
 
+    #[must_use]
+    pub fn cuboids(mut self, all: impl IntoIterator<Item: Borrow<CuboidRecord>>) -> Self {
+        self.cuboids = all.into_iter().map(|it| it.borrow().clone()).collect();
+        self
+    }
+
+    #[must_use]
+    pub fn up(mut self, up: DVec3) -> Self {
+        self.camera.up = Some(key(up));
+        self
+    }
+
+    #[must_use]
+    pub fn near(mut self, near: f64) -> Self {
+        self.camera.near = Some(key(near));
+        self
+    }
+
     /// The same scene with another cuboid in place of all.
     #[must_use]
-    pub fn cuboid(self, cuboid: CuboidSpec) -> Self {
+    pub fn cuboid(self, cuboid: CuboidRecord) -> Self {
         self.cuboids([cuboid])
     }
 
     /// The same scene with a change to each of its lights.
     #[must_use]
-    pub fn with_lights(mut self, change: impl Fn(&mut Light)) -> Self {
-        let lights = self.lights.iter_mut();
-        lights.for_each(|spec| change(&mut spec.light));
+    pub fn with_lights(mut self, change: impl Fn(&mut LightRecord)) -> Self {
+        self.lights.iter_mut().for_each(change);
         self
     }
 
@@ -193,10 +162,10 @@ impl SceneSpec {
     #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
         for cuboid in &mut self.cuboids {
-            cuboid.size *= scale;
+            *cuboid.size *= scale;
         }
-        self.camera.height *= scale;
-        self.camera.near = self.camera.near.map(|near| near * scale);
+        *self.camera.height *= scale;
+        self.camera.near = self.camera.near.map(|near| key(*near * scale));
         self.with_places(|place| place * scale)
     }
 
@@ -207,14 +176,11 @@ impl SceneSpec {
     }
 
     fn with_places(mut self, change: impl Fn(DVec3) -> DVec3) -> Self {
-        let cuboids = self
-            .cuboids
-            .iter_mut()
-            .map(|cuboid| &mut cuboid.transform.position);
-        let lights = self.lights.iter_mut().map(|light| &mut light.position);
-        let camera = [&mut self.eye, &mut self.camera.target];
+        let cuboids = self.cuboids.iter_mut().map(|it| &mut it.position);
+        let lights = self.lights.iter_mut().filter_map(|it| it.position.as_mut());
+        let camera = [&mut self.camera.position, &mut self.camera.target];
         for place in cuboids.chain(lights).chain(camera) {
-            *place = change(*place);
+            **place = change(**place);
         }
         self
     }
@@ -227,25 +193,22 @@ impl SceneSpec {
         Scene::parse("extreme", &self.text())
     }
 
-    /// The text of a scene file.
+    /// The text of a scene file, in which cuboids and lights are named by their numbers.
     pub fn text(&self) -> String {
-        let name = |index: usize| Name(index.to_string());
-        let cuboids = self.cuboids.iter().enumerate().map(|(index, cuboid)| {
-            let mesh = Mesh::cuboid(cuboid.size);
-            let mode = ShadingMode::Phong;
-            (name(index), cuboid.transform, mesh, cuboid.material, mode)
-        });
-        let lights = self.lights.iter().enumerate().map(|(index, spec)| {
-            let place = standing_at(spec.position);
-            (name(index), place, spec.light)
-        });
-        let records = Records {
-            background: DVec3::new(20.0, 20.0, 24.0),
-            cuboids: cuboids.collect(),
-            lights: lights.collect(),
-            cameras: vec![(name(1), standing_at(self.eye), self.camera)],
+        let (mut cuboids, mut lights) = (self.cuboids.clone(), self.lights.clone());
+        for (index, cuboid) in cuboids.iter_mut().enumerate() {
+            *cuboid.name = index.to_string();
+        }
+        for (index, light) in lights.iter_mut().enumerate() {
+            *light.name = index.to_string();
+        }
+        let record = SceneRecord {
+            background: key(DVec3::new(20.0, 20.0, 24.0)),
+            cuboid: key(cuboids),
+            light: key(lights),
+            camera: key(vec![self.camera.clone()]),
         };
-        Scene::spawn("extreme".to_owned(), records).to_toml()
+        record.write()
     }
 
     /// The view that draws the parsed scene.

@@ -5,7 +5,7 @@
 
 use std::fmt;
 use std::marker::PhantomData;
-use std::ops::Range;
+use std::ops::{Deref, DerefMut, Range};
 
 use glam::DVec3;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
@@ -49,6 +49,35 @@ pub struct Key<F: Form> {
 /// A value that stands in no text yet.
 pub fn key<F: Form>(value: F::Value) -> Key<F> {
     Key { value, span: 0..0 }
+}
+
+impl<F: Form> Deref for Key<F> {
+    type Target = F::Value;
+
+    fn deref(&self) -> &F::Value {
+        &self.value
+    }
+}
+
+impl<F: Form> DerefMut for Key<F> {
+    fn deref_mut(&mut self) -> &mut F::Value {
+        &mut self.value
+    }
+}
+
+impl<F: Form<Value: Clone>> Clone for Key<F> {
+    fn clone(&self) -> Self {
+        Key {
+            value: self.value.clone(),
+            span: self.span.clone(),
+        }
+    }
+}
+
+impl<F: Form<Value: Default>> Default for Key<F> {
+    fn default() -> Self {
+        key(F::Value::default())
+    }
 }
 
 impl<'de, F: Form> Deserialize<'de> for Key<F> {

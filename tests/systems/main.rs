@@ -64,10 +64,7 @@ fn ahead(projection: Projection, size: [usize; 2]) -> View {
 
 /// An unturned place.
 fn at(position: DVec3) -> Transform {
-    Transform {
-        position,
-        rotation: DVec3::ZERO,
-    }
+    Transform::at(position)
 }
 
 /// The place in the world of what is at `transform`.

@@ -10,8 +10,9 @@
 use glam::camera::rh::{proj, view};
 use glam::{DVec3, Mat3, Mat4, Vec3};
 
-use crate::components::{LightKind, Mesh, TRIANGLES};
-use crate::extremes::scene_spec::{CuboidSpec, LightSpec, SceneSpec};
+use crate::components::{LightKind, Material, Mesh, TRIANGLES};
+use crate::extremes::scene_spec::SceneSpec;
+use crate::scene::CuboidRecord;
 
 /// A perspective picture.
 pub struct Textbook<'a> {
@@ -29,24 +30,21 @@ struct Cuboid {
 
 impl<'a> Textbook<'a> {
     pub fn new(spec: &'a SceneSpec) -> Self {
-        let [eye, target, up] = [spec.eye, spec.camera.target, spec.camera.up].map(DVec3::as_vec3);
+        let lens = spec.camera.camera();
+        let places = [*spec.camera.position, lens.target, lens.up];
+        let [eye, target, up] = places.map(DVec3::as_vec3);
         let [width, height] = spec.size.map(|pixels| pixels as f32);
-        let fov = (spec.camera.fov as f32).to_radians();
+        let fov = (lens.fov as f32).to_radians();
         // The near plane is of no account, for only x, y and w are used.
         let projection = proj::directx::perspective_infinite(fov, width / height, 1.0);
         let camera = projection * view::look_at_mat4(eye, target, up);
-        let cuboid = |cuboid: &CuboidSpec| {
-            let [x, y, z] = cuboid
-                .transform
-                .rotation
-                .as_vec3()
-                .to_array()
-                .map(f32::to_radians);
+        let cuboid = |cuboid: &CuboidRecord| {
+            let [x, y, z] = cuboid.rotation.as_vec3().to_array().map(f32::to_radians);
             let rotation =
                 Mat3::from_rotation_z(z) * Mat3::from_rotation_y(y) * Mat3::from_rotation_x(x);
-            let model = Mat4::from_translation(cuboid.transform.position.as_vec3())
-                * Mat4::from_mat3(rotation);
-            let corners = Mesh::cuboid(cuboid.size).corners.map(DVec3::as_vec3);
+            let model =
+                Mat4::from_translation(cuboid.position.as_vec3()) * Mat4::from_mat3(rotation);
+            let corners = Mesh::cuboid(*cuboid.size).corners.map(DVec3::as_vec3);
             Cuboid {
                 corners: corners.map(|corner| model.transform_point3(corner)),
                 clip: corners.map(|corner| {
@@ -90,28 +88,24 @@ impl<'a> Textbook<'a> {
             a * weights.x + b * weights.y + c * weights.z
         };
         let (position, normal) = (blend(&cuboid.corners), blend(&cuboid.normals).normalize());
-        let material = &self.spec.cuboids[face / 6].material;
+        let material = Material::from(&*self.spec.cuboids[face / 6].material);
         let to_eye = (self.eye - position).normalize();
-        let terms = self.spec.lights.iter().map(
-            |LightSpec {
-                 light,
-                 position: place,
-             }| {
-                let sent = light.color.as_vec3() * light.intensity as f32 * light.gain as f32;
-                let to_light = (place.as_vec3() - position).normalize();
-                let facing = normal.dot(to_light);
-                match light.kind {
-                    LightKind::Ambient => material.ambient.as_vec3() * sent,
-                    LightKind::Diffuse => material.diffuse.as_vec3() * sent * facing.max(0.0),
-                    LightKind::Specular if facing > 0.0 => {
-                        let reflected = normal * (2.0 * facing) - to_light;
-                        let along = to_eye.dot(reflected).max(0.0);
-                        material.specular.as_vec3() * sent * along.powf(material.shininess as f32)
-                    }
-                    LightKind::Specular => Vec3::ZERO,
+        let terms = self.spec.lights.iter().map(|record| {
+            let light = record.light();
+            let sent = light.color.as_vec3() * light.intensity as f32 * light.gain as f32;
+            let to_light = (record.place().as_vec3() - position).normalize();
+            let facing = normal.dot(to_light);
+            match light.kind {
+                LightKind::Ambient => material.ambient.as_vec3() * sent,
+                LightKind::Diffuse => material.diffuse.as_vec3() * sent * facing.max(0.0),
+                LightKind::Specular if facing > 0.0 => {
+                    let reflected = normal * (2.0 * facing) - to_light;
+                    let along = to_eye.dot(reflected).max(0.0);
+                    material.specular.as_vec3() * sent * along.powf(material.shininess as f32)
                 }
-            },
-        );
+                LightKind::Specular => Vec3::ZERO,
+            }
+        });
         terms.sum::<Vec3>().to_array()
     }
 }

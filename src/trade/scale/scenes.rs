@@ -9,18 +9,8 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, ShadingMode, Transform, Viewpoint,
-};
-use crate::scene::{CuboidRecord, LightRecord, Records, Scene};
-
-/// That of the built-in default scene.
-const EMERALD: Material = Material {
-    ambient: DVec3::splat(0.3),
-    diffuse: DVec3::new(0.07568, 0.61424, 0.07568),
-    specular: DVec3::new(0.633, 0.72811, 0.66),
-    shininess: 76.8,
-};
+use crate::components::{LightKind, Viewpoint};
+use crate::scene::{CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord, key};
 
 /// Levels that a place sends of diffuse and of specular light where there is one place: bright, and nowhere beyond the display's
 /// range.
@@ -43,7 +33,11 @@ const GOLDEN_ANGLE: f64 = 137.507_764_050_037_85;
 /// A place keeps its light and where it stands whatever the number of others, so that nothing else varies; `most` of them
 /// together are as bright as the one of [`of_cuboids`].
 pub fn of_lights(number: usize, most: usize) -> Scene {
-    let viewpoint = looking(DVec3::new(7.0, 5.0, 8.0), 6.3);
+    let camera = looking(DVec3::new(7.0, 5.0, 8.0), 6.3);
+    let viewpoint = Viewpoint {
+        position: *camera.position,
+        camera: camera.camera(),
+    };
     let [right, up, forward] = viewpoint.axes();
     let places = (0..number).map(|index| {
         // The index's bits behind the binary point, in reverse; half a step of the finest keeps it off 0.
@@ -56,9 +50,9 @@ pub fn of_lights(number: usize, most: usize) -> Scene {
         // Farther than any corner, and as far as the default scene's lights.
         direction * 300.0_f64.sqrt()
     });
-    let cuboid = cuboid(0, DVec3::new(4.0, 3.0, 2.0), DVec3::ZERO, DVec3::ZERO);
+    let cuboid = CuboidRecord::new("0", [4.0, 3.0, 2.0], DVec3::ZERO);
     let places: Vec<DVec3> = places.collect();
-    scene(vec![cuboid], &places, 1.0 / most as f64, viewpoint)
+    scene(vec![cuboid], &places, 1.0 / most as f64, camera)
 }
 
 /// The `number` cuboids that are nearest to the middle of a grid with room for at least `room`, which fills a picture of
@@ -82,12 +76,10 @@ pub fn of_cuboids(number: usize, room: usize, [width, height]: [usize; 2]) -> Sc
         let middle = |cell: usize, cells: usize| cell as f64 + 0.5 - cells as f64 / 2.0;
         let position = DVec3::new(middle(column, columns), middle(row, rows), 0.0);
         let turn = index as f64 * GOLDEN_ANGLE;
-        cuboid(
-            index,
-            DVec3::splat(0.55),
-            position,
-            DVec3::new(turn, 2.0 * turn, 0.0),
-        )
+        CuboidRecord {
+            rotation: key(DVec3::new(turn, 2.0 * turn, 0.0)),
+            ..CuboidRecord::new(index.to_string(), [0.55; 3], position)
+        }
     });
     scene(
         cuboids.collect(),
@@ -98,27 +90,8 @@ pub fn of_cuboids(number: usize, room: usize, [width, height]: [usize; 2]) -> Sc
 }
 
 /// From `eye` towards the origin, where `height` world units are seen.
-fn looking(eye: DVec3, height: f64) -> Viewpoint {
-    Viewpoint {
-        position: eye,
-        camera: Camera {
-            target: DVec3::ZERO,
-            up: DVec3::Y,
-            fov: FIELD_OF_VIEW,
-            height,
-            near: None,
-        },
-    }
-}
-
-fn cuboid(index: usize, size: DVec3, position: DVec3, rotation: DVec3) -> CuboidRecord {
-    (
-        Name(index.to_string()),
-        Transform { position, rotation },
-        Mesh::cuboid(size),
-        EMERALD,
-        ShadingMode::Phong,
-    )
+fn looking(eye: DVec3, height: f64) -> CameraRecord {
+    CameraRecord::new("1", eye, DVec3::ZERO, [FIELD_OF_VIEW, height])
 }
 
 /// With ambient light, and with diffuse and specular light of `strength` times [`LEVELS`] from each of the places.
@@ -126,52 +99,23 @@ fn scene(
     cuboids: Vec<CuboidRecord>,
     places: &[DVec3],
     strength: f64,
-    viewpoint: Viewpoint,
+    camera: CameraRecord,
 ) -> Scene {
-    let standing = |position| Transform {
-        position,
-        rotation: DVec3::ZERO,
-    };
-    let light = |name: String, kind, place, intensity| -> LightRecord {
-        let light = Light {
-            kind,
-            color: DVec3::ONE,
-            intensity,
-            gain: 1.0,
-            on: true,
-        };
-        (Name(name), standing(place), light)
-    };
-    let mut lights = vec![light(
-        "ambient".to_owned(),
-        LightKind::Ambient,
-        DVec3::ZERO,
-        AMBIENT,
-    )];
+    let ambient = LightRecord::new("ambient", LightKind::Ambient, AMBIENT, DVec3::ZERO);
+    let mut lights = vec![ambient];
     for (index, &place) in places.iter().enumerate() {
         for (kind, levels) in LEVELS {
-            lights.push(light(
-                format!("{kind:?} {index}"),
-                kind,
-                place,
-                strength * levels,
-            ));
+            let name = format!("{kind:?} {index}");
+            lights.push(LightRecord::new(name, kind, strength * levels, place));
         }
     }
-    let camera = (
-        Name("1".to_owned()),
-        standing(viewpoint.position),
-        viewpoint.camera,
-    );
-    Scene::spawn(
-        String::new(),
-        Records {
-            background: BACKGROUND,
-            cuboids,
-            lights,
-            cameras: vec![camera],
-        },
-    )
+    let record = SceneRecord {
+        background: key(BACKGROUND),
+        cuboid: key(cuboids),
+        light: key(lights),
+        camera: key(vec![camera]),
+    };
+    Scene::spawn(String::new(), &record)
 }
 
 #[cfg(test)]
@@ -180,7 +124,8 @@ mod tests {
 
     use super::*;
     use crate::components::{
-        Illumination, Lens, Normals, PointLight, Projected, Projection, Spin, View,
+        Illumination, Lens, Light, Mesh, Normals, PointLight, Projected, Projection, Spin,
+        Transform, View,
     };
     use crate::systems::lighting::gather;
     use crate::systems::projection::project;
