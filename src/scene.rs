@@ -83,16 +83,14 @@ impl Scene {
     /// # Errors
     /// As [`Scene::load`].
     pub fn load_path(path: &Path) -> Result<Scene, SceneError> {
-        match built_in(path) {
-            Some((name, text)) => Scene::parse(name, text),
-            None => {
-                let scene = Scene::parse(&path.to_string_lossy(), &file::read(path)?)?;
-                Ok(Scene {
-                    path: Some(path.to_path_buf()),
-                    ..scene
-                })
-            }
+        if let Some((name, text)) = built_in(path) {
+            return Scene::parse(name, text);
         }
+        let scene = Scene::parse(&path.to_string_lossy(), &file::read(path)?)?;
+        Ok(Scene {
+            path: Some(path.to_path_buf()),
+            ..scene
+        })
     }
 
     /// The scene that `text` describes; `name` is what the scene and its errors call it.
@@ -173,12 +171,12 @@ impl Scene {
     pub fn to_toml_with_view(&self) -> String {
         let mut record = self.record(|scene, camera| scene.camera(camera).0);
         let taken = self.camera_names();
-        let mut names = (1..=taken.len() + 1).map(|number| match number {
-            1 => "view".to_owned(),
-            _ => format!("view-{number}"),
-        });
-        let free = names.find(|name| !taken.contains(name));
-        let name = free.expect("there is one name more than there are cameras");
+        let mut name = "view".to_owned();
+        let mut number = 1;
+        while taken.contains(&name) {
+            number += 1;
+            name = format!("view-{number}");
+        }
         let view = CameraRecord::of(name, self.viewpoint(self.active_camera()));
         record.camera.value.insert(0, view);
         record.write()

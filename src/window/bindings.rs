@@ -270,11 +270,11 @@ const LEFT: Action = Action::Orbit {
     azimuth: -ORBIT_STEP,
     elevation: 0.0,
 };
-const RIGHT: Action = Action::Orbit {
+pub const RIGHT: Action = Action::Orbit {
     azimuth: ORBIT_STEP,
     elevation: 0.0,
 };
-const UP: Action = Action::Orbit {
+pub const UP: Action = Action::Orbit {
     azimuth: 0.0,
     elevation: ORBIT_STEP,
 };
@@ -319,12 +319,12 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::View, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view before").with_shift(),
     Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
     Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
-    Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit left, or drag").repeats(),
-    Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], RIGHT, "orbit right, or drag").repeats(),
-    Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], UP, "orbit up, or drag").repeats(),
-    Binding::new(Section::Motion, &["Down"], &[Key::Down], &[], DOWN, "orbit down, or drag").repeats(),
-    Binding::new(Section::Motion, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "closer, or wheel").repeats(),
-    Binding::new(Section::Motion, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "away, or wheel").repeats(),
+    Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit across, or drag").repeats(),
+    Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], RIGHT, "orbit across, or drag").repeats(),
+    Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], UP, "orbit up and down").repeats(),
+    Binding::new(Section::Motion, &["Down"], &[Key::Down], &[], DOWN, "orbit up and down").repeats(),
+    Binding::new(Section::Motion, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "zoom, or wheel").repeats(),
+    Binding::new(Section::Motion, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "zoom, or wheel").repeats(),
     Binding::new(Section::Motion, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),
     Binding::new(Section::Motion, &["Space"], &[Key::Space], &[' '], Action::Turning, "turn cuboids").on_panel(),
     Binding::new(Section::Scene, &["E"], &[Key::E], &['e'], Action::Editor, "edit numbers").on_panel(),
@@ -333,12 +333,12 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Scene, &["Ctrl S"], &[Key::S], &[], Action::Save, "save the scene").with_control(),
     Binding::new(Section::Editor, &["Up"], &[Key::Up], &[], Action::Row(-1), "choose").repeats(),
     Binding::new(Section::Editor, &["Down"], &[Key::Down], &[], Action::Row(1), "choose").repeats(),
-    Binding::new(Section::Editor, &["Left"], &[Key::Left], &[], step(-1, StepSize::Usual), "less, or wheel").repeats(),
-    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Usual), "more, or wheel").repeats(),
-    Binding::new(Section::Editor, &["Shift Left"], &[Key::Left], &[], step(-1, StepSize::Fine), "a tenth of it").with_shift().repeats(),
-    Binding::new(Section::Editor, &["Shift Right"], &[Key::Right], &[], step(1, StepSize::Fine), "a tenth of it").with_shift().repeats(),
-    Binding::new(Section::Editor, &["Ctrl Left"], &[Key::Left], &[], step(-1, StepSize::Coarse), "ten times it").with_control().repeats(),
-    Binding::new(Section::Editor, &["Ctrl Right"], &[Key::Right], &[], step(1, StepSize::Coarse), "ten times it").with_control().repeats(),
+    Binding::new(Section::Editor, &["Left"], &[Key::Left], &[], step(-1, StepSize::Usual), "change, or wheel").repeats(),
+    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Usual), "change, or wheel").repeats(),
+    Binding::new(Section::Editor, &["Shift Left"], &[Key::Left], &[], step(-1, StepSize::Fine), "a tenth of that").with_shift().repeats(),
+    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Fine), "a tenth of that").with_shift().repeats(),
+    Binding::new(Section::Editor, &["Ctrl Left"], &[Key::Left], &[], step(-1, StepSize::Coarse), "ten times that").with_control().repeats(),
+    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Coarse), "ten times that").with_control().repeats(),
     Binding::new(Section::Editor, &["0-9", "Enter"], &[Key::Enter, Key::NumPadEnter], &[], Action::Enter, "type a number"),
     Binding::new(Section::Editor, &["Backspace"], &[Key::Backspace, Key::Delete], &[], Action::Erase, "erase a digit").repeats(),
     Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),

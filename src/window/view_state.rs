@@ -50,10 +50,6 @@ impl Editor {
 
 /// How the scene is looked at.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is switched by itself, and all together are no state machine"
-)]
 pub struct ViewState {
     pub mode: ViewMode,
     /// The reference is shown instead, as long as a key is held.

@@ -37,8 +37,9 @@ fn types(session: &mut Session, text: &str) {
         let mut input = Input::default();
         input.set_editing(session.state().editor.is_some());
         let events = [Event::KeyDown(key), Event::Character(letter)];
-        for gesture in events.map(|event| input.handle(event, Duration::ZERO)) {
-            gesture.into_iter().for_each(|it| does(session, it));
+        let gestures = events.map(|event| input.handle(event, Duration::ZERO));
+        for gesture in gestures.into_iter().flatten() {
+            does(session, gesture);
         }
     }
 }

@@ -122,7 +122,7 @@ fn in_a_common_window_the_panel_is_whole_and_the_picture_beside_it() {
                 .rows()
                 .iter()
                 .filter(|(line, _)| matches!(line, Line::Command(_)));
-            assert_eq!(commands.count(), 16, "{size:?}");
+            assert_eq!(commands.count(), 17, "{size:?}");
             check_fit(&hud, size);
         }
     }

@@ -325,6 +325,7 @@ fn every_key_and_every_character_calls_up_one_command() {
         for other in &BINDINGS[index + 1..] {
             assert!(
                 binding.modifiers != other.modifiers
+                    || (binding.section == Section::Editor) != (other.section == Section::Editor)
                     || binding.keys.iter().all(|key| !other.keys.contains(key)),
                 "{binding:?}"
             );

@@ -108,8 +108,7 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
         ("click on a row", "does what its key does"),
         ("click on the picture", "probes the pixel"),
         ("drag the picture", "orbits"),
-        ("drag the divider", "moves it"),
-        ("drag a light's disc", "moves it"),
+        ("drag divider or light", "moves it"),
         ("wheel", "zooms"),
     ];
     lines[1].push(Line::Heading("mouse"));

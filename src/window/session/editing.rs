@@ -104,7 +104,7 @@ impl Session {
         let Some(parameter) = self.chosen() else {
             let pages = self.scene.pages() as i32;
             self.edit(|editor| {
-                editor.page = (editor.page as i32 + steps).rem_euclid(pages) as usize
+                editor.page = (editor.page as i32 + steps).rem_euclid(pages) as usize;
             });
             self.last_page = self.state.editor.as_ref().map_or(0, |it| it.page);
             return;

@@ -5,7 +5,7 @@
 use glam::DVec3;
 
 use super::{Command, Line, Mark, ON};
-use crate::window::bindings::{Action, BINDINGS, Section};
+use crate::window::bindings::{Action, BINDINGS, RIGHT, Section, UP};
 use crate::window::session::{Measuring, Session};
 use crate::window::views::mode_label;
 
@@ -49,6 +49,14 @@ fn row(session: &Session, action: Action) -> Option<Action> {
         Action::LightNamed(name) => session.light_named(name).map(Action::Light),
         Action::Light(index) => session.light(index).map(|_| action),
         Action::Tolerance(_) => Some(Action::Tolerance(1)),
+        Action::Zoom(_) => Some(Action::Zoom(1)),
+        Action::Orbit { azimuth, .. } => Some(if azimuth == 0.0 { UP } else { RIGHT }),
+        Action::Row(_) => Some(Action::Row(1)),
+        Action::Step { row, size, .. } => Some(Action::Step {
+            row,
+            size,
+            steps: 1,
+        }),
         _ => Some(action),
     }
 }
