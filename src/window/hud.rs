@@ -157,6 +157,12 @@ impl Hud {
             let [x, y] = probe.pixel.map(|at| at as i32);
             [picture.x + x, picture.y + y]
         });
+        let markers = if state.editor.is_some() {
+            markers(session, [picture.width as usize, picture.height as usize])
+        } else {
+            Vec::new()
+        };
+        let discs = markers.iter().map(|it| it.rect(picture, face));
         let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
         let margin = FACES[0].advance();
         let mut layout = Layout {
@@ -167,7 +173,7 @@ impl Hud {
                 .filter(|it| it.height() <= face.height())
                 .collect(),
             cuboids: moved.intersection(&picture),
-            cross: cross.map(pixel::mark),
+            marks: cross.map(pixel::mark).into_iter().chain(discs).collect(),
             boards: panel
                 .map(|panel| (Part::Panel, panel))
                 .into_iter()
@@ -194,16 +200,10 @@ impl Hud {
         }
         let table = |letters| measurements::lines(session.measuring(), letters);
         layout.add(Part::Table, &WRAPS.map(table), above);
-        let error = state.scene_error.as_ref();
-        let error = error.map_or(Vec::new(), |text| {
-            let lines = text.lines().map(|line| Line::Text(line.to_owned()));
-            let title = Line::Title(
-                "the file is wrong",
-                "the last good scene is shown".to_owned(),
-            );
-            [title].into_iter().chain(lines).collect()
-        });
-        layout.add(Part::SceneError, &[error], below);
+        if let Some(text) = &state.scene_error {
+            let said = |letters| scene_error(text, letters);
+            layout.add(Part::SceneError, &WRAPS.map(said), below);
+        }
         if let Some(text) = state.message() {
             let broken = |letters| wrapped(text, letters).into_iter().map(Line::Text).collect();
             layout.add(Part::Message, &WRAPS.map(broken), below);
@@ -212,11 +212,6 @@ impl Hud {
         if state.help {
             boards.extend(help(session, window).into_iter().map(|it| (Part::Help, it)));
         }
-        let markers = if state.editor.is_some() {
-            markers(session, [picture.width as usize, picture.height as usize])
-        } else {
-            Vec::new()
-        };
         Hud {
             size,
             picture,
@@ -260,9 +255,8 @@ impl Hud {
         if let Some(cross) = self.cross {
             pixel::draw_cross(over_picture, cross);
         }
-        let origin = [self.picture.x, self.picture.y];
         for marker in self.markers.iter().rev().filter(|_| !lasting) {
-            markers::draw(over_picture, marker, origin, self.face);
+            marker.draw(over_picture, self.picture, self.face);
         }
         let hovered = self.hovered.filter(|_| !lasting);
         let has_help = self.boards(Part::Help).next().is_some();
@@ -325,8 +319,8 @@ struct Layout {
     /// The letters that may be used, the largest first.
     faces: Vec<Face>,
     cuboids: Rect,
-    /// What the probed pixel takes with its cross.
-    cross: Option<Rect>,
+    /// What the probed pixel takes with its cross, and the lights with their names.
+    marks: Vec<Rect>,
     boards: Vec<(Part, Board)>,
 }
 
@@ -335,8 +329,7 @@ impl Layout {
     /// nothing; where none does, the one that covers least.
     fn add(&mut self, part: Part, versions: &[Vec<Line>], wish: Point) {
         let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
-        let cross: Vec<Rect> = self.cross.into_iter().collect();
-        let obstacles: [&[Rect]; 3] = [&cross, &placed, &[self.cuboids]];
+        let obstacles: [&[Rect]; 3] = [&self.marks, &placed, &[self.cuboids]];
         let faces = self.faces.iter().map(|face| Setting::new(*face));
         let versions = versions.iter().filter(|lines| !lines.is_empty());
         let settings = faces.flat_map(|it| versions.clone().map(move |lines| (it, lines)));
@@ -371,6 +364,16 @@ impl Layout {
         self.boards
             .extend(fitting.into_iter().map(|board| (Part::Legend, board)));
     }
+}
+
+/// What is wrong with the scene's file, its message broken to so many letters.
+fn scene_error(text: &str, letters: usize) -> Vec<Line> {
+    let title = Line::Title("the file is wrong", "the last good scene stays".to_owned());
+    // What is shown of the file below the message is not broken: carets stand under it.
+    let (message, place) = text.split_once('\n').unwrap_or((text, ""));
+    let place = place.lines().map(str::to_owned);
+    let lines = wrapped(message, letters).into_iter().chain(place);
+    [title].into_iter().chain(lines.map(Line::Text)).collect()
 }
 
 /// The help in the middle of the window, in the largest letters in which both its boards fit; none where they do not.

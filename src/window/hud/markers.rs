@@ -114,30 +114,44 @@ pub fn radius(face: Face) -> i32 {
     face.height() / 2
 }
 
-/// Draws a disc and its name; the picture's upper left corner is `origin`.
-pub fn draw(canvas: &mut Canvas, marker: &Marker, origin: Point, face: Face) {
-    let [x, y] = [origin[0] + marker.at[0], origin[1] + marker.at[1]];
-    let radius = radius(face);
-    let disc = Rect::new(x - radius, y - radius, 2 * radius, 2 * radius);
-    canvas.rounded(disc, radius, EDGE);
-    let inner = disc.inset(2);
-    let color = Ink::solid(marker.color);
-    if marker.is_lit {
-        canvas.rounded(inner, inner.width / 2, color);
-        canvas.outline(inner, inner.width / 2, 1.0, RING);
-    } else {
-        canvas.outline(inner, inner.width / 2, 2.0, color);
+impl Marker {
+    /// The disc in the window, and its name in front of it where it would stand out of `picture` behind it.
+    fn place(&self, picture: Rect, face: Face) -> [Rect; 2] {
+        let [x, y] = [picture.x + self.at[0], picture.y + self.at[1]];
+        let (radius, gap) = (radius(face), face.advance() / 2);
+        let disc = Rect::new(x - radius, y - radius, 2 * radius, 2 * radius);
+        let width = face.width(self.name.chars().count());
+        let behind = disc.right() + gap;
+        let left = if behind + width > picture.right() {
+            disc.x - gap - width
+        } else {
+            behind
+        };
+        let name = Rect::new(left, y - face.height() / 2, width, face.height());
+        [disc, name]
     }
-    let width = face.width(marker.name.chars().count());
-    let clip = canvas.clip();
-    let left = disc.right() + face.advance() / 2;
-    let left = if left + width > clip.right() {
-        disc.x - face.advance() / 2 - width
-    } else {
-        left
-    };
-    let top = y - face.height() / 2;
-    canvas.fill(Rect::new(left, top, width, face.height()), PANE);
-    let ink = if marker.is_lit { NAME } else { NAME_DIM };
-    canvas.text(face, [left, top], ink, &marker.name);
+
+    /// What it takes of the window.
+    pub fn rect(&self, picture: Rect, face: Face) -> Rect {
+        let [disc, name] = self.place(picture, face);
+        let x = disc.x.min(name.x);
+        Rect::new(x, disc.y, disc.right().max(name.right()) - x, disc.height)
+    }
+
+    /// Draws the disc and its name.
+    pub fn draw(&self, canvas: &mut Canvas, picture: Rect, face: Face) {
+        let [disc, name] = self.place(picture, face);
+        canvas.rounded(disc, disc.width / 2, EDGE);
+        let inner = disc.inset(2);
+        let color = Ink::solid(self.color);
+        if self.is_lit {
+            canvas.rounded(inner, inner.width / 2, color);
+            canvas.outline(inner, inner.width / 2, 1.0, RING);
+        } else {
+            canvas.outline(inner, inner.width / 2, 2.0, color);
+        }
+        canvas.fill(name, PANE);
+        let ink = if self.is_lit { NAME } else { NAME_DIM };
+        canvas.text(face, [name.x, name.y], ink, &self.name);
+    }
 }
