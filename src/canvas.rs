@@ -159,6 +159,27 @@ impl<'a> Canvas<'a> {
         self.edge(rect, radius, border, ink, coverage);
     }
 
+    /// A line with round ends between two points, `width` pixels wide.
+    pub fn line(&mut self, from: [f32; 2], to: [f32; 2], width: f32, ink: Ink) {
+        let reach = width / 2.0 + 1.0;
+        let ends = |axis: usize| {
+            let (low, high) = (from[axis].min(to[axis]), from[axis].max(to[axis]));
+            [(low - reach) as i32, (high + reach) as i32 + 1]
+        };
+        let ([left, right], [top, bottom]) = (ends(0), ends(1));
+        let seen = Rect::new(left, top, right - left, bottom - top).intersection(&self.clip);
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let squared = (way[0] * way[0] + way[1] * way[1]).max(f32::MIN_POSITIVE);
+        for y in seen.y..seen.bottom() {
+            for x in seen.x..seen.right() {
+                let at = [x as f32 + 0.5 - from[0], y as f32 + 0.5 - from[1]];
+                let share = ((at[0] * way[0] + at[1] * way[1]) / squared).clamp(0.0, 1.0);
+                let distance = (at[0] - share * way[0]).hypot(at[1] - share * way[1]);
+                self.blend(x, y, ink, width / 2.0 + 0.5 - distance);
+            }
+        }
+    }
+
     /// Every pixel of `rect` less than `border` from its edge, as `coverage` says of the signed distance, in pixels, of
     /// its centre from the rounded edge.
     fn edge(

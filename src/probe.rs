@@ -192,6 +192,52 @@ pub fn at(
     })
 }
 
+/// The levels along a row of the picture, unclamped, by column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    /// The renderer's.
+    pub gouraud: Vec<[f64; 3]>,
+    /// The renderer's.
+    pub phong: Vec<[f64; 3]>,
+    /// Exact Phong in f64.
+    pub reference: Vec<[f64; 3]>,
+}
+
+/// The levels along row `y` of the picture that `view` asks for; it must lie inside.
+///
+/// # Errors
+/// When the row does not fit in memory.
+pub fn profile(
+    scene: &mut Scene,
+    view: &View,
+    y: usize,
+    workers: Workers,
+) -> Result<Profile, OutOfMemory> {
+    let mut frame = Frame::new(Keep::Levels, workers);
+    let shaded = |mode| View {
+        shading: Some(mode),
+        ..view.clone()
+    };
+    let mut drawn = |mode| {
+        systems::draw_rows(&mut scene.world, &shaded(mode), y..y + 1, &mut frame)?;
+        let levels = frame.levels().iter();
+        Ok(levels.map(|levels| levels.map(f64::from)).collect())
+    };
+    let (gouraud, phong) = (drawn(ShadingMode::Gouraud)?, drawn(ShadingMode::Phong)?);
+    let mut reference = vec![scene.background.to_array(); view.size[0]];
+    let exact = reference::Reference::<f64>::new(&scene.world, &shaded(ShadingMode::Phong));
+    exact.row(y, |x, seen| {
+        if let Some(first) = seen.first() {
+            reference[x] = first.levels;
+        }
+    });
+    Ok(Profile {
+        gouraud,
+        phong,
+        reference,
+    })
+}
+
 impl Surface {
     /// The triangle by its number, and the reference's where that is another.
     pub fn triangle_label(&self) -> String {

@@ -180,7 +180,16 @@ impl Window {
             }
             for request in self.session.take_requests() {
                 match request {
-                    Request::Screenshot => self.save_screenshot(size),
+                    Request::Screenshot => {
+                        let mut pixels = Vec::new();
+                        self.hud.draw(&self.picture, true, &mut pixels);
+                        self.save_picture(&pixels, size);
+                    }
+                    Request::SavePicture => {
+                        let pixels = std::mem::take(&mut self.picture);
+                        self.save_picture(&pixels, picture);
+                        self.picture = pixels;
+                    }
                     Request::Save => self.save_scene(picture),
                     Request::Time => self.composition.time(&mut self.session)?,
                     Request::Measure => {
@@ -246,10 +255,8 @@ impl Window {
         }
     }
 
-    fn save_screenshot(&mut self, size: [usize; 2]) {
-        let mut pixels = Vec::new();
-        self.hud.draw(&self.picture, true, &mut pixels);
-        match saving::save_picture(Path::new("."), &pixels, size) {
+    fn save_picture(&mut self, pixels: &[u32], size: [usize; 2]) {
+        match saving::save_picture(Path::new("."), pixels, size) {
             Ok(path) => {
                 let name = path.file_name().unwrap_or_default().display();
                 self.session.say(format!("saved {name}"));

@@ -121,3 +121,38 @@ fn words_that_are_cut_end_in_dots() {
     assert_eq!(fit("perspective", 3), "per");
     assert_eq!(fit("perspective", 0), "");
 }
+
+#[test]
+fn a_line_covers_the_pixels_within_half_its_width_and_keeps_to_its_clip() {
+    let size = [40_usize, 30];
+    for (from, to, width) in [
+        ([5.0, 5.0], [33.0, 21.0], 3.0_f32),
+        ([30.5, 2.5], [8.5, 27.5], 2.0),
+        ([10.0, 10.0], [10.0, 10.0], 6.0),
+        ([-20.0, 15.0], [90.0, 16.0], 4.0),
+    ] {
+        let mut pixels = vec![0; size[0] * size[1]];
+        let clip = Rect::new(3, 4, 34, 20);
+        let mut canvas = Canvas::new(&mut pixels, size);
+        canvas
+            .clipped(clip)
+            .line(from, to, width, Ink::solid(0x00ff_ffff));
+        for (index, pixel) in pixels.iter().enumerate() {
+            let [x, y] = [(index % size[0]) as i32, (index / size[0]) as i32];
+            // The distance from many points of the line, the nearest of which is near enough.
+            let distance = (0..=10_000)
+                .map(|step| {
+                    let share = step as f32 / 10_000.0;
+                    let at = [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]));
+                    (x as f32 + 0.5 - at[0]).hypot(y as f32 + 0.5 - at[1])
+                })
+                .fold(f32::INFINITY, f32::min);
+            let inside = clip.contains([x, y]);
+            if !inside || distance > width / 2.0 + 0.6 {
+                assert_eq!(*pixel, 0, "{x},{y}");
+            } else if distance < width / 2.0 - 0.6 {
+                assert_eq!(*pixel, 0x00ff_ffff, "{x},{y}");
+            }
+        }
+    }
+}

@@ -51,7 +51,9 @@ pub enum Action {
     Help,
     /// Saves what the window shows.
     Screenshot,
-    /// Closes what lies over the picture, or the program where nothing does.
+    /// Saves the picture alone.
+    SavePicture,
+    /// Closes what lies over the picture.
     Close,
     /// Ends the program.
     Quit,
@@ -343,8 +345,9 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Editor, &["Backspace"], &[Key::Backspace, Key::Delete], &[], Action::Erase, "erase a digit").repeats(),
     Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
     Binding::new(Section::Window, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
-    Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save a picture"),
-    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close, or quit"),
+    Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save the window"),
+    Binding::new(Section::Window, &["Shift F12"], &[Key::F12], &[], Action::SavePicture, "save the picture").with_shift(),
+    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close a board"),
     Binding::new(Section::Window, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
 ];
 

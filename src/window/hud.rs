@@ -11,6 +11,7 @@
 //! Rules: pure; every text is set in the largest letters for which there is room. A board for which the smallest are too
 //! large is left out. What was drawn is what is clicked: the [`Hud`] that was drawn answers where a click goes.
 
+pub mod arrows;
 pub mod board;
 pub mod editor;
 pub mod legend;
@@ -19,6 +20,7 @@ pub mod markers;
 pub mod measurements;
 pub mod pixel;
 mod place;
+pub mod profile;
 
 use hecs::Entity;
 
@@ -26,6 +28,7 @@ use super::bindings::Action;
 use super::session::Session;
 use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
 use crate::components::{Polygon, Projected};
+use arrows::{Arrow, arrows};
 use board::{Board, Setting};
 use lines::Line;
 use markers::{Marker, markers};
@@ -54,6 +57,8 @@ pub enum Part {
     Legend,
     /// What is known of a pixel.
     Probe,
+    /// The levels along its row.
+    Profile,
     /// What is measured.
     Table,
     Message,
@@ -75,6 +80,8 @@ pub struct Hud {
     divider: Option<i32>,
     /// The probed pixel in the window.
     cross: Option<Point>,
+    /// The vectors at the probed pixel.
+    arrows: Vec<Arrow>,
     /// The lights, while the numbers of the scene are shown.
     markers: Vec<Marker>,
     face: Face,
@@ -198,6 +205,7 @@ impl Hud {
             let lines = [false, true].map(|wide| pixel::lines(probe, wide));
             layout.add(Part::Probe, &lines, above);
         }
+        layout.add(Part::Profile, &[profile::lines(session)], below);
         let table = |letters| measurements::lines(session.measuring(), letters);
         layout.add(Part::Table, &WRAPS.map(table), above);
         if let Some(text) = &state.scene_error {
@@ -215,6 +223,7 @@ impl Hud {
         Hud {
             size,
             picture,
+            arrows: arrows(session, &session.scene().viewpoint(session.camera())),
             markers,
             face,
             boards,
@@ -253,6 +262,9 @@ impl Hud {
             draw_divider(over_picture, column, FACES[0]);
         }
         if let Some(cross) = self.cross {
+            for arrow in &self.arrows {
+                arrows::draw(over_picture, arrow, cross, self.face);
+            }
             pixel::draw_cross(over_picture, cross);
         }
         for marker in self.markers.iter().rev().filter(|_| !lasting) {
@@ -339,6 +351,9 @@ impl Layout {
             let (rect, covered) = place(size, self.window, corner, &obstacles)?;
             Some((covered, rect, setting, lines))
         });
+        // The profile can be missed, what it would cover cannot.
+        let clear = |(covered, ..): &(place::Covered, _, _, _)| covered[..2] == [0, 0];
+        let all = all.filter(|it| part != Part::Profile || clear(it));
         // Of several that cover as much the first has the largest letters.
         if let Some((_, rect, setting, lines)) = all.min_by(|one, other| one.0.cmp(&other.0)) {
             self.boards

@@ -23,7 +23,7 @@ pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) {
                 return session.apply(action);
             }
             match hud.board_at(point) {
-                Some((Part::Probe, _)) => session.probe(None),
+                Some((Part::Probe | Part::Profile, _)) => session.probe(None),
                 Some((Part::Table, _)) => session.apply(Action::Measure),
                 Some((Part::Help, _)) => {}
                 _ if session.state().help => session.apply(Action::Help),

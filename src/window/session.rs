@@ -23,7 +23,7 @@ use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Workers, display_step};
 use crate::memory::OutOfMemory;
-use crate::probe::{self, Probe};
+use crate::probe::{self, Probe, Profile};
 use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::systems;
@@ -67,6 +67,8 @@ pub enum Redraw {
 pub enum Request {
     /// Saves what is shown.
     Screenshot,
+    /// Saves the picture alone.
+    SavePicture,
     /// Times warm frames of what is shown.
     Time,
     /// Asks the reference about the picture.
@@ -96,6 +98,8 @@ pub struct Session {
     last_page: usize,
     /// What is known of the pixel that is probed.
     probe: Option<Probe>,
+    /// The levels along its row.
+    profile: Option<Profile>,
     times: FrameTimes,
     /// When what is shown was drawn, until its frames are timed.
     to_be_timed: Option<Duration>,
@@ -130,6 +134,7 @@ impl Session {
             history: History::default(),
             last_page: 0,
             probe: None,
+            profile: None,
             times: FrameTimes::default(),
             to_be_timed: None,
             flat: false,
@@ -155,6 +160,10 @@ impl Session {
         let view = self.view(size);
         let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, Workers::alone(level));
         self.probe = self.state.pixel.map(&mut probe).transpose()?;
+        let mut profile = |pixel: [usize; 2]| {
+            probe::profile(&mut self.scene, &view, pixel[1], Workers::alone(level))
+        };
+        self.profile = self.state.pixel.map(&mut profile).transpose()?;
         Ok(())
     }
 
@@ -331,7 +340,10 @@ impl Session {
         self.reference = None;
         self.measuring = Measuring::Off;
         self.requests.retain(|request| {
-            matches!(request, Request::Screenshot | Request::Save | Request::Quit)
+            matches!(
+                request,
+                Request::Screenshot | Request::SavePicture | Request::Save | Request::Quit
+            )
         });
         self.wants(Redraw::Picture);
     }

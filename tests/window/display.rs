@@ -3,11 +3,13 @@
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
+use std::process::Command;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use image::RgbImage;
 use shadetrade::components::ShadingMode;
+use shadetrade::scene::BUILT_IN;
 use shadetrade::trade::error_map;
 use shadetrade::window::bindings::Action;
 use shadetrade::window::hud::lines::Line;
@@ -311,6 +313,48 @@ fn screenshots_are_what_is_shown_and_never_overwrite() {
 
 fn make_read_only(folder: &Path) {
     fs::set_permissions(folder, fs::Permissions::from_mode(0o555)).expect("permitted");
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+fn a_scene_is_edited_saved_drawn_by_its_command_and_read_again() {
+    let scenes = tempfile::tempdir().expect("a folder");
+    let path = scenes.path().join("mine.toml");
+    fs::write(&path, BUILT_IN[0].1).expect("written");
+    let program = Program::open(&[path.to_str().expect("UTF-8")], &[]);
+    let seen = || right_part(&program.picture());
+    let start = seen();
+    let file = |name: &str| program.folder.path().join(name);
+    // The gain of the first light, which is the last number of its page.
+    program.press("e");
+    program.press("Up");
+    for key in ["4", "0", "period", "5", "Return", "Escape"] {
+        program.press(key);
+    }
+    until("another picture", || seen() != start);
+    program.press("ctrl+s");
+    until("a scene is saved", || file("mine-1.toml").exists());
+    let saved = fs::read_to_string(file("mine-1.toml")).expect("text");
+    assert!(saved.contains("gain = 40.5"), "{saved}");
+    program.press("shift+F12");
+    until("a picture is saved", || file("shadetrade-001.png").exists());
+    let shown = image::open(file("shadetrade-001.png")).expect("a picture");
+    let size = format!("{}x{}", shown.width(), shown.height());
+    let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
+        .args(["render", "mine-1.toml", "--size", &size, "-o", "drawn.png"])
+        .current_dir(program.folder.path())
+        .output()
+        .expect("it runs");
+    assert!(output.status.success(), "{output:?}");
+    let drawn = image::open(file("drawn.png")).expect("a picture");
+    assert_eq!(shown.to_rgb8(), drawn.to_rgb8());
+    program.press("ctrl+z");
+    until("the first picture", || seen() == start);
+    // The file becomes wrong, and right again.
+    fs::write(&path, BUILT_IN[0].1.replace("fov = ", "fov = -")).expect("written");
+    until("it is said that it is wrong", || seen() != start);
+    fs::write(&path, BUILT_IN[0].1).expect("written");
+    until("all is as before", || seen() == start);
 }
 
 #[test]

@@ -266,7 +266,11 @@ impl Window {
                     timed.expect("a small picture fits");
                 }
                 // Who quits sees no more; here it goes on, for nothing may depend on it.
-                Request::Measure | Request::Screenshot | Request::Save | Request::Quit => {}
+                Request::Measure
+                | Request::Screenshot
+                | Request::SavePicture
+                | Request::Save
+                | Request::Quit => {}
             }
         }
     }

@@ -13,6 +13,7 @@
 //! hollow mark or by words, with colour only on top of it.
 
 use super::lines::{Command, Line, Mark, ON};
+use super::profile;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect, fit};
 use crate::trade::error_map;
 use crate::window::bindings::Action;
@@ -68,6 +69,7 @@ impl Setting {
         match line {
             Line::Rule => self.pitch / 2,
             Line::Scale => 2 * self.pitch,
+            Line::Profile(_) => 6 * self.pitch,
             _ => self.pitch,
         }
     }
@@ -112,7 +114,7 @@ impl Columns {
             Line::Text(text) => face.width(count(text)),
             Line::Heading(text) => face.width(count(text)),
             Line::Rule => 0,
-            Line::Scale => face.width(SCALE_LETTERS),
+            Line::Scale | Line::Profile(_) => face.width(SCALE_LETTERS),
             Line::Swatches(all) => {
                 face.width(all.iter().map(|(_, text)| swatch_letters(text)).sum())
             }
@@ -232,6 +234,7 @@ impl Board {
                     canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), EDGE);
                 }
                 Line::Scale => draw_scale(canvas, face, *row),
+                Line::Profile(plot) => profile::draw(canvas, plot, row.inset(2)),
                 Line::Swatches(all) => draw_swatches(canvas, face, [row.x, y], all),
             }
         }

@@ -8,6 +8,7 @@ mod facts;
 
 use std::path::Path;
 
+use super::profile::Plot;
 use crate::window::bindings::{Action, Section};
 use crate::window::session::Session;
 use crate::window::views::mode_label;
@@ -55,6 +56,8 @@ pub enum Line {
     Rule,
     /// The colours of the error map with errors in levels below them; two rows high.
     Scale,
+    /// The levels along a row of the picture; six rows high.
+    Profile(Plot),
     /// Colours (0x00RRGGBB) and what they stand for.
     Swatches(Vec<(u32, String)>),
 }

@@ -58,7 +58,7 @@ pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
 }
 
 /// The places of the lights that have one, with the names of the lights there.
-fn places(surface: &Surface) -> Vec<(String, &Light)> {
+pub fn places(surface: &Surface) -> Vec<(String, &Light)> {
     let mut places: Vec<(String, &Light)> = Vec::new();
     for light in surface.lights.iter().filter(|it| it.kind != "ambient") {
         match places

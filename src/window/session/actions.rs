@@ -108,7 +108,9 @@ impl Session {
             }
             Action::Close if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
             Action::Close if self.state.pixel.is_some() => self.probe(None),
-            Action::Close | Action::Quit => self.requests.push(Request::Quit),
+            Action::Close => self.say("Q quits"),
+            Action::Quit => self.requests.push(Request::Quit),
+            Action::SavePicture => self.requests.push(Request::SavePicture),
             Action::Screenshot => self.requests.push(Request::Screenshot),
         }
     }
@@ -137,6 +139,7 @@ impl Session {
     pub fn probe(&mut self, pixel: Option<[usize; 2]>) {
         self.state.pixel = pixel;
         self.probe = None;
+        self.profile = None;
         self.wants(Redraw::Picture);
     }
 

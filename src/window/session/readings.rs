@@ -6,7 +6,7 @@ use hecs::Entity;
 
 use super::{Measuring, Session};
 use crate::components::{Light, Name, Orbit, Projection, ShadingMode, Spin};
-use crate::probe::Probe;
+use crate::probe::{Probe, Profile};
 use crate::scene::Scene;
 use crate::window::examination::ReferenceResult;
 use crate::window::frame_times::FrameTimes;
@@ -82,6 +82,11 @@ impl Session {
     /// What is known of the pixel that is probed.
     pub fn probed(&self) -> Option<&Probe> {
         self.probe.as_ref()
+    }
+
+    /// The levels along the row of the pixel that is probed.
+    pub fn profile(&self) -> Option<&Profile> {
+        self.profile.as_ref()
     }
 
     /// What is measured, or was.
