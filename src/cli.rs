@@ -157,7 +157,9 @@ The script goes where the shell looks for completions, or is read by its start-u
 }
 
 impl Command {
-    /// Starts the threads that the reference works on, where it does; the renderer's are its own.
+    /// Starts the threads of whatever is not a frame, such as the reference; those that draw frames are the renderer's own.
+    ///
+    /// They are rayon's global threads, so that nothing else can start any: all cores' worth, and a panic if refused.
     ///
     /// # Errors
     /// When the system gives no threads.
@@ -165,6 +167,7 @@ impl Command {
         let threads = match self {
             Command::Render(options) if options.reference => options.drawing.workers.threads(),
             Command::Probe(options) => options.drawing.workers.threads(),
+            Command::Prove(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),
             // What is not timed may take every core.
             Command::Trade(_) => all_cores(),

@@ -3,7 +3,7 @@
 //! ```text
 //! entity   the scene says                                           keys write             a frame derives
 //! cuboid   Name FileOrder Transform Mesh Material SceneShading      ShadingMode Spin       WorldTransform Normals VertexColors Projected
-//! light    Name Transform Light                                     Light.on
+//! light    Name FileOrder Transform Light                           Light.on
 //! camera   Name Transform Camera                                    ActiveCamera Orbit
 //! ```
 //! A [`View`] says how one frame is to be drawn; [`Lens`] and [`Illumination`] are what it derives once for all cuboids.
@@ -22,7 +22,8 @@ pub use self::camera::{ActiveCamera, Camera, Lens, Orbit, Projection, View, View
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name(pub String);
 
-/// A cuboid's place in the scene file, counted from 0: it numbers triangles and decides ties of depth.
+/// The place of a cuboid or a light among its kind in the scene file, counted from 0: cuboids are numbered and ties of
+/// depth decided by it, and lights are summed and listed in its order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FileOrder(pub u32);
 

@@ -96,6 +96,18 @@ pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     }
 }
 
+/// Makes a limit on the size of files an error of the write that exceeds it, as a full disk is: the signal that comes with
+/// it ends the program unless something handles it.
+///
+/// # Errors
+/// When the system refuses the handler.
+pub fn survive_file_limits() -> anyhow::Result<()> {
+    #[cfg(unix)]
+    signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default())
+        .context("cannot handle the signal of a full disk")?;
+    Ok(())
+}
+
 /// One line for the user, on standard error so that standard output holds nothing but what was asked for.
 pub fn say(line: &str) {
     let line = printable(line);

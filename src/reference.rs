@@ -72,6 +72,13 @@ struct Cuboid<R> {
     mode: ShadingMode,
 }
 
+/// The entities in file order, whatever order the world has them in.
+fn in_file_order<T>(entities: impl Iterator<Item = (FileOrder, T)>) -> Vec<T> {
+    let mut entities: Vec<_> = entities.collect();
+    entities.sort_by_key(|(order, _)| *order);
+    entities.into_iter().map(|(_, entity)| entity).collect()
+}
+
 /// What a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
@@ -86,21 +93,20 @@ impl<R: Real> Reference<R> {
     pub fn new(world: &World, view: &View) -> Self {
         let sight = Sight::new(view);
         let enclosed = Sight::<Interval>::new(view);
-        let lights: Vec<_> = world
-            .query::<(&Transform, &Light)>()
-            .iter()
-            .filter(|(_, light)| light.on)
-            .map(|(transform, light)| (transform.position, *light))
-            .collect();
-        let mut cuboids: Vec<_> = world
-            .query::<(
-                &FileOrder,
-                &Transform,
-                &Spin,
-                &Mesh,
-                &Material,
-                &ShadingMode,
-            )>()
+        let mut query = world.query::<(&FileOrder, &Transform, &Light)>();
+        let lights = query.iter().filter(|(_, _, light)| light.on);
+        let lights = in_file_order(
+            lights.map(|(order, transform, light)| (*order, (transform.position, *light))),
+        );
+        let mut query = world.query::<(
+            &FileOrder,
+            &Transform,
+            &Spin,
+            &Mesh,
+            &Material,
+            &ShadingMode,
+        )>();
+        let cuboids = query
             .iter()
             .map(|(order, transform, spin, mesh, material, mode)| {
                 let transform = &transform.spun(*spin);
@@ -113,10 +119,8 @@ impl<R: Real> Reference<R> {
                     mode: view.shading.unwrap_or(*mode),
                 };
                 (*order, cuboid)
-            })
-            .collect();
-        cuboids.sort_by_key(|(order, _)| *order);
-        let cuboids = cuboids.into_iter().map(|(_, cuboid)| cuboid).collect();
+            });
+        let cuboids = in_file_order(cuboids);
         Reference {
             sight,
             cuboids,

@@ -3,6 +3,7 @@
 //! Rule: everything is checked before anything is allocated, and whatever is wrong names what would be right.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use anyhow::anyhow;
@@ -13,8 +14,8 @@ use fearless_simd::Level;
 use super::Failure;
 use crate::components::{Projection, ShadingMode};
 use crate::drawing::{Drawing, MOST_THREADS, all_cores};
-use crate::output::Output;
-use crate::scene::{self, LightChoice, Scene};
+use crate::output::{Output, say};
+use crate::scene::{self, LightChoice, Scene, SceneError};
 use crate::shading::MIN_TOLERANCE;
 use crate::simd;
 
@@ -74,13 +75,22 @@ impl DrawingOptions {
     /// Loads the scene and looks up in it what the options name.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light.
+    /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light; [`Failure::Work`] when it does not fit
+    /// in memory.
     pub fn open(&self) -> Result<Drawing, Failure> {
         let mut scene = match &self.scene {
             Some(path) => Scene::load_path(path),
             None => Scene::load(None),
         }
-        .map_err(|error| Failure::Usage(error.into()))?;
+        .map_err(|error| match &error {
+            SceneError::Unreadable { cause, .. } if cause.kind() == ErrorKind::OutOfMemory => {
+                Failure::Work(error.into())
+            }
+            _ => Failure::Usage(error.into()),
+        })?;
+        if let Some(warning) = &scene.warning {
+            say(&format!("warning: {warning}"));
+        }
         let camera = match &self.camera {
             None => 0,
             Some(name) => scene

@@ -18,9 +18,7 @@ mod textbook;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use anyhow::Context;
 use fearless_simd::Level;
-use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -204,11 +202,7 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
     if let Some(folder) = out {
         make_writable(folder)?;
     }
-    let pool = ThreadPoolBuilder::new()
-        .num_threads(options.threads)
-        .build()
-        .context("cannot start the threads that sweep")?;
-    let curves = with_bar(|progress| pool.install(|| measure(SWEEPS, options.level, progress)))?;
+    let curves = with_bar(|progress| measure(SWEEPS, options.level, progress))?;
     let text = if as_json {
         json(&curves)?
     } else {

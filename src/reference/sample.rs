@@ -6,8 +6,8 @@ use hecs::World;
 use super::illumination::{Incidence, blend, reflection};
 use super::sight::Solid;
 use super::vector::Vector;
-use super::{Cuboid, Reference, arrange, first};
-use crate::components::{Light, LightKind, Name, View};
+use super::{Cuboid, Reference, arrange, first, in_file_order};
+use crate::components::{FileOrder, Light, LightKind, Name, View};
 
 /// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,9 +65,10 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
         let [x, y, z] = v.0;
         (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
     };
-    let mut query = world.query::<(&Name, &Light)>();
-    let names = query.iter().filter(|(_, light)| light.on);
-    let lights = surface.lamps.iter().zip(names).map(|(lamp, (name, _))| {
+    let mut query = world.query::<(&FileOrder, &Name, &Light)>();
+    let names = query.iter().filter(|(_, _, light)| light.on);
+    let names = in_file_order(names.map(|(order, name, _)| (*order, name.0.clone())));
+    let lights = surface.lamps.iter().zip(names).map(|(lamp, name)| {
         let term = |incidence: Incidence<f64>| match lamp.kind {
             LightKind::Ambient => lamp.levels,
             LightKind::Diffuse => lamp.levels * incidence.diffuse,
@@ -89,7 +90,7 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
             term(source.map_or(nothing, |source| surface.at_corner(corner, source)))
         });
         LightSample {
-            name: name.0.clone(),
+            name,
             kind: lamp.kind,
             to_light: to_light.map(to_world),
             reflected: to_light.map(|to_light| to_world(reflection(normal, to_light))),
