@@ -24,7 +24,7 @@ use crate::output::Output;
 use crate::shading::{METHODS, Method};
 use crate::trade;
 pub use failure::Failure;
-use options::{DrawingOptions, MOST_PIXELS, WorkerOptions};
+use options::{DrawingOptions, MAX_SIDE, WorkerOptions};
 pub use parsing::parse;
 
 /// The command line: a command, or the options of `view` without its name.
@@ -190,7 +190,7 @@ pub struct RenderOptions {
     /// Where the PNG goes; `-` is standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Output,
-    /// Draws with the f64 reference instead of the renderer; --tolerance and --simd have no say then
+    /// Draws with the f64 reference instead of the renderer; --tolerance and --simd are not used then
     #[arg(long)]
     pub reference: bool,
 }
@@ -236,7 +236,7 @@ impl TradeOptions {
         }
         let mut drawing = self.drawing.open()?;
         if self.scale {
-            let most = MOST_PIXELS / trade::scale::LARGEST;
+            let most = MAX_SIDE / trade::scale::LARGEST;
             if drawing.size.iter().any(|side| *side > most) {
                 return Err(Failure::Usage(anyhow!(
                     "--scale draws pictures up to {} times as wide and high as --size, which is {most}x{most} at most then",

@@ -263,14 +263,14 @@ pub struct Projected {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Polygon {
     /// x right and y down from the picture's top left corner, in 1/256 pixel, within +-2^30, counter-clockwise as seen.
-    pub vertices: [[i32; 2]; Polygon::MOST],
+    pub vertices: [[i32; 2]; Polygon::MAX_VERTICES],
     /// How many of them count: 0, or 3..=8.
     pub len: u8,
 }
 
 impl Polygon {
     /// A triangle, cut by the near plane and by the four sides of the guard band.
-    pub const MOST: usize = 8;
+    pub const MAX_VERTICES: usize = 8;
 
     /// The vertices that count.
     pub fn vertices(&self) -> &[[i32; 2]] {

@@ -172,7 +172,7 @@ pub struct Options {
     pub full: bool,
 }
 
-/// Examines every case; `progress` hears how many are done.
+/// Examines every case; `progress` is told how many are done.
 ///
 /// # Errors
 /// When the system gives no threads, or not the memory.

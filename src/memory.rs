@@ -60,7 +60,7 @@ fn picture([width, height]: [usize; 2]) -> String {
 ///
 /// # Errors
 /// When the system says that there is no such room, or does not grant it.
-pub fn room_for_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
+pub fn reserve_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
     let pixels = size[0].saturating_mul(size[1]);
     let needed = pixels.saturating_mul(size_of::<T>());
     check(size, needed)?;
@@ -267,6 +267,6 @@ mod tests {
                 && said.ends_with(" MB are left")
         );
         check([1, 1], LARGE).expect("what is small is not asked for");
-        assert!(room_for_pixels::<[u8; 1 << 40]>([16384, 16384]).is_err());
+        assert!(reserve_pixels::<[u8; 1 << 40]>([16384, 16384]).is_err());
     }
 }

@@ -111,7 +111,7 @@ pub fn survive_file_limits() -> anyhow::Result<()> {
 /// One line for the user, on standard error so that standard output holds nothing but what was asked for.
 pub fn say(line: &str) {
     let line = printable(line);
-    // Whoever closed standard error does not want to hear that it is closed.
+    // A closed standard error is no failure.
     let _ = writeln!(io::stderr(), "{line}");
 }
 
@@ -202,7 +202,7 @@ fn replace(
     let file = temporary_file(folder)?;
     buffered(file.as_file(), content)?;
     if let Some(old) = old {
-        // Only root may give a file away; whoever else replaces another's file owns the new one.
+        // Only root can change a file's owner. For all others the new file is their own.
         #[cfg(unix)]
         let _ = {
             use std::os::unix::fs::{MetadataExt, fchown};
@@ -229,9 +229,9 @@ pub(crate) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFil
 /// Where `path` leads once it is no symbolic link any more, whether or not something is there.
 fn follow_links(path: &Path) -> io::Result<PathBuf> {
     // As many as Linux follows.
-    const MOST_LINKS: usize = 40;
+    const MAX_LINKS: usize = 40;
     let mut target = path.to_path_buf();
-    for _ in 0..MOST_LINKS {
+    for _ in 0..MAX_LINKS {
         match fs::read_link(&target) {
             Ok(next) => target = folder_of(&target).join(next),
             Err(_) => return Ok(target),
@@ -255,7 +255,7 @@ pub(crate) fn encode_png(
     pixels: &[u32],
     [width, height]: [usize; 2],
 ) -> io::Result<()> {
-    let mut bytes = memory::room_for_pixels([width, height]).map_err(io::Error::other)?;
+    let mut bytes = memory::reserve_pixels([width, height]).map_err(io::Error::other)?;
     bytes.extend(pixels.iter().map(|pixel| {
         let [_, red, green, blue] = pixel.to_be_bytes();
         [red, green, blue]

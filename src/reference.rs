@@ -89,7 +89,7 @@ pub struct Seen<R> {
 }
 
 impl<R: Real> Reference<R> {
-    /// The picture of `world` that `view` asks for; the view's tolerance has no say in it.
+    /// The picture of `world` that `view` asks for; the view's tolerance is not used.
     pub fn new(world: &World, view: &View) -> Self {
         let sight = Sight::new(view);
         let enclosed = Sight::<Interval>::new(view);
@@ -129,7 +129,7 @@ impl<R: Real> Reference<R> {
         }
     }
 
-    /// Evaluates the pixels of row `y` from left to right. `each` hears what every one of them may show: one thing, unless
+    /// Evaluates the pixels of row `y` from left to right. `each` is told what every one of them may show: one thing, unless
     /// an edge, a gate that may fall either way, or another cuboid at the same depth is near.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
         let here = |(_, cuboid): &(usize, &Cuboid<R>)| cuboid.solid.rows.contains(&y);
@@ -164,7 +164,7 @@ impl<R: Real> Reference<R> {
             for face in meeting.faces() {
                 let place = cuboid.solid.place(face, line);
                 // Where an edge is near, the centre may lie beside the face: its plane is seen there, or what is nearest.
-                let held = (!meeting.is_sure()).then(|| cuboid.solid.held(face, line));
+                let held = (!meeting.well_conditioned()).then(|| cuboid.solid.held(face, line));
                 for place in [Some(place), held].into_iter().flatten() {
                     for &is_first in cuboid.triangles(face, line, &place) {
                         let mut see = |open| {
@@ -308,10 +308,10 @@ fn on_screen<R: Real>(weights: [R; 3], depths: [R; 3]) -> [R; 3] {
     [a, b, c].map(|weight| weight / (a + b + c))
 }
 
-/// Evaluates `rows` of the picture of `world` that `view` asks for; the view's tolerance has no say in it.
+/// Evaluates `rows` of the picture of `world` that `view` asks for; the view's tolerance is not used.
 ///
 /// It works on rayon's current threads and takes 28 bytes a pixel of `rows`: ask for a very large picture in bands.
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` hears, from any thread, how
+/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told, from any thread, how
 /// many rows are done.
 pub fn picture(
     world: &World,

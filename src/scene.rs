@@ -389,13 +389,13 @@ fn there_are(lights: &[String]) -> String {
 
 /// The names for a message: quoted, and no more than a person reads.
 pub fn listed(names: &[String]) -> String {
-    const MOST: usize = 20;
+    const MAX_LISTED: usize = 20;
     let quoted: Vec<String> = names
         .iter()
-        .take(MOST)
+        .take(MAX_LISTED)
         .map(|name| format!("{name:?}"))
         .collect();
-    match names.len().saturating_sub(MOST) {
+    match names.len().saturating_sub(MAX_LISTED) {
         0 => quoted.join(", "),
         more => format!("{} and {more} more", quoted.join(", ")),
     }

@@ -118,7 +118,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
             tolerance: 0.5,
         };
         let truth = reference::picture(&scene.world, &view, 0..360, &|| false, &|_| ())
-            .expect("nobody cancels it");
+            .expect("it is not cancelled");
         let workers = || Workers::alone(Level::new());
         let mut frame = Frame::new(Keep::Levels, workers());
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");

@@ -13,14 +13,14 @@ use fearless_simd::Level;
 
 use super::Failure;
 use crate::components::{Projection, ShadingMode};
-use crate::drawing::{Drawing, MOST_THREADS, all_cores};
+use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::{Output, say};
 use crate::scene::{self, LightChoice, Scene, SceneError};
 use crate::shading::MIN_TOLERANCE;
 use crate::simd;
 
 /// The longest side of a picture, in pixels.
-pub(super) const MOST_PIXELS: usize = 16_384;
+pub(super) const MAX_SIDE: usize = 16_384;
 /// The error allowed where none is named, in levels: no picture differs by more than one from its exact twin.
 const DEFAULT_TOLERANCE: f64 = 0.5;
 
@@ -203,19 +203,19 @@ fn size(text: &str) -> Result<[usize; 2], String> {
         .split_once('x')
         .ok_or("it is WIDTHxHEIGHT in pixels, such as 960x720")?;
     match (
-        whole_number(width, MOST_PIXELS),
-        whole_number(height, MOST_PIXELS),
+        whole_number(width, MAX_SIDE),
+        whole_number(height, MAX_SIDE),
     ) {
         (Some(width), Some(height)) => Ok([width, height]),
         _ => Err(format!(
-            "it is WIDTHxHEIGHT in pixels, 1x1 to {MOST_PIXELS}x{MOST_PIXELS}"
+            "it is WIDTHxHEIGHT in pixels, 1x1 to {MAX_SIDE}x{MAX_SIDE}"
         )),
     }
 }
 
 fn threads(text: &str) -> Result<usize, String> {
-    whole_number(text, MOST_THREADS)
-        .ok_or_else(|| format!("it is a whole number from 1 to {MOST_THREADS}"))
+    whole_number(text, MAX_THREADS)
+        .ok_or_else(|| format!("it is a whole number from 1 to {MAX_THREADS}"))
 }
 
 /// A number written in digits alone, 1..=`most`.

@@ -1,4 +1,4 @@
-//! One number of a scene at a time over its whole range in; how far four evaluations of Phong's model stray from the
+//! One number of a scene at a time over its whole range in; how far four evaluations of Phong's model differ from the
 //! enclosures of its exact levels out.
 //!
 //! ```text
@@ -151,7 +151,7 @@ pub fn measure(
     Ok(curves.into_iter().flatten().collect())
 }
 
-/// How far each evaluation strays in one picture.
+/// How far each evaluation errs in one picture.
 fn errors(spec: &SceneSpec, level: Level) -> Result<Errors, CaseError> {
     let half_a_level = RenderConfig {
         tolerance: 0.5,

@@ -152,10 +152,10 @@ fn a_cancelled_picture_is_none_and_a_finished_one_has_told_every_row() {
     let told = std::sync::Mutex::new(Vec::new());
     draw(&world, &view);
     picture(&world, &view, 0..30, &|| false, &|done| {
-        told.lock().expect("nobody panics").push(done);
+        told.lock().expect("no thread has panicked").push(done);
     })
     .expect("whole");
-    let mut told = told.into_inner().expect("nobody panics");
+    let mut told = told.into_inner().expect("no thread has panicked");
     told.sort_unstable();
     assert_eq!(told, (1..=30).collect::<Vec<_>>());
 }

@@ -108,7 +108,7 @@ pub fn shaded(mode: ShadingMode, view: &View) -> View {
 }
 
 pub fn draw(world: &World, view: &View) -> Truth {
-    picture(world, view, 0..view.size[1], &|| false, &|_| ()).expect("nobody cancels")
+    picture(world, view, 0..view.size[1], &|| false, &|_| ()).expect("it is not cancelled")
 }
 
 /// The first channel at a pixel.
