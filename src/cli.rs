@@ -24,7 +24,7 @@ use crate::output::{Output, quoted};
 use crate::shading::{METHODS, Method};
 use crate::trade;
 pub use failure::Failure;
-use options::{DrawingOptions, MOST_PIXELS, WorkerOptions};
+use options::{DrawingOptions, MAX_SIDE, WorkerOptions};
 pub use parsing::parse;
 
 /// The command line: a command, or the options of `view` without its name.
@@ -157,7 +157,9 @@ The script goes where the shell looks for completions, or is read by its start-u
 }
 
 impl Command {
-    /// Starts the threads that the reference works on, where it does; the renderer's are its own.
+    /// Starts the threads of whatever is not a frame, such as the reference; those that draw frames are the renderer's own.
+    ///
+    /// They are rayon's global threads, so that nothing else can start any: all cores' worth, and a panic if refused.
     ///
     /// # Errors
     /// When the system gives no threads.
@@ -165,6 +167,7 @@ impl Command {
         let threads = match self {
             Command::Render(options) if options.reference => options.drawing.workers.threads(),
             Command::Probe(options) => options.drawing.workers.threads(),
+            Command::Prove(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),
             // What is not timed may take every core.
             Command::Trade(_) => all_cores(),
@@ -187,7 +190,7 @@ pub struct RenderOptions {
     /// Where the PNG goes; `-` is standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Output,
-    /// Draws with the f64 reference instead of the renderer; --tolerance and --simd have no say then
+    /// Draws with the f64 reference instead of the renderer; --tolerance and --simd are not used then
     #[arg(long)]
     pub reference: bool,
 }
@@ -233,7 +236,7 @@ impl TradeOptions {
         }
         let mut drawing = self.drawing.open()?;
         if self.scale {
-            let most = MOST_PIXELS / trade::scale::LARGEST;
+            let most = MAX_SIDE / trade::scale::LARGEST;
             if drawing.size.iter().any(|side| *side > most) {
                 return Err(Failure::Usage(anyhow!(
                     "--scale draws pictures up to {} times as wide and high as --size, which is {most}x{most} at most then",

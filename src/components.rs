@@ -3,7 +3,7 @@
 //! ```text
 //! entity   the scene says                                           keys write             a frame derives
 //! cuboid   Name FileOrder Transform Mesh Material SceneShading      ShadingMode Spin       WorldTransform Normals VertexColors Projected
-//! light    Name Transform Light                                     Light.on
+//! light    Name FileOrder Transform Light                           Light.on
 //! camera   Name Transform Camera                                    ActiveCamera Orbit
 //! ```
 //! A [`View`] says how one frame is to be drawn; [`Lens`] and [`Illumination`] are what it derives once for all cuboids.
@@ -22,7 +22,8 @@ pub use self::camera::{ActiveCamera, Camera, Lens, Orbit, Projection, View, View
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name(pub String);
 
-/// A cuboid's place in the scene file, counted from 0: it numbers triangles and decides ties of depth.
+/// The place of a cuboid or a light among its kind in the scene file, counted from 0: cuboids are numbered and ties of
+/// depth decided by it, and lights are summed and listed in its order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FileOrder(pub u32);
 
@@ -267,14 +268,14 @@ pub struct Projected {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Polygon {
     /// x right and y down from the picture's top left corner, in 1/256 pixel, within +-2^30, counter-clockwise as seen.
-    pub vertices: [[i32; 2]; Polygon::MOST],
+    pub vertices: [[i32; 2]; Polygon::MAX_VERTICES],
     /// How many of them count: 0, or 3..=8.
     pub len: u8,
 }
 
 impl Polygon {
     /// A triangle, cut by the near plane and by the four sides of the guard band.
-    pub const MOST: usize = 8;
+    pub const MAX_VERTICES: usize = 8;
 
     /// The vertices that count.
     pub fn vertices(&self) -> &[[i32; 2]] {

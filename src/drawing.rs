@@ -1,6 +1,6 @@
 //! A scene and the choices made for it, brought together: what every command that draws is handed.
 //!
-//! Rule: whoever holds a [`Drawing`] need not check it again.
+//! Rule: a [`Drawing`] is valid; nothing that uses one checks it again.
 
 use std::num::NonZero;
 use std::thread::available_parallelism;
@@ -13,7 +13,7 @@ use crate::frame::Workers;
 use crate::scene::Scene;
 
 /// The most threads that draw: more than machines have cores, fewer than a process may start.
-pub const MOST_THREADS: usize = 1024;
+pub const MAX_THREADS: usize = 1024;
 
 /// A scene and how it is to be drawn, everything checked.
 pub struct Drawing {
@@ -61,5 +61,5 @@ impl Drawing {
 pub fn all_cores() -> usize {
     available_parallelism()
         .map_or(1, NonZero::get)
-        .min(MOST_THREADS)
+        .min(MAX_THREADS)
 }

@@ -28,6 +28,7 @@ use comfy_table::{ContentArrangement, Table, TableComponent, presets};
 use fearless_simd::Level;
 use serde::Serialize;
 
+use crate::memory;
 use crate::output::Output;
 use crate::trade::Progress;
 use crate::trade::export::json;
@@ -35,6 +36,9 @@ use crate::trade::progress::with_bar;
 use judge::{Fact, Judge, Known, levels_text};
 use renderer::{CaseError, Renderer};
 use scene_spec::{RenderConfig, SceneSpec};
+
+/// Bytes that the cases take but for the largest picture, whose memory is a case of its own.
+const MEMORY: usize = 512 << 20;
 
 /// Columns of the terminal.
 const WIDTH: u16 = 120;
@@ -168,11 +172,14 @@ pub struct Options {
     pub full: bool,
 }
 
-/// Examines every case; `progress` hears how many are done.
+/// Examines every case; `progress` is told how many are done.
 ///
 /// # Errors
-/// When the system gives no threads.
+/// When the system gives no threads, or not the memory.
 pub fn examine(options: Options, progress: &dyn Fn(Progress)) -> anyhow::Result<Vec<Outcome>> {
+    if options.full {
+        memory::check_for(|| "the table of extremes".to_owned(), MEMORY)?;
+    }
     let mut renderer = Renderer::new(options.level, options.threads, options.full)
         .context("cannot start the threads that draw")?;
     let cases = table();

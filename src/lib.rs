@@ -101,7 +101,7 @@
 //!
 //! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
-//! derivatives and so how far it strays. What the tolerance leaves decides how the biquadratic is drawn
+//! derivatives and so how far it errs. What the tolerance leaves decides how the biquadratic is drawn
 //! ([`shading::interpolation`]); where it leaves nothing the square is cut in four, and a square of 16 x 16 pixels is
 //! evaluated pixel by pixel. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
 //!
@@ -185,7 +185,7 @@
 //! components   canvas       memory       simd
 //! ```
 //!
-//! A module imports from lower layers only, and `tests/house.rs` reads this drawing. Beyond that: [`mod@reference`] takes
+//! A module imports from lower layers only, and `tests/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
 //! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric
 //! of [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; and minifb is named in [`window`] alone.
 //!

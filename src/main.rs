@@ -13,7 +13,9 @@ use shadetrade::window::{self, WindowError};
 use shadetrade::{extremes, output, pictures, probe, prove, trade};
 
 fn main() -> ExitCode {
-    match cli::parse(std::env::args_os()).and_then(run) {
+    let begun = output::survive_file_limits().map_err(Failure::from);
+    let command = begun.and_then(|()| cli::parse(std::env::args_os()));
+    match command.and_then(run) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }

@@ -8,23 +8,17 @@ use std::fmt;
 #[cfg(target_os = "linux")]
 use std::path::Path;
 
-/// Bytes up to which nobody asks how many there are.
+/// Allocations up to this, in bytes, are not checked.
 const LARGE: usize = 16 << 20;
 /// Bytes that are to stay free for everything that is small, whose refusal would end the program without a message.
 const SPARE: usize = 32 << 20;
 
-/// The picture does not fit in memory.
+/// Something large does not fit in memory.
 #[derive(Debug, thiserror::Error)]
-#[error(
-    "a picture of {}x{} pixels does not fit in memory: it takes {}, {}",
-    .size[0],
-    .size[1],
-    Bytes(*.needed),
-    Left(*.left)
-)]
+#[error("{what} does not fit in memory: it takes {}, {}", Bytes(*.needed), Left(*.left))]
 pub struct OutOfMemory {
-    /// Width and height in pixels.
-    pub size: [usize; 2],
+    /// What was to be allocated.
+    pub what: String,
     /// Bytes that were to be allocated.
     pub needed: usize,
     /// Bytes that can be had without anything being swapped or killed, where that is known.
@@ -36,21 +30,37 @@ pub struct OutOfMemory {
 /// # Errors
 /// When the system says that there are fewer.
 pub fn check(size: [usize; 2], needed: usize) -> Result<(), OutOfMemory> {
+    check_for(|| picture(size), needed)
+}
+
+/// Whether `needed` bytes more can be had for `what`.
+///
+/// # Errors
+/// When the system says that there are fewer.
+pub fn check_for(what: impl Fn() -> String, needed: usize) -> Result<(), OutOfMemory> {
     if needed <= LARGE {
         return Ok(());
     }
     let left = available().map(|bytes| bytes.saturating_sub(SPARE));
     match left {
-        Some(bytes) if bytes < needed => Err(OutOfMemory { size, needed, left }),
+        Some(bytes) if bytes < needed => Err(OutOfMemory {
+            what: what(),
+            needed,
+            left,
+        }),
         _ => Ok(()),
     }
+}
+
+fn picture([width, height]: [usize; 2]) -> String {
+    format!("a picture of {width}x{height} pixels")
 }
 
 /// An empty list with room for a value of every pixel of a picture of `size`.
 ///
 /// # Errors
 /// When the system says that there is no such room, or does not grant it.
-pub fn room_for_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
+pub fn reserve_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
     let pixels = size[0].saturating_mul(size[1]);
     let needed = pixels.saturating_mul(size_of::<T>());
     check(size, needed)?;
@@ -63,7 +73,7 @@ pub fn room_for_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
 /// What an allocation for a picture of `size` pixels, `needed` bytes in all, fails with.
 pub fn refused(size: [usize; 2], needed: usize) -> impl Fn(TryReserveError) -> OutOfMemory {
     move |_| OutOfMemory {
-        size,
+        what: picture(size),
         needed,
         left: None,
     }
@@ -257,6 +267,6 @@ mod tests {
                 && said.ends_with(" MB are left")
         );
         check([1, 1], LARGE).expect("what is small is not asked for");
-        assert!(room_for_pixels::<[u8; 1 << 40]>([16384, 16384]).is_err());
+        assert!(reserve_pixels::<[u8; 1 << 40]>([16384, 16384]).is_err());
     }
 }

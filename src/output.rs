@@ -96,10 +96,22 @@ pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     }
 }
 
+/// Makes a limit on the size of files an error of the write that exceeds it, as a full disk is: the signal that comes with
+/// it ends the program unless something handles it.
+///
+/// # Errors
+/// When the system refuses the handler.
+pub fn survive_file_limits() -> anyhow::Result<()> {
+    #[cfg(unix)]
+    signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default())
+        .context("cannot handle the signal of a full disk")?;
+    Ok(())
+}
+
 /// One line for the user, on standard error so that standard output holds nothing but what was asked for.
 pub fn say(line: &str) {
     let line = printable(line);
-    // Whoever closed standard error does not want to hear that it is closed.
+    // A closed standard error is no failure.
     let _ = writeln!(io::stderr(), "{line}");
 }
 
@@ -200,7 +212,7 @@ fn replace(
     let file = temporary_file(folder)?;
     buffered(file.as_file(), content)?;
     if let Some(old) = old {
-        // Only root may give a file away; whoever else replaces another's file owns the new one.
+        // Only root can change a file's owner. For all others the new file is their own.
         #[cfg(unix)]
         let _ = {
             use std::os::unix::fs::{MetadataExt, fchown};
@@ -254,9 +266,9 @@ fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
 /// Where `path` leads once it is no symbolic link any more, whether or not something is there.
 fn follow_links(path: &Path) -> io::Result<PathBuf> {
     // As many as Linux follows.
-    const MOST_LINKS: usize = 40;
+    const MAX_LINKS: usize = 40;
     let mut target = path.to_path_buf();
-    for _ in 0..MOST_LINKS {
+    for _ in 0..MAX_LINKS {
         match fs::read_link(&target) {
             Ok(next) => target = folder_of(&target).join(next),
             Err(_) => return Ok(target),
@@ -280,7 +292,7 @@ pub(crate) fn encode_png(
     pixels: &[u32],
     [width, height]: [usize; 2],
 ) -> io::Result<()> {
-    let mut bytes = memory::room_for_pixels([width, height]).map_err(io::Error::other)?;
+    let mut bytes = memory::reserve_pixels([width, height]).map_err(io::Error::other)?;
     bytes.extend(pixels.iter().map(|pixel| {
         let [_, red, green, blue] = pixel.to_be_bytes();
         [red, green, blue]

@@ -49,7 +49,7 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
 pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let view = drawing.view();
     let [width, height] = view.size;
-    let (mut pixels, mut covered) = (memory::room_for_pixels(view.size)?, 0);
+    let (mut pixels, mut covered) = (memory::reserve_pixels(view.size)?, 0);
     let begin = Instant::now();
     // In bands, since the reference holds seven times what the picture does.
     let rows_at_once = (PIXELS_AT_ONCE / width).max(1);
@@ -98,11 +98,11 @@ fn warm_frame(
     mut draw: impl FnMut() -> Result<(), OutOfMemory>,
 ) -> Result<(Duration, usize), OutOfMemory> {
     // Enough for a steady median of small pictures; a large one is steady by itself and should not keep anyone waiting.
-    const MOST_FRAMES: usize = 15;
+    const MAX_FRAMES: usize = 15;
     const ENOUGH: Duration = Duration::from_millis(200);
     let begin = Instant::now();
-    let mut times = Vec::with_capacity(MOST_FRAMES);
-    while times.len() < MOST_FRAMES && (times.len() % 2 == 0 || begin.elapsed() < ENOUGH) {
+    let mut times = Vec::with_capacity(MAX_FRAMES);
+    while times.len() < MAX_FRAMES && (times.len() % 2 == 0 || begin.elapsed() < ENOUGH) {
         let start = Instant::now();
         draw()?;
         times.push(start.elapsed());

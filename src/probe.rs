@@ -238,7 +238,37 @@ pub fn profile(
     })
 }
 
+/// Levels smaller than this are written as 0.
+const NEGLIGIBLE: f64 = 1e-6;
+/// Parts of a vector below this share of its largest are written as 0: they are what f64 makes of 0.
+const ROUNDING: f64 = 1e-12;
+
 impl Surface {
+    /// Every light's term, the sum as drawn and as it ought to be, and the bytes: what it is, then the cells of Gouraud
+    /// and of Phong.
+    pub fn table(&self) -> Vec<(String, [[String; 3]; 2])> {
+        let levels = |levels: [f64; 3]| numbers(levels, NEGLIGIBLE);
+        let truth = |truth: Option<Levels>| truth.map_or_else(nothing, |it| levels(it.levels));
+        let modes = [&self.gouraud, &self.phong];
+        let terms = self.lights.iter().enumerate();
+        let terms = terms.map(|(index, light)| {
+            let cells = modes.map(|mode| levels(mode.terms[index].1));
+            (light.name.clone(), cells)
+        });
+        let references = [self.reference.gouraud, self.reference.phong];
+        let sums = [
+            ("drawn", modes.map(|mode| levels(mode.levels))),
+            ("reference", references.map(truth)),
+            (
+                "bytes",
+                modes.map(|mode| mode.bytes.map(|byte| byte.to_string())),
+            ),
+        ];
+        terms
+            .chain(sums.map(|(name, cells)| (name.to_owned(), cells)))
+            .collect()
+    }
+
     /// The triangle by its number, and the reference's where that is another.
     pub fn triangle_label(&self) -> String {
         let own = self.triangle;
@@ -275,52 +305,38 @@ impl Probe {
             "  {:<12} {:>29}  {:>29}",
             "levels", "Gouraud", "Phong"
         ));
-        let row = |name: &str, gouraud: String, phong: String| {
-            format!("  {name:<12} {gouraud:>29}  {phong:>29}")
-        };
-        for ((name, gouraud), (_, phong)) in surface.gouraud.terms.iter().zip(&surface.phong.terms)
-        {
-            lines.push(row(name, levels(gouraud), levels(phong)));
-        }
-        lines.push(row(
-            "drawn",
-            levels(&surface.gouraud.levels),
-            levels(&surface.phong.levels),
-        ));
-        let truth = |truth: &Option<Levels>| {
-            truth.map_or_else(|| "-".to_owned(), |truth| levels(&truth.levels))
-        };
-        lines.push(row(
-            "reference",
-            truth(&surface.reference.gouraud),
-            truth(&surface.reference.phong),
-        ));
-        let bytes = |[red, green, blue]: [u8; 3]| format!("{red:>9} {green:>9} {blue:>9}");
-        lines.push(row(
-            "bytes",
-            bytes(surface.gouraud.bytes),
-            bytes(surface.phong.bytes),
-        ));
+        let joined = |cells: [String; 3]| cells.map(|cell| format!("{cell:>9}")).join(" ");
+        lines.extend(surface.table().into_iter().map(|(name, modes)| {
+            let [gouraud, phong] = modes.map(joined);
+            format!("  {name:<12} {gouraud}  {phong}")
+        }));
         lines
     }
 }
 
 fn vector(vector: Option<DVec3>) -> String {
-    vector.map_or_else(
-        || "-".to_owned(),
-        |v| format!("{} {} {}", number(v.x), number(v.y), number(v.z)),
-    )
-}
-
-fn levels(levels: &[f64; 3]) -> String {
-    levels.map(number).join(" ")
-}
-
-/// Nine characters, in plain notation as long as that says something.
-fn number(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
-        format!("{value:>9.3}")
-    } else {
-        format!("{value:>9.1e}")
+    match vector {
+        None => "-".to_owned(),
+        some => parts(some).map(|part| format!("{part:>9}")).join(" "),
     }
+}
+
+/// The cells of a vector.
+pub fn parts(vector: Option<DVec3>) -> [String; 3] {
+    let numbers = |it: DVec3| numbers(it.to_array(), ROUNDING * it.abs().max_element());
+    vector.map_or_else(nothing, numbers)
+}
+
+/// The cells of what does not exist.
+fn nothing() -> [String; 3] {
+    ["-"; 3].map(str::to_owned)
+}
+
+/// In plain notation as long as that says something, nine letters at most; 0 for what is `negligible`.
+fn numbers(values: [f64; 3], negligible: f64) -> [String; 3] {
+    values.map(|value| match value.abs() {
+        size if size <= negligible => "0".to_owned(),
+        1e-3..1e4 => format!("{value:.3}"),
+        _ => format!("{value:.1e}"),
+    })
 }

@@ -3,7 +3,7 @@
 //! ```text
 //! World --FRAME--> levels, bytes, triangles --+
 //!       --reference over intervals--> what each pixel may show --judge--> proven, refuted or undecided
-//!       --reference over f64--> truth --------+  how far it strays
+//!       --reference over f64--> truth --------+  how far it errs
 //! ```
 //!
 //! Rule: a pixel is proven if it shows a face that it may show and every value of that face's enclosure is within the limit
@@ -225,7 +225,7 @@ impl Proof {
 
 /// Draws the picture that `view` asks for and proves what can be proven of it, on rayon's current threads.
 ///
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` hears how many rows are done.
+/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told how many rows are done.
 ///
 /// # Errors
 /// When the picture does not fit in memory.
@@ -247,7 +247,7 @@ pub fn prove(
     let enclosures = Reference::<Interval>::new(world, view);
     let reference = Reference::<f64>::new(world, view);
     let mut proof = Proof {
-        marks: memory::room_for_pixels(view.size)?,
+        marks: memory::reserve_pixels(view.size)?,
         ..Proof::default()
     };
     for start in (0..height).step_by(BAND) {

@@ -72,6 +72,13 @@ struct Cuboid<R> {
     mode: ShadingMode,
 }
 
+/// The entities in file order, whatever order the world has them in.
+fn in_file_order<T>(entities: impl Iterator<Item = (FileOrder, T)>) -> Vec<T> {
+    let mut entities: Vec<_> = entities.collect();
+    entities.sort_by_key(|(order, _)| *order);
+    entities.into_iter().map(|(_, entity)| entity).collect()
+}
+
 /// What a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
@@ -82,25 +89,24 @@ pub struct Seen<R> {
 }
 
 impl<R: Real> Reference<R> {
-    /// The picture of `world` that `view` asks for; the view's tolerance has no say in it.
+    /// The picture of `world` that `view` asks for; the view's tolerance is not used.
     pub fn new(world: &World, view: &View) -> Self {
         let sight = Sight::new(view);
         let enclosed = Sight::<Interval>::new(view);
-        let lights: Vec<_> = world
-            .query::<(&Transform, &Light)>()
-            .iter()
-            .filter(|(_, light)| light.on)
-            .map(|(transform, light)| (transform.position, *light))
-            .collect();
-        let mut cuboids: Vec<_> = world
-            .query::<(
-                &FileOrder,
-                &Transform,
-                &Spin,
-                &Mesh,
-                &Material,
-                &ShadingMode,
-            )>()
+        let mut query = world.query::<(&FileOrder, &Transform, &Light)>();
+        let lights = query.iter().filter(|(_, _, light)| light.on);
+        let lights = in_file_order(
+            lights.map(|(order, transform, light)| (*order, (transform.position, *light))),
+        );
+        let mut query = world.query::<(
+            &FileOrder,
+            &Transform,
+            &Spin,
+            &Mesh,
+            &Material,
+            &ShadingMode,
+        )>();
+        let cuboids = query
             .iter()
             .map(|(order, transform, spin, mesh, material, mode)| {
                 let transform = &transform.spun(*spin);
@@ -113,10 +119,8 @@ impl<R: Real> Reference<R> {
                     mode: view.shading.unwrap_or(*mode),
                 };
                 (*order, cuboid)
-            })
-            .collect();
-        cuboids.sort_by_key(|(order, _)| *order);
-        let cuboids = cuboids.into_iter().map(|(_, cuboid)| cuboid).collect();
+            });
+        let cuboids = in_file_order(cuboids);
         Reference {
             sight,
             cuboids,
@@ -125,7 +129,7 @@ impl<R: Real> Reference<R> {
         }
     }
 
-    /// Evaluates the pixels of row `y` from left to right. `each` hears what every one of them may show: one thing, unless
+    /// Evaluates the pixels of row `y` from left to right. `each` is told what every one of them may show: one thing, unless
     /// an edge, a gate that may fall either way, or another cuboid at the same depth is near.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
         let here = |(_, cuboid): &(usize, &Cuboid<R>)| cuboid.solid.rows.contains(&y);
@@ -160,7 +164,7 @@ impl<R: Real> Reference<R> {
             for face in meeting.faces() {
                 let place = cuboid.solid.place(face, line);
                 // Where an edge is near, the centre may lie beside the face: its plane is seen there, or what is nearest.
-                let held = (!meeting.is_sure()).then(|| cuboid.solid.held(face, line));
+                let held = (!meeting.well_conditioned()).then(|| cuboid.solid.held(face, line));
                 for place in [Some(place), held].into_iter().flatten() {
                     for &is_first in cuboid.triangles(face, line, &place) {
                         let mut see = |open| {
@@ -304,10 +308,10 @@ fn on_screen<R: Real>(weights: [R; 3], depths: [R; 3]) -> [R; 3] {
     [a, b, c].map(|weight| weight / (a + b + c))
 }
 
-/// Evaluates `rows` of the picture of `world` that `view` asks for; the view's tolerance has no say in it.
+/// Evaluates `rows` of the picture of `world` that `view` asks for; the view's tolerance is not used.
 ///
 /// It works on rayon's current threads and takes 28 bytes a pixel of `rows`: ask for a very large picture in bands.
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` hears, from any thread, how
+/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told, from any thread, how
 /// many rows are done.
 pub fn picture(
     world: &World,

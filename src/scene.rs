@@ -14,6 +14,7 @@ mod file;
 mod keys;
 mod records;
 
+use std::io;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -24,9 +25,10 @@ pub use self::error::SceneError;
 pub(crate) use self::keys::key;
 pub(crate) use self::records::{CameraRecord, CuboidRecord, EMERALD, LightRecord, SceneRecord};
 use crate::components::{
-    ActiveCamera, Camera, Light, Material, Mesh, Name, Orbit, SceneShading, ShadingMode, Spin,
-    Transform, Viewpoint, cuboid,
+    ActiveCamera, Camera, FileOrder, Light, Material, Mesh, Name, Orbit, SceneShading, ShadingMode,
+    Spin, Transform, Viewpoint, cuboid,
 };
+use crate::memory;
 
 /// The scenes the program carries, as name and text; the first is the default.
 pub const BUILT_IN: [(&str, &str); 4] = [
@@ -41,6 +43,10 @@ pub const BUILT_IN: [(&str, &str); 4] = [
         include_str!("../assets/scenes/assignment.toml"),
     ),
 ];
+
+/// Memory that parsing takes for a byte of text: of an array of numbers of one digit, the densest text there is, 95; of
+/// usual scenes 45.
+const BYTES_PER_BYTE: usize = 100;
 
 fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
     BUILT_IN.iter().find(|(name, _)| path.as_os_str() == *name)
@@ -61,6 +67,8 @@ pub struct Scene {
     pub world: World,
     /// Levels where nothing is drawn.
     pub background: DVec3,
+    /// What the format allows and is probably a slip, with its place.
+    pub warning: Option<String>,
     /// In file order; at least one.
     pub cuboids: Vec<Entity>,
     /// In file order.
@@ -96,12 +104,26 @@ impl Scene {
     /// The scene that `text` describes; `name` is what the scene and its errors call it.
     ///
     /// # Errors
-    /// When the text is no valid scene: the first thing wrong, with its place.
+    /// When the text is no valid scene: the first thing wrong, with its place. When there is no memory to parse it in.
     pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
         // Some editors put a byte order mark before the text; it is in no line and no column.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        memory::check_for(
+            || "what it describes".to_owned(),
+            text.len() * BYTES_PER_BYTE,
+        )
+        .map_err(|full| SceneError::Unreadable {
+            path: name.to_owned(),
+            cause: io::Error::new(io::ErrorKind::OutOfMemory, full),
+            hint: String::new(),
+        })?;
         match SceneRecord::read(text) {
-            Ok(record) => Ok(Scene::spawn(name.to_owned(), &record)),
+            Ok(record) => {
+                let mut scene = Scene::spawn(name.to_owned(), &record);
+                let slip = record.slip().map(|slip| slip.locate(name, text));
+                scene.warning = slip.map(|slip| slip.to_string());
+                Ok(scene)
+            }
             Err(fault) => Err(fault.locate(name, text)),
         }
     }
@@ -119,23 +141,16 @@ impl Scene {
             world.spawn(cuboid(order, name, transform, mesh, material, *it.shading))
         });
         let cuboids = cuboids.collect();
-        let lights = record.light.iter();
-        let lights = lights.map(|it| {
-            world.spawn((
-                Name(it.name.to_string()),
-                Transform::at(it.place()),
-                it.light(),
-            ))
+        let lights = record.light.iter().enumerate();
+        let lights = lights.map(|(order, it)| {
+            let (name, order) = (Name(it.name.to_string()), FileOrder(order as u32));
+            world.spawn((name, order, Transform::at(it.place()), it.light()))
         });
         let lights = lights.collect();
         let cameras = record.camera.iter().map(|it| {
             let place = Transform::at(*it.position);
-            world.spawn((
-                Name(it.name.to_string()),
-                place,
-                it.camera(),
-                Orbit::default(),
-            ))
+            let name = Name(it.name.to_string());
+            world.spawn((name, place, it.camera(), Orbit::default()))
         });
         let cameras = cameras.collect();
         let mut scene = Scene {
@@ -143,6 +158,7 @@ impl Scene {
             path: None,
             world,
             background: *record.background,
+            warning: None,
             cuboids,
             lights,
             cameras,
@@ -406,13 +422,13 @@ fn there_are(lights: &[String]) -> String {
 
 /// The names for a message: quoted, and no more than a person reads.
 pub fn listed(names: &[String]) -> String {
-    const MOST: usize = 20;
+    const MAX_LISTED: usize = 20;
     let quoted: Vec<String> = names
         .iter()
-        .take(MOST)
+        .take(MAX_LISTED)
         .map(|name| format!("{name:?}"))
         .collect();
-    match names.len().saturating_sub(MOST) {
+    match names.len().saturating_sub(MAX_LISTED) {
         0 => quoted.join(", "),
         more => format!("{} and {more} more", quoted.join(", ")),
     }

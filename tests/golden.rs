@@ -9,9 +9,9 @@ use std::process::Command;
 use image::RgbImage;
 
 /// A byte may differ by this much: another machine's libm may round the other way.
-const MOST_LEVELS: u8 = 1;
+const MAX_LEVELS: u8 = 1;
 /// So many pixels may differ by more: on an edge, for the same reason, coverage may fall the other way.
-const MOST_EDGE_PIXELS: usize = 12;
+const MAX_EDGE_PIXELS: usize = 12;
 
 const FIGURES: [&str; 6] = [
     "gouraud-camera-1",
@@ -43,7 +43,7 @@ fn compare(expected: &RgbImage, actual: &RgbImage) -> (usize, RgbImage) {
     for (x, y, pixel) in expected.enumerate_pixels() {
         let other = actual.get_pixel(x, y);
         let difference = [0, 1, 2].map(|channel| pixel[channel].abs_diff(other[channel]));
-        wrong += usize::from(difference.iter().any(|&levels| levels > MOST_LEVELS));
+        wrong += usize::from(difference.iter().any(|&levels| levels > MAX_LEVELS));
         sheet.put_pixel(x, y, *pixel);
         sheet.put_pixel(width + x, y, *other);
         sheet.put_pixel(
@@ -75,7 +75,7 @@ fn the_figures_look_as_they_did() {
             fs::copy(&drawn, golden(figure)).expect("assets/golden can be written");
         }
         let (wrong, sheet) = compare(&open(&golden(figure)), &open(&drawn));
-        if wrong > MOST_EDGE_PIXELS {
+        if wrong > MAX_EDGE_PIXELS {
             let path = folder.join(format!("{figure}-difference.png"));
             sheet
                 .save(&path)
@@ -93,5 +93,5 @@ fn the_figures_look_as_they_did() {
 fn a_changed_figure_is_noticed() {
     let expected = open(&golden("phong-camera-1"));
     assert_eq!(compare(&expected, &expected).0, 0);
-    assert!(compare(&expected, &open(&golden("gouraud-camera-1"))).0 > MOST_EDGE_PIXELS);
+    assert!(compare(&expected, &open(&golden("gouraud-camera-1"))).0 > MAX_EDGE_PIXELS);
 }

@@ -118,7 +118,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
             tolerance: 0.5,
         };
         let truth = reference::picture(&scene.world, &view, 0..360, &|| false, &|_| ())
-            .expect("nobody cancels it");
+            .expect("it is not cancelled");
         let workers = || Workers::alone(Level::new());
         let mut frame = Frame::new(Keep::Levels, workers());
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
@@ -258,16 +258,16 @@ fn the_lines_for_a_person_say_all_of_it_in_columns() {
     let expected = "\
 pixel 31,7: cube, triangle 9 (reference: 8)
   position      1.000   -20.500     1.5e9
-  normal  n     0.000     0.000     1.000
+  normal  n         0         0     1.000
   to eye  o -
   lamp (diffuse)
-    to light  l     0.600     0.800     0.000
-    reflected r    -0.600    -0.800    -0.000
+    to light  l     0.600     0.800         0
+    reflected r    -0.600    -0.800         0
   levels                             Gouraud                          Phong
   sky              0.250     0.250     0.250      0.250     0.250     0.250
   lamp            12.500    9.9e-4     1.0e5    100.250    9.9e-4     1.0e5
-  drawn           12.500     0.000    -1.000    100.250     0.000    -1.000
-  reference                                -    100.000 99999.000     0.001
+  drawn           12.500         0    -1.000    100.250         0    -1.000
+  reference            -         -         -    100.000     1.0e5     0.001
   bytes               13         0       255        100         0       255";
     assert_eq!(made_up().lines().join("\n"), expected);
     let background = Probe {

@@ -12,7 +12,7 @@ use glam::DVec3;
 use hecs::World;
 use libfuzzer_sys::fuzz_target;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
     Viewpoint, cuboid as components_of, length, unit,
 };
 
@@ -105,11 +105,9 @@ fn light(u: &mut Unstructured, scale: f64, world: &mut World) -> Result<()> {
         gain: *u.choose(&[1.0, 100.0, 1e30])?,
         on: true,
     };
-    let transform = Transform {
-        position: scaled(u, scale, COORDINATES)?,
-        rotation: DVec3::ZERO,
-    };
-    world.spawn((Name("light".into()), transform, light));
+    let transform = Transform::at(scaled(u, scale, COORDINATES)?);
+    let order = FileOrder(world.query_mut::<&Light>().into_iter().count() as u32);
+    world.spawn((Name("light".into()), order, transform, light));
     Ok(())
 }
 

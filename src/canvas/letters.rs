@@ -62,27 +62,27 @@ pub fn fit(text: &str, letters: usize) -> String {
 /// `text` in lines of at most `letters`, broken between words where that is possible.
 pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
-    let mut room = letters;
+    let mut free = letters;
     for word in text.split_whitespace() {
         let length = word.chars().count();
-        if room < letters && length < room {
+        if free < letters && length < free {
             if let Some(line) = lines.last_mut() {
                 line.push(' ');
             }
-            room -= 1;
-        } else if room < letters {
+            free -= 1;
+        } else if free < letters {
             lines.push(String::new());
-            room = letters;
+            free = letters;
         }
         for letter in word.chars() {
-            if room == 0 {
+            if free == 0 {
                 lines.push(String::new());
-                room = letters;
+                free = letters;
             }
             if let Some(line) = lines.last_mut() {
                 line.push(letter);
             }
-            room -= 1;
+            free -= 1;
         }
     }
     lines

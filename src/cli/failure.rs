@@ -32,7 +32,7 @@ impl Failure {
         let lines: Vec<&str> = text
             .trim_start_matches("error: ")
             .lines()
-            // A tip for whoever has a scene called like an option hides the slip that it nearly always is.
+            // That tip is for scenes named like an option; a mistyped option is far more likely.
             .filter(|line| !line.trim().is_empty() && !line.starts_with("  tip: to pass "))
             .collect();
         let end = lines.iter().position(|line| line.starts_with("Usage:"));

@@ -3,6 +3,7 @@
 //! Rule: everything is checked before anything is allocated, and whatever is wrong names what would be right.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use anyhow::anyhow;
@@ -12,14 +13,14 @@ use fearless_simd::Level;
 
 use super::Failure;
 use crate::components::{Projection, ShadingMode};
-use crate::drawing::{Drawing, MOST_THREADS, all_cores};
-use crate::output::Output;
-use crate::scene::{self, LightChoice, Scene};
+use crate::drawing::{Drawing, MAX_THREADS, all_cores};
+use crate::output::{Output, say};
+use crate::scene::{self, LightChoice, Scene, SceneError};
 use crate::shading::MIN_TOLERANCE;
 use crate::simd;
 
 /// The longest side of a picture, in pixels.
-pub(super) const MOST_PIXELS: usize = 16_384;
+pub(super) const MAX_SIDE: usize = 16_384;
 /// The error allowed where none is named, in levels: no picture differs by more than one from its exact twin.
 const DEFAULT_TOLERANCE: f64 = 0.5;
 
@@ -74,13 +75,22 @@ impl DrawingOptions {
     /// Loads the scene and looks up in it what the options name.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light.
+    /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light; [`Failure::Work`] when it does not fit
+    /// in memory.
     pub fn open(&self) -> Result<Drawing, Failure> {
         let mut scene = match &self.scene {
             Some(path) => Scene::load_path(path),
             None => Scene::load(None),
         }
-        .map_err(|error| Failure::Usage(error.into()))?;
+        .map_err(|error| match &error {
+            SceneError::Unreadable { cause, .. } if cause.kind() == ErrorKind::OutOfMemory => {
+                Failure::Work(error.into())
+            }
+            _ => Failure::Usage(error.into()),
+        })?;
+        if let Some(warning) = &scene.warning {
+            say(&format!("warning: {warning}"));
+        }
         let camera = match &self.camera {
             None => 0,
             Some(name) => scene
@@ -193,19 +203,19 @@ fn size(text: &str) -> Result<[usize; 2], String> {
         .split_once('x')
         .ok_or("it is WIDTHxHEIGHT in pixels, such as 960x720")?;
     match (
-        whole_number(width, MOST_PIXELS),
-        whole_number(height, MOST_PIXELS),
+        whole_number(width, MAX_SIDE),
+        whole_number(height, MAX_SIDE),
     ) {
         (Some(width), Some(height)) => Ok([width, height]),
         _ => Err(format!(
-            "it is WIDTHxHEIGHT in pixels, 1x1 to {MOST_PIXELS}x{MOST_PIXELS}"
+            "it is WIDTHxHEIGHT in pixels, 1x1 to {MAX_SIDE}x{MAX_SIDE}"
         )),
     }
 }
 
 fn threads(text: &str) -> Result<usize, String> {
-    whole_number(text, MOST_THREADS)
-        .ok_or_else(|| format!("it is a whole number from 1 to {MOST_THREADS}"))
+    whole_number(text, MAX_THREADS)
+        .ok_or_else(|| format!("it is a whole number from 1 to {MAX_THREADS}"))
 }
 
 /// A number written in digits alone, 1..=`most`.

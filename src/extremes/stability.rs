@@ -1,4 +1,4 @@
-//! One number of a scene at a time over its whole range in; how far four evaluations of Phong's model stray from the
+//! One number of a scene at a time over its whole range in; how far four evaluations of Phong's model differ from the
 //! enclosures of its exact levels out.
 //!
 //! ```text
@@ -18,9 +18,7 @@ mod textbook;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use anyhow::Context;
 use fearless_simd::Level;
-use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -153,7 +151,7 @@ pub fn measure(
     Ok(curves.into_iter().flatten().collect())
 }
 
-/// How far each evaluation strays in one picture.
+/// How far each evaluation errs in one picture.
 fn errors(spec: &SceneSpec, level: Level) -> Result<Errors, CaseError> {
     let half_a_level = RenderConfig {
         tolerance: 0.5,
@@ -204,11 +202,7 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
     if let Some(folder) = out {
         make_writable(folder)?;
     }
-    let pool = ThreadPoolBuilder::new()
-        .num_threads(options.threads)
-        .build()
-        .context("cannot start the threads that sweep")?;
-    let curves = with_bar(|progress| pool.install(|| measure(SWEEPS, options.level, progress)))?;
+    let curves = with_bar(|progress| measure(SWEEPS, options.level, progress))?;
     let text = if as_json {
         json(&curves)?
     } else {

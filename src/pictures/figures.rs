@@ -10,12 +10,16 @@ use super::sheet::{Cell, Picture, half, sheet};
 use crate::components::{Projection, ShadingMode, View};
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
+use crate::memory;
 use crate::output::{Output, make_folder, say};
 use crate::scene::{LightChoice, Scene};
 use crate::systems;
 
 /// Width and height of a figure, in pixels.
 const SIZE: [usize; 2] = [960, 720];
+
+/// Bytes that all pictures take that are held at once, the file that is written among them.
+const MEMORY: usize = 28 << 20;
 
 /// One picture of the built-in scene, and what its label says.
 struct Figure {
@@ -92,9 +96,11 @@ const COMPONENTS: [(Figure, &str); 4] = {
 /// # Errors
 /// When the folder cannot be made or a file cannot be written; the files before it are then there.
 pub fn figures(folder: &Path) -> Result<()> {
+    memory::check_for(|| "the sheet of figures".to_owned(), MEMORY)?;
     make_folder(folder)?;
     let mut scene = Scene::load(None)?;
-    let workers = Workers::new(all_cores(), fearless_simd::Level::new())?;
+    let workers = Workers::new(all_cores(), fearless_simd::Level::new())
+        .context("cannot start the threads that draw")?;
     let mut frame = Frame::new(Keep::Display, workers);
     let write = |name: &str, picture: &Picture| {
         let path = folder.join(name).with_extension("png");

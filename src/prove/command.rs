@@ -5,7 +5,6 @@
 use std::time::Instant;
 
 use anyhow::{Context, bail};
-use rayon::ThreadPoolBuilder;
 use serde::Serialize;
 
 use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
@@ -92,10 +91,6 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
 }
 
 fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
-    let pool = ThreadPoolBuilder::new()
-        .num_threads(drawing.threads)
-        .build();
-    let pool = pool.context("cannot start the threads that prove")?;
     let workers = [(), ()].map(|()| Workers::alone(drawing.level));
     let world = &mut drawing.scene.world;
     let proof = progress::with_bar(|on_progress| {
@@ -105,7 +100,7 @@ fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
                 share: rows as f64 / view.size[1] as f64,
             });
         };
-        pool.install(|| prove(world, view, workers, &|| false, &done))
+        prove(world, view, workers, &|| false, &done)
     })?;
     proof.context("the proof was cancelled")
 }

@@ -29,7 +29,7 @@ pub const TIES: usize = 3;
 const ALL: Open = (1 << TIES) - 1;
 
 /// A light that is on, as a cuboid sees it.
-pub struct Lamp<R> {
+pub struct LightTerm<R> {
     pub kind: LightKind,
     /// Which of the sources; none for an ambient light.
     pub source: Option<usize>,
@@ -79,7 +79,7 @@ pub struct Surface<R> {
     ambient: Vector<R>,
     sources: Vec<Source<R>>,
     /// Every light that is on, in file order.
-    pub lamps: Vec<Lamp<R>>,
+    pub light_terms: Vec<LightTerm<R>>,
     corners: [Corner<R>; 8],
     /// The levels at the corners with tied gates closed, and open.
     corner_levels: [[Lit<R>; 8]; 2],
@@ -98,7 +98,7 @@ impl<R: Real> Surface<R> {
         let mut ambient = zero;
         let mut sources: Vec<Source<R>> = Vec::new();
         let mut found = HashMap::new();
-        let mut lamps = Vec::new();
+        let mut light_terms = Vec::new();
         for (position, light) in lights {
             let coefficient = match light.kind {
                 LightKind::Ambient => material.ambient,
@@ -133,7 +133,7 @@ impl<R: Real> Surface<R> {
                 }
                 _ => ambient = ambient + levels,
             }
-            lamps.push(Lamp {
+            light_terms.push(LightTerm {
                 kind: light.kind,
                 source,
                 levels,
@@ -155,7 +155,7 @@ impl<R: Real> Surface<R> {
             shininess: material.shininess,
             ambient,
             sources,
-            lamps,
+            light_terms,
             corners,
             corner_levels: [[Lit {
                 levels: zero,

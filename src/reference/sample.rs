@@ -6,8 +6,8 @@ use hecs::World;
 use super::illumination::{Incidence, blend, reflection};
 use super::sight::Solid;
 use super::vector::Vector;
-use super::{Cuboid, Reference, arrange, first};
-use crate::components::{Light, LightKind, Name, View};
+use super::{Cuboid, Reference, arrange, first, in_file_order};
+use crate::components::{FileOrder, Light, LightKind, Name, View};
 
 /// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,38 +65,43 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
         let [x, y, z] = v.0;
         (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
     };
-    let mut query = world.query::<(&Name, &Light)>();
-    let names = query.iter().filter(|(_, light)| light.on);
-    let lights = surface.lamps.iter().zip(names).map(|(lamp, (name, _))| {
-        let term = |incidence: Incidence<f64>| match lamp.kind {
-            LightKind::Ambient => lamp.levels,
-            LightKind::Diffuse => lamp.levels * incidence.diffuse,
-            LightKind::Specular => lamp.levels * incidence.specular,
-        };
-        let to_light = lamp
-            .source
-            .map(|source| surface.to_light(source, &place, line));
-        let to_light = to_light.filter(|to_light| to_light.to_dvec3() != DVec3::ZERO);
-        let nothing = Incidence {
-            diffuse: 0.0,
-            specular: 0.0,
-        };
-        let at_point = to_light.map_or(nothing, |to_light| {
-            surface.incidence(normal, to_eye, to_light, false)
+    let mut query = world.query::<(&FileOrder, &Name, &Light)>();
+    let names = query.iter().filter(|(_, _, light)| light.on);
+    let names = in_file_order(names.map(|(order, name, _)| (*order, name.0.clone())));
+    let lights = surface
+        .light_terms
+        .iter()
+        .zip(names)
+        .map(|(light_term, name)| {
+            let term = |incidence: Incidence<f64>| match light_term.kind {
+                LightKind::Ambient => light_term.levels,
+                LightKind::Diffuse => light_term.levels * incidence.diffuse,
+                LightKind::Specular => light_term.levels * incidence.specular,
+            };
+            let to_light = light_term
+                .source
+                .map(|source| surface.to_light(source, &place, line));
+            let to_light = to_light.filter(|to_light| to_light.to_dvec3() != DVec3::ZERO);
+            let nothing = Incidence {
+                diffuse: 0.0,
+                specular: 0.0,
+            };
+            let at_point = to_light.map_or(nothing, |to_light| {
+                surface.incidence(normal, to_eye, to_light, false)
+            });
+            let at_corners = corners.map(|corner| {
+                let source = light_term.source;
+                term(source.map_or(nothing, |source| surface.at_corner(corner, source)))
+            });
+            LightSample {
+                name,
+                kind: light_term.kind,
+                to_light: to_light.map(to_world),
+                reflected: to_light.map(|to_light| to_world(reflection(normal, to_light))),
+                gouraud: blend(at_corners, weights).to_dvec3(),
+                phong: term(at_point).to_dvec3(),
+            }
         });
-        let at_corners = corners.map(|corner| {
-            let source = lamp.source;
-            term(source.map_or(nothing, |source| surface.at_corner(corner, source)))
-        });
-        LightSample {
-            name: name.0.clone(),
-            kind: lamp.kind,
-            to_light: to_light.map(to_world),
-            reflected: to_light.map(|to_light| to_world(reflection(normal, to_light))),
-            gouraud: blend(at_corners, weights).to_dvec3(),
-            phong: term(at_point).to_dvec3(),
-        }
-    });
     Some(Sample {
         object: met.object,
         triangle,

@@ -187,7 +187,7 @@ fn all(known: impl Iterator<Item = Option<bool>>) -> Option<bool> {
 
 impl Meeting {
     /// Whether no edge is near.
-    pub fn is_sure(self) -> bool {
+    pub fn well_conditioned(self) -> bool {
         self.is_certain && self.faces.is_power_of_two()
     }
 

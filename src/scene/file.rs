@@ -36,7 +36,7 @@ fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whoever gave a bare name that is no file meant a built-in scene.
+/// A bare name that is no file was probably meant as a built-in scene.
 fn hint(path: &Path, cause: &io::Error) -> String {
     let is_plain = path.components().count() == 1 && path.extension().is_none();
     if cause.kind() != io::ErrorKind::NotFound || !is_plain {

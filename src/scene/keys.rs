@@ -162,10 +162,10 @@ impl<'de, F: Form> Visitor<'de> for FormVisitor<F> {
     }
 }
 
-/// A number from `LEAST` to `MOST`; whole numbers may be written without a point.
+/// A number from `MIN` to `MAX`; whole numbers may be written without a point.
 pub trait Interval {
-    const LEAST: f64;
-    const MOST: f64;
+    const MIN: f64;
+    const MAX: f64;
     /// The same in words.
     const WORDS: &str;
 }
@@ -176,8 +176,8 @@ macro_rules! intervals {
         pub struct $name;
 
         impl Interval for $name {
-            const LEAST: f64 = $least;
-            const MOST: f64 = $most;
+            const MIN: f64 = $least;
+            const MAX: f64 = $most;
             const WORDS: &str = $words;
         }
     )*};
@@ -208,7 +208,7 @@ impl<I: Interval> Form for I {
     }
 
     fn number(number: f64) -> Option<f64> {
-        (I::LEAST..=I::MOST).contains(&number).then_some(number)
+        (I::MIN..=I::MAX).contains(&number).then_some(number)
     }
 }
 
@@ -312,14 +312,14 @@ impl<T: Headed + for<'de> Deserialize<'de>> Form for Table<T> {
     }
 }
 
-/// At least `LEAST` such tables.
-pub struct Tables<T, const LEAST: usize>(PhantomData<T>);
+/// At least `MIN` such tables.
+pub struct Tables<T, const MIN: usize>(PhantomData<T>);
 
-impl<T: Headed + for<'de> Deserialize<'de>, const LEAST: usize> Form for Tables<T, LEAST> {
+impl<T: Headed + for<'de> Deserialize<'de>, const MIN: usize> Form for Tables<T, MIN> {
     type Value = Vec<T>;
 
     fn words() -> String {
-        let count = if LEAST > 0 {
+        let count = if MIN > 0 {
             "one or more"
         } else {
             "any number of"
@@ -330,6 +330,6 @@ impl<T: Headed + for<'de> Deserialize<'de>, const LEAST: usize> Form for Tables<
     fn list<'de, A: SeqAccess<'de>>(list: A) -> Result<Option<Vec<T>>, A::Error> {
         let tables = Vec::<Key<Table<T>>>::deserialize(SeqAccessDeserializer::new(list))?;
         let tables: Vec<T> = tables.into_iter().map(|table| table.value).collect();
-        Ok(Some(tables).filter(|tables| tables.len() >= LEAST))
+        Ok(Some(tables).filter(|tables| tables.len() >= MIN))
     }
 }

@@ -129,6 +129,16 @@ impl SceneRecord {
         Ok(scene)
     }
 
+    /// The first light whose colour is written in levels, which makes it some 255 times as bright as was meant.
+    pub fn slip(&self) -> Option<Fault> {
+        let light = self.light.iter().find(|it| it.color.max_element() > 1.0)?;
+        let message = format!(
+            "`light.color`: {:?} is above 1; a colour is usually from 0 to 1, and `intensity` says how bright it is",
+            light.color.max_element()
+        );
+        Some(Fault::new(light.color.span.clone(), message))
+    }
+
     /// The text that is read again as these records.
     pub fn write(&self) -> String {
         toml::to_string(self).expect("TOML has numbers, texts, arrays and tables")

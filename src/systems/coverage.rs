@@ -82,7 +82,7 @@ impl Edge {
 
 /// A polygon being scanned downwards.
 pub struct Scan {
-    edges: [Edge; Polygon::MOST],
+    edges: [Edge; Polygon::MAX_VERTICES],
     len: usize,
     row: i64,
     end: i64,
@@ -97,7 +97,7 @@ impl Scan {
     /// Scans the rows of a picture `width` pixels wide that lie in `rows`.
     pub fn new(polygon: &Polygon, rows: Range<usize>, width: usize) -> Scan {
         let mut scan = Scan {
-            edges: [Edge::default(); Polygon::MOST],
+            edges: [Edge::default(); Polygon::MAX_VERTICES],
             len: 0,
             row: rows.end as i64,
             end: 0,

@@ -42,7 +42,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     }
 }
 
-/// Sums the lights that are on: the ambient ones in file order, the others by position.
+/// Sums the lights that are on, by position; an ambient light counts as one at infinity, where no other can be.
 ///
 /// Sorting brings lights at one position together without a search among all the others for each. What would tell two
 /// of them apart is sorted too, so that the sums do not depend on how the sort treats equals.
@@ -50,19 +50,15 @@ pub fn gather<'a>(
     lights: impl Iterator<Item = (&'a Transform, &'a Light)>,
     illumination: &mut Illumination,
 ) {
-    illumination.ambient = DVec3::ZERO;
     illumination.points.clear();
     for (transform, light) in lights.filter(|(_, light)| light.on) {
-        let (diffuse, specular) = match light.kind {
-            LightKind::Ambient => {
-                illumination.ambient += light.levels();
-                continue;
-            }
-            LightKind::Diffuse => (light.levels(), DVec3::ZERO),
-            LightKind::Specular => (DVec3::ZERO, light.levels()),
+        let (position, diffuse, specular) = match light.kind {
+            LightKind::Ambient => (DVec3::INFINITY, light.levels(), DVec3::ZERO),
+            LightKind::Diffuse => (transform.position, light.levels(), DVec3::ZERO),
+            LightKind::Specular => (transform.position, DVec3::ZERO, light.levels()),
         };
         illumination.points.push(PointLight {
-            position: transform.position,
+            position,
             diffuse,
             specular,
         });
@@ -71,7 +67,7 @@ pub fn gather<'a>(
         [point.position, point.diffuse, point.specular].map(|vector| vector.to_array())
     };
     let points = &mut illumination.points;
-    // Scenes hold finite numbers alone, and those all compare.
+    // No number of a scene is NaN, so all compare.
     points.sort_unstable_by(|one, other| key(one).partial_cmp(&key(other)).unwrap_or(Equal));
     points.dedup_by(|later, first| {
         let together = later.position == first.position;
@@ -81,6 +77,8 @@ pub fn gather<'a>(
         }
         together
     });
+    let ambient = points.pop_if(|last| last.position == DVec3::INFINITY);
+    illumination.ambient = ambient.map_or(DVec3::ZERO, |all| all.diffuse);
 }
 
 /// The model at the corners, in levels, unclamped.
@@ -103,30 +101,32 @@ pub fn vertex_colors(
 
 #[cfg(test)]
 mod tests {
+    use std::array::from_fn;
+
     use super::*;
 
     fn at(x: f64) -> Transform {
-        Transform {
-            position: DVec3::new(x, 0.0, 0.0),
-            rotation: DVec3::ZERO,
-        }
+        Transform::at(DVec3::X * x)
     }
 
     #[test]
     fn lights_are_the_same_in_whatever_order_they_come() {
         // Sums of these three depend on their order: (1e16 + 1) + 1 is not 1e16 + (1 + 1).
-        let lights = [1.0, 1e16, 1.0].map(|intensity| Light {
-            kind: LightKind::Diffuse,
+        let light = |kind, intensity| Light {
+            kind,
             color: DVec3::new(1.0, 0.5, 0.0),
             intensity,
             gain: 2.0,
             on: true,
-        });
+        };
         let places = [at(3.0), at(-2.0), at(3.0), at(3.0), at(-0.0), at(0.0)];
+        let sizes = [1.0, 1e16, 1.0];
+        let lights: [Light; 6] = from_fn(|it| light(LightKind::Diffuse, sizes[it % 3]));
+        let ambient: [Light; 6] = from_fn(|it| light(LightKind::Ambient, sizes[it % 3]));
         let gathered = |order: [usize; 6]| {
             let mut illumination = Illumination::default();
-            let pairs = order.map(|index| (&places[index], &lights[index % 3]));
-            gather(pairs.into_iter(), &mut illumination);
+            let pairs = order.map(|it| [(&places[it], &lights[it]), (&places[it], &ambient[it])]);
+            gather(pairs.into_iter().flatten(), &mut illumination);
             illumination
         };
         let expected = gathered([0, 1, 2, 3, 4, 5]);

@@ -61,7 +61,7 @@ const BYTES_PER_PIXEL: usize = 3 * 28 + 24 + 2 * 3 + 2 * 16 + 3 + METHODS.len();
 /// # Errors
 /// When there is not.
 pub(super) fn check_memory(size: [usize; 2]) -> Result<(), OutOfMemory> {
-    let room: Vec<[u8; BYTES_PER_PIXEL]> = memory::room_for_pixels(size)?;
+    let room: Vec<[u8; BYTES_PER_PIXEL]> = memory::reserve_pixels(size)?;
     // Without it the compiler may leave out an allocation that nobody uses.
     std::hint::black_box(&room);
     Ok(())

@@ -5,6 +5,8 @@
 
 mod legend;
 
+pub(crate) use legend::draw_scale;
+
 use super::metrics::{Picture, pixel_error};
 use crate::frame::{NO_TRIANGLE, display_step};
 

@@ -138,7 +138,7 @@ pub(super) fn place(report: &Report) -> String {
 }
 
 /// How a frame of the last method divides into stages.
-fn stages(report: &Report) -> String {
+pub(crate) fn stages(report: &Report) -> String {
     let Some(last) = report.methods.last() else {
         return String::new();
     };

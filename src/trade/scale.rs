@@ -1,15 +1,15 @@
 //! One view of a scene in; how the time of a frame grows with pixels, lights, cuboids and threads out.
 //!
 //! ```text
-//! Request --scenes--> settings --frames by the clock, in turns--> Scaling --growth--> report, scale.json
+//! Request --scenes--> configurations --frames by the clock, in turns--> Scaling --growth--> report, scale.json
 //! ```
 //!
-//! Rule: the settings of a series take turns as methods do, so that their ratios are fair; one frame is held at a time.
+//! Rule: the configurations of a series take turns as methods do, so that their ratios are fair; one frame is held at a time.
 
+mod configurations;
 pub mod growth;
 pub mod report;
 mod scenes;
-mod settings;
 
 use std::cell::RefCell;
 use std::path::Path;
@@ -26,14 +26,14 @@ use crate::output::{self, Output};
 use crate::scene::Scene;
 use crate::shading::Method;
 use crate::systems;
+pub use configurations::LARGEST;
+use configurations::{Configuration, configurations};
 use growth::Fit;
-pub use settings::LARGEST;
-use settings::{Setting, settings};
 
 /// The methods measured unless others are asked for.
 pub const METHODS: [&str; 3] = ["gouraud-0.5", "phong-0.5", "phong-0"];
 
-/// Samples of each method in each setting however little time there is: settings are told apart by factors.
+/// Samples of each method in each configuration however little time there is: configurations are told apart by factors.
 pub const MIN_SAMPLES: usize = 8;
 
 /// What a frame's time is measured against.
@@ -112,7 +112,7 @@ pub struct Series {
     pub points: Vec<Point>,
 }
 
-/// The times of one setting.
+/// The times of one configuration.
 #[derive(Clone, Debug, Serialize)]
 pub struct Point {
     /// Of pixels, lights, cuboids or threads.
@@ -127,7 +127,7 @@ pub struct Point {
     pub methods: Vec<Times>,
 }
 
-/// The times of one method in one setting.
+/// The times of one method in one configuration.
 #[derive(Clone, Debug, Serialize)]
 pub struct Times {
     /// The method's.
@@ -136,7 +136,7 @@ pub struct Times {
     #[serde(rename = "ms")]
     pub timing: Timing,
     /// What one of the quantity costs: ns per covered pixel, µs per light or cuboid; for threads, how many times faster than
-    /// the first setting's thread they are. `None` where that does not exist.
+    /// the first configuration's thread they are. `None` where that does not exist.
     pub cost: Option<f64>,
 }
 
@@ -198,7 +198,7 @@ pub fn measure(
     })
 }
 
-/// The times of all methods in all settings of a series.
+/// The times of all methods in all configurations of a series.
 ///
 /// A frame is made anew whenever another number of threads draws: the largest takes hundreds of megabytes, and the first
 /// frame of a turn, which fills it, is off the clock.
@@ -208,22 +208,22 @@ fn time_settings(
     time: Duration,
     on_progress: impl Fn(f64),
 ) -> Result<Vec<Point>, TradeError> {
-    let (scenes, settings) = settings(quantity, request);
+    let (scenes, configurations) = configurations(quantity, request);
     let methods = &request.methods;
     // As the frames say, not as they were asked for.
-    let drawn = RefCell::new(vec![([0, 0], 0, 0); settings.len()]);
+    let drawn = RefCell::new(vec![([0, 0], 0, 0); configurations.len()]);
     let prepare = || {
         let mut scenes: Vec<Scene> = scenes.iter().map(Scene::snapshot).collect();
         let mut frame = Frame::new(Keep::Display, Workers::alone(request.level));
-        let (settings, drawn) = (&settings, &drawn);
+        let (configurations, drawn) = (&configurations, &drawn);
         Ok(move |turn: usize| -> Result<(), TradeError> {
             let (index, method) = (turn / methods.len(), turn % methods.len());
-            let Setting {
+            let Configuration {
                 view,
                 threads,
                 scene,
                 ..
-            } = &settings[index];
+            } = &configurations[index];
             if frame.workers().threads() != *threads {
                 frame = Frame::new(Keep::Display, Workers::new(*threads, request.level)?);
             }
@@ -234,19 +234,19 @@ fn time_settings(
             Ok(())
         })
     };
-    let turns = settings.len() * methods.len();
+    let turns = configurations.len() * methods.len();
     let timings = timing::in_batches(turns, MIN_SAMPLES, time, prepare, on_progress)?;
     let times = |(method, timing): (&Method, &Timing)| Times {
         id: method.id,
         timing: timing.clone(),
         cost: None,
     };
-    let points = settings.iter().zip(drawn.into_inner());
+    let points = configurations.iter().zip(drawn.into_inner());
     Ok(points
         .zip(timings.chunks(methods.len()))
         .map(
-            |((setting, (size, threads, covered_pixels)), timings)| Point {
-                number: setting.number,
+            |((configuration, (size, threads, covered_pixels)), timings)| Point {
+                number: configuration.number,
                 size,
                 threads,
                 covered_pixels,

@@ -62,8 +62,8 @@ pub fn examine(
         ..view.clone()
     };
     let is_phong = view.shading == phong.shading;
-    let mut reference = memory::room_for_pixels(view.size).ok()?;
-    let mut error_map = memory::room_for_pixels(view.size).ok()?;
+    let mut reference = memory::reserve_pixels(view.size).ok()?;
+    let mut error_map = memory::reserve_pixels(view.size).ok()?;
     let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
     for start in (0..height).step_by(BAND) {
         let rows = start..(start + BAND).min(height);

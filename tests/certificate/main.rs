@@ -1,4 +1,4 @@
-//! The promise of the tolerance: whatever is drawn, no pixel strays further from the exact evaluation of its mode.
+//! The promise of the tolerance: whatever is drawn, no pixel errs by more against the exact evaluation of its mode.
 //!
 //! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150), and eighty times as many random squares; the
 //! long run is 10000 in a release build, with `--nocapture` to see how much slack the certificates leave.

@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use shadetrade::scene::BUILT_IN;
+
 use crate::{assert_fails, assert_works, folder, listing};
 
 #[test]
@@ -219,4 +221,21 @@ fn a_simd_level_is_either_drawn_with_or_refused() {
         }
     }
     assert_works(folder.path(), "render -o auto.png --size 9x9 --simd auto");
+}
+
+#[test]
+fn a_colour_in_levels_is_drawn_and_warned_of_with_its_place() {
+    let folder = folder();
+    let (_, built_in) = BUILT_IN[0];
+    let line = built_in.lines().position(|line| line.starts_with("color"));
+    let line = line.expect("a light has a colour") + 1;
+    let place = format!("a.toml:{line}:9: `light.color`: 255.0 ");
+    for (color, warned) in [("[1.0, 1, 0.0]", false), ("[9, 255, 255.0]", true)] {
+        let text = built_in.replacen("color = [1.0, 1.0, 1.0]", &format!("color = {color}"), 1);
+        assert_ne!(text, built_in);
+        fs::write(folder.path().join("a.toml"), text).expect("it is written");
+        let said = assert_works(folder.path(), "render a.toml --size 32x24 -o a.png");
+        assert_eq!(said.starts_with("warning: "), warned, "{said}");
+        assert_eq!(said.contains(&place), warned, "{said}");
+    }
 }

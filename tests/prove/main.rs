@@ -28,7 +28,7 @@ fn proof(world: &mut World, view: &View) -> Proof {
     let proof = prove(world, view, workers, &|| false, &|_| ());
     proof
         .expect("a small picture fits")
-        .expect("nobody cancels it")
+        .expect("it is not cancelled")
 }
 
 /// What every pixel may show, row by row from the top.

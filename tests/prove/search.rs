@@ -104,7 +104,7 @@ fn build(numbers: &Numbers, (tolerance, mode): Asked) -> (World, View) {
 fn estimate(world: &mut World, view: &View) -> f64 {
     let frame = scene::draw(world, view, Keep::Levels);
     let truth = reference::picture(world, view, 0..SIZE[1], &|| false, &|_| ());
-    let truth = truth.expect("nobody cancels it");
+    let truth = truth.expect("it is not cancelled");
     let drawn = frame.triangles().iter().zip(frame.levels());
     let exact = truth.triangles.iter().zip(&truth.levels);
     let pairs = drawn.zip(exact);

@@ -97,7 +97,7 @@ fn hull(mut points: Vec<[i32; 2]>) -> Vec<[i32; 2]> {
 fn convex() -> impl Strategy<Value = Polygon> {
     prop_oneof![Just(1), Just(128)].prop_flat_map(|unit| {
         let coordinate = (-512 / unit..=40 * 256 / unit).prop_map(move |step| step * unit);
-        prop::collection::vec([coordinate.clone(), coordinate], 3..=Polygon::MOST)
+        prop::collection::vec([coordinate.clone(), coordinate], 3..=Polygon::MAX_VERTICES)
             .prop_map(|points| snapped(&hull(points)))
     })
 }

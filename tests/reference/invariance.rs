@@ -1,7 +1,7 @@
 //! What must not matter.
 
-use hecs::World;
-use shadetrade::components::{LightKind, Projection, ShadingMode, View};
+use hecs::{Entity, World};
+use shadetrade::components::{FileOrder, LightKind, Projection, ShadingMode, View};
 use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::reference::{at_pixel, picture};
 
@@ -50,6 +50,26 @@ fn a_scene_a_billion_units_away_or_scaled_by_a_power_of_two_is_the_same_picture_
                 "{offset} {scale} {projection:?}"
             );
         }
+    }
+}
+
+#[test]
+fn a_world_s_own_order_says_nothing_about_the_file_s() {
+    struct Marked;
+    let (mut world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
+    let (expected, seen) = (draw(&world, &view), at_pixel(&world, &view, 20, 15));
+    assert_eq!(seen.as_ref().map(|sample| sample.lights.len()), Some(3));
+    // An entity with one more component is moved behind those without it.
+    for first in [FileOrder(0), FileOrder(1)] {
+        let mut entities = world.query::<(Entity, &FileOrder)>();
+        let moved = entities.iter().filter(|(_, order)| **order == first);
+        let moved: Vec<Entity> = moved.map(|(entity, _)| entity).collect();
+        drop(entities);
+        for entity in moved {
+            world.insert_one(entity, Marked).expect("it is there");
+        }
+        assert!(draw(&world, &view) == expected, "{first:?}");
+        assert_eq!(at_pixel(&world, &view, 20, 15), seen, "{first:?}");
     }
 }
 
@@ -132,10 +152,10 @@ fn a_cancelled_picture_is_none_and_a_finished_one_has_told_every_row() {
     let told = std::sync::Mutex::new(Vec::new());
     draw(&world, &view);
     picture(&world, &view, 0..30, &|| false, &|done| {
-        told.lock().expect("nobody panics").push(done);
+        told.lock().expect("no thread has panicked").push(done);
     })
     .expect("whole");
-    let mut told = told.into_inner().expect("nobody panics");
+    let mut told = told.into_inner().expect("no thread has panicked");
     told.sort_unstable();
     assert_eq!(told, (1..=30).collect::<Vec<_>>());
 }

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
-    Viewpoint, cuboid,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
+    View, Viewpoint, cuboid,
 };
 use shadetrade::reference::{Sample, Truth, at_pixel, picture};
 
@@ -53,14 +53,8 @@ pub fn spawn_light(world: &mut World, kind: LightKind, position: [f64; 3]) {
         gain: 10.0,
         on: true,
     };
-    world.spawn((
-        name,
-        Transform {
-            position: position.into(),
-            rotation: DVec3::ZERO,
-        },
-        light,
-    ));
+    let order = FileOrder(world.query_mut::<&Light>().into_iter().count() as u32);
+    world.spawn((name, order, Transform::at(position.into()), light));
 }
 
 /// A cube from -1 to 1 and one light.
@@ -114,7 +108,7 @@ pub fn shaded(mode: ShadingMode, view: &View) -> View {
 }
 
 pub fn draw(world: &World, view: &View) -> Truth {
-    picture(world, view, 0..view.size[1], &|| false, &|_| ()).expect("nobody cancels")
+    picture(world, view, 0..view.size[1], &|| false, &|_| ()).expect("it is not cancelled")
 }
 
 /// The first channel at a pixel.

@@ -145,7 +145,7 @@ fn difference(a: [f32; 3], b: [f32; 3]) -> f64 {
 fn drawn(scene: &Scene) -> (Frame, Vec<u32>) {
     let rows = 0..SIZE[1];
     let truth = picture(&scene.world(), &scene.view, rows, &|| false, &|_| ());
-    (scene.draw(), truth.expect("nobody cancels").triangles)
+    (scene.draw(), truth.expect("it is not cancelled").triangles)
 }
 
 /// Asserts that two scenes show the same faces but for a few pixels of edges, and levels within [`TWICE_EXACT`] wherever

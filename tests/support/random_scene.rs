@@ -4,8 +4,8 @@ use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
-    Viewpoint, cuboid as components_of,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
+    View, Viewpoint, cuboid as components_of,
 };
 
 /// Lengths in all but `cuboids` are in multiples of the first cuboid's radius, places from its centre.
@@ -218,10 +218,8 @@ impl Case {
             };
             world.spawn((
                 Name(index.to_string()),
-                Transform {
-                    position,
-                    rotation: DVec3::ZERO,
-                },
+                FileOrder(index as u32),
+                Transform::at(position),
                 light,
             ));
         }

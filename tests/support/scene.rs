@@ -4,8 +4,8 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
-    Viewpoint, cuboid,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
+    View, Viewpoint, cuboid,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::systems;
@@ -38,15 +38,13 @@ pub fn spawn_light(world: &mut World, kind: LightKind, levels: DVec3, position: 
         gain: 2.0,
         on: true,
     };
-    world.spawn((Name(format!("{kind:?}")), at(position), light));
+    let order = FileOrder(world.query_mut::<&Light>().into_iter().count() as u32);
+    world.spawn((Name(format!("{kind:?}")), order, at(position), light));
 }
 
 /// An unturned place.
 pub fn at(position: DVec3) -> Transform {
-    Transform {
-        position,
-        rotation: DVec3::ZERO,
-    }
+    Transform::at(position)
 }
 
 /// From `eye` towards `target`, 30 degrees or 6 units high, at tolerance 0.

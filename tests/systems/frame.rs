@@ -80,7 +80,7 @@ fn a_spun_and_orbited_scene_is_the_scene_of_its_snapshot_for_the_renderer_and_th
         let mut frame = empty_frame();
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
         let truth = reference::picture(&scene.world, &view, 0..40, &|| false, &|_| ());
-        let truth = truth.expect("nobody cancels");
+        let truth = truth.expect("it is not cancelled");
         for (seen, exact) in frame.levels().iter().zip(&truth.levels) {
             for (seen, exact) in seen.iter().zip(exact) {
                 assert!((f64::from(*seen) - exact).abs() < 0.05, "{seen} {exact}");

@@ -127,7 +127,7 @@ fn neither_spawning_nor_inserted_components_change_a_picture_or_its_triangles() 
         view.viewpoint.camera.height = 7.0;
         let truth = |world: &World| {
             let truth = reference::picture(world, &view, 0..60, &|| false, &|_| ());
-            let truth = truth.expect("nobody cancels");
+            let truth = truth.expect("it is not cancelled");
             (truth.levels, truth.triangles)
         };
         let expected = draw(&mut crowd([0, 1, 2, 3]), &view);

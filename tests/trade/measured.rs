@@ -141,7 +141,7 @@ fn the_share_of_the_highlight_is_judged_by_the_reference() {
     };
     let phong = view(ShadingMode::Phong, 0.0);
     let truth = reference::picture(&lit.world, &phong, 0..240, &|| false, &|_| ())
-        .expect("nobody cancels it");
+        .expect("it is not cancelled");
     let whole: Vec<_> = truth
         .levels
         .iter()
@@ -205,10 +205,10 @@ fn without_light_or_colour_all_methods_draw_the_same_black() {
 #[test]
 fn progress_goes_from_nothing_to_all_in_two_steps() {
     let told: Mutex<Vec<Progress>> = Mutex::default();
-    let on_progress = |progress| told.lock().expect("nobody panics").push(progress);
+    let on_progress = |progress| told.lock().expect("no thread has panicked").push(progress);
     let request = request(scene(GREEN, CENTRE, true), [16, 12], 1);
     trade::measure(request, &on_progress).expect("it is measured");
-    let told = told.into_inner().expect("nobody panics");
+    let told = told.into_inner().expect("no thread has panicked");
     let mut shares = told.iter().map(|progress| progress.share);
     assert!(shares.all(|share| (0.0..=1.0).contains(&share)));
     let mut steps: Vec<_> = told.iter().map(|progress| progress.step).collect();

@@ -35,7 +35,7 @@ impl<'a> Textbook<'a> {
         let [eye, target, up] = places.map(DVec3::as_vec3);
         let [width, height] = spec.size.map(|pixels| pixels as f32);
         let fov = (lens.fov as f32).to_radians();
-        // The near plane is of no account, for only x, y and w are used.
+        // The near plane does not matter: only x, y and w are used.
         let projection = proj::directx::perspective_infinite(fov, width / height, 1.0);
         let camera = projection * view::look_at_mat4(eye, target, up);
         let cuboid = |cuboid: &CuboidRecord| {

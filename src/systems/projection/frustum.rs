@@ -101,7 +101,7 @@ impl<'a> Frustum<'a> {
             let side = Side::between(place, corners[(index + 1) % 3].0);
             Vertex { place, seen, side }
         });
-        let mut vertices = [first[0]; Polygon::MOST];
+        let mut vertices = [first[0]; Polygon::MAX_VERTICES];
         vertices[..3].copy_from_slice(&first);
         let mut len = 3;
         for plane in &self.planes {
@@ -138,15 +138,15 @@ impl<'a> Frustum<'a> {
         polygon: &[Vertex],
         axis: usize,
         plane: &Plane,
-    ) -> ([Vertex; Polygon::MOST], usize) {
-        let mut kept = [polygon[0]; Polygon::MOST];
+    ) -> ([Vertex; Polygon::MAX_VERTICES], usize) {
+        let mut kept = [polygon[0]; Polygon::MAX_VERTICES];
         let mut len = 0;
         for (index, &vertex) in polygon.iter().enumerate() {
             let next = polygon[(index + 1) % polygon.len()];
             let [here, there] = [vertex, next].map(|vertex| plane.at(vertex.place) >= 0.0);
             let mut keep = |vertex| {
                 // Rounding can make a plane cut a convex polygon more than twice; what is lost then is below a snap.
-                if len < Polygon::MOST {
+                if len < Polygon::MAX_VERTICES {
                     kept[len] = vertex;
                     len += 1;
                 }

@@ -21,16 +21,12 @@ pub fn draw(pixels: &mut [u32], width: usize, title: &str) {
     let canvas = &mut Canvas::new(pixels, [width, HEIGHT]);
     let bar = (width as i32 - 2 * MARGIN).min(WIDEST);
     canvas.text(FACE, [MARGIN, 8], INK, title);
-    for x in 0..bar {
-        let color = color_at(f64::from(x) / f64::from(bar - 1));
-        canvas.fill(Rect::new(MARGIN + x, 30, 1, 14), Ink::solid(color));
-    }
-    for tick in TICKS {
-        let x = MARGIN + (position(tick) * f64::from(bar - 1)).round() as i32;
-        canvas.fill(Rect::new(x, 44, 1, 5), INK);
-        let label = tick.to_string();
-        canvas.text(FACE, [x - FACE.width(label.len()) / 2, 50], INK, &label);
-    }
+    draw_scale(
+        canvas,
+        FACE,
+        Rect::new(MARGIN, 30, bar, 2 * FACE.height()),
+        INK,
+    );
     let mut x = MARGIN;
     for (color, meaning) in [
         (color(0.0), "no error"),
@@ -41,5 +37,24 @@ pub fn draw(pixels: &mut [u32], width: usize, title: &str) {
         canvas.fill(swatch, INK);
         canvas.fill(swatch.inset(1), Ink::solid(color));
         x = canvas.text(FACE, [x + 22, 77], INK, meaning) + 24;
+    }
+}
+
+/// The colours of the scale from the left, and below them the errors in levels that they stand for.
+pub fn draw_scale(canvas: &mut Canvas, face: Face, row: Rect, ink: Ink) {
+    let half = row.height / 2;
+    // Half of the last tick's letters stand right of it.
+    let length = row.width - face.width(2);
+    for x in 0..length {
+        let share = f64::from(x) / f64::from((length - 1).max(1));
+        let color = Ink::solid(color_at(share));
+        canvas.fill(Rect::new(row.x + x, row.y, 1, half), color);
+    }
+    for tick in TICKS {
+        let x = row.x + (position(tick) * f64::from(length - 1)).round() as i32;
+        canvas.fill(Rect::new(x, row.y + half * 3 / 4, 1, half / 4), ink);
+        let label = tick.to_string();
+        let left = (x - face.width(label.len()) / 2).max(row.x);
+        canvas.text(face, [left, row.y + half], ink, &label);
     }
 }

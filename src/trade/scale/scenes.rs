@@ -55,12 +55,12 @@ pub fn of_lights(number: usize, most: usize) -> Scene {
     scene(vec![cuboid], &places, 1.0 / most as f64, camera)
 }
 
-/// The `number` cuboids that are nearest to the middle of a grid with room for at least `room`, which fills a picture of
+/// The `number` cuboids that are nearest to the middle of a grid with room for at least `capacity`, which fills a picture of
 /// that size; each is turned another way.
-pub fn of_cuboids(number: usize, room: usize, [width, height]: [usize; 2]) -> Scene {
+pub fn of_cuboids(number: usize, capacity: usize, [width, height]: [usize; 2]) -> Scene {
     let aspect = width as f64 / height as f64;
-    let columns = ((room as f64 * aspect).sqrt().ceil() as usize).clamp(1, room);
-    let rows = room.div_ceil(columns);
+    let columns = ((capacity as f64 * aspect).sqrt().ceil() as usize).clamp(1, capacity);
+    let rows = capacity.div_ceil(columns);
     // Half a cell is left free on every side, as what is nearer than the grid looks larger.
     let seen = (rows as f64).max(columns as f64 / aspect) + 1.0;
     let distance = seen / 2.0 / (FIELD_OF_VIEW / 2.0).to_radians().tan();
@@ -177,9 +177,9 @@ mod tests {
     #[test]
     fn all_cuboids_are_in_view_whatever_the_shape_of_the_picture() {
         for size in [[1920, 1080], [90, 160], [300, 20], [8, 8]] {
-            for (number, room) in [(1, 1), (1, 10), (10, 10), (30, 100)] {
+            for (number, capacity) in [(1, 1), (1, 10), (10, 10), (30, 100)] {
                 for projection in [Projection::Perspective, Projection::Orthographic] {
-                    let mut scene = of_cuboids(number, room, size);
+                    let mut scene = of_cuboids(number, capacity, size);
                     let lens = Lens::new(&view(&scene, projection, size));
                     let cuboids = scene
                         .world
@@ -192,7 +192,7 @@ mod tests {
                             let [x, y] = lens.pixel(lens.homogeneous(corner));
                             let within = (0.0..size[0] as f64).contains(&x)
                                 && (0.0..size[1] as f64).contains(&y);
-                            assert!(within, "{number} of {room} in {size:?}: {x}, {y}");
+                            assert!(within, "{number} of {capacity} in {size:?}: {x}, {y}");
                         }
                         seen += 1;
                     }

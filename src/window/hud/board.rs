@@ -15,7 +15,7 @@
 use super::lines::{Command, Line, Mark, ON};
 use super::profile;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect, fit};
-use crate::trade::error_map;
+use crate::trade::error_map::draw_scale;
 use crate::window::bindings::Action;
 
 const PANE: Ink = Ink::glass(0x0010_1216, 236);
@@ -29,8 +29,6 @@ const KEYCAP_EDGE: Ink = Ink::glass(0x00ff_ffff, 84);
 const HOVER: Ink = Ink::glass(0x00ff_ffff, 34);
 const ACCENT: Ink = Ink::solid(ON);
 
-/// The errors named on the scale of the error map, in levels.
-const TICKS: [f64; 11] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0];
 /// How wide the scale is, in letters.
 const SCALE_LETTERS: usize = 44;
 
@@ -233,7 +231,7 @@ impl Board {
                 Line::Rule => {
                     canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), EDGE);
                 }
-                Line::Scale => draw_scale(canvas, face, *row),
+                Line::Scale => draw_scale(canvas, face, *row, TEXT),
                 Line::Profile(plot) => profile::draw(canvas, plot, row.inset(2)),
                 Line::Swatches(all) => draw_swatches(canvas, face, [row.x, y], all),
             }
@@ -314,25 +312,6 @@ fn draw_mark(canvas: &mut Canvas, rect: Rect, mark: Mark) {
             canvas.rounded(dot, dot.width / 2, ACCENT);
         }
         Mark::Choice(false) => canvas.outline(rect, round, stroke, OFF),
-    }
-}
-
-/// The error map's colours from the left, and below them what errors they stand for.
-fn draw_scale(canvas: &mut Canvas, face: Face, row: Rect) {
-    let half = row.height / 2;
-    // Half of the last tick's letters stand right of it.
-    let length = row.width - face.width(2);
-    for x in 0..length {
-        let share = f64::from(x) / f64::from((length - 1).max(1));
-        let color = error_map::color(error_map::error_at(share));
-        canvas.fill(Rect::new(row.x + x, row.y, 1, half), Ink::solid(color));
-    }
-    for tick in TICKS {
-        let x = row.x + (error_map::position(tick) * f64::from(length - 1)).round() as i32;
-        canvas.fill(Rect::new(x, row.y + half * 3 / 4, 1, half / 4), TEXT);
-        let label = tick.to_string();
-        let left = (x - face.width(label.len()) / 2).max(row.x);
-        canvas.text(face, [left, row.y + half], TEXT, &label);
     }
 }
 

@@ -5,6 +5,7 @@
 use super::lines::Line;
 use crate::canvas::wrapped;
 use crate::trade::Report;
+use crate::trade::export::stages;
 use crate::trade::verdict::verdict;
 use crate::trade::words::short;
 use crate::window::session::Measuring;
@@ -45,6 +46,7 @@ fn table(report: &Report, letters: usize) -> Vec<Line> {
         ])
     }));
     lines.push(Line::Rule);
+    lines.extend(words(&stages(report)));
     lines.extend(words(
         "max: largest error in levels against exact Phong. front *: nothing beats it in error and time both. Times are \
          of one thread. Esc or M closes this.",

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::lines::Line;
 use crate::canvas::{Canvas, Ink, Point, Rect, fit};
-use crate::probe::{Light, Probe, Surface};
+use crate::probe::{Light, Probe, Surface, parts};
 
 const CROSS: Ink = Ink::solid(0x00ff_ffff);
 const CROSS_EDGE: Ink = Ink::glass(0, 170);
@@ -17,9 +17,6 @@ const NAME: usize = 11;
 /// Letters of a number.
 const NUMBER: usize = 9;
 
-/// Levels smaller than this are 0 on the board, and so are parts of a vector below this share of its largest.
-const NEGLIGIBLE: f64 = 1e-6;
-
 /// The lines about `probe`: the modes side by side where `wide`, else below one another.
 pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
     let [x, y] = probe.pixel;
@@ -27,11 +24,7 @@ pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
     let (Some(object), Some(surface)) = (&probe.object, &probe.surface) else {
         return vec![title, Line::Text("background".to_owned())];
     };
-    let vector = |name: &str, vector: Option<DVec3>| {
-        let numbers = |it: DVec3| numbers(it.to_array(), NEGLIGIBLE * it.abs().max_element());
-        let cells = vector.map_or_else(nothing, numbers);
-        Line::Text(row(name, &[cells]))
-    };
+    let vector = |name: &str, vector: Option<DVec3>| Line::Text(row(name, &[parts(vector)]));
     let mut lines = vec![
         title,
         Line::Text(format!("{object}, {}", surface.triangle_label())),
@@ -49,10 +42,10 @@ pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
     }
     lines.push(Line::Rule);
     if wide {
-        lines.extend(table(surface, &[Mode::Gouraud, Mode::Phong]));
+        lines.extend(table(surface, &[0, 1]));
     } else {
-        lines.extend(table(surface, &[Mode::Gouraud]));
-        lines.extend(table(surface, &[Mode::Phong]));
+        lines.extend(table(surface, &[0]));
+        lines.extend(table(surface, &[1]));
     }
     lines
 }
@@ -72,47 +65,17 @@ pub fn places(surface: &Surface) -> Vec<(String, &Light)> {
     places
 }
 
-#[derive(Clone, Copy)]
-enum Mode {
-    Gouraud,
-    Phong,
-}
-
-/// Every light's term, the sum as drawn and as it ought to be, and the bytes, of each mode side by side.
-fn table(surface: &Surface, modes: &[Mode]) -> Vec<Line> {
-    let columns: Vec<_> = modes
-        .iter()
-        .map(|mode| match mode {
-            Mode::Gouraud => ("Gouraud", &surface.gouraud, surface.reference.gouraud),
-            Mode::Phong => ("Phong", &surface.phong, surface.reference.phong),
-        })
-        .collect();
-    let mut lines = Vec::new();
-    let mut add = |name: &str, cells: Vec<[String; 3]>| lines.push(Line::Text(row(name, &cells)));
-    let levels = |levels: [f64; 3]| numbers(levels, NEGLIGIBLE);
-    let each = |cells: &dyn Fn(usize) -> [String; 3]| (0..columns.len()).map(cells).collect();
-    add(
-        "",
-        each(&|mode| ["", columns[mode].0, ""].map(str::to_owned)),
-    );
-    add("levels", each(&|_| ["r", "g", "b"].map(str::to_owned)));
-    for (index, light) in surface.lights.iter().enumerate() {
-        add(
-            &light.name,
-            each(&|mode| levels(columns[mode].1.terms[index].1)),
-        );
-    }
-    add("drawn", each(&|mode| levels(columns[mode].1.levels)));
-    let truth = |mode: usize| match columns[mode].2 {
-        Some(truth) => levels(truth.levels),
-        None => nothing(),
+/// The table of levels with these modes side by side: 0 is Gouraud, 1 is Phong.
+fn table(surface: &Surface, modes: &[usize]) -> Vec<Line> {
+    let each = |cells: &dyn Fn(usize) -> [String; 3]| -> Vec<[String; 3]> {
+        modes.iter().map(|mode| cells(*mode)).collect()
     };
-    add("reference", each(&truth));
-    add(
-        "bytes",
-        each(&|mode| columns[mode].1.bytes.map(|byte| byte.to_string())),
-    );
-    lines
+    let heads = each(&|mode| ["", ["Gouraud", "Phong"][mode], ""].map(str::to_owned));
+    let channels = each(&|_| ["r", "g", "b"].map(str::to_owned));
+    let mut lines = vec![row("", &heads), row("levels", &channels)];
+    let rows = surface.table().into_iter();
+    lines.extend(rows.map(|(name, cells)| row(&name, &each(&|mode| cells[mode].clone()))));
+    lines.into_iter().map(Line::Text).collect()
 }
 
 /// A name and triples of cells, their columns right.
@@ -124,20 +87,6 @@ fn row(name: &str, triples: &[[String; 3]]) -> String {
         row.push_str(cell);
     }
     row
-}
-
-/// The cells of what does not exist.
-fn nothing() -> [String; 3] {
-    ["-"; 3].map(str::to_owned)
-}
-
-/// In plain notation as long as that says something; 0 for what is `negligible`.
-fn numbers(values: [f64; 3], negligible: f64) -> [String; 3] {
-    values.map(|value| match value.abs() {
-        size if size <= negligible => "0".to_owned(),
-        1e-3..1e4 => format!("{value:.3}"),
-        _ => format!("{value:.1e}"),
-    })
 }
 
 /// From a marked pixel to the cross's arms, and their length.

@@ -1,4 +1,4 @@
-//! A quantity in; the settings in which frames are timed, and the scenes they show, out.
+//! A quantity in; the configurations in which frames are timed, and the scenes they show, out.
 //!
 //! Rule: in a series nothing varies but its quantity.
 
@@ -23,7 +23,7 @@ const CUBOIDS: [usize; 9] = [1, 3, 10, 30, 100, 300, 1000, 3000, 10_000];
 const ROOM: usize = 8;
 
 /// How one frame is drawn.
-pub struct Setting {
+pub struct Configuration {
     /// Of what varies.
     pub number: usize,
     /// Without a method.
@@ -34,10 +34,10 @@ pub struct Setting {
     pub scene: usize,
 }
 
-/// The settings of a series, and the scenes they show.
-pub fn settings(quantity: Quantity, request: &Request) -> (Vec<Scene>, Vec<Setting>) {
+/// The configurations of a series, and the scenes they show.
+pub fn configurations(quantity: Quantity, request: &Request) -> (Vec<Scene>, Vec<Configuration>) {
     let size = request.view.size;
-    let own = |number, size, threads| Setting {
+    let own = |number, size, threads| Configuration {
         number,
         view: View {
             size,
@@ -48,8 +48,8 @@ pub fn settings(quantity: Quantity, request: &Request) -> (Vec<Scene>, Vec<Setti
     };
     let generated = |numbers: Vec<usize>, scene: &dyn Fn(usize) -> Scene| {
         let scenes: Vec<Scene> = numbers.iter().map(|number| scene(*number)).collect();
-        let settings = numbers.iter().zip(&scenes).enumerate();
-        let settings = settings.map(|(index, (number, scene))| Setting {
+        let configurations = numbers.iter().zip(&scenes).enumerate();
+        let configurations = configurations.map(|(index, (number, scene))| Configuration {
             number: *number,
             view: View {
                 viewpoint: scene.viewpoint(0),
@@ -59,15 +59,15 @@ pub fn settings(quantity: Quantity, request: &Request) -> (Vec<Scene>, Vec<Setti
             threads: 1,
             scene: index,
         });
-        let settings = settings.collect();
-        (scenes, settings)
+        let configurations = configurations.collect();
+        (scenes, configurations)
     };
     match quantity {
         Quantity::Pixels => {
-            let settings = sizes(size)
+            let configurations = sizes(size)
                 .into_iter()
                 .map(|size| own(size[0] * size[1], size, 1));
-            (vec![request.scene.snapshot()], settings.collect())
+            (vec![request.scene.snapshot()], configurations.collect())
         }
         Quantity::Lights => {
             let most = LIGHTS.into_iter().max().unwrap_or(1);
@@ -75,13 +75,15 @@ pub fn settings(quantity: Quantity, request: &Request) -> (Vec<Scene>, Vec<Setti
         }
         Quantity::Cuboids => {
             let numbers = cuboid_counts(size);
-            let room = numbers.last().copied().unwrap_or(1);
-            generated(numbers, &|number| scenes::of_cuboids(number, room, size))
+            let capacity = numbers.last().copied().unwrap_or(1);
+            generated(numbers, &|number| {
+                scenes::of_cuboids(number, capacity, size)
+            })
         }
         Quantity::Threads => {
             let counts = thread_counts(request.threads).into_iter();
-            let settings = counts.map(|threads| own(threads, size, threads));
-            (vec![request.scene.snapshot()], settings.collect())
+            let configurations = counts.map(|threads| own(threads, size, threads));
+            (vec![request.scene.snapshot()], configurations.collect())
         }
     }
 }
@@ -98,8 +100,8 @@ fn sizes(size: [usize; 2]) -> Vec<[usize; 2]> {
 
 /// The numbers of cuboids for which a picture of that size has [`ROOM`].
 fn cuboid_counts([width, height]: [usize; 2]) -> Vec<usize> {
-    let room = (width / ROOM) * (height / ROOM);
-    let fits = |number: &usize| *number <= room.max(1);
+    let capacity = (width / ROOM) * (height / ROOM);
+    let fits = |number: &usize| *number <= capacity.max(1);
     CUBOIDS.into_iter().filter(fits).collect()
 }
 
