@@ -19,16 +19,26 @@
 //!   |v'| = |Im z| <= p      |v''| <= min(2 p q, 2/sqrt(3) q^2)      |v'''| = 3 |Im z| sqrt(4 Re^4 + Im^4) <= min(6 p q^2, 3 q^3)
 //! ```
 //! and the mirror R = 2 n n^T - 1 turns by twice the angle: at most 2 p, 4 p q and 12 p q^2. Of a product the derivatives
-//! are bounded by Leibniz' rule, each factor having length one: so n.l and s = o.(R l).
+//! are bounded by Leibniz' rule, each factor having length one: so n.l and r = R l.
 //!
-//! **The highlight.** With s = cos(theta), theta the angle between o and r,
+//! **The highlight.** Let theta be the angle between o and r, s = cos(theta), and e = r - o, whose length is
+//! c = 2 sin(theta/2). Then s = 1 - |e|^2 / 2, and
 //!
 //! ```text
+//!   s' = -e.e'      s'' = -|e'|^2 - e.e''      s''' = -3 e'.e'' - e.e'''
 //!   (s^rho)''' = rho s^(rho-1) s''' + 3 rho (rho-1) s^(rho-2) s' s'' + rho (rho-1) (rho-2) s^(rho-3) s'^3
 //! ```
-//! and |s'| <= Q sin(theta), Q the sum of the speeds of o, R and l. s^(rho-k) is bounded at the largest s if rho >= 3, else by
-//! s_max^rho / s_min^k. The sine moves no more than theta does, so it is at most the sine at the middle plus the turn. Each
-//! product of the two is also bounded by its largest value at any angle.
+//! With E_k a bound on the k-th derivative of e, the sum of those of o and of r = R l, |s'| is at most E_1 sin(theta), for
+//! derivatives of unit vectors are perpendicular to these. s' |e'|^2 and s'^3 have the same sign, so from rho = 2 on
+//! they enter with opposite signs, and only the larger of the two counts:
+//!
+//! ```text
+//!   |(s^rho)'''| <= rho s^(rho-1) (3 E_1 E_2 + c E_3) + b c E_1 E_2 + max(b, d) E_1^3         for rho < 2: b + d
+//!   b = 3 rho |rho-1| s^(rho-2) sin(theta)      d = rho |rho-1| |rho-2| s^(rho-3) sin(theta)^3
+//! ```
+//! s^(rho-k) is bounded at the largest s if rho >= 3, else by s_max^rho / s_min^k. The sine moves no more than theta does,
+//! so it is at most the sine at the middle plus the turn; c is the sine over cos(theta/2). Each product of a power and a
+//! sine is also bounded by its largest value at any angle. All of it vanishes where s <= 0.
 //!
 //! Rule: four squares are bounded side by side, each as it would be alone; whatever is not a number bounds nothing.
 
@@ -317,6 +327,8 @@ pub struct Highlight {
     peaks: [f64; 2],
     /// Whether no exponent is negative.
     bounded: bool,
+    /// Whether the second and the third factor have the same sign.
+    alike: bool,
 }
 
 impl Highlight {
@@ -338,6 +350,7 @@ impl Highlight {
             factors: [rho, second.abs(), (second * (rho - 2.0)).abs()],
             peaks: [peak(rho - 2.0, 1.0), peak(rho - 3.0, 3.0)],
             bounded: rho >= 3.0,
+            alike: rho >= 2.0,
         }
     }
 
@@ -364,17 +377,24 @@ impl Highlight {
         let falls = power * over;
         let falls_sine = (falls * over * sine).min(one);
         let falls_sine3 = (falls * over * over * sine * sine * sine).min(other);
-        let [a, b, c] = [
+        // cos(theta/2)^2 = (1 + s) / 2.
+        let chord = sine * (2.0 / (positive(least) + 1.0)).sqrt();
+        let [a, b, d] = [
             falls * first,
             falls_sine * (3.0 * second),
             falls_sine3 * third,
         ];
+        let cubes = if self.alike { b.max(d) } else { b + d };
         let errors = interpolation_error(two(
             #[inline(always)]
             |axis| {
-                let ends = product(direction(eye.rates[axis]), direction(light.rates[axis]));
-                let [speed, k2, k3] = product(ends, mirror(normal.rates[axis]));
-                a * k3 + b * speed * k2 + c * speed * speed * speed
+                let o = direction(eye.rates[axis]);
+                let r = product(direction(light.rates[axis]), mirror(normal.rates[axis]));
+                let [e1, e2, e3] = three(
+                    #[inline(always)]
+                    |order| o[order] + r[order],
+                );
+                a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
             },
         ));
         let bounded = base.simd_gt(0.0);
