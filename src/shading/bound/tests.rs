@@ -5,6 +5,9 @@
 use glam::DVec3;
 
 use super::*;
+use crate::shading::affine::Affine;
+use crate::shading::field::{MAX_RADIUS, Places};
+use crate::shading::interpolation::NODE;
 use crate::simd::{Baseline, token};
 
 type Number = Lanes<Baseline>;
@@ -138,9 +141,13 @@ fn a_highlight_strays_no_further_than_its_bound() {
         if one(n.radius.max(l.radius).max(o.radius)) >= MAX_RADIUS {
             continue;
         }
-        let s = |x: f64, y: f64| {
+        let ends = |x: f64, y: f64| {
             let [n, l, o] = [normal, light, eye].map(|vector| value(&vector, x, y));
-            o.dot(n * (2.0 * n.dot(l)) - l)
+            [o, n * (2.0 * n.dot(l)) - l]
+        };
+        let s = |x: f64, y: f64| {
+            let [o, r] = ends(x, y);
+            o.dot(r)
         };
         let side = side(&n, &l);
         let range = reflection(&n, &l, &o, side.cosine);
@@ -149,6 +156,8 @@ fn a_highlight_strays_no_further_than_its_bound() {
                 let [x, y] = [column, row].map(|step| f64::from(step) / 3.0 - 1.0);
                 let s = s(x, y);
                 assert!(s <= one(range.most) + 1e-14 && s >= one(range.least) - 1e-14);
+                let [o, r] = ends(x, y);
+                assert!(o.cross(r).length() <= one(range.sine) + 1e-14);
                 let cosine = value(&normal, x, y).dot(value(&light, x, y));
                 assert!(!side.lit.test(0) || cosine > 0.0);
                 assert!(!side.dark.test(0) || cosine <= 0.0);
