@@ -8,7 +8,8 @@ use glam::DVec3;
 
 use crate::components::{Material, ShadingMode};
 use crate::shading::face::Face;
-use crate::shading::phong::{FaceLight, Gloss};
+use crate::shading::gloss::Gloss;
+use crate::shading::phong::FaceLight;
 use crate::shading::square::{MAX_SIDE, Spans};
 
 /// The faces of a frame.

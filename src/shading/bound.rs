@@ -19,184 +19,47 @@
 //!   |v'| = |Im z| <= p      |v''| <= min(2 p q, 2/sqrt(3) q^2)      |v'''| = 3 |Im z| sqrt(4 Re^4 + Im^4) <= min(6 p q^2, 3 q^3)
 //! ```
 //! and the mirror R = 2 n n^T - 1 turns by twice the angle: at most 2 p, 4 p q and 12 p q^2. Of a product the derivatives
-//! are bounded by Leibniz' rule, each factor having length one: so n.l and s = o.(R l).
+//! are bounded by Leibniz' rule, each factor having length one: so n.l and r = R l.
 //!
-//! **The highlight.** With s = cos(theta), theta the angle between o and r,
+//! **The highlight.** Let theta be the angle between o and r, s = cos(theta), and e = r - o, whose length is
+//! c = 2 sin(theta/2). Then s = 1 - |e|^2 / 2, and
 //!
 //! ```text
+//!   s' = -e.e'      s'' = -|e'|^2 - e.e''      s''' = -3 e'.e'' - e.e'''
 //!   (s^rho)''' = rho s^(rho-1) s''' + 3 rho (rho-1) s^(rho-2) s' s'' + rho (rho-1) (rho-2) s^(rho-3) s'^3
 //! ```
-//! and |s'| <= Q sin(theta), Q the sum of the speeds of o, R and l. s^(rho-k) is bounded at the largest s if rho >= 3, else by
-//! s_max^rho / s_min^k. The sine moves no more than theta does, so it is at most the sine at the middle plus the turn. Each
-//! product of the two is also bounded by its largest value at any angle.
+//! With E_k a bound on the k-th derivative of e, the sum of those of o and of r = R l, |s'| is at most E_1 sin(theta), for
+//! derivatives of unit vectors are perpendicular to these. s' |e'|^2 and s'^3 have the same sign, so from rho = 2 on
+//! they enter with opposite signs, and only the larger of the two counts:
+//!
+//! ```text
+//!   |(s^rho)'''| <= rho s^(rho-1) (3 E_1 E_2 + c E_3) + b c E_1 E_2 + max(b, d) E_1^3         for rho < 2: b + d
+//!   b = 3 rho |rho-1| s^(rho-2) sin(theta)      d = rho |rho-1| |rho-2| s^(rho-3) sin(theta)^3
+//! ```
+//! s^(rho-k) is bounded at the largest s if rho >= 3, else by s_max^rho / s_min^k. The sine moves no more than theta does,
+//! so it is at most the sine at the middle plus the turn; c is the sine over cos(theta/2). Each product of a power and a
+//! sine is also bounded by its largest value at any angle. All of it vanishes where s <= 0.
 //!
 //! Rule: four squares are bounded side by side, each as it would be alone; whatever is not a number bounds nothing.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f64x4, mask64x4};
+use fearless_simd::{Simd, mask64x4};
 
 use super::U;
-use super::affine::{Affine, Scalar};
-use super::interpolation::NODE;
-use super::kernel::{Power, Reals, dot};
-use super::square::Square;
-use crate::components::length;
-use crate::simd::{inlined, three, two};
-
-/// A number for each of four squares.
-pub type Lanes<S> = f64x4<S>;
-
-/// The largest relative radius of a vector whose direction is bounded.
-pub const MAX_RADIUS: f64 = 0.5;
+use super::field::{Field, Lanes, positive};
+use super::kernel::{Reals, dot};
+use super::specular::Power;
+use crate::simd::{three, two};
 
 /// asin(x) <= this x for x up to [`MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
 
-/// The rounding of f64 may take this much off a vector product's length, relative to the factors: that is formed as a
-/// square root, and sqrt(10 2^-53) = 3e-8 twice.
-const CROSS_ERROR: f64 = 1e-7;
-
-/// Four vectors.
-pub type Vectors<S> = [Lanes<S>; 3];
-
-/// Where four squares are: their middles in pixels from the picture's middle, and half their extents in pixels.
-#[derive(Clone, Copy)]
-pub struct Places<S: Simd> {
-    pub middle: [Lanes<S>; 2],
-    pub half: [Lanes<S>; 2],
-}
-
-/// A vector on four squares: `middle + right x + down y` for x and y from -1 to 1, the middle of length one.
-#[derive(Clone, Copy)]
-pub struct Field<S: Simd> {
-    pub middle: Vectors<S>,
-    pub right: Vectors<S>,
-    pub down: Vectors<S>,
-    /// Relative radius: how far the vector gets from its middle at most.
-    pub radius: Lanes<S>,
-    /// Its length is nowhere below this.
-    pub shortest: Lanes<S>,
-    /// p and q along x and along y.
-    rates: [[Lanes<S>; 2]; 2],
-}
-
-/// An affine vector, anchored at the picture's middle, and the lengths that a [`Field`] is bounded with.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Moving {
-    pub vector: Affine,
-    /// |V_x| and |V_y|, by pixel.
-    lengths: [f64; 2],
-    /// |V_x x V_y|.
-    area: f64,
-}
-
-impl From<Affine> for Moving {
-    fn from(vector: Affine) -> Self {
-        Moving {
-            lengths: [vector.dx, vector.dy].map(length),
-            area: length(vector.dx.cross(vector.dy)),
-            vector,
-        }
-    }
-}
-
-impl<S: Simd> Field<S> {
-    /// A vector on four squares.
-    #[inline(always)]
-    pub fn new(moving: &Moving, places: &Places<S>) -> Self {
-        let Moving {
-            vector,
-            lengths,
-            area,
-        } = moving;
-        let [x, y] = places.middle;
-        let middle = three(
-            #[inline(always)]
-            |axis| x * vector.dx[axis] + y * vector.dy[axis] + vector.centre[axis],
-        );
-        let inverse = 1.0 / dot(&middle, &middle).sqrt();
-        let steps = two(
-            #[inline(always)]
-            |axis| places.half[axis] * inverse,
-        );
-        let [right, down] = [vector.dx, vector.dy];
-        let [right_length, down_length] = two(
-            #[inline(always)]
-            |axis| steps[axis] * lengths[axis],
-        );
-        let radius = right_length + down_length;
-        // One over the least length of the vector.
-        let most = 1.0 / (1.0 - radius);
-        let parallelogram = steps[0] * steps[1] * *area;
-        let middle = three(
-            #[inline(always)]
-            |axis| middle[axis] * inverse,
-        );
-        let [right, down] = [
-            three(
-                #[inline(always)]
-                |axis| steps[0] * right[axis],
-            ),
-            three(
-                #[inline(always)]
-                |axis| steps[1] * down[axis],
-            ),
-        ];
-        let along = [dot(&middle, &right), dot(&middle, &down)];
-        // |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
-        let rates = inlined(
-            #[inline(always)]
-            |along: Lanes<S>, length: Lanes<S>| {
-                let cross = positive(length * length - along * along).sqrt() + parallelogram;
-                let q = length * most;
-                let p = (cross + length * CROSS_ERROR) * most * most;
-                [p.min(q), q]
-            },
-        );
-        Field {
-            middle,
-            right,
-            down,
-            radius,
-            // What it moves along its middle is all that can shorten it.
-            shortest: 1.0 - along[0].abs() - along[1].abs(),
-            rates: [rates(along[0], right_length), rates(along[1], down_length)],
-        }
-    }
-}
-
-impl<S: Simd> Field<S> {
-    /// Whether its direction is bounded: the relative radius is below [`MAX_RADIUS`].
-    #[inline(always)]
-    pub fn is_calm(&self) -> mask64x4<S> {
-        self.radius.simd_lt(MAX_RADIUS)
-    }
-
-    /// At one of the nine nodes, by row and column.
-    #[inline(always)]
-    pub fn node(&self, row: usize, column: usize) -> Vectors<S> {
-        let [x, y] = two(
-            #[inline(always)]
-            |axis| NODE * ([column, row][axis] as f64 - 1.0),
-        );
-        three(
-            #[inline(always)]
-            |axis| self.middle[axis] + self.right[axis] * x + self.down[axis] * y,
-        )
-    }
-}
-
-#[inline(always)]
-fn positive<S: Simd>(number: Lanes<S>) -> Lanes<S> {
-    number.max(Lanes::splat(number.token(), 0.0))
-}
-
 /// Bounds on the lengths of the first three derivatives of something of length at most one.
-type Derivatives<S> = [Lanes<S>; 3];
+pub type Derivatives<S> = [Lanes<S>; 3];
 
 /// Those of a unit vector.
 #[inline(always)]
-fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
+pub fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
     const HALF_SECOND: f64 = 0.577_350_269_189_625_8; // 1 / sqrt(3)
     let second = p.min(q * HALF_SECOND) * q * 2.0;
     let third = (p * 2.0).min(q) * q * q * 3.0;
@@ -205,13 +68,13 @@ fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
 
 /// Those of the mirror at a unit vector.
 #[inline(always)]
-fn mirror<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
+pub fn mirror<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
     [p * 2.0, p * q * 4.0, p * q * q * 12.0]
 }
 
 /// Those of a product (Leibniz).
 #[inline(always)]
-fn product<S: Simd>(a: Derivatives<S>, b: Derivatives<S>) -> Derivatives<S> {
+pub fn product<S: Simd>(a: Derivatives<S>, b: Derivatives<S>) -> Derivatives<S> {
     [
         a[0] + b[0],
         a[1] + a[0] * b[0] * 2.0 + b[1],
@@ -291,12 +154,13 @@ pub fn reflection<S: Simd>(
     ];
     let sine = dot(&cross, &cross).sqrt();
     let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
-    // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t.
+    // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. Where the angle to
+    // go is more than t, the sine is so large that t instead of sin(t) makes up for t^4 / 24.
     let turn2 = turn * turn;
     let drop = s.abs() * turn2;
     let one = Lanes::splat(simd, 1.0);
     let reached = sine.simd_le(turn * (1.0 - turn2 * (1.0 / 6.0))) & s.simd_gt(0.0);
-    let beyond = s - s * turn2 * 0.5 + drop * turn2 * (1.0 / 24.0) + sine * turn;
+    let beyond = s - s * turn2 * 0.5 + sine * turn;
     let most = reached.select(one, beyond.min(one));
     // A turn beyond a quarter says nothing.
     let calm = normal.is_calm() & light.is_calm() & eye.is_calm();
@@ -317,6 +181,8 @@ pub struct Highlight {
     peaks: [f64; 2],
     /// Whether no exponent is negative.
     bounded: bool,
+    /// Whether the second and the third factor have the same sign.
+    alike: bool,
 }
 
 impl Highlight {
@@ -338,6 +204,7 @@ impl Highlight {
             factors: [rho, second.abs(), (second * (rho - 2.0)).abs()],
             peaks: [peak(rho - 2.0, 1.0), peak(rho - 3.0, 3.0)],
             bounded: rho >= 3.0,
+            alike: rho >= 2.0,
         }
     }
 
@@ -364,17 +231,24 @@ impl Highlight {
         let falls = power * over;
         let falls_sine = (falls * over * sine).min(one);
         let falls_sine3 = (falls * over * over * sine * sine * sine).min(other);
-        let [a, b, c] = [
+        // cos(theta/2)^2 = (1 + s) / 2.
+        let chord = sine * (2.0 / (positive(least) + 1.0)).sqrt();
+        let [a, b, d] = [
             falls * first,
             falls_sine * (3.0 * second),
             falls_sine3 * third,
         ];
+        let cubes = if self.alike { b.max(d) } else { b + d };
         let errors = interpolation_error(two(
             #[inline(always)]
             |axis| {
-                let ends = product(direction(eye.rates[axis]), direction(light.rates[axis]));
-                let [speed, k2, k3] = product(ends, mirror(normal.rates[axis]));
-                a * k3 + b * speed * k2 + c * speed * speed * speed
+                let o = direction(eye.rates[axis]);
+                let r = product(direction(light.rates[axis]), mirror(normal.rates[axis]));
+                let [e1, e2, e3] = three(
+                    #[inline(always)]
+                    |order| o[order] + r[order],
+                );
+                a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
             },
         ));
         let bounded = base.simd_gt(0.0);
@@ -407,265 +281,5 @@ pub fn quotient_error<S: Simd>([a, b, c]: [Lanes<S>; 3], [e, g]: [Lanes<S>; 2]) 
     )
 }
 
-/// The least value of a scalar on four squares.
-#[inline(always)]
-pub fn least<S: Simd>(scalar: &Scalar, places: &Places<S>) -> Lanes<S> {
-    let ([x, y], [width, height]) = (places.middle, places.half);
-    let middle = x * scalar.dx + y * scalar.dy + scalar.centre;
-    middle - width * scalar.dx.abs() - height * scalar.dy.abs()
-}
-
-/// w on four squares over its value at the middle: what x and y add.
-#[inline(always)]
-pub fn relative<S: Simd>(w: &Scalar, places: &Places<S>) -> [Lanes<S>; 3] {
-    let [x, y] = places.middle;
-    let middle = x * w.dx + y * w.dy + w.centre;
-    [
-        middle,
-        places.half[0] * w.dx / middle,
-        places.half[1] * w.dy / middle,
-    ]
-}
-
-impl<S: Simd> Places<S> {
-    /// Those of four squares; their middles from `origin`, in pixels from the picture's corner.
-    #[inline(always)]
-    pub fn new(simd: S, [a, b, c, d]: &[Square; 4], origin: [f64; 2]) -> Self {
-        let lanes = inlined(
-            #[inline(always)]
-            |[a, b, c, d]: [[f64; 2]; 4], axis: usize| {
-                Lanes::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]])
-            },
-        );
-        let middles = [a.middle(), b.middle(), c.middle(), d.middle()];
-        let halves = [a.half(), b.half(), c.half(), d.half()];
-        Places {
-            middle: two(
-                #[inline(always)]
-                |axis| lanes(middles, axis) - origin[axis],
-            ),
-            half: two(
-                #[inline(always)]
-                |axis| lanes(halves, axis),
-            ),
-        }
-    }
-
-    /// One square, four times.
-    #[inline(always)]
-    pub fn single(simd: S, middle: [f64; 2], half: [f64; 2]) -> Self {
-        Places {
-            middle: two(
-                #[inline(always)]
-                |axis| Lanes::splat(simd, middle[axis]),
-            ),
-            half: two(
-                #[inline(always)]
-                |axis| Lanes::splat(simd, half[axis]),
-            ),
-        }
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use glam::DVec3;
-
-    use super::*;
-    use crate::simd::{Baseline, token};
-
-    type Number = Lanes<Baseline>;
-
-    struct Random(u64);
-
-    impl Random {
-        fn within(&mut self, from: f64, to: f64) -> f64 {
-            self.0 = self
-                .0
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            from + (to - from) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
-        }
-
-        fn vector(&mut self, size: f64) -> DVec3 {
-            DVec3::new(
-                self.within(-size, size),
-                self.within(-size, size),
-                self.within(-size, size),
-            )
-        }
-
-        /// Of length about one, moving by about `pace` over the square.
-        fn affine(&mut self, centre: DVec3, pace: f64) -> Affine {
-            Affine {
-                centre,
-                dx: self.vector(pace),
-                dy: self.vector(pace),
-            }
-        }
-    }
-
-    fn value(vector: &Affine, x: f64, y: f64) -> DVec3 {
-        vector.at(x, y).normalize()
-    }
-
-    /// The largest difference on a dense grid between a function and its interpolant through nine samples.
-    fn interpolation(f: impl Fn(f64, f64) -> f64) -> f64 {
-        let lagrange = |x: f64| {
-            let r2 = NODE * NODE;
-            [
-                x * (x - NODE) / (2.0 * r2),
-                1.0 - x * x / r2,
-                x * (x + NODE) / (2.0 * r2),
-            ]
-        };
-        let nodes = [-NODE, 0.0, NODE];
-        let samples = nodes.map(|y| nodes.map(|x| f(x, y)));
-        let mut worst = 0.0_f64;
-        for row in 0..=20 {
-            for column in 0..=20 {
-                let [x, y] = [column, row].map(|step| f64::from(step) / 10.0 - 1.0);
-                let (along, down) = (lagrange(x), lagrange(y));
-                let mut sum = 0.0;
-                for j in 0..3 {
-                    for i in 0..3 {
-                        sum += samples[j][i] * along[i] * down[j];
-                    }
-                }
-                worst = worst.max((sum - f(x, y)).abs());
-            }
-        }
-        worst
-    }
-
-    fn one(number: Number) -> f64 {
-        number.as_array()[0]
-    }
-
-    /// How many squares had a bound, and how far the bounds were used up at most and in the median.
-    fn judge(mut ratios: Vec<f64>, least: usize) {
-        assert!(
-            ratios.len() >= least,
-            "{} squares have a bound",
-            ratios.len()
-        );
-        ratios.sort_by(f64::total_cmp);
-        let worst = ratios[ratios.len() - 1];
-        assert!(worst <= 1.0, "{worst} of the bound");
-        assert!(
-            worst > 0.3,
-            "so loose a bound ({worst}) would hide a mistake"
-        );
-    }
-
-    fn scene(random: &mut Random) -> [Affine; 3] {
-        let pace = 10.0_f64.powf(random.within(-3.0, -0.7));
-        let normal = random.vector(1.0).normalize();
-        let light = (normal + random.vector(0.9)).normalize();
-        // Half of the eyes stand near the mirror image of the light.
-        let mirrored = normal * (2.0 * normal.dot(light)) - light;
-        let spread = if random.within(0.0, 1.0) < 0.5 {
-            0.1
-        } else {
-            1.0
-        };
-        let eye = (mirrored + random.vector(spread)).normalize();
-        [normal, light, eye].map(|centre| {
-            let share = random.within(0.0, 1.0);
-            random.affine(centre, pace * share)
-        })
-    }
-
-    #[test]
-    fn the_cosine_strays_no_further_than_its_bound() {
-        let mut random = Random(1);
-        let mut ratios = Vec::new();
-        for _ in 0..4000 {
-            let [normal, light, _] = scene(&mut random);
-            let places = Places::single(token(), [0.0; 2], [1.0; 2]);
-            let [n, l] = [normal, light].map(|vector| Field::new(&vector.into(), &places));
-            if one(n.radius.max(l.radius)) < MAX_RADIUS {
-                let bound = one(cosine_error(&n, &l));
-                let error = interpolation(|x, y| value(&normal, x, y).dot(value(&light, x, y)));
-                ratios.push((error - 1e-14) / bound);
-            }
-        }
-        judge(ratios, 3000);
-    }
-
-    #[test]
-    fn a_highlight_strays_no_further_than_its_bound() {
-        let mut random = Random(2);
-        let mut ratios = Vec::new();
-        for index in 0..6000 {
-            let [normal, light, eye] = scene(&mut random);
-            let shininess = [0.0, 0.5, 1.0, 1.7, 2.0, 2.5, 3.0, 10.0, 76.8, 1000.0][index % 10];
-            let places = Places::single(token(), [0.0; 2], [1.0; 2]);
-            let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector.into(), &places));
-            if one(n.radius.max(l.radius).max(o.radius)) >= MAX_RADIUS {
-                continue;
-            }
-            let s = |x: f64, y: f64| {
-                let [n, l, o] = [normal, light, eye].map(|vector| value(&vector, x, y));
-                o.dot(n * (2.0 * n.dot(l)) - l)
-            };
-            let side = side(&n, &l);
-            let range = reflection(&n, &l, &o, side.cosine);
-            for row in 0..=6 {
-                for column in 0..=6 {
-                    let [x, y] = [column, row].map(|step| f64::from(step) / 3.0 - 1.0);
-                    let s = s(x, y);
-                    assert!(s <= one(range.most) + 1e-14 && s >= one(range.least) - 1e-14);
-                    let cosine = value(&normal, x, y).dot(value(&light, x, y));
-                    assert!(!side.lit.test(0) || cosine > 0.0);
-                    assert!(!side.dark.test(0) || cosine <= 0.0);
-                }
-            }
-            let highlight = Highlight::new(shininess);
-            let bound = one(highlight.error(
-                &n,
-                &l,
-                &o,
-                &range,
-                power(&Power::new(shininess, 0.0, 0.0), range.most),
-            ));
-            if bound < 1.0 {
-                let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess));
-                ratios.push((error - 1e-14) / (bound + 1e-14));
-            }
-        }
-        judge(ratios, 2000);
-    }
-
-    #[test]
-    fn a_quotient_strays_no_further_than_its_bound() {
-        let mut random = Random(3);
-        let mut ratios = Vec::new();
-        for _ in 0..4000 {
-            let size = random.within(0.0, 0.4);
-            let [e, g] = [random.within(-size, size), random.within(-size, size)];
-            let [a, b, c] = [
-                random.within(0.0, 300.0),
-                random.within(-99.0, 99.0),
-                random.within(-99.0, 99.0),
-            ];
-            let lanes = |number| Number::splat(token(), number);
-            let bound = one(quotient_error([a, b, c].map(lanes), [e, g].map(lanes)));
-            let error = interpolation(|x, y| (a + b * x + c * y) / (1.0 + e * x + g * y));
-            ratios.push((error - 1e-10) / (bound + 1e-12));
-        }
-        judge(ratios, 4000);
-    }
-
-    #[test]
-    fn the_power_is_never_below_the_true_one() {
-        for shininess in [0.0, 0.5, 1.0, 2.0, 76.8, 1e3, 1e6] {
-            let exact = Power::new(shininess, 0.0, 0.0);
-            for step in 0..=1000 {
-                let s = 1.0 - (f64::from(step) / 1000.0).powi(5);
-                let bound = one(power(&exact, Number::splat(token(), s)));
-                assert!(bound >= s.powf(shininess), "{s}^{shininess}: {bound}");
-            }
-        }
-    }
-}
+mod tests;

@@ -15,7 +15,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::affine::{Affine, Scalar};
+use super::affine::Affine;
 use crate::components::{FACES, Projection, length};
 
 /// A cuboid as lines of sight meet it.
@@ -52,7 +52,7 @@ const OVERSHOOT: f64 = 1.0 / 128.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Face {
     /// w.
-    pub w: Scalar,
+    pub w: Affine<f64>,
     /// The interpolated normal times w.
     pub normal: Affine,
     /// Towards the eye, of positive length.
@@ -65,14 +65,14 @@ pub struct Face {
     pub fold: DVec3,
     /// w times the weight of the corner across the diagonal: positive on the first triangle, minus the other's weight on
     /// the second.
-    pub diagonal: Scalar,
+    pub diagonal: Affine<f64>,
     /// How much of the face a pixel is at most, times w.
     pub pace: f64,
     /// The line of sight through the middle, from the eye: its start, its direction, and what pixels add to them.
     start: Affine,
     direction: Affine,
     /// H.
-    height: Scalar,
+    height: Affine<f64>,
     /// The unit normal of the face's plane, and its distance from the cuboid's centre.
     outwards: DVec3,
     half_height: f64,
@@ -120,11 +120,11 @@ impl Face {
             Projection::Perspective => (Affine::default(), still + moving),
             Projection::Orthographic => (moving, still),
         };
-        let w = direction.measure(|d| -outwards.dot(d));
+        let w = direction.map(|d| -outwards.dot(d));
         let reach = outwards.dot(-solid.centre) - solid.half[across];
-        let height = Scalar {
+        let height = Affine {
             centre: reach,
-            ..start.measure(|o| outwards.dot(o))
+            ..start.map(|o| outwards.dot(o))
         };
         let half_edges = along.map(|axis| solid.axes.col(axis) * solid.half[axis]);
         let mut face = Face {
@@ -134,7 +134,7 @@ impl Face {
             place: Affine::default(),
             colors: Affine::default(),
             fold: DVec3::ZERO,
-            diagonal: Scalar::default(),
+            diagonal: Affine::default(),
             pace: 0.0,
             start,
             direction,
@@ -149,11 +149,8 @@ impl Face {
             projection: rays.projection,
         };
         let to_centre = face.towards(solid.centre, DVec3::ZERO);
-        let [u, v] = along.map(|axis| {
-            to_centre
-                .measure(|c| -solid.axes.col(axis).dot(c))
-                .over(solid.half[axis])
-        });
+        let [u, v] =
+            along.map(|axis| to_centre.map(|c| -solid.axes.col(axis).dot(c) / solid.half[axis]));
         face.place = Affine {
             centre: DVec3::new(u.centre, v.centre, w.centre),
             dx: DVec3::new(u.dx, v.dx, w.dx),
@@ -185,7 +182,7 @@ impl Face {
         face.across = signs[1].map(|sign| sign / 2.0);
         face.diagonal = face
             .place
-            .measure(|place| face.across[0] * place.x + face.across[1] * place.y);
+            .map(|place| face.across[0] * place.x + face.across[1] * place.y);
         face
     }
 
@@ -207,15 +204,15 @@ impl Face {
         let across = self.outwards;
         let above = across.dot(from_centre) - self.half_height;
         let along = towards.map(|v| v - across * across.dot(v));
-        along + w.times(across * above)
+        along + w.map(|w| across * above * w)
     }
 
     /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the
     /// eye. Depth is in world units along the view direction.
-    pub fn nearness(&self) -> Scalar {
+    pub fn nearness(&self) -> Affine<f64> {
         match self.projection {
-            Projection::Perspective => self.w.over(self.height.centre),
-            Projection::Orthographic => self.height.over(-self.w.centre),
+            Projection::Perspective => self.w.map(|w| w / self.height.centre),
+            Projection::Orthographic => self.height.map(|h| h / -self.w.centre),
         }
     }
 

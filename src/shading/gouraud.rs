@@ -8,9 +8,10 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask64x4};
 use glam::DVec3;
 
-use super::bound::{self, Lanes, Places};
+use super::bound;
 use super::display::Rows;
 use super::face::Face;
+use super::field::{self, Lanes, Places};
 use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
 use super::kernel::Reals;
 use super::square::Region;
@@ -39,7 +40,7 @@ impl Gouraud<'_> {
             diagonal,
             ..
         } = self.face;
-        let [middle, e, g] = bound::relative(w, places);
+        let [middle, e, g] = field::relative(w, places);
         let inverse = 1.0 / middle;
         // All three relative to w at the middle.
         let scaled = inlined(

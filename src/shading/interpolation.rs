@@ -11,14 +11,14 @@
 //! to clamp and bytes only have to be cut out.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, mask64x4, u32x16};
+use fearless_simd::{Simd, mask64x4};
 
-use super::bound::{Lanes, Places};
-use super::display::{Rows, display_step};
-use super::kernel::Reals;
-use super::square::{MAX_SIDE, Square};
+use super::display::display_step;
+use super::field::{Lanes, Places};
+use super::rows::{Curve, FixedCurve, Flat, Ramp, Terminator};
+use super::square::Square;
 use super::{Sink, TileKind, U};
-use crate::simd::{four, inlined, three, two};
+use crate::simd::{four, inlined, three};
 
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;
@@ -64,10 +64,6 @@ const FIXED: f64 = 1.5 / 256.0;
 /// The levels that multiples of 1/256 can hold without a clamp: with a half added they stay within 0..256.
 const FIXED_RANGE: [f64; 2] = [0.0, 255.49];
 
-/// 1.5 * 2^15: a float added to it, of size below 2^14, is rounded to a multiple of 1/256 and stands, times 256, in the
-/// low bits.
-const PLACES: f32 = 49_152.0;
-
 /// Colours of four squares, x and y from -1 to 1 over each.
 pub struct Colors<S: Simd> {
     /// By channel, and then n.l of a light whose terminator crosses the square: cutting it off at zero at each pixel
@@ -86,13 +82,8 @@ pub struct Interpolant<S: Simd> {
     colors: Colors<S>,
     /// The best linear colours, by channel: the middle, and what x and y add.
     linear: [[Lanes<S>; 3]; 3],
-    /// For each square a bit: whether it may be drawn; in multiples of 1/256 level; whether a light crosses it, more than a
-    /// linear colour is needed, or more than one colour.
-    possible: u64,
-    fixed: u64,
-    crosses: u64,
-    curved: u64,
-    sloped: u64,
+    /// How each is drawn; none where the budget does not suffice.
+    pub forms: [Option<Form>; 4],
 }
 
 /// The colour of one square, and n.l of the light that is cut off: `c[j][i]` for x^i y^j.
@@ -133,40 +124,36 @@ impl<S: Simd> Interpolant<S> {
         let left = budget - size * ROUNDING;
         let fixed = inside & left.simd_gt(FIXED);
         let rest = fixed.select(left - FIXED, left);
+        let possible = (finite & left.simd_gt(0.0)).to_bitmask();
+        let steps = fixed.to_bitmask();
+        let crosses = colors.crosses.to_bitmask();
+        let curved = curve.simd_gt(rest).to_bitmask();
+        let sloped = slope.simd_gt(rest).to_bitmask();
+        let forms = four(
+            #[inline(always)]
+            |index| {
+                let is = |set: u64| set >> index & 1 == 1;
+                let kind = if is(crosses) {
+                    TileKind::Terminator
+                } else if is(curved) {
+                    TileKind::Quadratic
+                } else if is(sloped) {
+                    TileKind::Linear
+                } else {
+                    TileKind::Constant
+                };
+                let fixed = is(steps);
+                is(possible).then_some(Form { kind, fixed })
+            },
+        );
         Interpolant {
             linear: three(
                 #[inline(always)]
                 |channel| economized(&colors.terms[channel]),
             ),
-            possible: (finite & left.simd_gt(0.0)).to_bitmask(),
-            fixed: fixed.to_bitmask(),
-            crosses: colors.crosses.to_bitmask(),
-            curved: curve.simd_gt(rest).to_bitmask(),
-            sloped: slope.simd_gt(rest).to_bitmask(),
+            forms,
             colors,
         }
-    }
-
-    /// How one of the squares is drawn; none where the budget does not suffice.
-    #[inline(always)]
-    pub fn form(&self, index: usize) -> Option<Form> {
-        let is = |set: u64| set >> index & 1 == 1;
-        if !is(self.possible) {
-            return None;
-        }
-        let kind = if is(self.crosses) {
-            TileKind::Terminator
-        } else if is(self.curved) {
-            TileKind::Quadratic
-        } else if is(self.sloped) {
-            TileKind::Linear
-        } else {
-            TileKind::Constant
-        };
-        Some(Form {
-            kind,
-            fixed: is(self.fixed),
-        })
     }
 
     /// That of one of the squares, on its quarters.
@@ -329,430 +316,11 @@ pub fn draw<S: Simd>(
             ),
         });
     } else if form.fixed {
-        let bias = f64::from(PLACES) + 0.5;
-        sink.draw(&mut FixedCurve(Curve::new(simd, &color, first, bias)));
+        sink.draw(&mut FixedCurve::new(simd, &color, first));
     } else {
         sink.draw(&mut Curve::new(simd, &color, first, 0.0));
     }
 }
 
-/// One colour.
-struct Flat<S: Simd> {
-    simd: S,
-    pixel: u32,
-    levels: [f32; 3],
-}
-
-impl<S: Simd> Rows<S> for Flat<S> {
-    #[inline(always)]
-    fn go_to(&mut self, _part: usize) {}
-
-    #[inline(always)]
-    fn levels(&self, _row: usize) -> [f32x16<S>; 3] {
-        self.levels.map(|level| f32x16::splat(self.simd, level))
-    }
-
-    #[inline(always)]
-    fn pixels(&self, _row: usize) -> u32x16<S> {
-        u32x16::splat(self.simd, self.pixel)
-    }
-}
-
-/// A linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green in
-/// another; a start for each row and what each column adds. Borrows between the halves cancel, since each channel's sum is
-/// within 0..65536.
-struct Ramp<'a, S: Simd> {
-    /// For each channel the middle, and what a pixel to the right and one down add.
-    colors: &'a [[f64; 3]; 3],
-    starts: [[u32; MAX_SIDE]; 2],
-    columns: [u32x16<S>; 2],
-    /// The square's first column from the middle, in pixels.
-    left: f32,
-}
-
-impl<'a, S: Simd> Ramp<'a, S> {
-    #[inline(always)]
-    fn new(simd: S, colors: &'a [[f64; 3]; 3], square: &Square) -> Self {
-        let [left, top] = square.first();
-        let mut starts = [[0; MAX_SIDE]; 2];
-        for part in 0..square.side / 16 {
-            let y = f32x16::count(simd, 16 * part) + top as f32;
-            // A half is added here once: then the byte is the whole part.
-            let pairs = paired(three(
-                #[inline(always)]
-                |channel| {
-                    let [middle, _, down] = colors[channel];
-                    y * down as f32 + (middle + 0.5) as f32
-                },
-            ));
-            for pair in 0..2 {
-                starts[pair][16 * part..16 * part + 16].copy_from_slice(pairs[pair].as_slice());
-            }
-        }
-        Ramp {
-            colors,
-            starts,
-            columns: [u32x16::splat(simd, 0); 2],
-            left: left as f32,
-        }
-    }
-
-    /// Red and blue, and green.
-    #[inline(always)]
-    fn at(&self, row: usize) -> [u32x16<S>; 2] {
-        two(
-            #[inline(always)]
-            |pair| self.columns[pair] + self.starts[pair][row % MAX_SIDE],
-        )
-    }
-}
-
-/// Three channels in multiples of 1/256 level, as a [`Ramp`] has them.
-#[inline(always)]
-fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
-    let [red, green, blue] = three(
-        #[inline(always)]
-        |channel| (levels[channel] + PLACES).to_bits() - PLACES.to_bits(),
-    );
-    [(red << 16) + blue, green]
-}
-
-impl<S: Simd> Rows<S> for Ramp<'_, S> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        let x = f32x16::count(self.columns[0].token(), 16 * part) + self.left;
-        self.columns = paired(three(
-            #[inline(always)]
-            |channel| x * self.colors[channel][1] as f32,
-        ));
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let [red_blue, green] = self.at(row);
-        let places = [red_blue >> 16, green & 0xffff, red_blue & 0xffff];
-        three(
-            #[inline(always)]
-            |channel| places[channel].to_float::<f32x16<S>>() * (1.0 / 256.0) - 0.5,
-        )
-    }
-
-    #[inline(always)]
-    fn pixels(&self, row: usize) -> u32x16<S> {
-        let [red_blue, green] = self.at(row);
-        ((red_blue >> 8) & 0x00ff_00ff) | (green & 0xff00)
-    }
-}
-
-/// A quadratic of so many channels.
-struct Curve<S: Simd, const CHANNELS: usize> {
-    /// By power of y and of x.
-    color: [[[f32; 3]; 3]; CHANNELS],
-    /// In sixteen columns: by power of y.
-    terms: [[f32x16<S>; 3]; CHANNELS],
-    /// The square's first pixel from the middle, in pixels.
-    first: [f32; 2],
-}
-
-impl<S: Simd, const CHANNELS: usize> Curve<S, CHANNELS> {
-    /// `color` in pixels from a middle, `first` the square's first pixel from there; `bias` is added to all levels.
-    #[inline(always)]
-    fn new(simd: S, color: &Color, first: [f64; 2], bias: f64) -> Self {
-        let mut single = [[[0.0; 3]; 3]; CHANNELS];
-        for channel in 0..CHANNELS {
-            for j in 0..3 {
-                for i in 0..3 {
-                    let bias = if i + j == 0 { bias } else { 0.0 };
-                    single[channel][j][i] = (color[channel][j][i] + bias) as f32;
-                }
-            }
-        }
-        Curve {
-            color: single,
-            terms: [[f32x16::splat(simd, 0.0); 3]; CHANNELS],
-            first: first.map(|first| first as f32),
-        }
-    }
-
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        let x = f32x16::count(self.terms[0][0].token(), 16 * part) + self.first[0];
-        for channel in 0..CHANNELS {
-            for j in 0..3 {
-                let [middle, slope, bend] = self.color[channel][j];
-                self.terms[channel][j] = (x * bend + slope) * x + middle;
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, row: usize) -> [f32x16<S>; CHANNELS] {
-        let y = self.first[1] + row as i32 as f32;
-        let mut levels = self.terms.each_ref().map(|terms| terms[0]);
-        for channel in 0..CHANNELS {
-            let [_, slope, bend] = self.terms[channel];
-            levels[channel] += (bend * y + slope) * y;
-        }
-        levels
-    }
-}
-
-impl<S: Simd> Rows<S> for Curve<S, 3> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        self.go_to(part);
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        self.at(row)
-    }
-}
-
-/// A quadratic colour and one light more that is cut off where n.l is below zero.
-struct Terminator<S: Simd> {
-    curve: Curve<S, 4>,
-    crossing: [f32; 3],
-}
-
-impl<S: Simd> Rows<S> for Terminator<S> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        self.curve.go_to(part);
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let [red, green, blue, lit] = self.curve.at(row);
-        let lit = lit.max(f32x16::splat(lit.token(), 0.0));
-        let levels = [red, green, blue];
-        three(
-            #[inline(always)]
-            |channel| levels[channel] + lit * self.crossing[channel],
-        )
-    }
-}
-
-/// A quadratic colour with [`PLACES`] and a half in its middle, so that it comes in multiples of 1/256 level.
-struct FixedCurve<S: Simd>(Curve<S, 3>);
-
-impl<S: Simd> Rows<S> for FixedCurve<S> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        self.0.go_to(part);
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let levels = self.0.at(row);
-        three(
-            #[inline(always)]
-            |channel| levels[channel] - PLACES - 0.5,
-        )
-    }
-
-    #[inline(always)]
-    fn pixels(&self, row: usize) -> u32x16<S> {
-        let levels = self.0.at(row);
-        let [red, green, blue] = three(
-            #[inline(always)]
-            |channel| levels[channel].to_bits(),
-        );
-        ((red << 8) & 0x00ff_0000) | (green & 0xff00) | ((blue >> 8) & 0xff)
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::simd::{Baseline, token};
-
-    /// Holds every pixel of a square to the colour that it is drawn with.
-    struct Judge {
-        color: Color,
-        crossing: [f64; 3],
-        side: usize,
-        worst: f64,
-        /// Bytes that differ from the display step of the levels, and those that do not.
-        shown: [u32; 2],
-    }
-
-    impl Judge {
-        /// The channels at a place from -1 to 1, unclamped.
-        fn at(&self, place: [f64; 2]) -> [f64; 3] {
-            let [x, y] = place.map(|x| [1.0, x, x * x]);
-            let value = |nine: &[[f64; 3]; 3]| {
-                let terms = (0..9).map(|term| nine[term / 3][term % 3] * y[term / 3] * x[term % 3]);
-                terms.sum::<f64>()
-            };
-            let lit = value(&self.color[3]).max(0.0);
-            [0, 1, 2].map(|channel| value(&self.color[channel]) + lit * self.crossing[channel])
-        }
-    }
-
-    impl Sink<Baseline> for Judge {
-        fn draw(&mut self, rows: &mut impl Rows<Baseline>) {
-            for part in 0..self.side / 16 {
-                rows.go_to(part);
-                for row in 0..self.side {
-                    let (levels, pixels) = (rows.levels(row), rows.pixels(row));
-                    for lane in 0..16 {
-                        let column = 16 * part + lane;
-                        let last = (self.side - 1) as f64;
-                        let place = [column, row].map(|pixel| 2.0 * pixel as f64 / last - 1.0);
-                        let found = levels.map(|levels| levels[lane]);
-                        for (found, expected) in found.iter().zip(self.at(place)) {
-                            self.worst = self.worst.max((f64::from(*found) - expected).abs());
-                        }
-                        let [red, green, blue] = found.map(|level| display_step(f64::from(level)));
-                        // Where a step of 1/256 or an ulp falls on a half, the byte may be the one above.
-                        let expected = u32::from_be_bytes([0, red, green, blue]);
-                        self.shown[usize::from(pixels[lane] == expected)] += 1;
-                    }
-                }
-            }
-        }
-    }
-
-    fn judge(
-        color: &Color,
-        crossing: Option<[f64; 3]>,
-        side: usize,
-        budget: f64,
-    ) -> (Option<Form>, Judge) {
-        let simd = token();
-        let lanes = |number| Lanes::splat(simd, number);
-        let interpolant = Interpolant::new(Colors {
-            terms: color.map(|nine| nine.map(|row| row.map(lanes))),
-            crossing: crossing.unwrap_or_default().map(lanes),
-            crosses: mask64x4::splat(simd, crossing.is_some()),
-            budget: lanes(budget),
-        });
-        let mut judge = Judge {
-            color: *color,
-            crossing: crossing.unwrap_or_default(),
-            side,
-            worst: 0.0,
-            shown: [0; 2],
-        };
-        let form = interpolant.form(2);
-        if let Some(form) = form {
-            let square = Square::whole([96, 64], side);
-            draw(simd, &interpolant, 2, form, &square, &mut judge);
-        }
-        (form, judge)
-    }
-
-    #[test]
-    fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
-        let mut forms = std::collections::HashSet::new();
-        let mut seed = 1_u64;
-        let mut random = move |size: f64| {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            ((seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * size
-        };
-        for case in 0..3000 {
-            let [slope, curve] = [0, 1].map(|_| 10.0_f64.powf(random(1.5)));
-            let budget = 10.0_f64.powf(random(2.0) - 1.0);
-            let mut nine = |middle: f64, slope: f64, curve: f64| {
-                let mut term = |size: f64| random(size);
-                [
-                    [middle, term(slope), term(curve)],
-                    [term(slope), term(curve), term(curve / 8.0)],
-                    [term(curve), term(curve / 8.0), term(curve / 64.0)],
-                ]
-            };
-            let middle = 128.0 + f64::from(case % 280 - 140);
-            let color = [
-                nine(middle, slope, curve),
-                nine(middle, slope, curve),
-                nine(middle, slope, curve),
-                nine(0.0, 0.5, 0.1),
-            ];
-            let crossing = (case % 5 == 0).then_some([200.0, 90.0, 0.0]);
-            let side = [16, 32][case as usize % 2];
-            let (form, judge) = judge(&color, crossing, side, budget);
-            let Some(form) = form else {
-                continue;
-            };
-            forms.insert((form.kind, form.fixed && form.kind != TileKind::Terminator));
-            assert!(
-                judge.worst <= budget,
-                "{} levels of {budget}: {form:?}, {color:?}",
-                judge.worst
-            );
-            assert!(
-                judge.shown[0] <= 16,
-                "{:?} bytes differ: {form:?}",
-                judge.shown
-            );
-        }
-        assert_eq!(
-            forms.len(),
-            7,
-            "three kinds, in steps or not, and terminators: {forms:?}"
-        );
-    }
-
-    #[test]
-    fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
-        let fixed = |middle: f64, slope: f64, budget: f64| {
-            let nine = [[middle, slope, 0.0], [0.0; 3], [0.0; 3]];
-            let color = [nine, nine, nine, [[0.0; 3]; 3]];
-            judge(&color, None, 16, budget).0.map(|form| form.fixed)
-        };
-        assert_eq!(fixed(100.0, 8.0, 0.5), Some(true));
-        assert_eq!(
-            fixed(100.0, 8.0, 1e-3),
-            Some(false),
-            "too coarse for the budget"
-        );
-        assert_eq!(fixed(7.0, 8.0, 0.5), Some(false), "black on one side");
-        assert_eq!(fixed(250.0, 8.0, 0.5), Some(false), "white on the other");
-        assert_eq!(fixed(100.0, 8.0, 1e-6), None, "f32 itself errs more");
-        assert_eq!(fixed(f64::NAN, 8.0, 0.5), None);
-    }
-
-    #[test]
-    fn a_colour_is_the_same_on_the_quarters_of_its_square() {
-        let simd = token();
-        let terms: [Nine<Baseline>; 4] = [0, 1, 2, 3].map(|channel| {
-            [0, 1, 2].map(|j| {
-                [0, 1, 2].map(|i| Lanes::splat(simd, f64::from(channel * 9 + j * 3 + i) - 7.5))
-            })
-        });
-        let interpolant = Interpolant::new(Colors {
-            terms,
-            crossing: [Lanes::splat(simd, 3.0); 3],
-            crosses: mask64x4::splat(simd, true),
-            budget: Lanes::splat(simd, 0.25),
-        });
-        let square = Square::whole([32, 64], 32);
-        let quarter =
-            |right: usize, down: usize| Square::whole([32 + 16 * right, 64 + 16 * down], 16);
-        let quarters = [quarter(0, 0), quarter(1, 0), quarter(0, 1), quarter(1, 1)];
-        let parts = interpolant.on_quarters(1, &square, &quarters);
-        let value = |color: &Color, channel: usize, [x, y]: [f64; 2]| {
-            let [x, y] = [x, y].map(|x| [1.0, x, x * x]);
-            (0..9)
-                .map(|term| color[channel][term / 3][term % 3] * y[term / 3] * x[term % 3])
-                .sum::<f64>()
-        };
-        for (index, quarter) in quarters.iter().enumerate() {
-            for (column, row) in [(0.0, 0.0), (15.0, 3.0), (7.0, 11.0)] {
-                let pixel =
-                    [0, 1].map(|axis| quarter.place[axis] as f64 + [column, row][axis] + 0.5);
-                let on = |square: &Square| {
-                    [0, 1].map(|axis| (pixel[axis] - square.middle()[axis]) / square.half()[axis])
-                };
-                for channel in 0..4 {
-                    let whole = value(&interpolant.color(1, [1.0; 2]), channel, on(&square));
-                    let part = value(&parts.color(index, [1.0; 2]), channel, on(quarter));
-                    assert!((whole - part).abs() < 1e-11, "{whole}, not {part}");
-                }
-            }
-        }
-        assert_eq!(parts.crosses, 0b1111);
-        assert_eq!(parts.colors.budget.as_array(), &[0.25; 4]);
-    }
-}
+mod tests;

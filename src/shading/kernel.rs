@@ -6,7 +6,7 @@
 //! The same lines evaluate sixteen pixels in f32, four in f64, and a node of each of four squares in f64. Where s is near 1
 //! it is formed as 1 - |r - o|^2 / 2, which holds for unit vectors and cancels nothing (Lyon 1993).
 //!
-//! Rule: what rounding costs the model is counted here: [`Rounding`], per light and per term of the sum.
+//! Rule: what rounding these lines cost is counted in [`super::rounding`], line by line.
 
 use std::ops::{Add, Mul};
 
@@ -14,11 +14,9 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
-use super::U;
 use super::affine::Affine;
-use super::bound::{Field, MAX_RADIUS};
 use super::display::{Levels, Rows};
-use super::specular::{self, Squarings};
+use super::specular::{self, Power};
 use super::square::Region;
 use crate::simd::{apart, inlined, three};
 
@@ -50,49 +48,6 @@ pub trait Reals<S: Simd>:
 
     /// Sixteen of each in f32, from those that `evaluate` gives from a lane on.
     fn sixteen(simd: S, evaluate: impl FnMut(usize) -> [Self; 3]) -> [f32x16<S>; 3];
-}
-
-/// The power of one shininess, s^rho from 1 - s.
-#[derive(Clone, Copy, Debug)]
-pub struct Power {
-    shininess: f32,
-    exact: f64,
-    /// The steepest slope of (1 - d^2/2)^rho in d = |r - o|, at d^2 = 2 / (2 rho - 1): for a shininess of at least 1.
-    steepest: f64,
-    squarings: Option<Squarings>,
-    /// What it errs by, f32 included.
-    pub error: f64,
-}
-
-/// A bound on what the power errs by, with 1 - s rounded to f32 first: [`specular::power`] errs by less than half of it.
-const POWER_ERROR: f64 = 16.0 * U;
-
-impl Power {
-    /// One that errs by at most `most` where s is at least `least` and nothing is asked elsewhere, if there is a cheap
-    /// one; otherwise one for every s.
-    pub fn new(shininess: f64, least: f64, most: f64) -> Self {
-        let squarings = Squarings::new(shininess, least, most);
-        let chord = (2.0 / (2.0 * shininess - 1.0)).sqrt();
-        Power {
-            shininess: shininess as f32,
-            exact: shininess,
-            steepest: shininess * chord * (1.0 - chord * chord / 2.0).powf(shininess - 1.0),
-            squarings,
-            error: squarings.map_or(POWER_ERROR, |squarings| squarings.error),
-        }
-    }
-
-    /// What an error in |r - o|, and four roundings of 1 - s, make of s^rho. Below a shininess of 1 the slope has no bound as
-    /// s goes to 0, but powers of two numbers then differ by no more than the power of their difference. From 1 on it makes
-    /// relative errors of 1 - s no larger: rho (1 - s) s^(rho - 1) <= 1.
-    fn moved(&self, apart: f64, unit: f64) -> f64 {
-        let rounded = 4.0 * unit;
-        match self.exact {
-            0.0 => 0.0,
-            shininess if shininess < 1.0 => (2.0 * apart + rounded).powf(shininess),
-            _ => self.steepest * apart + rounded,
-        }
-    }
 }
 
 impl<S: Simd> Reals<S> for f32x16<S> {
@@ -233,106 +188,6 @@ pub fn unit<S: Simd, V: Reals<S>>(simd: S, vector: Lanes3<V>) -> Lanes3<V> {
 fn gated<S: Simd, V: Reals<S>>(simd: S, gate: V, number: V) -> V {
     let zero = V::all(simd, 0.0);
     gate.simd_gt(zero).select(number, zero)
-}
-
-/// What rounding costs the model at one pixel, in levels. Rows of polynomials are counted in [`super::interpolation`].
-///
-/// A vector of length one at the middle is formed as (c + a x) + b y: c, a and b are rounded, then both products and both
-/// sums, each by at most u times its size. So its direction errs by
-///
-/// ```text
-///   delta = u (3 + 4 radius) / shortest
-/// ```
-/// A vector is brought to length one by five roundings: half of three for its square, a root, a quotient, a product. n.l
-/// errs by the delta of n and of l, and by twelve roundings: those of n, three of the product, three of the length of l,
-/// one more. |r - o| errs by twice the delta of n, those of l and o, and 50 roundings: 2 n.l n, of size two, by twice
-/// those of n.l, n and a product; l and o by five each; and two differences of size at most three. s^rho errs by what that
-/// and four roundings of 1 - s make of it, and by the power's own error.
-///
-/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, so that no row and no
-/// column sees another vector.
-#[derive(Clone, Copy, Debug)]
-pub struct Rounding {
-    /// Unit round-off.
-    unit: f64,
-    /// Direction errors of n and o.
-    normal: f64,
-    eye: f64,
-    /// Levels that err so far, and the terms that were summed.
-    error: f64,
-    largest: f64,
-    terms: f64,
-}
-
-impl Rounding {
-    /// For numbers of a unit round-off, the normal's and the eye's [`Extent`], and a sum that starts with `ambient` levels.
-    pub fn new(unit: f64, [normal, eye]: [Extent; 2], ambient: f64) -> Self {
-        Rounding {
-            unit,
-            normal: direction(unit, normal),
-            eye: direction(unit, eye),
-            error: 0.0,
-            largest: ambient,
-            terms: 1.0,
-        }
-    }
-
-    /// Adds a light's diffuse term of at most so many levels.
-    pub fn diffuse(&mut self, light: Extent, levels: f64) {
-        self.error += levels * (self.normal + direction(self.unit, light) + 12.0 * self.unit);
-        self.count(levels);
-    }
-
-    /// Adds a light's specular term of at most so many levels.
-    pub fn specular(&mut self, light: Extent, levels: f64, power: &Power) {
-        let apart = 2.0 * self.normal + direction(self.unit, light) + self.eye + 50.0 * self.unit;
-        self.error += levels * (power.moved(apart, self.unit) + power.error);
-        self.count(levels);
-    }
-
-    fn count(&mut self, levels: f64) {
-        self.largest += levels;
-        self.terms += 1.0;
-    }
-
-    /// A bound, in levels: each term's coefficient, product and sum are rounded at the size of the largest sum there can
-    /// be; the result once to f32, whose display may be that of the next float.
-    pub fn levels(&self) -> f64 {
-        self.error + self.largest * (self.unit * (2.0 + self.terms) + 3.0 * U)
-    }
-}
-
-/// How far a vector of length one at the middle of a square gets from there, and how short it gets.
-#[derive(Clone, Copy, Debug)]
-pub struct Extent {
-    pub radius: f64,
-    pub shortest: f64,
-}
-
-impl Extent {
-    /// That of any vector that nodes are sampled of.
-    pub const CALM: Self = Extent {
-        radius: MAX_RADIUS,
-        shortest: 1.0 - MAX_RADIUS,
-    };
-}
-
-impl<S: Simd> From<&Field<S>> for Extent {
-    fn from(field: &Field<S>) -> Self {
-        Extent {
-            radius: field.radius.as_array()[0],
-            shortest: field.shortest.as_array()[0],
-        }
-    }
-}
-
-/// Direction error of an interpolated vector.
-fn direction(unit: f64, Extent { radius, shortest }: Extent) -> f64 {
-    if shortest > 0.0 {
-        unit * (3.0 + 4.0 * radius) / shortest
-    } else {
-        f64::INFINITY
-    }
 }
 
 /// A vector on a square: `middle + right x + down y`, x and y in pixels from the square's middle.

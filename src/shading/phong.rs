@@ -12,79 +12,17 @@ use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
-use super::bound::{self, Field, Highlight, Lanes, Moving, Places};
+use super::bound;
 use super::face::Face;
+use super::field::{self, Field, Lanes, Moving, Places};
+use super::gloss::Gloss;
 use super::interpolation::{Colors, Interpolant, LEBESGUE, Nine, biquadratic};
-use super::kernel::{self, Extent, Light, Model, Power, Reals, Rounding, Vector};
+use super::kernel::{self, Light, Model, Reals, Vector};
+use super::rounding::{Extent, Rounding};
 use super::square::Region;
 use super::{Evaluations, Scratch, Surface, TileKind, U, limit};
-use crate::components::{Material, PointLight, length, unit};
+use crate::components::{PointLight, length, unit};
 use crate::simd::{apart, inlined, three, two};
-
-/// The part of the tolerance that dropped highlights may use up together.
-const DROPPED: f64 = 0.25;
-
-/// The part of the tolerance that cheaper powers may use up together.
-const POWERED: f64 = 0.125;
-
-/// What the highlights of one material need in every square.
-#[derive(Clone, Copy, Debug)]
-pub struct Gloss {
-    material: Material,
-    tolerance: f64,
-    /// For any s.
-    every: Power,
-    /// Perhaps cheaper, and nothing where s is below `least`.
-    bright: Power,
-    /// What bounds are worked out with.
-    bound: Highlight,
-    /// A highlight whose s stays below this is too faint to be drawn.
-    pub least: f64,
-    /// What one highlight may lose by that, in levels.
-    pub faint: f64,
-}
-
-impl Gloss {
-    /// For an object under its light.
-    pub fn new(surface: &Surface, tolerance: f64) -> Self {
-        let shininess = surface.material.shininess;
-        let powers = surface.powers().max(1) as f64;
-        let brightest = surface
-            .illumination
-            .points
-            .iter()
-            .map(|light| surface.coefficients(light)[1].max_element())
-            .fold(0.0, f64::max);
-        let share = limit(tolerance) / powers;
-        let faint = DROPPED * share;
-        let least = if brightest <= faint {
-            f64::INFINITY
-        } else if shininess == 0.0 {
-            f64::NEG_INFINITY
-        } else {
-            (faint / brightest).powf(1.0 / shininess)
-        };
-        Gloss {
-            material: *surface.material,
-            tolerance,
-            every: Power::new(shininess, 0.0, 0.0),
-            bright: Power::new(shininess, least, POWERED * share / brightest),
-            bound: Highlight::new(shininess),
-            least,
-            faint,
-        }
-    }
-
-    /// The power of any s.
-    pub fn power(&self) -> Power {
-        self.every
-    }
-
-    /// Whether it serves another object as well.
-    pub fn serves(&self, surface: &Surface, tolerance: f64) -> bool {
-        self.material == *surface.material && self.tolerance == tolerance
-    }
-}
 
 /// A point light as a face sees it.
 #[derive(Clone, Copy, Debug)]
@@ -196,7 +134,7 @@ impl<'a> Phong<'a> {
         let normal = Field::new(&self.normal, places);
         let eye = Field::new(&self.to_eye, places);
         // What pixels show of a sliver is held on the face, one by one.
-        let least = bound::least(&self.face.w, places);
+        let least = field::least(&self.face.w, places);
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let steady = steady & normal.is_calm() & eye.is_calm();
         let mut budget = steady.select(Lanes::splat(simd, self.tolerance - self.sampling), never);
@@ -303,9 +241,9 @@ impl<'a> Phong<'a> {
         let found = apart(
             simd,
             #[inline(always)]
-            || self.survey(&places, active),
+            || self.survey(&places, region.square.pixels as u64, active),
         )?;
-        let shines = found.highlights > 0;
+        let shines = found.specular > 0;
         if found.kind == TileKind::Exact {
             let mut model = self.model::<S, f32x16<S>>(simd, region, active, shines, single);
             model.fill(region, levels);
@@ -313,16 +251,18 @@ impl<'a> Phong<'a> {
             let mut model = self.model::<S, f64x4<S>>(simd, region, active, shines, double);
             model.fill(region, levels);
         }
-        Some(Evaluations {
-            kind: found.kind,
-            model: region.square.pixels as u64,
-            specular: region.square.pixels as u64 * found.highlights,
-        })
+        Some(found)
     }
 
-    /// Finds the lights that are evaluated on a square, and in which arithmetic; none where neither keeps the tolerance.
+    /// Finds the lights that are evaluated on a square of so many pixels, and in which arithmetic; none where neither keeps
+    /// the tolerance.
     #[inline(always)]
-    fn survey<S: Simd>(&self, places: &Places<S>, active: &mut Vec<Active>) -> Option<Found> {
+    fn survey<S: Simd>(
+        &self,
+        places: &Places<S>,
+        pixels: u64,
+        active: &mut Vec<Active>,
+    ) -> Option<Evaluations> {
         let normal = Field::new(&self.normal, places);
         let eye = Field::new(&self.to_eye, places);
         let extents = [(&normal).into(), (&eye).into()];
@@ -373,7 +313,11 @@ impl<'a> Phong<'a> {
         } else {
             return None;
         };
-        Some(Found { kind, highlights })
+        Some(Evaluations {
+            kind,
+            model: pixels,
+            specular: pixels * highlights,
+        })
     }
 
     /// The model on a square.
@@ -455,10 +399,4 @@ fn add_to<S: Simd>(colors: &mut [Nine<S>; 4], term: &Nine<S>, levels: DVec3, on:
             }
         }
     }
-}
-
-/// How a square is evaluated.
-struct Found {
-    kind: TileKind,
-    highlights: u64,
 }

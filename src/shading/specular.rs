@@ -124,6 +124,49 @@ impl Squarings {
     }
 }
 
+/// The power of one shininess, s^rho from 1 - s.
+#[derive(Clone, Copy, Debug)]
+pub struct Power {
+    pub shininess: f32,
+    pub exact: f64,
+    /// The steepest slope of (1 - d^2/2)^rho in d = |r - o|, at d^2 = 2 / (2 rho - 1): for a shininess of at least 1.
+    steepest: f64,
+    pub squarings: Option<Squarings>,
+    /// What it errs by, f32 included.
+    pub error: f64,
+}
+
+/// A bound on what the power errs by, with 1 - s rounded to f32 first: [`power`] errs by less than half of it.
+const POWER_ERROR: f64 = 16.0 * U;
+
+impl Power {
+    /// One that errs by at most `most` where s is at least `least` and nothing is asked elsewhere, if there is a cheap
+    /// one; otherwise one for every s.
+    pub fn new(shininess: f64, least: f64, most: f64) -> Self {
+        let squarings = Squarings::new(shininess, least, most);
+        let chord = (2.0 / (2.0 * shininess - 1.0)).sqrt();
+        Power {
+            shininess: shininess as f32,
+            exact: shininess,
+            steepest: shininess * chord * (1.0 - chord * chord / 2.0).powf(shininess - 1.0),
+            squarings,
+            error: squarings.map_or(POWER_ERROR, |squarings| squarings.error),
+        }
+    }
+
+    /// What an error in |r - o|, and four roundings of 1 - s, make of s^rho. Below a shininess of 1 the slope has no bound as
+    /// s goes to 0, but powers of two numbers then differ by no more than the power of their difference. From 1 on it makes
+    /// relative errors of 1 - s no larger: rho (1 - s) s^(rho - 1) <= 1.
+    pub fn moved(&self, apart: f64, unit: f64) -> f64 {
+        let rounded = 4.0 * unit;
+        match self.exact {
+            0.0 => 0.0,
+            shininess if shininess < 1.0 => (2.0 * apart + rounded).powf(shininess),
+            _ => self.steepest * apart + rounded,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

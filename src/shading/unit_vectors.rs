@@ -12,9 +12,9 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::face::{Face, places};
-use super::kernel::{DOUBLE, Light, Model, Power, Reals, Vector};
-use super::phong::Gloss;
-use super::specular::power_exact;
+use super::gloss::Gloss;
+use super::kernel::{DOUBLE, Light, Model, Reals, Vector};
+use super::specular::{Power, power_exact};
 use super::square::Region;
 use super::{EXACT, Evaluations, Scratch, Surface, TileKind, U};
 use crate::components::{PointLight, unit};

@@ -3,12 +3,13 @@
 use fearless_simd::Simd;
 use glam::DVec3;
 use shadetrade::components::{Illumination, Material, Mesh, PointLight, Projection, Transform};
-use shadetrade::shading::bound::Places;
 use shadetrade::shading::display::Rows;
 use shadetrade::shading::face::{Face, Rays, Solid};
+use shadetrade::shading::field::Places;
+use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::interpolation;
-use shadetrade::shading::phong::{FaceLight, Gloss, Phong};
+use shadetrade::shading::phong::{FaceLight, Phong};
 use shadetrade::shading::square::{Region, Spans, Square};
 use shadetrade::shading::{EXACT, Scratch, Shader, Sink, Surface, TileKind};
 use shadetrade::simd::baseline;
@@ -181,7 +182,7 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
         levels: Vec::new(),
     };
     if let Some(interpolant) = shader.interpolate(simd, &places)
-        && let Some(form) = interpolant.form(2)
+        && let Some(form) = interpolant.forms[2]
     {
         interpolation::draw(simd, &interpolant, 2, form, &square, &mut shown);
         return (form.kind, shown.levels);
@@ -300,7 +301,7 @@ fn a_sliver_is_never_interpolated() {
         });
         let form = shader
             .interpolate(simd, &places)
-            .and_then(|interpolant| interpolant.form(2));
+            .and_then(|interpolant| interpolant.forms[2]);
         assert_eq!(form, None, "seed {seed}");
     }
     assert!(slivers > 20, "{slivers} slivers");

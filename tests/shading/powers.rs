@@ -2,7 +2,8 @@
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x16, f64x4};
-use shadetrade::shading::kernel::{Power, Reals};
+use shadetrade::shading::kernel::Reals;
+use shadetrade::shading::specular::Power;
 use shadetrade::shading::specular::{power, power_exact};
 use shadetrade::simd::baseline;
 

@@ -1,0 +1,212 @@
+//! Bounds against the errors that interpolation makes on dense grids.
+//!
+//! Rule: squares are random, a bound is never exceeded, and none is so loose that it would hide a mistake.
+
+use glam::DVec3;
+
+use super::*;
+use crate::shading::affine::Affine;
+use crate::shading::field::{MAX_RADIUS, Places};
+use crate::shading::interpolation::NODE;
+use crate::simd::{Baseline, token};
+
+type Number = Lanes<Baseline>;
+
+struct Random(u64);
+
+impl Random {
+    fn within(&mut self, from: f64, to: f64) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    fn vector(&mut self, size: f64) -> DVec3 {
+        DVec3::new(
+            self.within(-size, size),
+            self.within(-size, size),
+            self.within(-size, size),
+        )
+    }
+
+    /// Of length about one, moving by about `pace` over the square.
+    fn affine(&mut self, centre: DVec3, pace: f64) -> Affine {
+        Affine {
+            centre,
+            dx: self.vector(pace),
+            dy: self.vector(pace),
+        }
+    }
+}
+
+fn value(vector: &Affine, x: f64, y: f64) -> DVec3 {
+    vector.at(x, y).normalize()
+}
+
+/// The largest difference on a dense grid between a function and its interpolant through nine samples.
+fn interpolation(f: impl Fn(f64, f64) -> f64) -> f64 {
+    let lagrange = |x: f64| {
+        let r2 = NODE * NODE;
+        [
+            x * (x - NODE) / (2.0 * r2),
+            1.0 - x * x / r2,
+            x * (x + NODE) / (2.0 * r2),
+        ]
+    };
+    let nodes = [-NODE, 0.0, NODE];
+    let samples = nodes.map(|y| nodes.map(|x| f(x, y)));
+    let mut worst = 0.0_f64;
+    for row in 0..=20 {
+        for column in 0..=20 {
+            let [x, y] = [column, row].map(|step| f64::from(step) / 10.0 - 1.0);
+            let (along, down) = (lagrange(x), lagrange(y));
+            let mut sum = 0.0;
+            for j in 0..3 {
+                for i in 0..3 {
+                    sum += samples[j][i] * along[i] * down[j];
+                }
+            }
+            worst = worst.max((sum - f(x, y)).abs());
+        }
+    }
+    worst
+}
+
+fn one(number: Number) -> f64 {
+    number.as_array()[0]
+}
+
+/// How many squares had a bound, and how far the bounds were used up at most and in the median.
+fn judge(mut ratios: Vec<f64>, least: usize) {
+    assert!(
+        ratios.len() >= least,
+        "{} squares have a bound",
+        ratios.len()
+    );
+    ratios.sort_by(f64::total_cmp);
+    let worst = ratios[ratios.len() - 1];
+    assert!(worst <= 1.0, "{worst} of the bound");
+    assert!(
+        worst > 0.3,
+        "so loose a bound ({worst}) would hide a mistake"
+    );
+}
+
+fn scene(random: &mut Random) -> [Affine; 3] {
+    let pace = 10.0_f64.powf(random.within(-3.0, -0.7));
+    let normal = random.vector(1.0).normalize();
+    let light = (normal + random.vector(0.9)).normalize();
+    // Half of the eyes stand near the mirror image of the light.
+    let mirrored = normal * (2.0 * normal.dot(light)) - light;
+    let spread = if random.within(0.0, 1.0) < 0.5 {
+        0.1
+    } else {
+        1.0
+    };
+    let eye = (mirrored + random.vector(spread)).normalize();
+    [normal, light, eye].map(|centre| {
+        let share = random.within(0.0, 1.0);
+        random.affine(centre, pace * share)
+    })
+}
+
+#[test]
+fn the_cosine_strays_no_further_than_its_bound() {
+    let mut random = Random(1);
+    let mut ratios = Vec::new();
+    for _ in 0..4000 {
+        let [normal, light, _] = scene(&mut random);
+        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        let [n, l] = [normal, light].map(|vector| Field::new(&vector.into(), &places));
+        if one(n.radius.max(l.radius)) < MAX_RADIUS {
+            let bound = one(cosine_error(&n, &l));
+            let error = interpolation(|x, y| value(&normal, x, y).dot(value(&light, x, y)));
+            ratios.push((error - 1e-14) / bound);
+        }
+    }
+    judge(ratios, 3000);
+}
+
+#[test]
+fn a_highlight_strays_no_further_than_its_bound() {
+    let mut random = Random(2);
+    let mut ratios = Vec::new();
+    for index in 0..6000 {
+        let [normal, light, eye] = scene(&mut random);
+        let shininess = [0.0, 0.5, 1.0, 1.7, 2.0, 2.5, 3.0, 10.0, 76.8, 1000.0][index % 10];
+        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector.into(), &places));
+        if one(n.radius.max(l.radius).max(o.radius)) >= MAX_RADIUS {
+            continue;
+        }
+        let ends = |x: f64, y: f64| {
+            let [n, l, o] = [normal, light, eye].map(|vector| value(&vector, x, y));
+            [o, n * (2.0 * n.dot(l)) - l]
+        };
+        let s = |x: f64, y: f64| {
+            let [o, r] = ends(x, y);
+            o.dot(r)
+        };
+        let side = side(&n, &l);
+        let range = reflection(&n, &l, &o, side.cosine);
+        for row in 0..=6 {
+            for column in 0..=6 {
+                let [x, y] = [column, row].map(|step| f64::from(step) / 3.0 - 1.0);
+                let s = s(x, y);
+                assert!(s <= one(range.most) + 1e-14 && s >= one(range.least) - 1e-14);
+                let [o, r] = ends(x, y);
+                assert!(o.cross(r).length() <= one(range.sine) + 1e-14);
+                let cosine = value(&normal, x, y).dot(value(&light, x, y));
+                assert!(!side.lit.test(0) || cosine > 0.0);
+                assert!(!side.dark.test(0) || cosine <= 0.0);
+            }
+        }
+        let highlight = Highlight::new(shininess);
+        let bound = one(highlight.error(
+            &n,
+            &l,
+            &o,
+            &range,
+            power(&Power::new(shininess, 0.0, 0.0), range.most),
+        ));
+        if bound < 1.0 {
+            let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess));
+            ratios.push((error - 1e-14) / (bound + 1e-14));
+        }
+    }
+    judge(ratios, 2000);
+}
+
+#[test]
+fn a_quotient_strays_no_further_than_its_bound() {
+    let mut random = Random(3);
+    let mut ratios = Vec::new();
+    for _ in 0..4000 {
+        let size = random.within(0.0, 0.4);
+        let [e, g] = [random.within(-size, size), random.within(-size, size)];
+        let [a, b, c] = [
+            random.within(0.0, 300.0),
+            random.within(-99.0, 99.0),
+            random.within(-99.0, 99.0),
+        ];
+        let lanes = |number| Number::splat(token(), number);
+        let bound = one(quotient_error([a, b, c].map(lanes), [e, g].map(lanes)));
+        let error = interpolation(|x, y| (a + b * x + c * y) / (1.0 + e * x + g * y));
+        ratios.push((error - 1e-10) / (bound + 1e-12));
+    }
+    judge(ratios, 4000);
+}
+
+#[test]
+fn the_power_is_never_below_the_true_one() {
+    for shininess in [0.0, 0.5, 1.0, 2.0, 76.8, 1e3, 1e6] {
+        let exact = Power::new(shininess, 0.0, 0.0);
+        for step in 0..=1000 {
+            let s = 1.0 - (f64::from(step) / 1000.0).powi(5);
+            let bound = one(power(&exact, Number::splat(token(), s)));
+            assert!(bound >= s.powf(shininess), "{s}^{shininess}: {bound}");
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Drawn squares against the polynomials they are drawn from.
+//!
+//! Rule: every kind of row stays within its budget, and shows the levels it has.
+
+use super::*;
+use crate::shading::display::Rows;
+use crate::simd::{Baseline, token};
+
+/// Holds every pixel of a square to the colour that it is drawn with.
+struct Judge {
+    color: Color,
+    crossing: [f64; 3],
+    side: usize,
+    worst: f64,
+    /// Bytes that differ from the display step of the levels, and those that do not.
+    shown: [u32; 2],
+}
+
+impl Judge {
+    /// The channels at a place from -1 to 1, unclamped.
+    fn at(&self, place: [f64; 2]) -> [f64; 3] {
+        let [x, y] = place.map(|x| [1.0, x, x * x]);
+        let value = |nine: &[[f64; 3]; 3]| {
+            let terms = (0..9).map(|term| nine[term / 3][term % 3] * y[term / 3] * x[term % 3]);
+            terms.sum::<f64>()
+        };
+        let lit = value(&self.color[3]).max(0.0);
+        [0, 1, 2].map(|channel| value(&self.color[channel]) + lit * self.crossing[channel])
+    }
+}
+
+impl Sink<Baseline> for Judge {
+    fn draw(&mut self, rows: &mut impl Rows<Baseline>) {
+        for part in 0..self.side / 16 {
+            rows.go_to(part);
+            for row in 0..self.side {
+                let (levels, pixels) = (rows.levels(row), rows.pixels(row));
+                for lane in 0..16 {
+                    let column = 16 * part + lane;
+                    let last = (self.side - 1) as f64;
+                    let place = [column, row].map(|pixel| 2.0 * pixel as f64 / last - 1.0);
+                    let found = levels.map(|levels| levels[lane]);
+                    for (found, expected) in found.iter().zip(self.at(place)) {
+                        self.worst = self.worst.max((f64::from(*found) - expected).abs());
+                    }
+                    let [red, green, blue] = found.map(|level| display_step(f64::from(level)));
+                    // Where a step of 1/256 or an ulp falls on a half, the byte may be the one above.
+                    let expected = u32::from_be_bytes([0, red, green, blue]);
+                    self.shown[usize::from(pixels[lane] == expected)] += 1;
+                }
+            }
+        }
+    }
+}
+
+fn judge(
+    color: &Color,
+    crossing: Option<[f64; 3]>,
+    side: usize,
+    budget: f64,
+) -> (Option<Form>, Judge) {
+    let simd = token();
+    let lanes = |number| Lanes::splat(simd, number);
+    let interpolant = Interpolant::new(Colors {
+        terms: color.map(|nine| nine.map(|row| row.map(lanes))),
+        crossing: crossing.unwrap_or_default().map(lanes),
+        crosses: mask64x4::splat(simd, crossing.is_some()),
+        budget: lanes(budget),
+    });
+    let mut judge = Judge {
+        color: *color,
+        crossing: crossing.unwrap_or_default(),
+        side,
+        worst: 0.0,
+        shown: [0; 2],
+    };
+    let form = interpolant.forms[2];
+    if let Some(form) = form {
+        let square = Square::whole([96, 64], side);
+        draw(simd, &interpolant, 2, form, &square, &mut judge);
+    }
+    (form, judge)
+}
+
+#[test]
+fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
+    let mut forms = std::collections::HashSet::new();
+    let mut seed = 1_u64;
+    let mut random = move |size: f64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        ((seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * size
+    };
+    for case in 0..3000 {
+        let [slope, curve] = [0, 1].map(|_| 10.0_f64.powf(random(1.5)));
+        let budget = 10.0_f64.powf(random(2.0) - 1.0);
+        let mut nine = |middle: f64, slope: f64, curve: f64| {
+            let mut term = |size: f64| random(size);
+            [
+                [middle, term(slope), term(curve)],
+                [term(slope), term(curve), term(curve / 8.0)],
+                [term(curve), term(curve / 8.0), term(curve / 64.0)],
+            ]
+        };
+        let middle = 128.0 + f64::from(case % 280 - 140);
+        let color = [
+            nine(middle, slope, curve),
+            nine(middle, slope, curve),
+            nine(middle, slope, curve),
+            nine(0.0, 0.5, 0.1),
+        ];
+        let crossing = (case % 5 == 0).then_some([200.0, 90.0, 0.0]);
+        let side = [16, 32][case as usize % 2];
+        let (form, judge) = judge(&color, crossing, side, budget);
+        let Some(form) = form else {
+            continue;
+        };
+        forms.insert((form.kind, form.fixed && form.kind != TileKind::Terminator));
+        assert!(
+            judge.worst <= budget,
+            "{} levels of {budget}: {form:?}, {color:?}",
+            judge.worst
+        );
+        assert!(
+            judge.shown[0] <= 16,
+            "{:?} bytes differ: {form:?}",
+            judge.shown
+        );
+    }
+    assert_eq!(
+        forms.len(),
+        7,
+        "three kinds, in steps or not, and terminators: {forms:?}"
+    );
+}
+
+#[test]
+fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
+    let fixed = |middle: f64, slope: f64, budget: f64| {
+        let nine = [[middle, slope, 0.0], [0.0; 3], [0.0; 3]];
+        let color = [nine, nine, nine, [[0.0; 3]; 3]];
+        judge(&color, None, 16, budget).0.map(|form| form.fixed)
+    };
+    assert_eq!(fixed(100.0, 8.0, 0.5), Some(true));
+    assert_eq!(
+        fixed(100.0, 8.0, 1e-3),
+        Some(false),
+        "too coarse for the budget"
+    );
+    assert_eq!(fixed(7.0, 8.0, 0.5), Some(false), "black on one side");
+    assert_eq!(fixed(250.0, 8.0, 0.5), Some(false), "white on the other");
+    assert_eq!(fixed(100.0, 8.0, 1e-6), None, "f32 itself errs more");
+    assert_eq!(fixed(f64::NAN, 8.0, 0.5), None);
+}
+
+#[test]
+fn a_colour_is_the_same_on_the_quarters_of_its_square() {
+    let simd = token();
+    let terms: [Nine<Baseline>; 4] = [0, 1, 2, 3].map(|channel| {
+        [0, 1, 2].map(|j| {
+            [0, 1, 2].map(|i| Lanes::splat(simd, f64::from(channel * 9 + j * 3 + i) - 7.5))
+        })
+    });
+    let interpolant = Interpolant::new(Colors {
+        terms,
+        crossing: [Lanes::splat(simd, 3.0); 3],
+        crosses: mask64x4::splat(simd, true),
+        budget: Lanes::splat(simd, 0.25),
+    });
+    let square = Square::whole([32, 64], 32);
+    let quarter = |right: usize, down: usize| Square::whole([32 + 16 * right, 64 + 16 * down], 16);
+    let quarters = [quarter(0, 0), quarter(1, 0), quarter(0, 1), quarter(1, 1)];
+    let parts = interpolant.on_quarters(1, &square, &quarters);
+    let value = |color: &Color, channel: usize, [x, y]: [f64; 2]| {
+        let [x, y] = [x, y].map(|x| [1.0, x, x * x]);
+        (0..9)
+            .map(|term| color[channel][term / 3][term % 3] * y[term / 3] * x[term % 3])
+            .sum::<f64>()
+    };
+    for (index, quarter) in quarters.iter().enumerate() {
+        for (column, row) in [(0.0, 0.0), (15.0, 3.0), (7.0, 11.0)] {
+            let pixel = [0, 1].map(|axis| quarter.place[axis] as f64 + [column, row][axis] + 0.5);
+            let on = |square: &Square| {
+                [0, 1].map(|axis| (pixel[axis] - square.middle()[axis]) / square.half()[axis])
+            };
+            for channel in 0..4 {
+                let whole = value(&interpolant.color(1, [1.0; 2]), channel, on(&square));
+                let part = value(&parts.color(index, [1.0; 2]), channel, on(quarter));
+                assert!((whole - part).abs() < 1e-11, "{whole}, not {part}");
+            }
+        }
+    }
+    assert!(parts.colors.crosses.all_true());
+    assert_eq!(parts.colors.budget.as_array(), &[0.25; 4]);
+}
