@@ -21,17 +21,19 @@ use shadetrade::window::session::Session;
 
 /// As the window opens, in pixels.
 const SIZE: [usize; 2] = [960, 720];
+/// A pixel of the picture whose row goes through the highlight.
+const BESIDE_HIGHLIGHT: [usize; 2] = [300, 330];
 
 fn main() -> anyhow::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
     let phong = Action::Shading(ShadingMode::Phong);
-    for (name, actions) in [
-        ("window", vec![phong]),
-        ("wipe", vec![Action::View(1)]),
-        ("error-map", vec![Action::View(3)]),
-        ("tiles", vec![phong, Action::View(4)]),
+    for (name, actions, probed) in [
+        ("window", vec![phong], None),
+        ("error-map", vec![Action::View(3)], None),
+        ("tiles", vec![phong, Action::View(4)], None),
+        ("lens", vec![phong], Some(BESIDE_HIGHLIGHT)),
     ] {
-        let pixels = window_after(actions)?;
+        let pixels = window_after(actions, probed)?;
         let path = folder.join(name).with_extension("png");
         Output::File(path).write_png(&pixels, SIZE)?;
         say(&format!("wrote assets/figures/{name}.png"));
@@ -39,8 +41,8 @@ fn main() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// What the window shows of the built-in scene once all of `actions` are done and the picture rests.
-fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
+/// What the window shows of the built-in scene once all of `actions` are done, a pixel is probed, and the picture rests.
+fn window_after(actions: Vec<Action>, probed: Option<[usize; 2]>) -> anyhow::Result<Vec<u32>> {
     let workers = || Workers::new(all_cores(), Level::new());
     let mut session = Session::new(Drawing {
         scene: Scene::load(None)?,
@@ -55,6 +57,7 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     for action in actions {
         session.apply(action);
     }
+    session.probe(probed);
     let picture = hud::picture(&session, SIZE);
     let size = [picture.width as usize, picture.height as usize];
     let mut composition = Composition::new(workers()?);

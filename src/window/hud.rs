@@ -267,12 +267,12 @@ impl Hud {
             }
             pixel::draw_cross(over_picture, cross);
         }
-        for marker in self.markers.iter().rev().filter(|_| !lasting) {
+        for marker in self.markers.iter().rev() {
             marker.draw(over_picture, self.picture, self.face);
         }
         let hovered = self.hovered.filter(|_| !lasting);
         let has_help = self.boards(Part::Help).next().is_some();
-        let shown = |part: Part| !(lasting && matches!(part, Part::Message | Part::Editor));
+        let shown = |part: Part| !(lasting && part == Part::Message);
         for (part, board) in self.boards.iter().filter(|(part, _)| shown(*part)) {
             if *part != Part::Help {
                 board.draw(canvas, hovered.filter(|_| !has_help));
