@@ -7,7 +7,7 @@ use glam::DVec3;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::components::{LightKind, Name, ShadingMode, View};
+use crate::components::{Name, ShadingMode, View};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
 use crate::reference;
@@ -164,11 +164,7 @@ pub fn at(
             .flat_map(|sample| &sample.lights)
             .map(|light| Light {
                 name: light.name.clone(),
-                kind: match light.kind {
-                    LightKind::Ambient => "ambient",
-                    LightKind::Diffuse => "diffuse",
-                    LightKind::Specular => "specular",
-                },
+                kind: light.kind.name(),
                 to_light: light.to_light,
                 reflected: light.reflected,
             })
