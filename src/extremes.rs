@@ -36,7 +36,7 @@ use judge::{Fact, Judge, Known, levels_text};
 use renderer::{CaseError, Renderer};
 use scene_spec::{RenderConfig, SceneSpec};
 
-/// Bytes that the cases take but for the largest picture, whose memory is a case of its own.
+/// Bytes that the cases take, without the largest picture, which asks for its own.
 const MEMORY: usize = 512 << 20;
 
 /// Columns of the terminal.
