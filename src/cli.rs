@@ -3,7 +3,7 @@
 //! ```text
 //! words --parsing--> Command with checked values (options) --main--> done, or a Failure --failure--> exit status
 //! ```
-//! Rule: whatever a command line can say is said here, in the words that `--help` prints.
+//! Rule: every command and option is declared here, in the words that `--help` prints.
 
 mod failure;
 pub mod options;
@@ -157,9 +157,9 @@ The script goes where the shell looks for completions, or is read by its start-u
 }
 
 impl Command {
-    /// Starts the threads of whatever is not a frame, such as the reference; those that draw frames are the renderer's own.
+    /// Starts the threads that work on everything but frames, such as the reference. The renderer starts its own.
     ///
-    /// They are rayon's global threads, so that nothing else can start any: all cores' worth, and a panic if refused.
+    /// They are rayon's global ones: else rayon would start as many as there are cores, and panic where that fails.
     ///
     /// # Errors
     /// When the system gives no threads.

@@ -205,6 +205,19 @@ pub enum LightKind {
     Specular,
 }
 
+impl LightKind {
+    pub const ALL: [LightKind; 3] = [LightKind::Ambient, LightKind::Diffuse, LightKind::Specular];
+
+    /// What scene files and reports call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            LightKind::Ambient => "ambient",
+            LightKind::Diffuse => "diffuse",
+            LightKind::Specular => "specular",
+        }
+    }
+}
+
 /// A light; its place is its [`Transform`]'s position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {

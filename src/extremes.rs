@@ -8,10 +8,9 @@
 //! ```
 //!
 //! Rule: what is right never comes from what is tried. It comes from enclosures of every pixel's exact levels, a value
-//! worked out on paper, coverage decided in 128 bits, or the same scene without the extreme; every case says which.
+//! worked out on paper, or the same scene without the extreme; every case says which.
 
 mod camera;
-pub mod coverage;
 mod crowd;
 mod judge;
 mod light;
@@ -37,7 +36,7 @@ use judge::{Fact, Judge, Known, levels_text};
 use renderer::{CaseError, Renderer};
 use scene_spec::{RenderConfig, SceneSpec};
 
-/// Bytes that the cases take but for the largest picture, whose memory is a case of its own.
+/// Bytes that the cases take, without the largest picture, which asks for its own.
 const MEMORY: usize = 512 << 20;
 
 /// Columns of the terminal.
@@ -73,7 +72,6 @@ pub fn table() -> Vec<Case> {
         strength::cases(),
         crowd::cases(),
         picture::cases(),
-        coverage::cases(),
         numbers::cases(),
     ]
     .into_iter()

@@ -151,7 +151,7 @@
 //!
 //! [`extremes`] is one table of what a scene can hold at the ends of its ranges: the near plane through a corner, a light an
 //! ulp off a face, edges as one to 1e100, sums beyond every float, ten thousand cuboids. The command prints it, the tests
-//! run it, and what is right in it comes from enclosures, from paper, from 128 bits, or from the same scene without the
+//! run it, and what is right in it comes from enclosures, from paper, or from the same scene without the
 //! extreme. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 leave their limits.
 //!
 //! # What to touch to add ...
@@ -159,8 +159,9 @@
 //! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of [`shading::Shader`] and of the
 //!   one `match` in [`systems::rasterization`], a row of [`shading::METHODS`]; its own definition in the reference; what it is called
 //!   in the window and how it is marked in the plot, which the compiler asks for;
-//! - a light kind: a variant of [`components::LightKind`] and its name in `scene/keys.rs`, its sum in
-//!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
+//! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
+//!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference and in
+//!   the textbook's formula of [`extremes::stability`];
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/systems`; a component that it derives joins the others in [`components::cuboid`];
 //! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule

@@ -108,7 +108,7 @@ pub fn survive_file_limits() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// One line for the user, on standard error so that standard output holds nothing but what was asked for.
+/// One line for the user, on standard error so that standard output holds only what was asked for.
 pub fn say(line: &str) {
     let line = printable(line);
     // A closed standard error is no failure.

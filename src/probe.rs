@@ -7,7 +7,7 @@ use glam::DVec3;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::components::{LightKind, Name, ShadingMode, View};
+use crate::components::{Name, ShadingMode, View};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
 use crate::reference;
@@ -43,7 +43,7 @@ pub struct Surface {
     pub gouraud: Shaded,
     /// As Phong has it.
     pub phong: Shaded,
-    /// As it ought to be.
+    /// By the reference.
     pub reference: Reference,
 }
 
@@ -77,9 +77,9 @@ pub struct Shaded {
 pub struct Reference {
     /// The triangle it sees: at a diagonal perhaps the other one of the face; `None` where it sees another face.
     pub triangle: Option<u32>,
-    /// As Gouraud ought to be; `None` where the reference sees another face.
+    /// Exact Gouraud; `None` where the reference sees another face.
     pub gouraud: Option<Levels>,
-    /// As Phong ought to be.
+    /// Exact Phong.
     pub phong: Option<Levels>,
 }
 
@@ -164,11 +164,7 @@ pub fn at(
             .flat_map(|sample| &sample.lights)
             .map(|light| Light {
                 name: light.name.clone(),
-                kind: match light.kind {
-                    LightKind::Ambient => "ambient",
-                    LightKind::Diffuse => "diffuse",
-                    LightKind::Specular => "specular",
-                },
+                kind: light.kind.name(),
                 to_light: light.to_light,
                 reflected: light.reflected,
             })
@@ -244,7 +240,7 @@ const NEGLIGIBLE: f64 = 1e-6;
 const ROUNDING: f64 = 1e-12;
 
 impl Surface {
-    /// Every light's term, the sum as drawn and as it ought to be, and the bytes: what it is, then the cells of Gouraud
+    /// Every light's term, the sum as drawn and by the reference, and the bytes: what it is, then the cells of Gouraud
     /// and of Phong.
     pub fn table(&self) -> Vec<(String, [[String; 3]; 2])> {
         let levels = |levels: [f64; 3]| numbers(levels, NEGLIGIBLE);

@@ -43,7 +43,7 @@ use vector::Vector;
 /// the file is seen. It is far above what f64 makes of two faces in one plane and far below what can be seen.
 pub const DEPTH_TIE: f64 = 1e-11;
 
-/// Rows of a picture as they ought to be.
+/// Rows of the exact picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Truth {
     /// Pixels in a row.

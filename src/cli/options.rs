@@ -1,6 +1,6 @@
 //! The options that every command which draws has in common: words in, a [`Drawing`] out.
 //!
-//! Rule: everything is checked before anything is allocated, and whatever is wrong names what would be right.
+//! Rule: everything is checked before anything is allocated, and every message says what would be right.
 
 use std::fs;
 use std::io::ErrorKind;

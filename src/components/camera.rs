@@ -166,7 +166,7 @@ pub struct View {
     pub projection: Projection,
     /// The colour where nothing is drawn, in levels.
     pub background: DVec3,
-    /// Draws every object so, whatever its own [`ShadingMode`]; `None` leaves each its own.
+    /// The mode of every object; `None` leaves each its own [`ShadingMode`].
     pub shading: Option<ShadingMode>,
     /// The largest error of a shaded pixel against the exact evaluation of its mode, in levels, 0..=255.
     pub tolerance: f64,

@@ -73,7 +73,7 @@ impl Judge {
     }
 }
 
-/// How far proven pictures are from what they ought to be, at most.
+/// How far proven pictures are from their enclosures, at most.
 #[derive(Default)]
 struct Distance {
     /// The largest error at tolerance 0, in levels.
@@ -302,7 +302,7 @@ impl Fact {
     }
 }
 
-/// Whether levels are within `limit` of what they ought to be; NaN is not.
+/// Whether levels are within `limit` of the expected ones; NaN is not.
 pub fn are_near(levels: [f32; 3], expected: [f64; 3], limit: f64) -> bool {
     let mut channels = levels.into_iter().zip(expected);
     channels.all(|(level, expected)| (f64::from(level) - expected).abs() <= limit)

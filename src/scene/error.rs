@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Rule: every message has this form, TOML's own syntax errors included, is a few lines long whatever the text, and
-//! brings no control character of the text to the terminal.
+//! contains no control character of the text.
 
 use std::io;
 use std::ops::Range;

@@ -269,12 +269,7 @@ impl Form for LightKind {
     }
 
     fn text(text: &str) -> Option<LightKind> {
-        match text {
-            "ambient" => Some(LightKind::Ambient),
-            "diffuse" => Some(LightKind::Diffuse),
-            "specular" => Some(LightKind::Specular),
-            _ => None,
-        }
+        LightKind::ALL.into_iter().find(|kind| kind.name() == text)
     }
 }
 

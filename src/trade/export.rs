@@ -1,6 +1,6 @@
 //! A report in; the texts of `trade.json`, `trade.csv`, `trade.md` and the terminal's table out.
 //!
-//! Rule: pure. JSON and CSV hold whatever the record holds; Markdown and the terminal show the figures of `COLUMNS`.
+//! Rule: pure. JSON and CSV hold every field of the record; Markdown and the terminal show the figures of `COLUMNS`.
 
 use anyhow::Context;
 use serde::Serialize;

@@ -1,5 +1,5 @@
 //! What goes wrong around the program: readers that leave, disks that fill up, signals, memory that does not suffice.
-//! Whatever it is, a file under its own name is whole.
+//! In every case a file under its own name is whole.
 
 use std::fs;
 use std::path::Path;

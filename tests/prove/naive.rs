@@ -133,7 +133,7 @@ pub struct Model {
     pub exponent: f64,
 }
 
-/// The model as it ought to be.
+/// The exact model.
 pub const RIGHT: Model = Model {
     without: None,
     is_affine: false,

@@ -1,8 +1,64 @@
 //! Drawings and assertions of how many polygons cover each pixel.
 
 use shadetrade::components::Polygon;
-use shadetrade::extremes::coverage::agrees;
-pub use shadetrade::extremes::coverage::{count, encloses, facing, pixels, snapped, turn};
+use shadetrade::systems::coverage::Scan;
+
+/// A polygon whose vertices are given in 1/256 pixel, counter-clockwise as seen.
+pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
+    let mut polygon = Polygon {
+        len: vertices.len() as u8,
+        ..Polygon::default()
+    };
+    polygon.vertices[..vertices.len()].copy_from_slice(vertices);
+    polygon
+}
+
+/// How many of the polygons cover each pixel of a picture.
+pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
+    let mut counts = vec![0; width * height];
+    for polygon in polygons {
+        let mut scan = Scan::new(polygon, 0..height, width);
+        while let Some((row, from, to)) = scan.next_span() {
+            for pixel in &mut counts[row * width + from..row * width + to] {
+                *pixel += 1;
+            }
+        }
+    }
+    counts
+}
+
+/// How many pixels a polygon covers of a picture.
+pub fn pixels(polygon: &Polygon, size: [usize; 2]) -> u32 {
+    count(&[*polygon], size).iter().sum()
+}
+
+/// Whether a ring of vertices in 1/256 pixel, convex or not, encloses the centre of pixel (`x`, `y`) moved right by next to
+/// nothing and down by still less, which is what the top-left rule comes to: the number of edges to the left of that point
+/// is odd.
+pub fn encloses(ring: &[[i32; 2]], x: usize, y: usize) -> bool {
+    let [x, y] = [x, y].map(|pixels| 256 * pixels as i128 + 128);
+    let crossed = (0..ring.len()).filter(|&index| {
+        let ends = [ring[index], ring[(index + 1) % ring.len()]];
+        let mut ends = ends.map(|vertex| vertex.map(i128::from));
+        ends.sort_by_key(|vertex| vertex[1]);
+        let [upper, lower] = ends;
+        let [right, down] = [lower[0] - upper[0], lower[1] - upper[1]];
+        upper[1] <= y && y < lower[1] && right * (y - upper[1]) <= (x - upper[0]) * down
+    });
+    crossed.count() % 2 == 1
+}
+
+/// Twice the area of a triangle; positive if it is counter-clockwise as seen.
+pub fn turn([a, b, c]: [[i32; 2]; 3]) -> i128 {
+    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|vertex| vertex.map(i128::from));
+    (cx - ax) * (by - ay) - (bx - ax) * (cy - ay)
+}
+
+/// A triangle, turned over if it must be to face the eye.
+pub fn facing([a, b, c]: [[i32; 2]; 3]) -> Polygon {
+    let is_facing = turn([a, b, c]) > 0;
+    snapped(&if is_facing { [a, b, c] } else { [a, c, b] })
+}
 
 /// A polygon whose vertices are given in pixels, right and down, counter-clockwise as seen.
 pub fn polygon<const LEN: usize>(vertices: [[f64; 2]; LEN]) -> Polygon {
@@ -30,7 +86,12 @@ pub fn assert_twin(
     size: [usize; 2],
     twin: impl Fn(usize, usize) -> bool,
 ) -> u32 {
-    agrees(polygons, size, twin).unwrap_or_else(|wrong| panic!("{wrong}"))
+    let counts = count(polygons, size);
+    for (pixel, &count) in counts.iter().enumerate() {
+        let (x, y) = (pixel % size[0], pixel / size[0]);
+        assert_eq!(count, u32::from(twin(x, y)), "({x}, {y}) of {polygons:?}");
+    }
+    counts.iter().sum()
 }
 
 /// The definition: a convex polygon covers what lies on the inner side of each edge, and of what lies on an edge that on a

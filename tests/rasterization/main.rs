@@ -4,6 +4,7 @@ mod bent;
 mod counting;
 mod cuboids;
 mod drawings;
+mod ends;
 #[path = "../support/random.rs"]
 mod random;
 mod twins;

@@ -1,4 +1,4 @@
-//! The same picture is the same bits, whoever draws it, in whatever parts and after whatever else.
+//! The same picture has the same bits on any number of threads, in any parts, after any other picture.
 
 use std::ops::Range;
 

@@ -1,6 +1,6 @@
 //! sRGB in, the colour spaces of FLIP out: opponent colours (`YCxCz`) to blur in, Hunt-adjusted L*a*b* to compare in.
 //!
-//! Rule: values are per pixel, white is D65, and `linear_from_opponent` undoes `opponent_from_srgb` but for the sRGB
+//! Rule: values are per pixel, white is D65, and `linear_from_opponent` undoes `opponent_from_srgb` except for the sRGB
 //! curve.
 
 /// From linear sRGB to X, Y and Z in shares of D65 white's: the fractions of the authors' code, each row divided by its
