@@ -156,14 +156,11 @@ impl<'a> Phong<'a> {
                 let power = bound::power(&self.gloss.every, reflection.most);
                 let mut highlight = power;
                 if shines.any_true() {
-                    let bound =
-                        self.gloss
-                            .bound
-                            .error(&normal, &to_light, &eye, &reflection, power);
+                    let bound = &self.gloss.bound;
+                    let bound = bound.error(&normal, &to_light, &eye, &reflection, power);
                     highlight = shines.select(bound, power);
                 }
-                let highlight = highlight * light.specular.max_element();
-                error += highlight;
+                error += highlight * light.specular.max_element();
             }
             // One light of a square may be cut off, if its highlight is too faint to be cut off with it.
             let idle = mask64x4::splat(simd, light.diffuse == DVec3::ZERO) & !shines;

@@ -13,7 +13,7 @@ use glam::DVec3;
 use shadetrade::reference::Interval;
 use shadetrade::shading::affine::Affine;
 use shadetrade::shading::bound::{self, Highlight, cosine_error, reflection, side};
-use shadetrade::shading::field::{Field, MAX_RADIUS, Places};
+use shadetrade::shading::field::{self, Field, MAX_RADIUS, Places};
 use shadetrade::shading::specular::Power;
 use shadetrade::simd::baseline;
 
@@ -258,6 +258,53 @@ fn no_derivative_of_a_direction_or_a_mirror_is_above_its_bound() {
         shares.as_flattened().iter().all(|share| *share > 0.9),
         "so loose a bound would hide a mistake: {shares:?}"
     );
+}
+
+#[test]
+fn no_third_derivative_of_a_quotient_is_above_its_bound() {
+    let simd = baseline().expect("every machine has these lanes");
+    let mut random = Random(18);
+    let mut largest = 0.0_f64;
+    for _ in 0..20 * cases() {
+        let size = random.decade(-3.0, -0.35);
+        let [e, g] = [0, 1].map(|_| random.within(-size, size));
+        let [a, b, c] = [300.0, 99.0, 99.0].map(|size| random.within(-size, size));
+        let third = |[x, y]: [f64; 2], axis: usize| {
+            let w = 1.0 + e * x + g * y;
+            let (rise, pace) = ([b, c][axis], [e, g][axis]);
+            let first = (rise - pace * (a + b * x + c * y) / w) / w;
+            (6.0 * first * (pace / w).powi(2)).abs()
+        };
+        let [x, y] =
+            [0, 1].map(|axis| places().map(|place| third(place, axis)).fold(0.0, f64::max));
+        let lanes = |number| f64x4::splat(simd, number);
+        let bound = bound::quotient_error([a, b, c].map(lanes), [e, g].map(lanes));
+        let share = (x + y + x.min(y) * (2.0 / 3.0)) / 24.0 / bound.as_array()[0];
+        assert!(share <= 1.0 + 1e-9, "{share}");
+        largest = largest.max(share);
+    }
+    assert!(largest > 0.9, "so loose a bound would hide a mistake");
+}
+
+#[test]
+fn a_scalar_is_least_at_a_corner() {
+    let simd = baseline().expect("every machine has these lanes");
+    let mut random = Random(19);
+    for _ in 0..100 {
+        let mut within = |size: f64| random.within(-size, size);
+        let scalar = Affine {
+            centre: within(9.0),
+            dx: within(1.0),
+            dy: within(1.0),
+        };
+        let (middle, half) = ([within(99.0), within(99.0)], [7.5, 15.5]);
+        let least = field::least(&scalar, &Places::single(simd, middle, half)).as_array()[0];
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+        let values = corners
+            .map(|[x, y]: [f64; 2]| scalar.at(middle[0] + half[0] * x, middle[1] + half[1] * y));
+        let expected = values.into_iter().fold(f64::INFINITY, f64::min);
+        assert!((least - expected).abs() < 1e-12, "{least}, not {expected}");
+    }
 }
 
 #[test]

@@ -93,12 +93,14 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
     for case in 0..3000 {
         let [slope, curve] = [0, 1].map(|_| 10.0_f64.powf(random(1.5)));
         let budget = 10.0_f64.powf(random(2.0) - 1.0);
+        // Terms of higher order are as large as the others, or so much smaller.
+        let falls = [1.0, 8.0_f64][(case / 2 % 2) as usize];
         let mut nine = |middle: f64, slope: f64, curve: f64| {
-            let mut term = |size: f64| random(size);
+            let mut term = |order: i32, size: f64| random(size / falls.powi(order));
             [
-                [middle, term(slope), term(curve)],
-                [term(slope), term(curve), term(curve / 8.0)],
-                [term(curve), term(curve / 8.0), term(curve / 64.0)],
+                [middle, term(0, slope), term(0, curve)],
+                [term(0, slope), term(0, curve), term(1, curve)],
+                [term(0, curve), term(1, curve), term(2, curve)],
             ]
         };
         let middle = 128.0 + f64::from(case % 280 - 140);
@@ -150,6 +152,18 @@ fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
     assert_eq!(fixed(250.0, 8.0, 0.5), Some(false), "white on the other");
     assert_eq!(fixed(100.0, 8.0, 1e-6), None, "f32 itself errs more");
     assert_eq!(fixed(f64::NAN, 8.0, 0.5), None);
+}
+
+#[test]
+fn a_colour_with_any_term_that_is_not_a_number_is_not_drawn() {
+    for (channel, term) in (0..3).flat_map(|channel| (0..9).map(move |term| (channel, term))) {
+        for number in [f64::NAN, f64::INFINITY] {
+            let mut color = [[[0.0; 3]; 3]; 4];
+            color[channel][term / 3][term % 3] = number;
+            let (form, _) = judge(&color, None, 16, 4.0);
+            assert_eq!(form, None, "{number} at {channel}, {term}");
+        }
+    }
 }
 
 #[test]
