@@ -213,7 +213,7 @@ impl<S: Simd> Rows<S> for Terminator<S> {
     }
 }
 
-/// A quadratic colour with [`PLACES`] and a half in its middle, so that it comes in multiples of 1/256 level.
+/// A quadratic colour with `PLACES` and a half in its middle, so that it comes in multiples of 1/256 level.
 pub struct FixedCurve<S: Simd>(Curve<S, 3>);
 
 impl<S: Simd> FixedCurve<S> {
