@@ -6,6 +6,8 @@
 //! light    Name FileOrder Transform Light                           Light.on
 //! camera   Name Transform Camera                                    ActiveCamera Orbit
 //! ```
+//! The editor writes whatever the scene says of an entity but its name, order and way of shading.
+//!
 //! A [`View`] says how one frame is to be drawn; [`Lens`] and [`Illumination`] are what it derives once for all cuboids.
 //!
 //! Rule: nothing here computes a picture, and everything the renderer and the reference share is here.

@@ -168,6 +168,8 @@
 //!   that decides what is right;
 //! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON and CSV show by
 //!   themselves; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
+//! - a number that can be edited: a variant of [`scene::edit::Property`] with its key, its step and its range, and its place in
+//!   a page;
 //! - a key: an [`window::bindings::Action`] with its row of [`window::bindings::BINDINGS`], and an arm of
 //!   [`window::session::Session::apply`] that writes components; help and panel show it by themselves. A panel's row that
 //!   shows a state has that in `window/hud/lines/commands.rs`;

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! display --Event--> input --Gesture--> response --Action--> session --View--> composition
-//!    ^             (bindings)          (hud: which row)     (actions)  ^             |
-//!    |                                            jobs --Progress-----'              |
+//!    ^             (bindings)          (hud: which row) (actions, editing) ^         |
+//!    |                      jobs --Progress--, watch --the scene's file----'         |
 //!    '---------------------- hud, around it and over it <-- pixels ------------------'
 //! ```
 //! Everything but [`display`], [`jobs`] and [`run`] is pure and tested without a display. Rule: nothing is drawn while
