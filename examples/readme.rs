@@ -22,7 +22,7 @@ use shadetrade::window::session::Session;
 /// As the window opens, in pixels.
 const SIZE: [usize; 2] = [960, 720];
 /// A pixel of the picture whose row goes through the highlight.
-const BESIDE_HIGHLIGHT: [usize; 2] = [300, 330];
+const BESIDE_HIGHLIGHT: [usize; 2] = [470, 345];
 
 fn main() -> anyhow::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");

@@ -169,6 +169,7 @@ impl Hud {
         } else {
             Vec::new()
         };
+        let arrows = arrows(session, &session.scene().viewpoint(session.camera()));
         let discs = markers.iter().map(|it| it.rect(picture, face));
         let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
         let margin = FACES[0].advance();
@@ -181,6 +182,9 @@ impl Hud {
                 .collect(),
             cuboids: moved.intersection(&picture),
             marks: cross.map(pixel::mark).into_iter().chain(discs).collect(),
+            arrows: cross.map_or(Vec::new(), |from| {
+                arrows.iter().map(|it| it.rect(from, face)).collect()
+            }),
             boards: panel
                 .map(|panel| (Part::Panel, panel))
                 .into_iter()
@@ -223,7 +227,7 @@ impl Hud {
         Hud {
             size,
             picture,
-            arrows: arrows(session, &session.scene().viewpoint(session.camera())),
+            arrows,
             markers,
             face,
             boards,
@@ -333,6 +337,7 @@ struct Layout {
     cuboids: Rect,
     /// What the probed pixel takes with its cross, and the lights with their names.
     marks: Vec<Rect>,
+    arrows: Vec<Rect>,
     boards: Vec<(Part, Board)>,
 }
 
@@ -341,7 +346,7 @@ impl Layout {
     /// nothing; where none does, the one that covers least.
     fn add(&mut self, part: Part, versions: &[Vec<Line>], wish: Point) {
         let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
-        let obstacles: [&[Rect]; 3] = [&self.marks, &placed, &[self.cuboids]];
+        let obstacles: [&[Rect]; 4] = [&self.marks, &placed, &self.arrows, &[self.cuboids]];
         let faces = self.faces.iter().map(|face| Setting::new(*face));
         let versions = versions.iter().filter(|lines| !lines.is_empty());
         let settings = faces.flat_map(|it| versions.clone().map(move |lines| (it, lines)));

@@ -238,6 +238,7 @@ fn the_profile_has_what_the_probe_says_of_the_pixel_and_shows_the_highlight_gour
         assert_eq!(curve[0], session.scene().background.to_array());
     }
     // Along the row through the highlight Phong is far above Gouraud, and as the reference.
+    session.probe(None);
     click(&mut session, [383, 327]);
     let profile = session.profile().expect("probed");
     let highest = |curve: &[[f64; 3]]| {

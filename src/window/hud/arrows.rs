@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::lines::brightest;
 use super::pixel::places;
-use crate::canvas::{Canvas, Face, Ink, Point, mix};
+use crate::canvas::{Canvas, Face, Ink, Point, Rect, mix};
 use crate::components::{Light, Viewpoint};
 use crate::window::session::Session;
 
@@ -51,6 +51,17 @@ pub fn arrows(session: &Session, viewpoint: &Viewpoint) -> Vec<Arrow> {
     arrows.extend(arrow("o", TO_EYE, surface.to_eye));
     arrows.extend(arrow("n", NORMAL, surface.normal));
     arrows
+}
+
+impl Arrow {
+    /// What it takes of the window, its name included.
+    pub fn rect(&self, from: Point, face: Face) -> Rect {
+        let length = f64::from(9 * face.height());
+        let by = self.way.map(|way| (way * length) as i32);
+        let [left, top] = [by[0].min(0), by[1].min(0)];
+        let shaft = Rect::new(from[0] + left, from[1] + top, by[0].abs(), by[1].abs());
+        shaft.inset(-face.height())
+    }
 }
 
 /// Draws an arrow that begins beside the pixel `from`; a unit vector across the view is nine letters high. One that points
