@@ -27,7 +27,7 @@ pub mod views;
 pub mod watch;
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -183,12 +183,12 @@ impl Window {
                     Request::Screenshot => {
                         let mut pixels = Vec::new();
                         self.hud.draw(&self.picture, true, &mut pixels);
-                        self.save_picture(&pixels, size);
+                        let saved = saving::save_picture(Path::new("."), &pixels, size);
+                        self.say_saved(saved);
                     }
                     Request::SavePicture => {
-                        let pixels = std::mem::take(&mut self.picture);
-                        self.save_picture(&pixels, picture);
-                        self.picture = pixels;
+                        let saved = saving::save_picture(Path::new("."), &self.picture, picture);
+                        self.say_saved(saved);
                     }
                     Request::Save => self.save_scene(picture),
                     Request::Time => self.composition.time(&mut self.session)?,
@@ -255,8 +255,8 @@ impl Window {
         }
     }
 
-    fn save_picture(&mut self, pixels: &[u32], size: [usize; 2]) {
-        match saving::save_picture(Path::new("."), pixels, size) {
+    fn say_saved(&mut self, saved: io::Result<PathBuf>) {
+        match saved {
             Ok(path) => {
                 let name = path.file_name().unwrap_or_default().display();
                 self.session.say(format!("saved {name}"));

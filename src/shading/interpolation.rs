@@ -53,9 +53,9 @@ pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
     transposed(&columns)
 }
 
-/// What f32 makes of a value, over the size of its terms. A term x^2 y^2 is rounded once as a
-/// coefficient, and at most twice for each power of x and of y: nine times. What is cut off is rounded three times more where it is multiplied and added, and the display may be that of
-/// the next float, which is two.
+/// What f32 makes of a value, over the size of its terms. A term x^2 y^2 is rounded once as a coefficient, and at most twice
+/// for each power of x and of y: nine times. What is cut off is rounded three times more where it is multiplied and added,
+/// and the display may be that of the next float, which is two.
 const ROUNDING: f64 = 14.0 * U;
 
 /// What multiples of 1/256 level cost: three roundings.

@@ -26,6 +26,12 @@ impl Lens {
         }
     }
 
+    /// Where a point of the world is from the eye, along right, up and forward.
+    pub fn seen(&self, point: DVec3) -> DVec3 {
+        let offset = point - self.eye;
+        self.axes.map(|axis| offset.dot(axis)).into()
+    }
+
     /// A point relative to the eye, given along right, up and forward, in homogeneous screen coordinates: x / w and
     /// y / w are world units on the plane whose pixels are [`Lens::pitch`] apart.
     pub fn homogeneous(&self, seen: DVec3) -> DVec3 {

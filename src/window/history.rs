@@ -62,7 +62,7 @@ impl Step {
 #[derive(Default)]
 pub struct History {
     steps: VecDeque<Step>,
-    undone: Vec<Step>,
+    undone: VecDeque<Step>,
 }
 
 impl History {
@@ -95,18 +95,12 @@ impl History {
 
     /// Takes back the last step; whether there was one.
     pub fn undo(&mut self, scene: &mut Scene) -> bool {
-        let step = self.steps.pop_back();
-        let is_there = step.is_some();
-        self.undone.extend(step.map(|step| swapped(step, scene)));
-        is_there
+        exchange(&mut self.steps, &mut self.undone, scene)
     }
 
     /// Does the step again that was last taken back; whether there was one.
     pub fn redo(&mut self, scene: &mut Scene) -> bool {
-        let step = self.undone.pop();
-        let is_there = step.is_some();
-        self.steps.extend(step.map(|step| swapped(step, scene)));
-        is_there
+        exchange(&mut self.undone, &mut self.steps, scene)
     }
 
     fn push(&mut self, saved: Saved, change: Change, at: Duration) {
@@ -117,9 +111,13 @@ impl History {
     }
 }
 
-/// A step once it has been exchanged with the scene; nothing that follows joins it.
-fn swapped(mut step: Step, scene: &mut Scene) -> Step {
+/// Exchanges the last step of `from` with the scene and keeps it in `to`, where nothing joins it; whether there was one.
+fn exchange(from: &mut VecDeque<Step>, to: &mut VecDeque<Step>, scene: &mut Scene) -> bool {
+    let Some(mut step) = from.pop_back() else {
+        return false;
+    };
     step.swap(scene);
     step.change = Change::Single;
-    step
+    to.push_back(step);
+    true
 }

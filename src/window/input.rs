@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use minifb::Key;
 
-use super::bindings::{Action, Hold, Modifiers, bound_to_character, bound_to_key};
+use super::bindings::{Action, Binding, Hold, Modifiers, bound_to_character, bound_to_key};
 use crate::canvas::Point;
 
 /// From how many pixels on a press that moves is a drag.
@@ -19,7 +19,7 @@ const REPEAT_INTERVAL: Duration = Duration::from_millis(16);
 /// The same character sooner than this is the system's repetition, for no finger is as fast.
 const CHARACTER_INTERVAL: Duration = Duration::from_millis(120);
 
-/// The letters that numbers are typed with.
+/// The letters that numbers are typed with; what they call up otherwise waits until the editor is closed.
 const NUMBERS: &str = "0123456789.+-eE";
 
 /// What the system reports.
@@ -192,8 +192,11 @@ impl Input {
 
     fn key_down(&mut self, key: Key, now: Duration) -> Option<Gesture> {
         let modifiers = self.modifiers();
-        let types = self.editing && !modifiers.control && types_a_number(key);
-        let binding = bound_to_key(key, modifiers, self.editing).filter(|_| !types);
+        let types = |binding: &Binding| {
+            let mut characters = binding.characters.iter();
+            self.editing && !modifiers.control && characters.any(|it| NUMBERS.contains(*it))
+        };
+        let binding = bound_to_key(key, modifiers, self.editing).filter(|it| !types(it));
         let again = self.held.iter().any(|held| held.key == key);
         self.last_press = if again || binding.is_some() {
             LastPress::Answered
@@ -258,44 +261,4 @@ impl Input {
             modifiers: self.modifiers(),
         })
     }
-}
-
-/// Whether `key` writes a letter of a number on most layouts.
-fn types_a_number(key: Key) -> bool {
-    use Key::{
-        Comma, E, Equal, Key0, Key1, Key2, Key3, Key4, Key5, Key6, Key7, Key8, Key9, Minus,
-        NumPad0, NumPad1, NumPad2, NumPad3, NumPad4, NumPad5, NumPad6, NumPad7, NumPad8, NumPad9,
-        NumPadDot, NumPadMinus, NumPadPlus, Period,
-    };
-    [
-        Key0,
-        Key1,
-        Key2,
-        Key3,
-        Key4,
-        Key5,
-        Key6,
-        Key7,
-        Key8,
-        Key9,
-        NumPad0,
-        NumPad1,
-        NumPad2,
-        NumPad3,
-        NumPad4,
-        NumPad5,
-        NumPad6,
-        NumPad7,
-        NumPad8,
-        NumPad9,
-        NumPadDot,
-        NumPadMinus,
-        NumPadPlus,
-        Comma,
-        Period,
-        Minus,
-        Equal,
-        E,
-    ]
-    .contains(&key)
 }

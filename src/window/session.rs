@@ -94,7 +94,7 @@ pub struct Session {
     state: ViewState,
     /// What was changed in the scene.
     history: History,
-    /// The page that the editor last showed.
+    /// The page that the editor showed when it was closed.
     last_page: usize,
     /// What is known of the pixel that is probed.
     probe: Option<Probe>,
@@ -340,10 +340,7 @@ impl Session {
         self.reference = None;
         self.measuring = Measuring::Off;
         self.requests.retain(|request| {
-            matches!(
-                request,
-                Request::Screenshot | Request::SavePicture | Request::Save | Request::Quit
-            )
+            !matches!(request, Request::Time | Request::Examine | Request::Measure)
         });
         self.wants(Redraw::Picture);
     }

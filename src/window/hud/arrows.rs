@@ -13,6 +13,8 @@ use crate::window::session::Session;
 
 const NORMAL: u32 = 0x00ff_ffff;
 const TO_EYE: u32 = 0x0060_c8ff;
+/// How long a unit vector across the view is, in heights of a letter.
+const LENGTH: i32 = 9;
 /// From the probed pixel to an arrow's beginning, in pixels.
 const START: i32 = 7;
 const EDGE: Ink = Ink::glass(0, 150);
@@ -56,7 +58,7 @@ pub fn arrows(session: &Session, viewpoint: &Viewpoint) -> Vec<Arrow> {
 impl Arrow {
     /// What it takes of the window, its name included.
     pub fn rect(&self, from: Point, face: Face) -> Rect {
-        let length = f64::from(9 * face.height());
+        let length = f64::from(LENGTH * face.height());
         let by = self.way.map(|way| (way * length) as i32);
         let [left, top] = [by[0].min(0), by[1].min(0)];
         let shaft = Rect::new(from[0] + left, from[1] + top, by[0].abs(), by[1].abs());
@@ -64,10 +66,9 @@ impl Arrow {
     }
 }
 
-/// Draws an arrow that begins beside the pixel `from`; a unit vector across the view is nine letters high. One that points
-/// along the view has no room for a shaft, only for its name.
+/// Draws an arrow that begins beside the pixel `from`; one that points along the view has no room for a shaft, only for its name.
 pub fn draw(canvas: &mut Canvas, arrow: &Arrow, from: Point, face: Face) {
-    let length = f64::from(9 * face.height());
+    let length = f64::from(LENGTH * face.height());
     let [x, y] = arrow.way;
     let point = |share: f64, aside: f64| {
         let by = [x * share - y * aside, y * share + x * aside];

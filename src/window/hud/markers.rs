@@ -8,7 +8,7 @@ use hecs::Entity;
 use super::lines::brightest;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect};
 use crate::components::{
-    Light, LightKind, Mesh, Name, Projection, Transform, View, WorldTransform,
+    Lens, Light, LightKind, Mesh, Name, Projection, Transform, WorldTransform,
 };
 use crate::window::session::Session;
 
@@ -35,7 +35,7 @@ pub struct Marker {
 
 /// The discs in a picture of `size` pixels, in the order of the file.
 pub fn markers(session: &Session, size: [usize; 2]) -> Vec<Marker> {
-    let view = session.view(size);
+    let lens = Lens::new(&session.view(size));
     let mut markers: Vec<Marker> = Vec::new();
     let world = &session.scene().world;
     for &entity in &session.scene().lights {
@@ -43,13 +43,13 @@ pub fn markers(session: &Session, size: [usize; 2]) -> Vec<Marker> {
         let Ok((name, transform, light)) = query.get() else {
             continue;
         };
-        let Some(at) = seen_at(transform.position, &view) else {
+        let Some(at) = seen_at(transform.position, &lens) else {
             continue;
         };
         if light.kind == LightKind::Ambient || markers.len() == MOST {
             continue;
         }
-        let is_lit = light.on && !is_hidden(session, transform.position, &view);
+        let is_lit = light.on && !is_hidden(session, transform.position, &lens);
         match markers.iter_mut().find(|it| it.at == at) {
             Some(marker) => {
                 marker.lights.push(entity);
@@ -70,30 +70,19 @@ pub fn markers(session: &Session, size: [usize; 2]) -> Vec<Marker> {
 }
 
 /// The pixel in which a point is seen; `None` for one behind the near plane or beside the picture.
-fn seen_at(point: DVec3, view: &View) -> Option<Point> {
-    let [right, up, forward] = view.viewpoint.axes();
-    let [width, height] = view.size.map(|side| side as f64);
-    let offset = point - view.viewpoint.position;
-    let depth = offset.dot(forward);
-    let scale = match view.projection {
-        Projection::Perspective => depth,
-        Projection::Orthographic => 1.0,
-    };
-    let pixel = view.viewpoint.pixel_pitch(view.projection, view.size[1]) * scale;
-    let x = width / 2.0 + offset.dot(right) / pixel;
-    let y = height / 2.0 - offset.dot(up) / pixel;
+fn seen_at(point: DVec3, lens: &Lens) -> Option<Point> {
+    let seen = lens.seen(point);
+    let [x, y] = lens.pixel(lens.homogeneous(seen));
+    let [width, height] = lens.half.map(|half| 2.0 * half);
     let inside = (0.0..width).contains(&x) && (0.0..height).contains(&y);
-    (depth > view.viewpoint.near() && inside).then_some([x as i32, y as i32])
+    (seen.z > lens.near && inside).then_some([x as i32, y as i32])
 }
 
 /// Whether a cuboid stands between the viewer and a point.
-fn is_hidden(session: &Session, point: DVec3, view: &View) -> bool {
-    let eye = match view.projection {
-        Projection::Perspective => view.viewpoint.position,
-        Projection::Orthographic => {
-            let [_, _, forward] = view.viewpoint.axes();
-            point - forward * forward.dot(point - view.viewpoint.position)
-        }
+fn is_hidden(session: &Session, point: DVec3, lens: &Lens) -> bool {
+    let eye = match lens.projection {
+        Projection::Perspective => lens.eye,
+        Projection::Orthographic => point - lens.axes[2] * lens.seen(point).z,
     };
     let mut cuboids = session.scene().world.query::<(&WorldTransform, &Mesh)>();
     cuboids.iter().any(|(place, mesh)| {

@@ -6,7 +6,7 @@ use glam::DVec3;
 use hecs::Entity;
 
 use super::{Redraw, Session};
-use crate::components::{Projection, Spin};
+use crate::components::{Lens, Spin};
 use crate::scene::edit::{Page, Parameter, Property};
 use crate::scene::{Scene, SceneError};
 use crate::window::bindings::StepSize;
@@ -25,10 +25,12 @@ impl Session {
 
     /// Shows the numbers of the scene, or hides them.
     pub(super) fn toggle_editor(&mut self) {
-        self.state.editor = match self.state.editor {
-            Some(_) => None,
-            None => Some(Editor::on_page(self.last_page)),
-        };
+        if let Some(editor) = self.state.editor.take() {
+            self.last_page = editor.page;
+        } else {
+            let page = self.last_page.min(self.scene.pages() - 1);
+            self.state.editor = Some(Editor::on_page(page));
+        }
         self.wants(Redraw::Overlay);
     }
 
@@ -106,7 +108,6 @@ impl Session {
             self.edit(|editor| {
                 editor.page = (editor.page as i32 + steps).rem_euclid(pages) as usize;
             });
-            self.last_page = self.state.editor.as_ref().map_or(0, |it| it.page);
             return;
         };
         let by = f64::from(steps) * parameter.step() * size.factor();
@@ -119,21 +120,17 @@ impl Session {
     /// Moves lights together with the mouse, `by` pixels right and down in a picture of so many rows: on the plane that
     /// faces the viewer, or away from the viewer by what is up.
     pub fn drag_lights(&mut self, lights: &[Entity], by: [i32; 2], in_depth: bool, rows: usize) {
-        let view = self.view([1, rows]);
-        let [right, up, forward] = view.viewpoint.axes();
-        let pitch = view.viewpoint.pixel_pitch(view.projection, rows);
+        let lens = Lens::new(&self.view([1, rows]));
+        let [right, up, forward] = lens.axes;
         let [across, down] = by.map(f64::from);
+        let way = if in_depth {
+            forward * -down
+        } else {
+            right * across - up * down
+        };
         let moved = |place: DVec3| {
-            let depth = match view.projection {
-                Projection::Perspective => forward.dot(place - view.viewpoint.position),
-                Projection::Orthographic => 1.0,
-            };
-            let way = if in_depth {
-                forward * -down
-            } else {
-                right * across - up * down
-            };
-            place + way * (pitch * depth)
+            let w = lens.homogeneous(lens.seen(place)).z;
+            place + way * (lens.pitch * w)
         };
         self.state.drag = Some(Drag::Lights(lights.to_vec()));
         // A scene that has just been read again has other lights.
@@ -150,11 +147,8 @@ impl Session {
                 property: Property::Position,
                 axis,
             };
-            let place = moved(
-                [0, 1, 2]
-                    .map(|axis| self.scene.number(parameter(axis)))
-                    .into(),
-            );
+            let place = [0, 1, 2].map(|axis| self.scene.number(parameter(axis)));
+            let place = moved(place.into());
             for axis in 0..3 {
                 // A light that would leave the range of the format stays.
                 let _ = self.scene.set_number(parameter(axis), place[axis]);
@@ -232,7 +226,6 @@ impl Session {
         let pages = self.scene.pages();
         self.forget_typed();
         self.edit(|editor| editor.page = editor.page.min(pages - 1));
-        self.last_page = self.last_page.min(pages - 1);
         self.state.drag = None;
         self.changed();
     }
