@@ -57,7 +57,7 @@ fn window_after(actions: Vec<Action>, probed: Option<[usize; 2]>) -> anyhow::Res
     for action in actions {
         session.apply(action);
     }
-    session.probe(probed);
+    session.apply(Action::Probe(probed));
     let picture = hud::picture(&session, SIZE);
     let size = [picture.width as usize, picture.height as usize];
     let mut composition = Composition::new(workers()?);

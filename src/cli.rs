@@ -19,12 +19,12 @@ use clap_complete::Shell;
 use image::ImageFormat;
 use rayon::ThreadPoolBuilder;
 
-use crate::drawing::all_cores;
+use crate::drawing::{MAX_SIDE, all_cores};
 use crate::output::{Output, quoted};
 use crate::shading::{METHODS, Method};
 use crate::trade;
 pub use failure::Failure;
-use options::{DrawingOptions, MAX_SIDE, WorkerOptions};
+use options::{DrawingOptions, WorkerOptions};
 pub use parsing::parse;
 
 /// The command line: a command, or the options of `view` without its name.
@@ -47,7 +47,7 @@ pub struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
-    view: DrawingOptions,
+    view: ViewOptions,
 }
 
 /// What can be done.
@@ -59,9 +59,11 @@ Examples:
   shadetrade view
   shadetrade view assignment --camera 2 --shading phong
   shadetrade view bench-far --lights white,ambient --projection orthographic
+  shadetrade view --record lesson.log
 
-Without a display to open, the built-in scene's figures are drawn, as by `shadetrade figures`.")]
-    View(DrawingOptions),
+Without a display to open, the built-in scene's figures are drawn, as by `shadetrade figures`.
+A recording says what happens, a line each; `shadetrade replay` draws it again.")]
+    View(ViewOptions),
     /// Draws one picture into a PNG file
     #[command(after_help = "\
 Examples:
@@ -142,6 +144,18 @@ evaluations are compared with intervals that enclose the exact levels: the textb
 this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps 0.05
 level (0.5 at tolerance 0.5); with -o also writes stability.svg, stability.csv and stability.json.")]
     Extremes(ExtremesOptions),
+    /// Draws a recording again, without a display
+    #[command(after_help = "\
+Examples:
+  shadetrade replay lesson.log -o lesson.apng
+  shadetrade replay lesson.log -o last.png
+  shadetrade replay lesson.log --hash --simd fallback
+
+A frame is the picture with the boards that lay over it, without the panel, and without the marks of
+the proof in the error map. Lines of one time make one frame. A line may be written by hand:
+  2.500 say \"words over the picture\"
+The same log gives the same hashes at every SIMD level and with any number of threads.")]
+    Replay(ReplayOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "\
 Examples:
@@ -169,6 +183,7 @@ impl Command {
             Command::Probe(options) => options.drawing.workers.threads(),
             Command::Prove(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),
+            Command::Replay(options) => options.workers.threads(),
             // What is not timed may take every core.
             Command::Trade(_) => all_cores(),
             _ => return Ok(()),
@@ -178,6 +193,59 @@ impl Command {
             .use_current_thread()
             .build_global()
             .context("cannot start the threads that draw; --threads asks for fewer")
+    }
+}
+
+/// The options of `view`.
+#[derive(Args, Clone, Debug)]
+pub struct ViewOptions {
+    /// What to show, and how.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// Writes what happens to a new file, for `replay`
+    #[arg(long, value_name = "LOG")]
+    pub record: Option<PathBuf>,
+}
+
+/// The options of `replay`.
+#[derive(Args, Debug)]
+pub struct ReplayOptions {
+    /// The recording
+    #[arg(value_name = "LOG")]
+    pub log: PathBuf,
+    /// Where the last frame goes as PNG, `-` is standard output; a file that ends in .apng takes all frames, as animated PNG
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
+    pub output: Option<Output>,
+    /// Prints the time and a hash of every frame
+    #[arg(long)]
+    pub hash: bool,
+    /// Who draws.
+    #[command(flatten)]
+    pub workers: WorkerOptions,
+}
+
+impl ReplayOptions {
+    /// Whether the frames may go where they are to go.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when that is the recording, or standard output takes hashes.
+    pub fn check_output(&self) -> Result<(), Failure> {
+        match &self.output {
+            Some(Output::Stdout) if self.hash => Err(Failure::Usage(anyhow!(
+                "standard output takes the hashes; give -o a file, ./- is one of that name"
+            ))),
+            Some(output) => options::keep(&self.log, "recording", output),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether all frames are written.
+    pub fn animated(&self) -> bool {
+        let Some(Output::File(path)) = &self.output else {
+            return false;
+        };
+        path.extension()
+            .is_some_and(|it| it.eq_ignore_ascii_case("apng"))
     }
 }
 

@@ -16,7 +16,7 @@ mod camera;
 
 use glam::{DMat3, DVec3};
 use hecs::DynamicBundle;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 pub use self::camera::{ActiveCamera, Camera, Lens, Orbit, Projection, View, Viewpoint};
 
@@ -168,7 +168,7 @@ pub struct Material {
 }
 
 /// How a cuboid's surface is shaded: what its picture means, whatever the tolerance.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ShadingMode {
     /// The model at the vertices, its colours interpolated perspective-correctly (Gouraud 1971).
@@ -177,7 +177,7 @@ pub enum ShadingMode {
     /// Position and normal interpolated perspective-correctly, the model at every pixel (Phong 1975).
     Phong,
     /// The assignment's shortcut: unit n, l and o of the vertices interpolated linearly on the screen and not renormalised.
-    #[serde(rename = "phong")]
+    #[serde(rename(serialize = "phong"), skip_deserializing)]
     UnitVectors,
 }
 

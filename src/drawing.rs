@@ -11,9 +11,18 @@ use fearless_simd::Level;
 use crate::components::{Projection, ShadingMode, View};
 use crate::frame::Workers;
 use crate::scene::Scene;
+use crate::shading::MIN_TOLERANCE;
 
 /// The most threads that draw: more than machines have cores, fewer than a process may start.
 pub const MAX_THREADS: usize = 1024;
+
+/// The longest side of a picture, in pixels.
+pub const MAX_SIDE: usize = 16_384;
+
+/// Whether a picture can be drawn within so many levels.
+pub fn is_tolerance(levels: f64) -> bool {
+    levels == 0.0 || (MIN_TOLERANCE..=255.0).contains(&levels)
+}
 
 /// A scene and how it is to be drawn, everything checked.
 pub struct Drawing {

@@ -1,14 +1,17 @@
 //! shadetrade: parses the command line, runs one command, says what went wrong.
 
+use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::anyhow;
+use anyhow::{Context, anyhow};
 
-use shadetrade::cli::options::DrawingOptions;
-use shadetrade::cli::{self, Command, ExtremesOptions, Failure, ProbeOptions};
+use shadetrade::cli::{
+    self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
+};
 use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
+use shadetrade::window::recording::Log;
 use shadetrade::window::{self, WindowError};
 use shadetrade::{extremes, output, pictures, probe, prove, trade};
 
@@ -28,6 +31,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     match command {
         None => Ok(()),
         Some(Command::View(options)) => view(&options),
+        Some(Command::Replay(options)) => replay(&options),
         Some(Command::Render(options)) => {
             options.drawing.check_output(&options.output)?;
             let mut drawing = options.drawing.open()?;
@@ -103,12 +107,12 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
 }
 
 /// Opens the window; where there is no display, the built-in scene's figures are drawn instead.
-fn view(options: &DrawingOptions) -> Result<(), Failure> {
+fn view(options: &ViewOptions) -> Result<(), Failure> {
     // Before anything is read: a scene that comes through a pipe can be read once.
     window::restart_without_input_method().map_err(anyhow::Error::from)?;
-    let drawing = options.open()?;
+    let drawing = options.drawing.open()?;
     let scene = drawing.scene.name.clone();
-    match window::run(drawing) {
+    match window::run(drawing, options.record.as_deref()) {
         Err(missing @ WindowError::NoDisplay { .. }) if scene == BUILT_IN[0].0 => {
             output::say(&format!("{missing}; drawing the figures instead"));
             Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
@@ -118,4 +122,31 @@ fn view(options: &DrawingOptions) -> Result<(), Failure> {
         ))),
         closed => Ok(closed.map_err(anyhow::Error::from)?),
     }
+}
+
+/// Draws a recording again.
+fn replay(options: &ReplayOptions) -> Result<(), Failure> {
+    options.check_output()?;
+    let name = options.log.to_string_lossy();
+    let text = fs::read_to_string(&options.log)
+        .with_context(|| format!("cannot read the recording {name}"))
+        .map_err(Failure::Usage)?;
+    let log = Log::parse(
+        &name,
+        &text,
+        options.workers.threads(),
+        options.workers.simd,
+    )
+    .map_err(|error| Failure::Usage(error.into()))?;
+    if let Some(line) = log.cut_off {
+        output::say(&format!(
+            "warning: {name} is cut off in line {line}, which is left out"
+        ));
+    }
+    Ok(window::replay::run(
+        log,
+        options.output.as_ref(),
+        options.animated(),
+        options.hash,
+    )?)
 }

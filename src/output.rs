@@ -4,6 +4,8 @@
 //! takes the target's name once everything is on the disk. Devices, pipes and descriptors are written directly; a
 //! symbolic link stays a link and its target is replaced; a reader that closes our standard output early is no error.
 
+mod animation;
+
 use std::borrow::Cow;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -14,6 +16,8 @@ use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
 
 use crate::memory;
+
+pub use animation::Animation;
 
 /// Where one file's content goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -292,14 +296,9 @@ pub(crate) fn encode_png(
     pixels: &[u32],
     [width, height]: [usize; 2],
 ) -> io::Result<()> {
-    let mut bytes = memory::reserve_pixels([width, height]).map_err(io::Error::other)?;
-    bytes.extend(pixels.iter().map(|pixel| {
-        let [_, red, green, blue] = pixel.to_be_bytes();
-        [red, green, blue]
-    }));
     PngEncoder::new(writer)
         .write_image(
-            bytes.as_flattened(),
+            &rgb(pixels)?,
             width as u32,
             height as u32,
             ExtendedColorType::Rgb8,
@@ -308,4 +307,14 @@ pub(crate) fn encode_png(
             ImageError::IoError(error) => error,
             other => io::Error::other(other),
         })
+}
+
+/// Red, green and blue of every pixel.
+fn rgb(pixels: &[u32]) -> io::Result<Vec<u8>> {
+    let mut bytes = memory::reserve_pixels([pixels.len(), 3]).map_err(io::Error::other)?;
+    bytes.extend(pixels.iter().flat_map(|pixel| {
+        let [_, red, green, blue] = pixel.to_be_bytes();
+        [red, green, blue]
+    }));
+    Ok(bytes)
 }

@@ -19,6 +19,8 @@ pub mod hud;
 pub mod input;
 pub mod jobs;
 pub mod orbit;
+pub mod recording;
+pub mod replay;
 pub mod response;
 pub mod saving;
 pub mod session;
@@ -39,8 +41,9 @@ use crate::scene::Scene;
 use composition::Composition;
 use display::Display;
 use hud::{Hud, Part};
-use input::Input;
+use input::{Gesture, Input};
 use jobs::{Job, Jobs};
+use recording::{Recorder, Start};
 use session::{Measuring, Redraw, Request, Session};
 use watch::Watch;
 
@@ -75,6 +78,9 @@ pub enum WindowError {
     /// The program could not start itself anew; see [`restart_without_input_method`].
     #[error("cannot start again with XMODIFIERS=@im=none, which opening a window needs: {0}")]
     Restart(#[source] io::Error),
+    /// What happens cannot be written down.
+    #[error("cannot begin the recording, which makes a new file: {0}")]
+    Record(#[source] io::Error),
     /// The picture did not reach the window.
     #[error("cannot show the picture: {reason}")]
     Present {
@@ -92,21 +98,27 @@ pub enum WindowError {
     OutOfMemory(#[from] OutOfMemory),
 }
 
-/// Shows `drawing` until the user quits; its size is the window's at the start.
+/// Shows `drawing` until the user quits; its size is the window's at the start. What happens is written to `log`, a new file.
 ///
 /// # Errors
 /// [`WindowError::NoDisplay`] before anything else is done; otherwise see [`WindowError`].
-pub fn run(drawing: Drawing) -> Result<(), WindowError> {
+pub fn run(drawing: Drawing, log: Option<&Path>) -> Result<(), WindowError> {
     restart_without_input_method()?;
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
     let watch = drawing.scene.path.clone().map(Watch::new);
+    let start = Start::new(&drawing);
     let session = Session::new(drawing);
     let hud = Hud::new(&session, size);
     let title = title(&session, &hud);
+    let picture = hud.picture();
+    let start = start.with_picture([picture.width as usize, picture.height as usize]);
+    let display = Display::open(&title, size)?;
+    let recorder = log.map(|path| Recorder::create(path, &start)).transpose();
     let window = Window {
-        display: Display::open(&title, size)?,
+        display,
         session,
         watch,
+        recorder: recorder.map_err(WindowError::Record)?,
         input: Input::default(),
         composition: Composition::new(Workers::new(threads, level)?),
         jobs: Jobs::start(level)?,
@@ -128,6 +140,8 @@ struct Window {
     session: Session,
     /// The scene's file, where it has one.
     watch: Option<Watch>,
+    /// Where what happens is written, if anywhere.
+    recorder: Option<Recorder>,
     display: Display,
     input: Input,
     composition: Composition,
@@ -145,11 +159,13 @@ impl Window {
     fn run(mut self) -> Result<(), WindowError> {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
-        let (mut size, mut picture) = ([0, 0], [0, 0]);
+        let area = self.hud.picture();
+        let (mut size, mut picture) = ([0, 0], [area.width as usize, area.height as usize]);
         let mut active = false;
         let mut job_is_for = (0, false);
         while self.display.is_open() {
-            let now = start.elapsed();
+            // A log has milliseconds.
+            let now = Duration::from_millis(start.elapsed().as_millis() as u64);
             if self.display.has_events() {
                 last_event = now;
             }
@@ -161,7 +177,10 @@ impl Window {
             let mut redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
                 let area = hud::picture(&self.session, size);
-                picture = [area.width as usize, area.height as usize];
+                let new_picture = [area.width as usize, area.height as usize];
+                if std::mem::replace(&mut picture, new_picture) != new_picture {
+                    self.record(|recorder| recorder.size(now, new_picture));
+                }
                 if picture != self.composition.size() {
                     self.session.resized();
                     redraw = redraw.max(self.session.take_redraw());
@@ -224,9 +243,15 @@ impl Window {
 
     /// Lets the session know what has happened.
     fn react(&mut self, now: Duration) {
+        let revision = self.session.revision();
         self.session.tick(now);
+        if self.session.revision() != revision {
+            self.record(|recorder| recorder.time(now));
+        }
         if let Some(path) = self.watch.as_mut().and_then(|it| it.changed(now)) {
-            self.session.reload(Scene::load_path(path));
+            let read = Scene::load_path(path).map_err(|error| error.to_string());
+            self.record(|recorder| recorder.scene(now, read.as_ref().map_err(String::as_str)));
+            self.session.reload(read);
         }
         for progress in self.jobs.progress() {
             self.session.hear(progress);
@@ -235,11 +260,25 @@ impl Window {
             self.input
                 .set_editing(self.session.state().editor.is_some());
             if let Some(gesture) = self.input.handle(event, now) {
-                response::respond(&mut self.session, gesture, &self.hud);
+                self.respond(gesture, now);
             }
         }
         while let Some(gesture) = self.input.repeated(now) {
-            response::respond(&mut self.session, gesture, &self.hud);
+            self.respond(gesture, now);
+        }
+    }
+
+    fn respond(&mut self, gesture: Gesture, now: Duration) {
+        if let Some(action) = response::respond(&mut self.session, gesture, &self.hud) {
+            self.record(|recorder| recorder.action(now, action));
+        }
+    }
+
+    /// Notes what happened, if anybody wants it; the first failure ends the recording.
+    fn record(&mut self, note: impl FnOnce(&mut Recorder) -> io::Result<()>) {
+        if let Some(Err(error)) = self.recorder.as_mut().map(note) {
+            self.recorder = None;
+            self.session.say(format!("the recording ends: {error}"));
         }
     }
 

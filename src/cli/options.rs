@@ -4,7 +4,7 @@
 
 use std::fs;
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
 use clap::Args;
@@ -13,14 +13,12 @@ use fearless_simd::Level;
 
 use super::Failure;
 use crate::components::{Projection, ShadingMode};
-use crate::drawing::{Drawing, MAX_THREADS, all_cores};
+use crate::drawing::{Drawing, MAX_SIDE, MAX_THREADS, all_cores, is_tolerance};
 use crate::output::{Output, say};
 use crate::scene::{self, LightChoice, Scene, SceneError};
 use crate::shading::MIN_TOLERANCE;
 use crate::simd;
 
-/// The longest side of a picture, in pixels.
-pub(super) const MAX_SIDE: usize = 16_384;
 /// The error allowed where none is named, in levels: no picture differs by more than one from its exact twin.
 const DEFAULT_TOLERANCE: f64 = 0.5;
 
@@ -121,20 +119,29 @@ impl DrawingOptions {
     /// # Errors
     /// [`Failure::Usage`] when that is the file of the scene.
     pub fn check_output(&self, output: &Output) -> Result<(), Failure> {
-        let (Some(scene), Output::File(file)) = (&self.scene, output) else {
-            return Ok(());
-        };
-        let is_scene = match (fs::canonicalize(scene), fs::canonicalize(file)) {
-            (Ok(scene), Ok(file)) => scene == file && file.is_file(),
-            _ => false,
-        };
-        if is_scene && !scene::is_built_in(scene) {
-            return Err(Failure::Usage(anyhow!(
-                "{} is the scene itself; -o takes another file",
-                file.display()
-            )));
+        match &self.scene {
+            Some(scene) if !scene::is_built_in(scene) => keep(scene, "scene", output),
+            _ => Ok(()),
         }
-        Ok(())
+    }
+}
+
+/// Whether a picture may go to `output` when it is made from the file `source`, which is a `kind`.
+///
+/// # Errors
+/// [`Failure::Usage`] when that is the same file.
+pub fn keep(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
+    let Output::File(file) = output else {
+        return Ok(());
+    };
+    match (fs::canonicalize(source), fs::canonicalize(file)) {
+        (Ok(source), Ok(target)) if source == target && target.is_file() => {
+            Err(Failure::Usage(anyhow!(
+                "{} is the {kind} itself; -o takes another file",
+                file.display()
+            )))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -191,7 +198,7 @@ fn level() -> impl TypedValueParser<Value = Level> {
 
 fn tolerance(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(levels) if levels == 0.0 || (MIN_TOLERANCE..=255.0).contains(&levels) => Ok(levels),
+        Ok(levels) if is_tolerance(levels) => Ok(levels),
         _ => Err(format!(
             "it is 0, for exact, or a number of levels from {MIN_TOLERANCE} to 255"
         )),

@@ -36,7 +36,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
         Ok(Arguments {
             command: None,
             view,
-        }) => match &view.scene {
+        }) => match &view.drawing.scene {
             Some(scene) if is_command(scene.as_os_str()) => {
                 let command = scene.to_string_lossy();
                 Err(Failure::Usage(anyhow!(command_first(&command))))

@@ -8,6 +8,7 @@
 //! camera's `up` and its opposite, and keeps looking at the target.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::{ShadingMode, length, unit};
 
@@ -62,7 +63,8 @@ impl Orbit {
 }
 
 /// How the picture is formed from the camera.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Projection {
     /// Rays leave the eye; the vertical field of view sets the scale.
     #[default]

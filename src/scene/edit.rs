@@ -105,7 +105,7 @@ pub struct Page {
 /// Everything of an entity that can be changed; of a component that it lacks there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Editable {
-    transform: Transform,
+    pub transform: Transform,
     size: Option<DVec3>,
     material: Option<Material>,
     light: Option<Light>,

@@ -4,16 +4,19 @@
 //! the others do not. A new command is one variant of [`Action`], one row of the table and one arm where it is applied.
 
 use minifb::Key;
+use serde::{Deserialize, Serialize};
 
 use crate::components::{Projection, ShadingMode};
 
-/// What the user can have done.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// What the user can have done; a recording names it so, but for what is skipped there, which says nothing of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Action {
     /// Switches the light of this place in the file, counted from 0.
     Light(usize),
     /// Switches the light of this name.
-    LightNamed(&'static str),
+    #[serde(skip)]
+    LightNamed(#[serde(skip)] &'static str),
     /// Shades every cuboid so.
     Shading(ShadingMode),
     /// Shades every cuboid as the scene does.
@@ -30,7 +33,10 @@ pub enum Action {
     View(i32),
     /// Shows the reference, and hides it again.
     Blink,
+    /// Hides the reference.
+    EndBlink,
     /// Measures what every method costs and errs in this view, and ends or closes that.
+    #[serde(skip)]
     Measure,
     /// Moves the camera about its target.
     Orbit {
@@ -46,16 +52,21 @@ pub enum Action {
     /// Starts and stops turning the cuboids about their own x axes.
     Turning,
     /// Shows and hides the panel.
+    #[serde(skip)]
     Panel,
     /// Shows and hides the help.
     Help,
     /// Saves what the window shows.
+    #[serde(skip)]
     Screenshot,
     /// Saves the picture alone.
+    #[serde(skip)]
     SavePicture,
-    /// Closes what lies over the picture.
+    /// Closes what lies over the picture; see [`super::session::Session::resolved`].
+    #[serde(skip)]
     Close,
     /// Ends the program.
+    #[serde(skip)]
     Quit,
     /// Shows the numbers of the scene to be changed, and hides them again.
     Editor,
@@ -79,11 +90,31 @@ pub enum Action {
     /// Makes the change again that was last taken back.
     Redo,
     /// Writes the scene as it is into a new file.
+    #[serde(skip)]
     Save,
+    /// Takes a letter of a number.
+    Type(char),
+    /// Forgets what was typed.
+    Forget,
+    /// Probes this pixel of the picture from now on, or none.
+    Probe(Option<[usize; 2]>),
+    /// Moves the light of this place in the file, and those that stand where it stands.
+    DragLight {
+        light: usize,
+        /// Right and down, in heights of the picture.
+        by: [f64; 2],
+        /// Down is towards the viewer then.
+        in_depth: bool,
+    },
+    /// Moves the divider to the right by this share of the picture's width.
+    DragDivider(f64),
+    /// Leaves what was dragged where it is seen.
+    EndDrag,
 }
 
 /// How much a step changes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum StepSize {
     Fine,
     #[default]

@@ -22,8 +22,6 @@ pub mod pixel;
 mod place;
 pub mod profile;
 
-use hecs::Entity;
-
 use super::bindings::Action;
 use super::session::Session;
 use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
@@ -309,16 +307,15 @@ impl Hud {
         self.picture.contains(point) && self.divider.is_some_and(near)
     }
 
-    /// The lights whose disc a press at `point` catches.
-    pub fn lights_at(&self, point: Point) -> Option<&[Entity]> {
+    /// The light, by its place in the file, whose disc a press at `point` catches.
+    pub fn light_at(&self, point: Point) -> Option<usize> {
         let reach = markers::radius(self.face) + 2;
         let caught = |marker: &&Marker| {
             let x = point[0] - self.picture.x - marker.at[0];
             let y = point[1] - self.picture.y - marker.at[1];
             x * x + y * y <= reach * reach
         };
-        let marker = self.markers.iter().find(caught)?;
-        Some(&marker.lights)
+        self.markers.iter().find(caught).map(|marker| marker.light)
     }
 
     /// The pixel of the picture at `point` of the window.

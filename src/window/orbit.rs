@@ -17,7 +17,8 @@ impl Orbit {
     /// This orbit moved by so many degrees to the right and up, as far as the poles allow.
     #[must_use]
     pub fn moved(self, from: &Viewpoint, azimuth: f64, elevation: f64) -> Self {
-        let azimuth = self.azimuth + azimuth;
+        // A log may hold any number.
+        let azimuth = self.azimuth + azimuth % 360.0;
         Orbit {
             azimuth: if azimuth.abs() > 180.0 {
                 azimuth - 360.0 * (azimuth / 360.0).round()

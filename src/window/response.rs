@@ -6,71 +6,84 @@ use super::bindings::Action;
 use super::hud::{Hud, Part};
 use super::input::Gesture;
 use super::session::Session;
-use super::view_state::Drag;
+use super::view_state::{Drag, ViewState};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
 
-/// Does what `gesture` means in a window that shows `hud`.
-pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) {
+/// Does what `gesture` means in a window that shows `hud`; returns what that was.
+pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) -> Option<Action> {
+    if let Gesture::Hover(point) = gesture {
+        session.hover(hud.action_at(point));
+    }
+    let action = session.resolved(meaning(gesture, session.state(), hud)?);
+    session.apply(action);
+    Some(action)
+}
+
+fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
     let picture = hud.picture();
     match gesture {
-        Gesture::Command(action) => session.apply(action),
-        Gesture::Released(action) => session.release(action),
-        Gesture::Hover(point) => session.hover(hud.action_at(point)),
-        Gesture::Click(point) => {
-            if let Some(action) = hud.action_at(point) {
-                return session.apply(action);
-            }
-            match hud.board_at(point) {
-                Some((Part::Probe | Part::Profile, _)) => session.probe(None),
-                Some((Part::Table, _)) => session.apply(Action::Measure),
-                Some((Part::Help, _)) => {}
-                _ if session.state().help => session.apply(Action::Help),
-                Some(_) => {}
-                None => session.probe(hud.pixel_at(point)),
-            }
-        }
-        Gesture::Typed(letter) => session.type_letter(letter),
+        Gesture::Command(action) => Some(action),
+        Gesture::Released(action) => (action == Action::Blink).then_some(Action::EndBlink),
+        Gesture::Hover(_) => None,
+        Gesture::Click(point) => hud.action_at(point).or_else(|| match hud.board_at(point) {
+            Some((Part::Probe | Part::Profile, _)) => Some(Action::Probe(None)),
+            Some((Part::Table, _)) => Some(Action::Measure),
+            Some((Part::Help, _)) => None,
+            _ if state.help => Some(Action::Help),
+            Some(_) => None,
+            None => Some(Action::Probe(hud.pixel_at(point))),
+        }),
+        Gesture::Typed(letter) => Some(Action::Type(letter)),
         Gesture::Drag {
             from,
             by,
             modifiers,
         } => {
             let on_picture = hud.board_at(from).is_none() && picture.contains(from);
-            let drag = session.state().drag.clone().or_else(|| {
-                let lights = hud.lights_at(from).map(|it| Drag::Lights(it.to_vec()));
-                let divider = hud.catches_divider(from).then_some(Drag::Divider);
-                lights.or(divider).filter(|_| on_picture)
-            });
-            if let Some(Drag::Lights(lights)) = drag {
-                session.drag_lights(&lights, by, modifiers.shift, picture.height as usize);
-            } else if drag.is_some() {
-                session.drag_divider(f64::from(by[0]) / f64::from(picture.width.max(1)));
-            } else if on_picture {
-                let degrees = DRAG_TURN / f64::from(picture.width.min(picture.height).max(1));
-                // The cuboid follows the mouse, so the camera goes the other way.
-                session.apply(Action::Orbit {
-                    azimuth: -f64::from(by[0]) * degrees,
-                    elevation: f64::from(by[1]) * degrees,
-                });
+            let [right, down] = by.map(f64::from);
+            let height = f64::from(picture.height.max(1));
+            let light = |light| Action::DragLight {
+                light,
+                by: [right / height, down / height],
+                in_depth: modifiers.shift,
+            };
+            let divider = || Action::DragDivider(right / f64::from(picture.width.max(1)));
+            match &state.drag {
+                Some(Drag::Lights(lights)) => Some(light(*lights.first()?)),
+                Some(Drag::Divider) => Some(divider()),
+                None if !on_picture => None,
+                None => Some(match hud.light_at(from) {
+                    Some(caught) => light(caught),
+                    None if hud.catches_divider(from) => divider(),
+                    None => {
+                        let degrees =
+                            DRAG_TURN / f64::from(picture.width.min(picture.height).max(1));
+                        // The cuboid follows the mouse, so the camera goes the other way.
+                        Action::Orbit {
+                            azimuth: -right * degrees,
+                            elevation: down * degrees,
+                        }
+                    }
+                }),
             }
         }
-        Gesture::EndDrag => session.end_drag(),
+        Gesture::EndDrag => Some(Action::EndDrag),
         Gesture::Wheel {
             at,
             notches,
             modifiers,
         } => match (hud.board_at(at), hud.action_at(at)) {
-            (None, _) => session.apply(Action::Zoom(notches)),
+            (None, _) => Some(Action::Zoom(notches)),
             (Some(_), Some(Action::ChooseRow(row) | Action::Step { row: Some(row), .. })) => {
-                session.apply(Action::Step {
+                Some(Action::Step {
                     row: Some(row),
                     steps: notches,
                     size: modifiers.step_size(),
-                });
+                })
             }
-            _ => {}
+            _ => None,
         },
     }
 }

@@ -150,6 +150,12 @@ impl Session {
         }
     }
 
+    /// The same without the panel.
+    pub fn without_panel(mut self) -> Self {
+        self.state.panel = false;
+        self
+    }
+
     /// Probes the pixel that is looked at anew, in a picture of `size` pixels; one outside is no longer looked at.
     ///
     /// # Errors

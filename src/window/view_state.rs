@@ -4,8 +4,6 @@
 
 use std::time::Duration;
 
-use hecs::Entity;
-
 use super::bindings::Action;
 use super::views::ViewMode;
 
@@ -21,8 +19,8 @@ const DIVIDER_MARGIN: f64 = 0.02;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drag {
     Divider,
-    /// Lights that were at one place when the drag began.
-    Lights(Vec<Entity>),
+    /// Lights that were at one place when the drag began, by their places in the file.
+    Lights(Vec<usize>),
 }
 
 /// Which numbers of the scene are shown, and what is typed.

@@ -48,8 +48,9 @@ impl ViewMode {
     /// The one so many steps on, or back where negative; the first follows the last.
     #[must_use]
     pub fn stepped(self, steps: i32) -> Self {
-        let count = ViewMode::ALL.len() as i32;
-        ViewMode::ALL[(self as i32 + steps).rem_euclid(count) as usize]
+        let count = ViewMode::ALL.len() as i64;
+        let index = self as i64 + i64::from(steps);
+        ViewMode::ALL[index.rem_euclid(count) as usize]
     }
 
     /// Whether a divider parts two pictures.

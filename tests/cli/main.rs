@@ -9,6 +9,7 @@ mod help;
 #[cfg(unix)]
 mod names;
 mod pictures;
+mod replays;
 mod scale;
 
 use std::fs;

@@ -323,7 +323,7 @@ fn disc(session: &Session) -> [i32; 2] {
     let mut found = Vec::new();
     for y in 0..SIZE[1] as i32 {
         for x in 0..SIZE[0] as i32 {
-            if hud.lights_at([x, y]).is_some() {
+            if hud.light_at([x, y]).is_some() {
                 found.push([x, y]);
             }
         }
@@ -565,6 +565,11 @@ fn a_saved_scene_is_drawn_as_it_was_shown_and_replaces_nothing() {
     assert_eq!(kept, b"mine");
 }
 
+/// The scene's file as it is read again.
+fn read(text: &str) -> Result<Scene, String> {
+    Scene::parse("mixed.toml", text).map_err(|error| error.to_string())
+}
+
 #[test]
 fn a_scene_read_again_keeps_the_view_and_a_wrong_one_keeps_the_picture() {
     let mut session = session_of(Scene::parse("mixed.toml", MIXED).expect("a scene"));
@@ -572,7 +577,7 @@ fn a_scene_read_again_keeps_the_view_and_a_wrong_one_keeps_the_picture() {
     session.apply(Action::Zoom(-3));
     press(&mut session, Key::P);
     let (before, view) = (drawn(&mut session, [64, 48]), zoomed(&session));
-    session.reload(Scene::parse("mixed.toml", "size = 3\n"));
+    session.reload(read("size = 3\n"));
     assert_eq!(drawn(&mut session, [64, 48]), before);
     let words = session.state().scene_error.clone().expect("it is said");
     assert!(words.contains("mixed.toml:1:1"), "{words}");
@@ -583,7 +588,7 @@ fn a_scene_read_again_keeps_the_view_and_a_wrong_one_keeps_the_picture() {
             .is_some()
     );
     let edited = MIXED.replace("size = [1.0, 1.0, 1.0]", "size = [2.0, 1.0, 1.0]");
-    session.reload(Scene::parse("mixed.toml", &edited));
+    session.reload(read(&edited));
     assert_eq!(session.state().scene_error, None);
     assert_eq!(zoomed(&session), view);
     assert_ne!(drawn(&mut session, [64, 48]), before);

@@ -179,7 +179,7 @@ fn in_a_common_window_probe_and_table_cover_neither_the_pixel_nor_each_other_nor
         let rect = picture(&session, size);
         for part in 1..8 {
             let pixel = [rect.width, rect.height].map(|side| (side * part / 8) as usize);
-            session.probe(Some(pixel));
+            session.apply(Action::Probe(Some(pixel)));
             let hud = drawn(&mut session, size);
             let board = hud.boards(Part::Probe).next().expect("there is room");
             let point = [rect.x + pixel[0] as i32, rect.y + pixel[1] as i32];
@@ -191,7 +191,7 @@ fn in_a_common_window_probe_and_table_cover_neither_the_pixel_nor_each_other_nor
         check_fit(&hud, size);
     }
     let mut session = default_session();
-    session.probe(Some([5, 5]));
+    session.apply(Action::Probe(Some([5, 5])));
     let hud = drawn(&mut session, [1920, 1080]);
     let board = hud
         .boards(Part::Probe)
@@ -241,7 +241,7 @@ fn help_fits_a_common_window_and_tiny_windows_show_the_picture() {
         let mut session = default_session();
         for action in [Action::Help, Action::Measure, Action::View(3)] {
             session.apply(action);
-            session.probe(Some([0, 0]));
+            session.apply(Action::Probe(Some([0, 0])));
             let hud = drawn(&mut session, size);
             check_fit(&hud, size);
             assert_eq!(hud.boards(Part::Panel).count(), 0, "{size:?}");
@@ -272,7 +272,7 @@ proptest! {
             .expect("the built-in scene is valid");
         let mut session = session_of(scene);
         session.apply(Action::View(view));
-        session.probe(Some(pixel));
+        session.apply(Action::Probe(Some(pixel)));
         if help {
             session.apply(Action::Help);
         }

@@ -16,6 +16,7 @@ mod jobs;
 mod orbit;
 mod pointing;
 mod probing;
+mod recording;
 mod screenshot;
 mod storms;
 mod views;

@@ -43,7 +43,7 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
             if binding.section == Section::Editor {
                 session.apply(Action::Editor);
                 session.apply(Action::Row(1));
-                session.type_letter('1');
+                session.apply(Action::Type('1'));
             }
             session.apply(Action::Help);
             session.take_redraw();

@@ -6,6 +6,7 @@ use shadetrade::canvas::Point;
 use shadetrade::frame::Workers;
 use shadetrade::probe;
 use shadetrade::scene::{BUILT_IN, Scene};
+use shadetrade::window::bindings::Action;
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::pixel::lines;
 use shadetrade::window::hud::{Part, picture};
@@ -109,7 +110,7 @@ fn a_pixel_that_the_window_no_longer_has_is_no_longer_looked_at() {
 fn the_pixel_itself_is_never_covered() {
     let mut session = default_session();
     for pixel in [[300, 300], [20, 20], [500, 600], [310, 360]] {
-        session.probe(Some(pixel));
+        session.apply(Action::Probe(Some(pixel)));
         let hud = drawn(&mut session, SIZE);
         let point = [hud.picture().x as usize + pixel[0], pixel[1]];
         let shown = pixels(&session, 0x0001_0203);
@@ -194,7 +195,7 @@ fn all_that_the_probe_knows_is_said() {
         assert_eq!(ends(&said[2]), ends(&row("position")[0]), "x y z");
     }
     // Without the boards of the pixel before, which may lie over this one.
-    session.probe(None);
+    session.apply(Action::Probe(None));
     click(&mut session, [600, 10]);
     let background = session.probed().expect("looked at");
     assert!(texts(&lines(background, true))[1].contains("background"));
@@ -238,7 +239,7 @@ fn the_profile_has_what_the_probe_says_of_the_pixel_and_shows_the_highlight_gour
         assert_eq!(curve[0], session.scene().background.to_array());
     }
     // Along the row through the highlight Phong is far above Gouraud, and as the reference.
-    session.probe(None);
+    session.apply(Action::Probe(None));
     click(&mut session, [383, 327]);
     let profile = session.profile().expect("probed");
     let highest = |curve: &[[f64; 3]]| {
@@ -253,7 +254,7 @@ fn the_profile_has_what_the_probe_says_of_the_pixel_and_shows_the_highlight_gour
     let hud = hud(&session, SIZE);
     assert!(hud.boards(Part::Profile).next().is_some());
     // It closes with the probe.
-    session.probe(None);
+    session.apply(Action::Probe(None));
     assert_eq!(session.profile(), None);
 }
 

@@ -2,6 +2,8 @@
 //!
 //! `SHADETRADE_CASES` sets how many storms of a hundred happenings there are (40 if unset); 1000 of them are 10^5.
 
+use std::collections::HashMap;
+use std::fs;
 use std::time::Duration;
 
 use fearless_simd::Level;
@@ -11,18 +13,24 @@ use shadetrade::canvas::Point;
 use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
+use shadetrade::simd;
 use shadetrade::trade;
 use shadetrade::window::bindings::{Action, BINDINGS, StepSize};
 use shadetrade::window::composition::Composition;
 use shadetrade::window::examination::{ReferenceRequest, examine};
 use shadetrade::window::hud::{self, Hud, lines};
-use shadetrade::window::input::{Event, Input};
+use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::jobs::Progress;
+use shadetrade::window::recording::{Log, Recorder, Start};
+use shadetrade::window::replay::{Player, compares};
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 use shadetrade::window::views::ViewMode;
 
-use super::{MIXED, default_session, session_of};
+use super::{MIXED, default_session, drawing, session_of};
+
+/// The window's size when it opens, in pixels.
+const START_SIZE: [usize; 2] = [120, 90];
 
 /// What may happen to a window.
 #[derive(Clone, Debug)]
@@ -161,14 +169,16 @@ struct Window {
     size: [usize; 2],
     now: Duration,
     asked: Option<ReferenceRequest>,
+    picture: Vec<u32>,
     shown: Vec<u32>,
+    recorder: Option<Recorder>,
 }
 
 impl Window {
     fn open(text: &str) -> Self {
         let scene = Scene::parse("storm.toml", text).unwrap_or_else(|error| panic!("{error}"));
         let session = session_of(scene);
-        let size = [120, 90];
+        let size = START_SIZE;
         Window {
             hud: Hud::new(&session, size),
             session,
@@ -177,11 +187,17 @@ impl Window {
             size,
             now: Duration::ZERO,
             asked: None,
+            picture: Vec::new(),
             shown: Vec::new(),
+            recorder: None,
         }
     }
 
     fn happen(&mut self, happening: &Happening) {
+        if let Happening::Wait(milliseconds) = happening {
+            self.now += Duration::from_millis(*milliseconds);
+        }
+        self.tick();
         match happening {
             Happening::Tap(key) => {
                 self.report(Event::KeyDown(*key));
@@ -193,11 +209,15 @@ impl Window {
                 self.report(Event::MouseUp);
             }
             Happening::Report(event) => self.report(*event),
-            Happening::Do(action) => self.session.apply(*action),
+            Happening::Do(action) => {
+                let action = self.session.resolved(*action);
+                self.session.apply(action);
+                self.record(action);
+            }
             Happening::Resize(size) => {
                 self.size = *size;
             }
-            Happening::Wait(milliseconds) => self.now += Duration::from_millis(*milliseconds),
+            Happening::Wait(_) => {}
             Happening::Answer => {
                 let asked = self.asked.take();
                 let workers = Workers::alone(Level::new());
@@ -220,18 +240,42 @@ impl Window {
                 })
             }),
         }
-        self.session.tick(self.now);
         while let Some(gesture) = self.input.repeated(self.now) {
-            respond(&mut self.session, gesture, &self.hud);
+            self.respond(gesture);
         }
         self.draw();
+    }
+
+    /// The time goes on, and what spins turns.
+    fn tick(&mut self) {
+        self.now += Duration::from_millis(1);
+        let revision = self.session.revision();
+        self.session.tick(self.now);
+        if let Some(recorder) = self.recorder.as_mut()
+            && self.session.revision() != revision
+        {
+            recorder.time(self.now).expect("it can be written");
+        }
+    }
+
+    fn respond(&mut self, gesture: Gesture) {
+        if let Some(action) = respond(&mut self.session, gesture, &self.hud) {
+            self.record(action);
+        }
+    }
+
+    fn record(&mut self, action: Action) {
+        if let Some(recorder) = &mut self.recorder {
+            let written = recorder.action(self.now, action);
+            written.expect("it can be written");
+        }
     }
 
     fn report(&mut self, event: Event) {
         self.input
             .set_editing(self.session.state().editor.is_some());
         if let Some(gesture) = self.input.handle(event, self.now) {
-            respond(&mut self.session, gesture, &self.hud);
+            self.respond(gesture);
         }
     }
 
@@ -245,6 +289,10 @@ impl Window {
         let size = self.picture();
         if size != self.composition.size() || self.shown.len() != self.size[0] * self.size[1] {
             self.session.resized();
+            if let Some(recorder) = &mut self.recorder {
+                let written = recorder.size(self.now, size);
+                written.expect("it can be written");
+            }
         }
         let redraw = self.session.take_redraw();
         if redraw == Redraw::Picture {
@@ -252,10 +300,9 @@ impl Window {
             drawn.expect("a small picture fits");
         }
         if redraw > Redraw::Nothing {
-            let mut picture = Vec::new();
-            self.composition.compose(&self.session, &mut picture);
+            self.composition.compose(&self.session, &mut self.picture);
             self.hud = Hud::new(&self.session, self.size);
-            self.hud.draw(&picture, false, &mut self.shown);
+            self.hud.draw(&self.picture, false, &mut self.shown);
             assert!(lines::title(&self.session, true).starts_with("shadetrade: "));
         }
         for request in self.session.take_requests() {
@@ -332,6 +379,43 @@ proptest! {
     }
 
     #[test]
+    fn a_recorded_storm_shows_the_same_pictures_when_it_is_replayed(
+        text in any_scene(),
+        happenings in prop::collection::vec(any_happening(), 100),
+        level in prop::sample::select(levels()),
+        threads in 1..=3_usize,
+    ) {
+        let folder = tempfile::tempdir().expect("a folder can be made");
+        let path = folder.path().join("storm.log");
+        let mut window = Window::open(&text);
+        let scene = Scene::parse("storm.toml", &text).expect("it was parsed before");
+        let start = Start::new(&drawing(scene)).with_picture(window.picture());
+        window.recorder = Some(Recorder::create(&path, &start).expect("it can be written"));
+        let mut seen = HashMap::new();
+        window.draw();
+        for happening in &happenings {
+            // Views of the reference wait for it, which a recording does not.
+            let state = window.session.state();
+            let waits = state.shows_reference || compares(state.mode);
+            if !waits || window.session.reference().is_some() {
+                seen.insert(window.now, window.picture.clone());
+            }
+            window.happen(happening);
+        }
+        let text = fs::read_to_string(&path).expect("it was written");
+        let log = Log::parse("storm.log", &text, threads, level).unwrap_or_else(|error| panic!("{error}"));
+        prop_assert!(log.frames.len() > 10);
+        let mut player = Player::new(log.start).expect("there are threads");
+        for frame in log.frames {
+            let time = frame.time;
+            player.play(frame).expect("a small picture fits");
+            if let Some(picture) = seen.get(&time) {
+                prop_assert!(player.picture() == picture.as_slice(), "at {time:?}");
+            }
+        }
+    }
+
+    #[test]
     fn what_is_done_and_undone_leaves_the_same_bits(
         deeds in prop::collection::vec(prop::sample::select(undoable()), 1..12),
     ) {
@@ -350,6 +434,14 @@ proptest! {
         }
         prop_assert!(picture(&mut session) == before);
     }
+}
+
+/// Every SIMD level that this machine has.
+fn levels() -> Vec<Level> {
+    simd::NAMES
+        .iter()
+        .filter_map(|name| simd::named(name))
+        .collect()
 }
 
 /// What can be done, and what undoes it bit for bit wherever it is done.

@@ -2,15 +2,13 @@
 //!
 //! Rules: lights at one place have one disc. A disc is filled where a light there is on and nothing hides it.
 
-use glam::DVec3;
-use hecs::Entity;
-
 use super::lines::brightest;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect};
 use crate::components::{
     Lens, Light, LightKind, Mesh, Name, Projection, Transform, WorldTransform,
 };
 use crate::window::session::Session;
+use glam::DVec3;
 
 /// No more discs than this are drawn.
 const MOST: usize = 100;
@@ -25,7 +23,8 @@ const PANE: Ink = Ink::glass(0x0010_1216, 170);
 pub struct Marker {
     /// Its middle in the picture.
     pub at: Point,
-    pub lights: Vec<Entity>,
+    /// The first light there, by its place in the file.
+    pub light: usize,
     pub name: String,
     /// 0x00RRGGBB.
     pub color: u32,
@@ -38,7 +37,7 @@ pub fn markers(session: &Session, size: [usize; 2]) -> Vec<Marker> {
     let lens = Lens::new(&session.view(size));
     let mut markers: Vec<Marker> = Vec::new();
     let world = &session.scene().world;
-    for &entity in &session.scene().lights {
+    for (index, &entity) in session.scene().lights.iter().enumerate() {
         let mut query = world.query_one::<(&Name, &Transform, &Light)>(entity);
         let Ok((name, transform, light)) = query.get() else {
             continue;
@@ -52,14 +51,13 @@ pub fn markers(session: &Session, size: [usize; 2]) -> Vec<Marker> {
         let is_lit = light.on && !is_hidden(session, transform.position, &lens);
         match markers.iter_mut().find(|it| it.at == at) {
             Some(marker) => {
-                marker.lights.push(entity);
                 marker.name += ", ";
                 marker.name += &name.0;
                 marker.is_lit |= is_lit;
             }
             None => markers.push(Marker {
                 at,
-                lights: vec![entity],
+                light: index,
                 name: name.0.clone(),
                 color: brightest(light.color),
                 is_lit,

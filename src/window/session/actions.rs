@@ -13,14 +13,25 @@ use crate::window::view_state::Drag;
 pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
 impl Session {
+    /// What `action` is at the moment, in terms that mean the same in another window.
+    pub fn resolved(&self, action: Action) -> Action {
+        let editor = self.state.editor.as_ref();
+        match action {
+            Action::LightNamed(name) => self.light_named(name).map_or(action, Action::Light),
+            Action::Close if self.state.help => Action::Help,
+            Action::Close if editor.is_some_and(|it| it.typed.is_empty()) => Action::Editor,
+            Action::Close if editor.is_some() => Action::Forget,
+            Action::Close if !matches!(self.measuring, Measuring::Off) => Action::Measure,
+            Action::Close if self.state.pixel.is_some() => Action::Probe(None),
+            _ => action,
+        }
+    }
+
     /// Does what the user wants; what cannot be done says so for two seconds.
     pub fn apply(&mut self, action: Action) {
-        match action {
+        match self.resolved(action) {
             Action::Light(index) => self.switch_light(index),
-            Action::LightNamed(name) => match self.light_named(name) {
-                Some(index) => self.switch_light(index),
-                None => self.say(format!("no light is named {name}")),
-            },
+            Action::LightNamed(name) => self.say(format!("no light is named {name}")),
             Action::Shading(mode) => self.shade(Some(mode)),
             Action::SceneShading => self.shade(None),
             Action::Tolerance(steps) => self.step_tolerance(steps),
@@ -60,6 +71,7 @@ impl Session {
                 self.wants(Redraw::Picture);
             }
             Action::Blink => self.show_reference(!self.state.shows_reference),
+            Action::EndBlink => self.show_reference(false),
             Action::Measure if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
             Action::Measure if self.spin().on => {
                 self.say("stop the rotation (Space) before measuring");
@@ -100,14 +112,23 @@ impl Session {
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
             Action::Save => self.requests.push(Request::Save),
-            Action::Close if self.state.help => self.apply(Action::Help),
-            Action::Close if self.state.editor.is_some() => {
-                if !self.forget_typed() {
-                    self.toggle_editor();
-                }
+            Action::Type(letter) => self.type_letter(letter),
+            Action::Forget => self.forget_typed(),
+            Action::Probe(pixel) => self.probe(pixel),
+            Action::DragLight {
+                light,
+                by,
+                in_depth,
+            } => self.drag_light(light, by, in_depth),
+            Action::DragDivider(by) => {
+                self.state.divider += by;
+                self.state.drag = Some(Drag::Divider);
+                self.wants(Redraw::Overlay);
             }
-            Action::Close if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
-            Action::Close if self.state.pixel.is_some() => self.probe(None),
+            Action::EndDrag => {
+                self.state.end_drag();
+                self.history.end_step();
+            }
             Action::Close => self.say("Q quits"),
             Action::Quit => self.requests.push(Request::Quit),
             Action::SavePicture => self.requests.push(Request::SavePicture),
@@ -115,28 +136,7 @@ impl Session {
         }
     }
 
-    /// The key of `action` went up, and what lasted as long ends.
-    pub fn release(&mut self, action: Action) {
-        if action == Action::Blink {
-            self.show_reference(false);
-        }
-    }
-
-    /// Moves the divider by this share of the picture's width to the right.
-    pub fn drag_divider(&mut self, by: f64) {
-        self.state.divider += by;
-        self.state.drag = Some(Drag::Divider);
-        self.wants(Redraw::Overlay);
-    }
-
-    /// Leaves what was dragged where it is seen.
-    pub fn end_drag(&mut self) {
-        self.state.end_drag();
-        self.history.end_step();
-    }
-
-    /// Probes this pixel of the picture from now on, or none.
-    pub fn probe(&mut self, pixel: Option<[usize; 2]>) {
+    fn probe(&mut self, pixel: Option<[usize; 2]>) {
         self.state.pixel = pixel;
         self.probe = None;
         self.profile = None;
@@ -157,7 +157,7 @@ impl Session {
 
     fn switch_light(&mut self, index: usize) {
         let Some(&entity) = self.scene.lights.get(index) else {
-            return self.say(format!("there is no light {}", index + 1));
+            return self.say(format!("there is no light {}", index.saturating_add(1)));
         };
         let before = vec![(entity, self.scene.editable(entity))];
         self.history.note(before, Change::Single, self.now);
@@ -178,7 +178,7 @@ impl Session {
     }
 
     fn step_tolerance(&mut self, steps: i32) {
-        for _ in 0..steps.abs() {
+        for _ in 0..steps.unsigned_abs() {
             match self.next_tolerance(steps) {
                 Some(tolerance) => self.shade_within(tolerance),
                 None if steps > 0 => return self.say("no coarser than this"),

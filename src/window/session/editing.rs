@@ -6,9 +6,9 @@ use glam::DVec3;
 use hecs::Entity;
 
 use super::{Redraw, Session};
-use crate::components::{Lens, Spin};
+use crate::components::{Lens, LightKind, Spin};
+use crate::scene::Scene;
 use crate::scene::edit::{Page, Parameter, Property};
-use crate::scene::{Scene, SceneError};
 use crate::window::bindings::StepSize;
 use crate::window::history::Change;
 use crate::window::view_state::{Drag, Editor};
@@ -42,19 +42,20 @@ impl Session {
         };
         let count = page.parameters.len() + 1;
         self.edit(|editor| {
-            let row = editor.row as i32 + rows;
-            editor.row = row.rem_euclid(count as i32) as usize;
+            let row = editor.row as i64 + i64::from(rows);
+            editor.row = row.rem_euclid(count as i64) as usize;
         });
     }
 
     /// Goes to this row.
     pub(super) fn choose_row(&mut self, row: usize) {
         self.enter();
-        self.edit(|editor| editor.row = row);
+        let last = self.page().map_or(0, |page| page.parameters.len());
+        self.edit(|editor| editor.row = row.min(last));
     }
 
     /// Takes a letter of a number.
-    pub fn type_letter(&mut self, letter: char) {
+    pub(super) fn type_letter(&mut self, letter: char) {
         self.edit(|editor| {
             if editor.row > 0 {
                 editor.error = None;
@@ -71,15 +72,12 @@ impl Session {
         });
     }
 
-    /// Forgets what was typed; whether anything was.
-    pub(super) fn forget_typed(&mut self) -> bool {
-        let editor = self.state.editor.as_mut();
-        let was_typed = editor.is_some_and(|editor| {
+    /// Forgets what was typed.
+    pub(super) fn forget_typed(&mut self) {
+        self.edit(|editor| {
             editor.error = None;
-            !std::mem::take(&mut editor.typed).is_empty()
+            editor.typed.clear();
         });
-        self.wants(Redraw::Overlay);
-        was_typed
     }
 
     /// Takes the number that was typed.
@@ -104,9 +102,10 @@ impl Session {
         }
         self.forget_typed();
         let Some(parameter) = self.chosen() else {
-            let pages = self.scene.pages() as i32;
+            let pages = self.scene.pages() as i64;
             self.edit(|editor| {
-                editor.page = (editor.page as i32 + steps).rem_euclid(pages) as usize;
+                let page = editor.page as i64 + i64::from(steps);
+                editor.page = page.rem_euclid(pages) as usize;
             });
             return;
         };
@@ -117,12 +116,15 @@ impl Session {
         self.set_number(parameter, rounded, Change::Number(parameter));
     }
 
-    /// Moves lights together with the mouse, `by` pixels right and down in a picture of so many rows: on the plane that
-    /// faces the viewer, or away from the viewer by what is up.
-    pub fn drag_lights(&mut self, lights: &[Entity], by: [i32; 2], in_depth: bool, rows: usize) {
-        let lens = Lens::new(&self.view([1, rows]));
+    /// Moves a light, and those that stood where it stood when the drag began, `by` heights of the picture right and down:
+    /// on the plane that faces the viewer, or away from the viewer by what is up.
+    pub(super) fn drag_light(&mut self, light: usize, by: [f64; 2], in_depth: bool) {
+        let Some(lights) = self.dragged_lights(light) else {
+            return self.say(format!("there is no light {}", light.saturating_add(1)));
+        };
+        let lens = Lens::new(&self.view([1, 1]));
         let [right, up, forward] = lens.axes;
-        let [across, down] = by.map(f64::from);
+        let [across, down] = by;
         let way = if in_depth {
             forward * -down
         } else {
@@ -132,16 +134,11 @@ impl Session {
             let w = lens.homogeneous(lens.seen(place)).z;
             place + way * (lens.pitch * w)
         };
-        self.state.drag = Some(Drag::Lights(lights.to_vec()));
-        // A scene that has just been read again has other lights.
-        let lights: Vec<Entity> = lights
-            .iter()
-            .copied()
-            .filter(|it| self.scene.lights.contains(it))
-            .collect();
-        let before = lights.iter().map(|it| (*it, self.scene.editable(*it)));
+        let entities: Vec<Entity> = lights.iter().map(|it| self.scene.lights[*it]).collect();
+        self.state.drag = Some(Drag::Lights(lights));
+        let before = entities.iter().map(|it| (*it, self.scene.editable(*it)));
         self.history.note(before.collect(), Change::Drag, self.now);
-        for entity in lights {
+        for entity in entities {
             let parameter = |axis| Parameter {
                 entity,
                 property: Property::Position,
@@ -155,6 +152,21 @@ impl Session {
             }
         }
         self.changed();
+    }
+
+    /// The lights that are dragged, or those at the place of this one, which are from now on.
+    fn dragged_lights(&self, light: usize) -> Option<Vec<usize>> {
+        if let Some(Drag::Lights(lights)) = &self.state.drag {
+            return Some(lights.clone());
+        }
+        let place = |index: usize| {
+            let is_somewhere = self.light(index)?.kind != LightKind::Ambient;
+            let entity = self.scene.lights[index];
+            is_somewhere.then(|| self.scene.editable(entity).transform.position)
+        };
+        let dragged = place(light)?;
+        let lights = 0..self.scene.lights.len();
+        Some(lights.filter(|it| place(*it) == Some(dragged)).collect())
     }
 
     /// Takes back the last change of the scene.
@@ -177,11 +189,11 @@ impl Session {
 
     /// Takes the scene's file as it was read again: the camera, its orbit, how all cuboids are shaded and that they turn
     /// stay. A file that is wrong says so, and the scene stays.
-    pub fn reload(&mut self, read: Result<Scene, SceneError>) {
+    pub fn reload(&mut self, read: Result<Scene, String>) {
         let mut scene = match read {
             Ok(scene) => scene,
             Err(error) => {
-                self.state.scene_error = Some(error.to_string());
+                self.state.scene_error = Some(error);
                 return self.wants(Redraw::Overlay);
             }
         };

@@ -1,0 +1,107 @@
+//! Frames -> an animated PNG, of each frame only what differs from the one before.
+//!
+//! Rule: every frame is shown as it was given; one smaller than the canvas stands in its upper left corner on black.
+
+use std::io::{self, Write};
+use std::ops::Range;
+use std::time::Duration;
+
+use png::{BitDepth, BlendOp, ColorType, Compression, Encoder, EncodingError, Writer};
+
+use super::rgb;
+use crate::memory;
+
+/// An animated PNG that is being written.
+pub struct Animation<'a> {
+    writer: Writer<&'a mut dyn Write>,
+    size: [usize; 2],
+    /// The canvas as it was last shown, 0x00RRGGBB; empty before the first frame.
+    last: Vec<u32>,
+}
+
+impl<'a> Animation<'a> {
+    /// Begins one of so many frames on a canvas of `size` pixels.
+    ///
+    /// # Errors
+    /// When it cannot be written; so it is with the others.
+    pub fn new(writer: &'a mut dyn Write, size: [usize; 2], frames: usize) -> io::Result<Self> {
+        let mut encoder = Encoder::new(writer, size[0] as u32, size[1] as u32);
+        encoder.set_color(ColorType::Rgb);
+        encoder.set_depth(BitDepth::Eight);
+        encoder.set_compression(Compression::High);
+        encoder.set_animated(frames as u32, 0).map_err(cause)?;
+        encoder.set_blend_op(BlendOp::Source).map_err(cause)?;
+        Ok(Animation {
+            writer: encoder.write_header().map_err(cause)?,
+            size,
+            last: Vec::new(),
+        })
+    }
+
+    /// Adds a frame of `size` pixels that is shown so long, one minute at most.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn add(&mut self, pixels: &[u32], size: [usize; 2], time: Duration) -> io::Result<()> {
+        let [width, height] = self.size;
+        let mut canvas = memory::reserve_pixels(self.size).map_err(io::Error::other)?;
+        canvas.resize(width * height, 0);
+        let rows = canvas.chunks_exact_mut(width);
+        for (row, drawn) in rows.zip(pixels.chunks_exact(size[0])) {
+            row[..size[0]].copy_from_slice(drawn);
+        }
+        let [columns, rows] = self.changed(&canvas);
+        let mut part = Vec::with_capacity(columns.len() * rows.len());
+        for row in rows.clone() {
+            part.extend_from_slice(&canvas[row * width..][columns.clone()]);
+        }
+        let milliseconds = time.as_millis().min(60_000) as u16;
+        let [x, y] = [columns.start as u32, rows.start as u32];
+        let [across, down] = [columns.len() as u32, rows.len() as u32];
+        let writer = &mut self.writer;
+        writer
+            .reset_frame_position()
+            .and_then(|()| writer.set_frame_dimension(across, down))
+            .and_then(|()| writer.set_frame_position(x, y))
+            .and_then(|()| writer.set_frame_delay(milliseconds, 1000))
+            .and_then(|()| writer.write_image_data(&rgb(&part)?))
+            .map_err(cause)?;
+        self.last = canvas;
+        Ok(())
+    }
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    /// As above, and when frames are missing.
+    pub fn finish(self) -> io::Result<()> {
+        self.writer.finish().map_err(cause)
+    }
+
+    /// The columns and rows in which `canvas` differs from the last one; one pixel where it does not.
+    fn changed(&self, canvas: &[u32]) -> [Range<usize>; 2] {
+        let [width, height] = self.size;
+        if self.last.is_empty() {
+            return [0..width, 0..height];
+        }
+        let (mut columns, mut rows) = (width..0, height..0);
+        for (index, (now, last)) in canvas.iter().zip(&self.last).enumerate() {
+            if now != last {
+                let [x, y] = [index % width, index / width];
+                columns = columns.start.min(x)..columns.end.max(x + 1);
+                rows = rows.start.min(y)..rows.end.max(y + 1);
+            }
+        }
+        if rows.is_empty() {
+            return [0..1, 0..1];
+        }
+        [columns, rows]
+    }
+}
+
+fn cause(error: EncodingError) -> io::Error {
+    match error {
+        EncodingError::IoError(error) => error,
+        other => io::Error::other(other),
+    }
+}

@@ -1,0 +1,354 @@
+//! What happens in the window -> a log of it, line by line; a log -> what happened, frame by frame.
+//!
+//! ```text
+//! shadetrade log 1
+//! 0.000 start {"name":"cuboid","scene":"...","camera":"1","projection":"perspective",...}
+//! 0.512 shading "phong"
+//! 1.034 orbit {"azimuth":2.0,"elevation":0.0}
+//! 1.500 say "words over the picture"
+//! ```
+//! Rules: a line is a time in seconds, a name, and what belongs to it as JSON. Lines of one time make one frame. A log holds
+//! the scene itself, so that it means the same wherever it is replayed. Its last line counts only when it has ended.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write};
+use std::path::Path;
+use std::time::Duration;
+
+use fearless_simd::Level;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::bindings::Action;
+use crate::components::{Projection, ShadingMode};
+use crate::drawing::{Drawing, MAX_SIDE, is_tolerance};
+use crate::scene::Scene;
+
+/// What a log begins with: the format, and its version.
+const HEADER: &str = "shadetrade log 1";
+/// The latest time of a line: eleven days.
+const MAX_TIME: Duration = Duration::from_secs(1_000_000);
+
+/// The window as it opens, what a log begins with.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Start {
+    name: String,
+    scene: String,
+    camera: String,
+    projection: Projection,
+    shading: Option<ShadingMode>,
+    tolerance: f64,
+    size: [usize; 2],
+}
+
+impl Start {
+    /// On `drawing`.
+    pub fn new(drawing: &Drawing) -> Self {
+        Start {
+            name: drawing.scene.name.clone(),
+            scene: drawing.scene.to_toml(),
+            camera: drawing.scene.camera_names().swap_remove(drawing.camera),
+            projection: drawing.projection,
+            shading: drawing.shading,
+            tolerance: drawing.tolerance,
+            size: drawing.size,
+        }
+    }
+
+    /// Its picture has so many pixels.
+    pub fn with_picture(self, size: [usize; 2]) -> Self {
+        Start { size, ..self }
+    }
+}
+
+/// The scene's file as it was read again.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SceneText {
+    name: String,
+    scene: String,
+}
+
+/// A log that is written while things happen.
+pub struct Recorder {
+    file: File,
+}
+
+impl Recorder {
+    /// Begins a log in a new file.
+    ///
+    /// # Errors
+    /// When there is such a file, or it cannot be written.
+    pub fn create(path: &Path, start: &Start) -> io::Result<Recorder> {
+        let file = OpenOptions::new().write(true).create_new(true).open(path)?;
+        let mut recorder = Recorder { file };
+        writeln!(recorder.file, "{HEADER}")?;
+        recorder.line(Duration::ZERO, "start", &serde_json::to_string(start)?)?;
+        Ok(recorder)
+    }
+
+    /// Notes what the user did, as far as it can show in the picture or over it.
+    ///
+    /// # Errors
+    /// When it cannot be written; so it is with all that is noted.
+    pub fn action(&mut self, now: Duration, action: Action) -> io::Result<()> {
+        // What says nothing of the picture has no name in a log.
+        match serde_json::to_value(action) {
+            Ok(Value::String(name)) => self.line(now, &name, ""),
+            Ok(Value::Object(named)) => named
+                .iter()
+                .try_for_each(|(name, argument)| self.line(now, name, &argument.to_string())),
+            _ => Ok(()),
+        }
+    }
+
+    /// Notes what became of the scene's file.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn scene(&mut self, now: Duration, read: Result<&Scene, &str>) -> io::Result<()> {
+        match read {
+            Ok(scene) => {
+                let text = SceneText {
+                    name: scene.name.clone(),
+                    scene: scene.to_toml(),
+                };
+                self.line(now, "scene", &serde_json::to_string(&text)?)
+            }
+            Err(error) => self.line(now, "scene-error", &serde_json::to_string(error)?),
+        }
+    }
+
+    /// Notes that the picture has another size.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn size(&mut self, now: Duration, size: [usize; 2]) -> io::Result<()> {
+        self.line(now, "size", &serde_json::to_string(&size)?)
+    }
+
+    /// Notes that what spins has turned.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn time(&mut self, now: Duration) -> io::Result<()> {
+        self.line(now, "time", "")
+    }
+
+    /// Writes a line at once, so that a program that is killed leaves what happened before.
+    fn line(&mut self, now: Duration, name: &str, argument: &str) -> io::Result<()> {
+        let line = format!("{:.3} {name} {argument}", now.as_secs_f64());
+        self.file
+            .write_all((line.trim_end().to_owned() + "\n").as_bytes())
+    }
+}
+
+/// What happened.
+pub enum Event {
+    Action(Action),
+    /// What became of the scene's file.
+    Scene(Result<Box<Scene>, String>),
+    Size([usize; 2]),
+    Say(String),
+    /// Nothing but that time went on.
+    Time,
+}
+
+/// What happened at one time.
+pub struct LogFrame {
+    pub time: Duration,
+    pub events: Vec<Event>,
+}
+
+/// A log that was read.
+pub struct Log {
+    pub start: Drawing,
+    /// In the order of their times, the first at the start; never none.
+    pub frames: Vec<LogFrame>,
+    /// The number of the last line, where it has not ended and so is left out.
+    pub cut_off: Option<usize>,
+}
+
+/// What is wrong with a log, and where.
+#[derive(Debug, PartialEq, thiserror::Error)]
+#[error("{name}:{line}:{column}: {reason}")]
+pub struct LogError {
+    name: String,
+    /// Counted from 1.
+    line: usize,
+    /// In characters, counted from 1.
+    column: usize,
+    reason: String,
+}
+
+impl Log {
+    /// The largest width and the largest height of its pictures.
+    pub fn canvas(&self) -> [usize; 2] {
+        let events = self.frames.iter().flat_map(|frame| &frame.events);
+        events.fold(self.start.size, |[width, height], event| match event {
+            Event::Size(size) => [width.max(size[0]), height.max(size[1])],
+            _ => [width, height],
+        })
+    }
+
+    /// Reads the log `text`, which errors call `name`, to be replayed by so many threads at this level.
+    ///
+    /// # Errors
+    /// The first thing wrong.
+    pub fn parse(name: &str, text: &str, threads: usize, level: Level) -> Result<Log, LogError> {
+        let error = |line, column, reason: String| LogError {
+            name: name.to_owned(),
+            line,
+            column,
+            reason,
+        };
+        let (whole, rest) = text.rsplit_once('\n').unwrap_or(("", text));
+        let mut lines = (1..).zip(whole.lines());
+        if lines.next().is_none_or(|(_, line)| line != HEADER) {
+            let reason = format!("a recording begins with the line {HEADER:?}");
+            return Err(error(1, 1, reason));
+        }
+        let mut log: Option<Log> = None;
+        for (number, line) in lines {
+            let located = |Fault { at, reason }| {
+                let column = line.get(..at).unwrap_or(line).chars().count() + 1;
+                error(number, column, reason)
+            };
+            let (time, name, argument) = parts(line).map_err(located)?;
+            let at_argument = |reason| located(Fault::new(line.len() - argument.len(), reason));
+            let Some(log) = &mut log else {
+                if name != "start" {
+                    let reason = "the first line is `start`".to_owned();
+                    return Err(error(number, 1, reason));
+                }
+                let start = start(argument, threads, level).map_err(at_argument)?;
+                let frames = Vec::new();
+                log = Some(Log {
+                    start,
+                    frames,
+                    cut_off: None,
+                });
+                continue;
+            };
+            let event = event(name, argument).map_err(at_argument)?;
+            match log.frames.last_mut() {
+                Some(last) if last.time == time => last.events.push(event),
+                Some(last) if last.time > time => {
+                    let reason = "times do not go back".to_owned();
+                    return Err(error(number, 1, reason));
+                }
+                _ => log.frames.push(LogFrame {
+                    time,
+                    events: vec![event],
+                }),
+            }
+        }
+        let last = whole.lines().count() + 1;
+        let mut log =
+            log.ok_or_else(|| error(last, 1, "the line `start` is missing".to_owned()))?;
+        if log.frames.first().is_none_or(|frame| !frame.time.is_zero()) {
+            let first = LogFrame {
+                time: Duration::ZERO,
+                events: Vec::new(),
+            };
+            log.frames.insert(0, first);
+        }
+        log.cut_off = (!rest.is_empty()).then_some(last);
+        Ok(log)
+    }
+}
+
+/// What is wrong with a line, from this byte on.
+struct Fault {
+    at: usize,
+    reason: String,
+}
+
+impl Fault {
+    fn new(at: usize, reason: String) -> Self {
+        Fault { at, reason }
+    }
+}
+
+/// The time, the name and the JSON of a line.
+fn parts(line: &str) -> Result<(Duration, &str, &str), Fault> {
+    let (time, rest) = line.split_once(' ').unwrap_or((line, ""));
+    let seconds = time.parse().ok();
+    let time = seconds
+        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
+        .filter(|time| *time <= MAX_TIME)
+        .ok_or_else(|| {
+            let most = MAX_TIME.as_secs();
+            Fault::new(0, format!("a line begins with seconds, 0 to {most}"))
+        })?;
+    let (name, argument) = rest.split_once(' ').unwrap_or((rest, ""));
+    if name.is_empty() {
+        let reason = "after the time comes what happened".to_owned();
+        return Err(Fault::new(line.len() - rest.len(), reason));
+    }
+    Ok((time, name, argument))
+}
+
+fn start(argument: &str, threads: usize, level: Level) -> Result<Drawing, String> {
+    let start: Start = serde_json::from_str(argument).map_err(without_line)?;
+    if !is_tolerance(start.tolerance) {
+        return Err(format!("no tolerance is {}", start.tolerance));
+    }
+    let scene = Scene::parse(&start.name, &start.scene).map_err(|error| error.to_string())?;
+    let camera = scene.find_camera(&start.camera);
+    Ok(Drawing {
+        camera: camera.ok_or_else(|| format!("no camera is named {:?}", start.camera))?,
+        scene,
+        projection: start.projection,
+        shading: start.shading,
+        tolerance: start.tolerance,
+        size: checked(start.size)?,
+        threads,
+        level,
+    })
+}
+
+fn event(name: &str, argument: &str) -> Result<Event, String> {
+    Ok(match name {
+        "scene" => {
+            let text: SceneText = serde_json::from_str(argument).map_err(without_line)?;
+            let scene = Scene::parse(&text.name, &text.scene).map_err(|error| error.to_string())?;
+            Event::Scene(Ok(Box::new(scene)))
+        }
+        "scene-error" => Event::Scene(Err(serde_json::from_str(argument).map_err(without_line)?)),
+        "size" => Event::Size(checked(
+            serde_json::from_str(argument).map_err(without_line)?,
+        )?),
+        "say" => Event::Say(serde_json::from_str(argument).map_err(without_line)?),
+        "time" => Event::Time,
+        _ if argument.is_empty() => Event::Action(named(Value::String(name.to_owned()))?),
+        _ => {
+            let argument: Value = serde_json::from_str(argument).map_err(without_line)?;
+            let named_argument = [(name.to_owned(), argument)];
+            Event::Action(named(Value::Object(named_argument.into_iter().collect()))?)
+        }
+    })
+}
+
+fn named(action: Value) -> Result<Action, String> {
+    serde_json::from_value(action).map_err(|error| {
+        let reason = without_line(error);
+        format!("no command, with what belongs to it, as in `light 0`: {reason}")
+    })
+}
+
+fn checked(size: [usize; 2]) -> Result<[usize; 2], String> {
+    let fits = size.iter().all(|side| (1..=MAX_SIDE).contains(side));
+    fits.then_some(size)
+        .ok_or_else(|| format!("a size is 1, 1 to {MAX_SIDE}, {MAX_SIDE}"))
+}
+
+/// What JSON's reader says, but for the place: its line is a part of one of ours.
+fn without_line(error: serde_json::Error) -> String {
+    let text = error.to_string();
+    match text.rsplit_once(" at line ") {
+        Some((reason, _)) => reason.to_owned(),
+        None => text,
+    }
+}

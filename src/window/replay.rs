@@ -1,0 +1,178 @@
+//! A recording -> its frames, drawn again without a display.
+//!
+//! Rule: a frame is the picture as it was seen, with the boards that lay over it. The panel is left out, for its times
+//! are the machine's; so is the proof in the error map, for it takes seconds a frame.
+
+use std::io;
+use std::time::Duration;
+
+use anyhow::Context;
+use fearless_simd::Level;
+
+use super::composition::Composition;
+use super::examination::examine;
+use super::hud::Hud;
+use super::jobs;
+use super::recording::{Event, Log, LogFrame};
+use super::session::{Redraw, Session};
+use super::views::ViewMode;
+use crate::drawing::Drawing;
+use crate::frame::Workers;
+use crate::output::{Animation, Output, say};
+use crate::trade::progress::{Progress, with_bar};
+
+/// How long the last frame of an animation is shown.
+const LAST: Duration = Duration::from_secs(2);
+
+/// A window without a display.
+pub struct Player {
+    session: Session,
+    composition: Composition,
+    level: Level,
+    /// Of the picture, in pixels.
+    size: [usize; 2],
+    picture: Vec<u32>,
+    shown: Vec<u32>,
+}
+
+impl Player {
+    /// Opens it.
+    ///
+    /// # Errors
+    /// When the system gives no threads.
+    pub fn new(start: Drawing) -> anyhow::Result<Self> {
+        let (size, level) = (start.size, start.level);
+        Ok(Player {
+            composition: Composition::new(start.workers()?),
+            session: Session::new(start).without_panel(),
+            level,
+            size,
+            picture: Vec::new(),
+            shown: Vec::new(),
+        })
+    }
+
+    /// Lets happen what happened at one time, and draws what is seen then.
+    ///
+    /// # Errors
+    /// When it does not fit in memory.
+    pub fn play(&mut self, frame: LogFrame) -> anyhow::Result<()> {
+        self.session.tick(frame.time);
+        for event in frame.events {
+            match event {
+                Event::Action(action) => self.session.apply(action),
+                Event::Scene(read) => self.session.reload(read.map(|scene| *scene)),
+                Event::Say(words) => self.session.say(words),
+                Event::Size(size) => {
+                    self.size = size;
+                    self.session.resized();
+                }
+                Event::Time => {}
+            }
+        }
+        // Nobody is there to time frames or to save them.
+        self.session.take_requests();
+        self.draw()
+    }
+
+    /// The picture alone.
+    pub fn picture(&self) -> &[u32] {
+        &self.picture
+    }
+
+    /// What is seen, 0x00RRGGBB, row by row from the top, and its size.
+    pub fn shown(&self) -> (&[u32], [usize; 2]) {
+        (&self.shown, self.size)
+    }
+
+    fn draw(&mut self) -> anyhow::Result<()> {
+        let redraw = self.session.take_redraw();
+        if redraw == Redraw::Nothing {
+            return Ok(());
+        }
+        if redraw == Redraw::Picture {
+            self.composition.draw(&mut self.session, self.size)?;
+        }
+        let state = self.session.state();
+        if (compares(state.mode) || state.shows_reference) && self.session.reference().is_none() {
+            let mut request = self.session.reference_request(self.size);
+            let result = examine(&mut request, Workers::alone(self.level), &|| false)
+                .context("memory does not suffice for the reference")?;
+            self.session.hear(jobs::Progress::Examined(result));
+        }
+        self.composition.compose(&self.session, &mut self.picture);
+        let hud = Hud::new(&self.session, self.size);
+        hud.draw(&self.picture, false, &mut self.shown);
+        Ok(())
+    }
+}
+
+/// Whether a view shows what the reference says.
+pub fn compares(view: ViewMode) -> bool {
+    matches!(view, ViewMode::MethodReference | ViewMode::ErrorMap)
+}
+
+/// Replays `log`: writes its last frame, or all of them where `animated`, and prints a hash of each where that is asked for:
+/// CRC-32 of its pixels, four bytes each.
+///
+/// # Errors
+/// When a frame does not fit in memory, or something cannot be written.
+pub fn run(
+    log: Log,
+    output: Option<&Output>,
+    animated: bool,
+    with_hashes: bool,
+) -> anyhow::Result<()> {
+    let count = log.frames.len();
+    let canvas = log.canvas();
+    let times: Vec<Duration> = log.frames.iter().map(|frame| frame.time).collect();
+    let last = times[count - 1];
+    let ends = times.iter().skip(1).copied().chain([last + LAST]);
+    let frames = log.frames.into_iter().zip(ends);
+    let mut player = Player::new(log.start)?;
+    let mut hashes = String::new();
+    with_bar(|on_progress| {
+        let mut done = 0;
+        let mut play = |player: &mut Player, frame: LogFrame| {
+            let time = frame.time.as_secs_f64();
+            player.play(frame)?;
+            let (pixels, _) = player.shown();
+            let bytes: Vec<u8> = pixels.iter().flat_map(|it| it.to_be_bytes()).collect();
+            hashes += &format!("{time:.3} {:08x}\n", crc32fast::hash(&bytes));
+            done += 1;
+            on_progress(Progress {
+                step: "replaying",
+                share: done as f64 / count as f64,
+            });
+            anyhow::Ok(())
+        };
+        match output {
+            Some(output) if animated => output.write(|writer| {
+                let mut animation = Animation::new(writer, canvas, count)?;
+                for (frame, end) in frames {
+                    let time = end.saturating_sub(frame.time);
+                    play(&mut player, frame).map_err(io::Error::other)?;
+                    let (pixels, size) = player.shown();
+                    animation.add(pixels, size, time)?;
+                }
+                animation.finish()
+            }),
+            _ => {
+                for (frame, _) in frames {
+                    play(&mut player, frame)?;
+                }
+                let (pixels, size) = player.shown();
+                output.map_or(Ok(()), |output| output.write_png(pixels, size))
+            }
+        }
+    })?;
+    if with_hashes {
+        Output::Stdout.write(|writer| writer.write_all(hashes.as_bytes()))?;
+    }
+    let written = output.map_or_else(String::new, |it| format!("; wrote {}", it.name()));
+    let seconds = last.as_secs_f64();
+    say(&format!(
+        "replayed {count} frames of {seconds:.3} s{written}"
+    ));
+    Ok(())
+}
