@@ -7,7 +7,7 @@ use glam::DVec3;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::components::{Name, ShadingMode, View};
+use crate::components::{LightKind, Material, Name, ShadingMode, View};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
 use crate::reference;
@@ -37,6 +37,9 @@ pub struct Surface {
     pub normal: Option<DVec3>,
     /// o.
     pub to_eye: Option<DVec3>,
+    /// The material's exponent.
+    #[serde(skip)]
+    pub shininess: f64,
     /// Every light that is on, in file order.
     pub lights: Vec<Light>,
     /// As Gouraud has it.
@@ -58,6 +61,12 @@ pub struct Light {
     pub to_light: Option<DVec3>,
     /// r; exists where l does.
     pub reflected: Option<DVec3>,
+    /// See [`reference::LightSample`].
+    #[serde(skip)]
+    pub factor: f64,
+    /// The light's term under exact Phong where the factor is 1, in levels.
+    #[serde(skip)]
+    pub strength: [f64; 3],
 }
 
 /// What a mode makes of the pixel.
@@ -128,6 +137,7 @@ pub fn at(
         .world
         .get::<&Name>(cuboid)
         .map_or_else(|_| String::new(), |name| name.0.clone());
+    let material = scene.world.get::<&Material>(cuboid).ok();
     let sample = reference::at_pixel(&scene.world, view, x, y)
         .filter(|sample| face((12 * sample.object + sample.triangle) as u32) == face(id));
     // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
@@ -155,6 +165,7 @@ pub fn at(
         position: sample.as_ref().map(|sample| sample.position),
         normal: sample.as_ref().map(|sample| sample.normal),
         to_eye: sample.as_ref().map(|sample| sample.to_eye),
+        shininess: material.map_or(0.0, |material| material.shininess),
         lights: sample
             .iter()
             .flat_map(|sample| &sample.lights)
@@ -163,6 +174,8 @@ pub fn at(
                 kind: light.kind.name(),
                 to_light: light.to_light,
                 reflected: light.reflected,
+                factor: light.factor,
+                strength: light.strength.to_array(),
             })
             .collect(),
         gouraud: shaded(gouraud, |light| light.gouraud),
@@ -234,6 +247,9 @@ pub fn profile(
     })
 }
 
+/// What stands above the columns of [`Surface::products`].
+pub const PRODUCT_HEADS: [[&str; 3]; 2] = [["n.l", "o.r", "factor"], ["r", "g", "b"]];
+
 /// Levels smaller than this are written as 0.
 const NEGLIGIBLE: f64 = 1e-6;
 /// Parts of a vector below this share of its largest are written as 0: they are what f64 makes of 0.
@@ -263,6 +279,31 @@ impl Surface {
         terms
             .chain(sums.map(|(name, cells)| (name.to_owned(), cells)))
             .collect()
+    }
+
+    /// Every light's term under exact Phong as a product: n.l, o.r and the factor that they make, then the strength by channel.
+    pub fn products(&self) -> Vec<(String, [[String; 3]; 2])> {
+        let cosine = |one: Option<DVec3>, other: Option<DVec3>| {
+            let cosine = one.zip(other).map(|(one, other)| one.dot(other));
+            cosine.map_or_else(|| "-".to_owned(), |it| format!("{it:.5}"))
+        };
+        let lights = self.lights.iter().map(|light| {
+            let is_specular = light.kind == LightKind::Specular.name();
+            let factors = [
+                cosine(self.normal, light.to_light),
+                cosine(self.to_eye, light.reflected.filter(|_| is_specular)),
+                format!("{:.5}", light.factor),
+            ];
+            let strength = numbers(light.strength, NEGLIGIBLE);
+            (light.name.clone(), [factors, strength])
+        });
+        lights.collect()
+    }
+
+    /// What stands above both halves of [`Surface::products`].
+    pub fn product_titles(&self) -> [String; 2] {
+        let factor = format!("n.l or (o.r)^{}", self.shininess);
+        [factor, "times strength".to_owned()]
     }
 
     /// The triangle by its number, and the reference's where that is another.
@@ -297,15 +338,24 @@ impl Probe {
             lines.push(format!("    to light  l {}", vector(light.to_light)));
             lines.push(format!("    reflected r {}", vector(light.reflected)));
         }
+        let joined = |cells: [String; 3]| cells.map(|cell| format!("{cell:>9}")).join(" ");
+        let row = |(name, cells): (String, [[String; 3]; 2])| {
+            let [left, right] = cells.map(joined);
+            format!("  {name:<12} {left}  {right}")
+        };
+        let heads = PRODUCT_HEADS.map(|cells| cells.map(str::to_owned));
+        let [factor, strength] = surface.product_titles();
+        lines.push(format!(
+            "  {:<12} {factor:>29}  {strength:>29}",
+            "exact Phong"
+        ));
+        lines.push(row((String::new(), heads)));
+        lines.extend(surface.products().into_iter().map(row));
         lines.push(format!(
             "  {:<12} {:>29}  {:>29}",
             "levels", "Gouraud", "Phong"
         ));
-        let joined = |cells: [String; 3]| cells.map(|cell| format!("{cell:>9}")).join(" ");
-        lines.extend(surface.table().into_iter().map(|(name, modes)| {
-            let [gouraud, phong] = modes.map(joined);
-            format!("  {name:<12} {gouraud}  {phong}")
-        }));
+        lines.extend(surface.table().into_iter().map(row));
         lines
     }
 }

@@ -18,6 +18,7 @@ pub mod history;
 pub mod hud;
 pub mod input;
 pub mod jobs;
+pub mod magnifier;
 pub mod orbit;
 pub mod recording;
 pub mod replay;

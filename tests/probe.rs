@@ -102,6 +102,46 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 }
 
 #[test]
+fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() {
+    let mut scene = Scene::load(None).expect("it is built in");
+    let view = View {
+        size: [96, 72],
+        viewpoint: scene.viewpoint(0),
+        projection: Projection::Perspective,
+        background: scene.background,
+        shading: None,
+        tolerance: 0.0,
+    };
+    let mut lit = 0;
+    for pixel in (0..96 * 72).step_by(7).map(|at| [at % 96, at / 96]) {
+        let workers = Workers::alone(Level::new());
+        let probe = probe::at(&mut scene, &view, pixel, workers).expect("a row fits");
+        let Some(surface) = probe.surface else {
+            continue;
+        };
+        let [normal, to_eye] = [surface.normal, surface.to_eye].map(|it| it.expect("no edge"));
+        for (light, (_, term)) in surface.lights.iter().zip(&surface.phong.terms) {
+            for (strength, term) in light.strength.iter().zip(term) {
+                assert!((light.factor * strength - term).abs() <= 1e-12 * term.abs());
+            }
+            let Some((to_light, reflected)) = light.to_light.zip(light.reflected) else {
+                assert_eq!(light.factor, 1.0);
+                continue;
+            };
+            let cosine = normal.dot(to_light);
+            let expected = match light.kind {
+                "diffuse" => cosine.max(0.0),
+                _ if cosine > 0.0 => to_eye.dot(reflected).max(0.0).powf(76.8),
+                _ => 0.0,
+            };
+            assert!((light.factor - expected).abs() < 1e-9, "at {pixel:?}");
+            lit += usize::from(expected > 0.1);
+        }
+    }
+    assert!(lit > 100, "{lit}");
+}
+
+#[test]
 fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same_triangles() {
     let mut on_diagonals = 0;
     for turn in 0..24 {
@@ -218,6 +258,8 @@ fn made_up() -> Probe {
         kind,
         to_light: vector,
         reflected: vector.map(|to_light| -to_light),
+        factor: if vector.is_some() { 0.25 } else { 1.0 },
+        strength: [401.0, 3.9504e-3, 4e5],
     };
     let shaded = |level: f64, byte| Shaded {
         levels: [level, 0.0, -1.0],
@@ -238,6 +280,7 @@ fn made_up() -> Probe {
             position: Some(DVec3::new(1.0, -20.5, 1.5e9)),
             normal: Some(DVec3::Z),
             to_eye: None,
+            shininess: 7.5,
             lights: vec![
                 light("sky", "ambient", None),
                 light("lamp", "diffuse", Some(DVec3::new(0.6, 0.8, 0.0))),
@@ -263,6 +306,10 @@ pixel 31,7: cube, triangle 9 (reference: 8)
   lamp (diffuse)
     to light  l     0.600     0.800         0
     reflected r    -0.600    -0.800         0
+  exact Phong               n.l or (o.r)^7.5                 times strength
+                     n.l       o.r    factor          r         g         b
+  sky                  -         -   1.00000    401.000     0.004     4.0e5
+  lamp           0.00000         -   0.25000    401.000     0.004     4.0e5
   levels                             Gouraud                          Phong
   sky              0.250     0.250     0.250      0.250     0.250     0.250
   lamp            12.500    9.9e-4     1.0e5    100.250    9.9e-4     1.0e5

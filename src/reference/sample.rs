@@ -41,6 +41,10 @@ pub struct LightSample {
     pub to_light: Option<DVec3>,
     /// r = 2 (n.l) n - l; exists where l does.
     pub reflected: Option<DVec3>,
+    /// What the model multiplies its strength with at the point: max(0, n.l), (o.r)^rho where n.l > 0, or 1 for an ambient light.
+    pub factor: f64,
+    /// Coefficient, colour, intensity and gain together, in levels.
+    pub strength: DVec3,
     /// Its term in levels under Gouraud, unclamped.
     pub gouraud: DVec3,
     /// Its term in levels under Phong, unclamped.
@@ -73,11 +77,12 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
         .iter()
         .zip(names)
         .map(|(light_term, name)| {
-            let term = |incidence: Incidence<f64>| match light_term.kind {
-                LightKind::Ambient => light_term.levels,
-                LightKind::Diffuse => light_term.levels * incidence.diffuse,
-                LightKind::Specular => light_term.levels * incidence.specular,
+            let factor = |incidence: Incidence<f64>| match light_term.kind {
+                LightKind::Ambient => 1.0,
+                LightKind::Diffuse => incidence.diffuse,
+                LightKind::Specular => incidence.specular,
             };
+            let term = |incidence| light_term.levels * factor(incidence);
             let to_light = light_term
                 .source
                 .map(|source| surface.to_light(source, &place, line));
@@ -98,6 +103,8 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
                 kind: light_term.kind,
                 to_light: to_light.map(to_world),
                 reflected: to_light.map(|to_light| to_world(reflection(normal, to_light))),
+                factor: factor(at_point),
+                strength: light_term.levels.to_dvec3(),
                 gouraud: blend(at_corners, weights).to_dvec3(),
                 phong: term(at_point).to_dvec3(),
             }

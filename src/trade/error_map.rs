@@ -1,17 +1,13 @@
 //! Where the error of a picture lies: two pictures in, one picture of their difference out.
 //!
-//! Rule: one scale for every map, stated in its legend, so that colours of any two maps compare: from 0 to 255 levels,
-//! even in log(1 + error / [`KNEE`]), which shows half a level as well as a missing highlight.
+//! Rule: a map's scale is stated in its legend: from 0 to its top, even in log(1 + 1020 error / top), which shows half of
+//! 255 levels as well as a thousandth. Maps in files have the widest one, so that colours of any two of them compare; a
+//! window takes the narrowest that holds what it shows.
 
 mod legend;
 
-pub(crate) use legend::draw_scale;
-
 use super::metrics::{Picture, pixel_error};
 use crate::frame::{NO_TRIANGLE, display_step};
-
-/// Well below this error, in levels, the scale is even in the error itself; well above, in its logarithm.
-pub const KNEE: f64 = 0.25;
 
 /// The colour of a pixel where neither picture shows anything.
 pub const NOTHING: u32 = 0x005c_6166;
@@ -31,19 +27,94 @@ const MAGMA: [[f64; 7]; 3] = [
     [0.0023, 2.207, 2.4994, -20.8892, 24.8291, -5.2793, -2.6193],
 ];
 
-/// How far up the scale an error in levels stands, 0..=1.
-pub fn position(error: f64) -> f64 {
-    ((error / KNEE).ln_1p() / (255.0 / KNEE).ln_1p()).clamp(0.0, 1.0)
+/// What a pixel of two pictures says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pixel {
+    /// How far they are apart, in levels, 0..=255.
+    Error(f32),
+    /// They show different faces there.
+    Edge,
+    /// Neither shows anything there.
+    Nothing,
 }
 
-/// The error in levels that stands so far up the scale, 0..=1.
-pub fn error_at(position: f64) -> f64 {
-    KNEE * (position * (255.0 / KNEE).ln_1p()).exp_m1()
+/// Which colours errors have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The top is one level over this power of ten, or all 255.
+    narrow: Option<i32>,
 }
 
-/// The colour, 0x00RRGGBB, of an error in levels, 0..=255.
-pub fn color(error: f64) -> u32 {
-    color_at(position(error))
+impl Scale {
+    /// All errors there are.
+    pub const WIDEST: Scale = Scale { narrow: None };
+    /// The power of ten of the narrowest: a thousandth of a level.
+    const NARROWEST: i32 = 3;
+    /// The top over the error well below which the scale is even in the error itself, and above in its logarithm.
+    const RANGE: f64 = 1020.0;
+
+    /// The narrowest one that holds errors up to this one.
+    pub fn holding(error: f64) -> Scale {
+        let mut powers = (0..=Scale::NARROWEST).rev();
+        Scale {
+            narrow: powers.find(|power| error <= 10_f64.powi(-power)),
+        }
+    }
+
+    /// The largest error that has a colour of its own, in levels.
+    pub fn top(self) -> f64 {
+        self.narrow.map_or(255.0, |power| 1.0 / 10_f64.powi(power))
+    }
+
+    /// The errors that are written beside the colours, in levels.
+    pub fn ticks(self) -> Vec<f64> {
+        match self.narrow {
+            None => [0.0, 0.5]
+                .into_iter()
+                .chain((0..8).map(|power| f64::from(1 << power)))
+                .chain([255.0])
+                .collect(),
+            Some(power) => [0.0, 5.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
+                .map(|thousandths| thousandths / 10_f64.powi(power + 3))
+                .to_vec(),
+        }
+    }
+
+    /// How far up the scale an error in levels stands, 0..=1.
+    pub fn position(self, error: f64) -> f64 {
+        ((error / self.top() * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
+    }
+
+    /// The error in levels that stands so far up the scale, 0..=1.
+    pub fn error_at(self, position: f64) -> f64 {
+        self.top() / Scale::RANGE * (position * Scale::RANGE.ln_1p()).exp_m1()
+    }
+
+    /// The colour of a pixel, 0x00RRGGBB.
+    pub fn color(self, pixel: Pixel) -> u32 {
+        match pixel {
+            Pixel::Error(error) => color_at(self.position(f64::from(error))),
+            Pixel::Edge => EDGE,
+            Pixel::Nothing => NOTHING,
+        }
+    }
+}
+
+/// What two pictures of one size say, pixel by pixel.
+pub fn compared<T, U>(left: Picture<T>, right: Picture<U>) -> impl Iterator<Item = Pixel>
+where
+    T: Into<f64> + Copy,
+    U: Into<f64> + Copy,
+{
+    (0..left.levels.len()).map(move |pixel| {
+        if [left.triangles[pixel], right.triangles[pixel]] == [NO_TRIANGLE; 2] {
+            Pixel::Nothing
+        } else if left.shows_as(&right, pixel) {
+            Pixel::Error(pixel_error(left.levels[pixel], right.levels[pixel]) as f32)
+        } else {
+            Pixel::Edge
+        }
+    })
 }
 
 fn color_at(position: f64) -> u32 {
@@ -57,7 +128,7 @@ fn color_at(position: f64) -> u32 {
     u32::from_be_bytes([0, red, green, blue])
 }
 
-/// The errors of a picture, each as one of 254 steps of the scale.
+/// The errors of a picture, each as one of 254 steps of the widest scale.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ErrorMap {
     width: usize,
@@ -76,19 +147,18 @@ impl ErrorMap {
         T: Into<f64> + Copy,
         U: Into<f64> + Copy,
     {
-        let step = |pixel: usize| {
-            if [left.triangles[pixel], right.triangles[pixel]] == [NO_TRIANGLE; 2] {
-                ErrorMap::NOTHING
-            } else if left.shows_as(&right, pixel) {
-                let position = position(pixel_error(left.levels[pixel], right.levels[pixel]));
+        let width = left.width;
+        let step = |pixel| match pixel {
+            Pixel::Error(error) => {
+                let position = Scale::WIDEST.position(f64::from(error));
                 (position * f64::from(ErrorMap::STEPS - 1)).round() as u8
-            } else {
-                ErrorMap::EDGE
             }
+            Pixel::Edge => ErrorMap::EDGE,
+            Pixel::Nothing => ErrorMap::NOTHING,
         };
         ErrorMap {
-            width: left.width,
-            steps: (0..left.levels.len()).map(step).collect(),
+            width,
+            steps: compared(left, right).map(step).collect(),
         }
     }
 
@@ -146,15 +216,35 @@ mod tests {
 
     #[test]
     fn the_scale_runs_from_none_to_all_and_shows_half_a_level() {
-        assert_eq!(position(0.0), 0.0);
-        assert_eq!(position(255.0), 1.0);
-        // ln(1 + 0.5 / 0.25) / ln(1 + 255 / 0.25) = ln 3 / ln 1021.
-        assert!((error_at(position(0.5)) - 0.5).abs() < 1e-12);
-        assert!((position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
-        assert!(
-            channels(color(0.5)).iter().sum::<i32>()
-                > channels(color(0.0)).iter().sum::<i32>() + 60
-        );
+        let scale = Scale::WIDEST;
+        assert_eq!(scale.position(0.0), 0.0);
+        assert_eq!(scale.position(255.0), 1.0);
+        // ln(1 + 1020 0.5 / 255) / ln(1 + 1020) = ln 3 / ln 1021.
+        assert!((scale.error_at(scale.position(0.5)) - 0.5).abs() < 1e-12);
+        assert!((scale.position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
+        let sum = |error| {
+            channels(scale.color(Pixel::Error(error)))
+                .iter()
+                .sum::<i32>()
+        };
+        assert!(sum(0.5) > sum(0.0) + 60);
+    }
+
+    #[test]
+    fn the_narrowest_scale_that_holds_an_error_shows_it_and_ends_with_a_tick() {
+        for (error, top, first) in [
+            (0.0, 0.001, "0.000005"),
+            (0.001, 0.001, "0.000005"),
+            (0.06, 0.1, "0.0005"),
+            (1.0, 1.0, "0.005"),
+            (1.1, 255.0, "0.5"),
+        ] {
+            let scale = Scale::holding(error);
+            assert_eq!(scale.top(), top, "{error}");
+            assert_eq!(scale.ticks()[1].to_string(), first);
+            assert_eq!(scale.ticks().last(), Some(&top));
+            assert_eq!(scale.position(top), 1.0);
+        }
     }
 
     #[test]
@@ -172,7 +262,7 @@ mod tests {
         };
         let map = ErrorMap::between(left, right);
         assert_eq!(map.pixels()[..2], [NOTHING, EDGE]);
-        assert_eq!(map.pixels()[3], color(255.0));
+        assert_eq!(map.pixels()[3], Scale::WIDEST.color(Pixel::Error(255.0)));
         let (pixels, size) = map.with_legend("title");
         assert_eq!(size, [legend::WIDTH, 2 + legend::HEIGHT]);
         assert_eq!(pixels.len(), size[0] * size[1]);

@@ -6,6 +6,8 @@
 use minifb::Key;
 use serde::{Deserialize, Serialize};
 
+use super::magnifier::Magnifier;
+use super::views::ViewMode;
 use crate::components::{Projection, ShadingMode};
 
 /// What the user can have done; a recording names it so, but for what is skipped there, which says nothing of the picture.
@@ -110,6 +112,13 @@ pub enum Action {
     DragDivider(f64),
     /// Leaves what was dragged where it is seen.
     EndDrag,
+    /// Shows pixels so many powers of two larger, the probed one or the middle one staying where it is.
+    #[serde(skip)]
+    MagnifyBy(i32),
+    /// Shows pixels so large.
+    Magnify(Magnifier),
+    /// Shows this view.
+    Show(ViewMode),
 }
 
 /// How much a step changes.
@@ -350,6 +359,13 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "camera").on_panel(),
     Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::View(1), "view").on_panel(),
     Binding::new(Section::View, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view before").with_shift(),
+    Binding::new(Section::View, &["F2"], &[Key::F2], &[], Action::Show(ViewMode::Picture), "each view"),
+    Binding::new(Section::View, &["F3"], &[Key::F3], &[], Action::Show(ViewMode::GouraudPhong), "each view"),
+    Binding::new(Section::View, &["F4"], &[Key::F4], &[], Action::Show(ViewMode::MethodReference), "each view"),
+    Binding::new(Section::View, &["F5"], &[Key::F5], &[], Action::Show(ViewMode::ErrorMap), "each view"),
+    Binding::new(Section::View, &["F6"], &[Key::F6], &[], Action::Show(ViewMode::Tiles), "each view"),
+    Binding::new(Section::View, &["Z"], &[Key::Z], &['z'], Action::MagnifyBy(1), "magnify, or Ctrl wheel"),
+    Binding::new(Section::View, &["X"], &[Key::X], &['x'], Action::MagnifyBy(-1), "magnify, or Ctrl wheel"),
     Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
     Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
     Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit across, or drag").repeats(),

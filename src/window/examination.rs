@@ -9,7 +9,7 @@ use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
 use crate::reference::{self, Truth};
 use crate::scene::Scene;
 use crate::systems;
-use crate::trade::error_map::ErrorMap;
+use crate::trade::error_map::{self, Scale};
 use crate::trade::metrics::{self, Difference, Picture};
 
 /// Rows that are compared at once: what a picture of any size takes beside the two that are kept.
@@ -38,8 +38,9 @@ pub struct ReferenceResult {
     pub revision: u64,
     /// Exact Phong in f64, 0x00RRGGBB.
     pub reference: Vec<u32>,
-    /// Where the picture errs from exact Phong, in the colours of [`crate::trade::error_map`].
+    /// Where the picture errs from exact Phong, in the colours of the scale.
     pub error_map: Vec<u32>,
+    pub scale: Scale,
     /// Against exact Phong; `None` where nothing can be compared.
     pub errors: Option<Errors>,
     /// Against the picture's own mode; `None` where nothing can be compared.
@@ -63,7 +64,7 @@ pub fn examine(
     };
     let is_phong = view.shading == phong.shading;
     let mut reference = memory::reserve_pixels(view.size).ok()?;
-    let mut error_map = memory::reserve_pixels(view.size).ok()?;
+    let mut pixels = memory::reserve_pixels(view.size).ok()?;
     let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
     for start in (0..height).step_by(BAND) {
         let rows = start..(start + BAND).min(height);
@@ -83,17 +84,20 @@ pub fn examine(
         let own = own.as_ref().map_or(compared, picture_of);
         errors.add(&metrics::compare(drawn, compared));
         own_errors.add(&metrics::compare(drawn, own));
-        error_map.extend(ErrorMap::between(drawn, compared).pixels());
+        pixels.extend(error_map::compared(drawn, compared));
         reference.extend(exact.levels.iter().map(|levels| {
             let [red, green, blue] = levels.map(display_step);
             u32::from_be_bytes([0, red, green, blue])
         }));
     }
+    let errors = errors.statistics();
+    let scale = Scale::holding(errors.map_or(0.0, |errors| errors.max));
     Some(ReferenceResult {
         revision: request.revision,
         reference,
-        error_map,
-        errors: errors.statistics(),
+        error_map: pixels.into_iter().map(|it| scale.color(it)).collect(),
+        scale,
+        errors,
         own_errors: own_errors.statistics(),
         proof: None,
     })

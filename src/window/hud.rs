@@ -22,7 +22,10 @@ pub mod pixel;
 mod place;
 pub mod profile;
 
+use std::iter::repeat_n;
+
 use super::bindings::Action;
+use super::magnifier::{MAX_SCALE, Magnifier};
 use super::session::Session;
 use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
 use crate::components::{Polygon, Projected};
@@ -30,7 +33,7 @@ use arrows::{Arrow, arrows};
 use board::{Board, Setting};
 use lines::Line;
 use markers::{Marker, markers};
-use place::place;
+use place::{Covered, place};
 
 /// How many letters wide the panel is; values that change never change it.
 const PANEL_LETTERS: usize = 33;
@@ -72,6 +75,7 @@ pub enum Part {
 pub struct Hud {
     size: [usize; 2],
     picture: Rect,
+    magnifier: Magnifier,
     /// The upper ones last.
     boards: Vec<(Part, Board)>,
     /// The divider's column in the window.
@@ -151,22 +155,35 @@ impl Hud {
     pub fn new(session: &Session, size: [usize; 2]) -> Hud {
         let (panel, picture, face) = strips(session, size);
         let state = session.state();
+        let size_of_picture = [picture.width as usize, picture.height as usize];
+        let magnifier = state.magnifier.within(size_of_picture);
         let seen = seen_part(session);
+        let corner = magnifier.place([seen.x, seen.y]);
+        let scale = magnifier.scale as i32;
         let moved = Rect::new(
-            picture.x + seen.x,
-            picture.y + seen.y,
-            seen.width,
-            seen.height,
+            picture.x + corner[0],
+            picture.y + corner[1],
+            seen.width * scale,
+            seen.height * scale,
         );
-        let cross = session.probed().map(|probe| {
-            let [x, y] = probe.pixel.map(|at| at as i32);
-            [picture.x + x, picture.y + y]
-        });
-        let markers = if state.editor.is_some() {
-            markers(session, [picture.width as usize, picture.height as usize])
+        let in_window = |pixel: Point| {
+            let [x, y] = magnifier.place(pixel);
+            let place = [picture.x + x, picture.y + y];
+            picture.contains(place).then_some(place)
+        };
+        let cross = session
+            .probed()
+            .map(|probe| probe.pixel.map(|at| at as i32));
+        let cross = cross.and_then(in_window);
+        let mut markers = if state.editor.is_some() {
+            markers(session, size_of_picture)
         } else {
             Vec::new()
         };
+        markers.retain_mut(|marker| {
+            marker.at = magnifier.place(marker.at);
+            picture.contains([picture.x + marker.at[0], picture.y + marker.at[1]])
+        });
         let arrows = arrows(session, &session.scene().viewpoint(session.camera()));
         let discs = markers.iter().map(|it| it.rect(picture, face));
         let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
@@ -191,9 +208,13 @@ impl Hud {
         let area = picture.inset(margin);
         let mut divider = None;
         if let Some(names) = legend::sides(session) {
-            let column = picture.x + state.divider_column(picture.width as usize) as i32;
+            let column = state.divider_column(size_of_picture[0]) as i32;
+            let [middle, _] = magnifier.place([column, 0]);
+            let column = picture.x + middle - scale / 2;
             layout.add_sides(names, column, area, face);
-            divider = Some(column);
+            divider = (picture.x..picture.right())
+                .contains(&column)
+                .then_some(column);
         }
         layout.add(
             Part::Editor,
@@ -204,10 +225,12 @@ impl Hud {
         let above = [area.right(), area.y];
         layout.add(Part::Legend, &[legend::lines(session)], below);
         if let Some(probe) = session.probed() {
-            let lines = [false, true].map(|wide| pixel::lines(probe, wide));
-            layout.add(Part::Probe, &lines, above);
+            let lines = |worked| [false, true].map(|wide| pixel::lines(probe, wide, worked));
+            if !layout.add_clear(Part::Probe, &lines(true), above) {
+                layout.add(Part::Probe, &lines(false), above);
+            }
         }
-        layout.add(Part::Profile, &[profile::lines(session)], below);
+        layout.add_clear(Part::Profile, &[profile::lines(session)], below);
         let table = |letters| measurements::lines(session.measuring(), letters);
         layout.add(Part::Table, &WRAPS.map(table), above);
         if let Some(text) = &state.scene_error {
@@ -225,6 +248,7 @@ impl Hud {
         Hud {
             size,
             picture,
+            magnifier,
             arrows,
             markers,
             face,
@@ -255,11 +279,22 @@ impl Hud {
         pixels.resize(width * height, 0);
         let left = self.picture.x as usize;
         let rows = pixels.chunks_exact_mut(width);
-        for (row, drawn) in rows.zip(picture.chunks_exact(width - left)) {
-            row[left..].copy_from_slice(drawn);
+        for (y, row) in rows.enumerate().take(self.picture.height as usize) {
+            let [x, y] = self.magnifier.pixel([0, y as i32]);
+            let drawn = &picture[y * (width - left)..][x..width - left];
+            let seen = drawn
+                .iter()
+                .flat_map(|pixel| repeat_n(*pixel, self.magnifier.scale));
+            row[left..]
+                .iter_mut()
+                .zip(seen)
+                .for_each(|(at, seen)| *at = seen);
         }
         let canvas = &mut Canvas::new(pixels, self.size);
         let over_picture = &mut canvas.clipped(self.picture);
+        if self.magnifier.scale == MAX_SCALE {
+            self.draw_bytes(over_picture, picture);
+        }
         if let Some(column) = self.divider {
             draw_divider(over_picture, column, FACES[0]);
         }
@@ -267,7 +302,7 @@ impl Hud {
             for arrow in &self.arrows {
                 arrows::draw(over_picture, arrow, cross, self.face);
             }
-            pixel::draw_cross(over_picture, cross);
+            pixel::draw_cross(over_picture, cross, self.magnifier.scale as i32 / 2);
         }
         for marker in self.markers.iter().rev() {
             marker.draw(over_picture, self.picture, self.face);
@@ -286,6 +321,47 @@ impl Hud {
         for board in self.boards(Part::Help) {
             board.draw(canvas, hovered);
         }
+    }
+
+    /// Writes the bytes of each pixel into it, below one another.
+    fn draw_bytes(&self, canvas: &mut Canvas, picture: &[u32]) {
+        let face = FACES[0];
+        let [width, height] = self.picture_size();
+        let [last_x, last_y] = self.magnifier.pixel([width as i32 - 1, height as i32 - 1]);
+        for y in self.magnifier.corner[1]..=last_y {
+            for x in self.magnifier.corner[0]..=last_x {
+                let [_, red, green, blue] = picture[y * width + x].to_be_bytes();
+                let place = self.magnifier.place([x as i32, y as i32]);
+                let middle = [self.picture.x + place[0], self.picture.y + place[1]];
+                for (row, byte) in (-1..).zip([red, green, blue]) {
+                    let text = byte.to_string();
+                    let left = middle[0] - face.width(text.len()) / 2;
+                    let top = middle[1] + row * face.height() - face.height() / 2;
+                    let ink = Ink::solid(if green > 127 { 0 } else { 0x00ff_ffff });
+                    canvas.text(face, [left, top], ink, &text);
+                }
+            }
+        }
+    }
+
+    /// How large pixels are seen.
+    pub fn magnifier(&self) -> Magnifier {
+        self.magnifier
+    }
+
+    /// Width and height of the picture, in pixels.
+    pub fn picture_size(&self) -> [usize; 2] {
+        [self.picture.width as usize, self.picture.height as usize]
+    }
+
+    /// The probed pixel in the window, or the middle of the picture.
+    pub fn focus(&self) -> Point {
+        let picture = self.picture;
+        let middle = [
+            picture.x + picture.width / 2,
+            picture.y + picture.height / 2,
+        ];
+        self.cross.unwrap_or(middle)
     }
 
     /// The uppermost board at `point`.
@@ -320,9 +396,9 @@ impl Hud {
 
     /// The pixel of the picture at `point` of the window.
     pub fn pixel_at(&self, point: Point) -> Option<[usize; 2]> {
-        let [x, y] = [point[0] - self.picture.x, point[1] - self.picture.y];
+        let place = [point[0] - self.picture.x, point[1] - self.picture.y];
         let inside = self.picture.contains(point);
-        inside.then_some([x as usize, y as usize])
+        inside.then(|| self.magnifier.pixel(place))
     }
 }
 
@@ -342,6 +418,20 @@ impl Layout {
     /// Adds a board near `wish` with the first of these versions of its lines, in the largest letters, that covers
     /// nothing; where none does, the one that covers least.
     fn add(&mut self, part: Part, versions: &[Vec<Line>], wish: Point) {
+        let best = self.best(versions, wish);
+        self.boards.extend(best.map(|(_, board)| (part, board)));
+    }
+
+    /// The same unless it would cover marks or other boards; whether it did not.
+    fn add_clear(&mut self, part: Part, versions: &[Vec<Line>], wish: Point) -> bool {
+        let best = self.best(versions, wish);
+        let clear = best.filter(|(covered, _)| covered[..2] == [0, 0]);
+        let is_clear = clear.is_some();
+        self.boards.extend(clear.map(|(_, board)| (part, board)));
+        is_clear
+    }
+
+    fn best(&self, versions: &[Vec<Line>], wish: Point) -> Option<(Covered, Board)> {
         let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
         let obstacles: [&[Rect]; 4] = [&self.marks, &placed, &self.arrows, &[self.cuboids]];
         let faces = self.faces.iter().map(|face| Setting::new(*face));
@@ -353,14 +443,9 @@ impl Layout {
             let (rect, covered) = place(size, self.window, corner, &obstacles)?;
             Some((covered, rect, setting, lines))
         });
-        // The profile can be missed, what it would cover cannot.
-        let clear = |(covered, ..): &(place::Covered, _, _, _)| covered[..2] == [0, 0];
-        let all = all.filter(|it| part != Part::Profile || clear(it));
         // Of several that cover as much the first has the largest letters.
-        if let Some((_, rect, setting, lines)) = all.min_by(|one, other| one.0.cmp(&other.0)) {
-            self.boards
-                .push((part, Board::new(lines.clone(), setting, rect)));
-        }
+        let (covered, rect, setting, lines) = all.min_by(|one, other| one.0.cmp(&other.0))?;
+        Some((covered, Board::new(lines.clone(), setting, rect)))
     }
 
     /// Adds the names of both sides of a wipe beside the divider, at the upper edge; one that the edge cuts is left out.

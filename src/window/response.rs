@@ -7,6 +7,7 @@ use super::hud::{Hud, Part};
 use super::input::Gesture;
 use super::session::Session;
 use super::view_state::{Drag, ViewState};
+use crate::canvas::Point;
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
@@ -23,7 +24,12 @@ pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) -> Option<Act
 
 fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
     let picture = hud.picture();
-    match gesture {
+    let (magnifier, size) = (hud.magnifier(), hud.picture_size());
+    let magnified = |steps, at: Point| {
+        let place = [at[0] - picture.x, at[1] - picture.y];
+        Action::Magnify(magnifier.stepped(steps, place, size))
+    };
+    let action = match gesture {
         Gesture::Command(action) => Some(action),
         Gesture::Released(action) => (action == Action::Blink).then_some(Action::EndBlink),
         Gesture::Hover(_) => None,
@@ -43,17 +49,22 @@ fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
         } => {
             let on_picture = hud.board_at(from).is_none() && picture.contains(from);
             let [right, down] = by.map(f64::from);
-            let height = f64::from(picture.height.max(1));
+            let scale = magnifier.scale as f64;
+            let height = f64::from(picture.height.max(1)) * scale;
             let light = |light| Action::DragLight {
                 light,
                 by: [right / height, down / height],
                 in_depth: modifiers.shift,
             };
-            let divider = || Action::DragDivider(right / f64::from(picture.width.max(1)));
+            let divider = || {
+                let width = f64::from(picture.width.max(1)) * scale;
+                Action::DragDivider(right / width)
+            };
             match &state.drag {
                 Some(Drag::Lights(lights)) => Some(light(*lights.first()?)),
                 Some(Drag::Divider) => Some(divider()),
                 None if !on_picture => None,
+                None if modifiers.control => Some(Action::Magnify(magnifier.panned(by, size))),
                 None => Some(match hud.light_at(from) {
                     Some(caught) => light(caught),
                     None if hud.catches_divider(from) => divider(),
@@ -75,6 +86,7 @@ fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
             notches,
             modifiers,
         } => match (hud.board_at(at), hud.action_at(at)) {
+            (None, _) if modifiers.control => Some(magnified(notches, at)),
             (None, _) => Some(Action::Zoom(notches)),
             (Some(_), Some(Action::ChooseRow(row) | Action::Step { row: Some(row), .. })) => {
                 Some(Action::Step {
@@ -85,5 +97,9 @@ fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
             }
             _ => None,
         },
-    }
+    };
+    action.map(|action| match action {
+        Action::MagnifyBy(steps) => magnified(steps, hud.focus()),
+        other => other,
+    })
 }

@@ -5,6 +5,7 @@
 use std::time::Duration;
 
 use super::bindings::Action;
+use super::magnifier::Magnifier;
 use super::views::ViewMode;
 
 /// How long a message stands at least.
@@ -55,6 +56,8 @@ pub struct ViewState {
     /// Where the divider of a wipe was dragged to, as a share of the picture's width; the mouse may leave the picture.
     pub divider: f64,
     pub drag: Option<Drag>,
+    /// How large pixels are seen.
+    pub magnifier: Magnifier,
     /// The pixel of the picture that is probed.
     pub pixel: Option<[usize; 2]>,
     pub panel: bool,
@@ -77,6 +80,7 @@ impl Default for ViewState {
             shows_reference: false,
             divider: 0.5,
             drag: None,
+            magnifier: Magnifier::default(),
             pixel: None,
             panel: true,
             help: false,

@@ -3,13 +3,16 @@
 //! Rule: pure functions of pixels, 0x00RRGGBB, row by row from the top; what is written is what was there, mixed with
 //! nothing but the colours named here.
 
+use serde::{Deserialize, Serialize};
+
 use crate::canvas::mix;
 use crate::components::ShadingMode;
 use crate::frame::{NO_TRIANGLE, OUTLINE};
 use crate::shading::TileKind;
 
 /// What the window shows of the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum ViewMode {
     /// The picture as it is shaded.
     #[default]

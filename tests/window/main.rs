@@ -13,6 +13,7 @@ mod fit;
 mod hud;
 mod input;
 mod jobs;
+mod magnifier;
 mod orbit;
 mod pointing;
 mod probing;

@@ -126,8 +126,8 @@ fn all_that_the_probe_knows_is_said() {
     click(&mut session, ON_CUBOID);
     let probe = session.probed().expect("looked at").clone();
     let surface = probe.surface.clone().expect("the cuboid");
-    for wide in [true, false] {
-        let said = texts(&lines(&probe, wide));
+    for [wide, worked] in [[true, false], [false, false], [true, true], [false, true]] {
+        let said = texts(&lines(&probe, wide, worked));
         assert!(
             said.iter()
                 .all(|line| line.chars().count() <= if wide { 70 } else { 40 })
@@ -159,7 +159,7 @@ fn all_that_the_probe_knows_is_said() {
             );
         }
         // Three lights at one place: one l and one r.
-        assert_eq!(said.iter().filter(|it| it.contains(" l ")).count(), 1);
+        assert_eq!(said.iter().filter(|it| it.contains(" l  ")).count(), 1);
         assert_eq!(row("reflected r").len(), 1);
         // Every light's term, the sums and the bytes, once for each mode.
         let bytes =
@@ -170,21 +170,16 @@ fn all_that_the_probe_knows_is_said() {
             .map(str::to_owned)
             .collect();
         assert_eq!(told, bytes.concat());
-        for name in [
-            "white",
-            "red",
-            "specular",
-            "ambient",
-            "drawn",
-            "reference",
-            "levels",
-        ] {
-            assert_eq!(
-                row(name).len(),
-                if wide { 1 } else { 2 },
-                "{name}: {said:?}"
-            );
+        let each = if wide { 1 } else { 2 };
+        for name in ["drawn", "reference", "levels"] {
+            assert_eq!(row(name).len(), each, "{name}: {said:?}");
         }
+        // And exact Phong as products.
+        for name in ["white", "red", "specular", "ambient"] {
+            let tables = 1 + usize::from(worked);
+            assert_eq!(row(name).len(), each * tables, "{name}: {said:?}");
+        }
+        assert_eq!(row("exact Phong").len(), if worked { each } else { 0 });
         // The headings end where the numbers end.
         let ends = |line: &str| {
             let letters: Vec<char> = line.chars().skip(11).chain([' ']).collect();
@@ -198,7 +193,7 @@ fn all_that_the_probe_knows_is_said() {
     session.apply(Action::Probe(None));
     click(&mut session, [600, 10]);
     let background = session.probed().expect("looked at");
-    assert!(texts(&lines(background, true))[1].contains("background"));
+    assert!(texts(&lines(background, true, false))[1].contains("background"));
 }
 
 #[test]
@@ -210,7 +205,7 @@ fn lights_at_two_places_have_two_directions_and_nothing_is_said_to_be_almost_not
     );
     let mut session = session_of(Scene::parse("two.toml", &text).expect("a valid scene"));
     click(&mut session, ON_CUBOID);
-    let said = texts(&lines(session.probed().expect("looked at"), true));
+    let said = texts(&lines(session.probed().expect("looked at"), true, false));
     assert_eq!(
         said.iter()
             .filter(|it| it.starts_with("reflected r"))

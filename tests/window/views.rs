@@ -172,7 +172,7 @@ fn the_error_map_and_the_tiles_have_a_key_to_their_colours() {
         let mut session = default_session();
         session.apply(Action::View(3));
         let map = drawn(&mut session, size);
-        let has_scale = |(line, _): &&(Line, _)| matches!(line, Line::Scale);
+        let has_scale = |(line, _): &&(Line, _)| matches!(line, Line::Scale(_));
         let rows = map.boards(Part::Legend).flat_map(Board::rows);
         assert_eq!(rows.filter(has_scale).count(), 1, "{size:?}");
         session.apply(Action::View(1));

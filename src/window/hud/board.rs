@@ -15,7 +15,6 @@
 use super::lines::{Command, Line, Mark, ON};
 use super::profile;
 use crate::canvas::{Canvas, Face, Ink, Point, Rect, fit};
-use crate::trade::error_map::draw_scale;
 use crate::window::bindings::Action;
 
 const PANE: Ink = Ink::glass(0x0010_1216, 236);
@@ -66,7 +65,7 @@ impl Setting {
     fn row_height(self, line: &Line) -> i32 {
         match line {
             Line::Rule => self.pitch / 2,
-            Line::Scale => 2 * self.pitch,
+            Line::Scale(_) => 2 * self.pitch,
             Line::Profile(_) => 6 * self.pitch,
             _ => self.pitch,
         }
@@ -112,7 +111,7 @@ impl Columns {
             Line::Text(text) => face.width(count(text)),
             Line::Heading(text) => face.width(count(text)),
             Line::Rule => 0,
-            Line::Scale | Line::Profile(_) => face.width(SCALE_LETTERS),
+            Line::Scale(_) | Line::Profile(_) => face.width(SCALE_LETTERS),
             Line::Swatches(all) => {
                 face.width(all.iter().map(|(_, text)| swatch_letters(text)).sum())
             }
@@ -231,7 +230,7 @@ impl Board {
                 Line::Rule => {
                     canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), EDGE);
                 }
-                Line::Scale => draw_scale(canvas, face, *row, TEXT),
+                Line::Scale(scale) => scale.draw(canvas, face, *row, TEXT),
                 Line::Profile(plot) => profile::draw(canvas, plot, row.inset(2)),
                 Line::Swatches(all) => draw_swatches(canvas, face, [row.x, y], all),
             }

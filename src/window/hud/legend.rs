@@ -6,7 +6,7 @@
 use super::lines::{Line, shaded_by};
 use crate::prove::{REFUTED, UNDECIDED};
 use crate::shading::TileKind;
-use crate::trade::error_map::{EDGE, NOTHING};
+use crate::trade::error_map::{EDGE, NOTHING, Scale};
 use crate::window::session::Session;
 use crate::window::views::{TINTS, ViewMode};
 
@@ -49,7 +49,8 @@ pub fn lines(session: &Session) -> Vec<Line> {
             } else {
                 WAITING
             };
-            let mut lines = vec![Line::Title("error", title.to_owned()), Line::Scale];
+            let scale = session.reference().map_or(Scale::WIDEST, |it| it.scale);
+            let mut lines = vec![Line::Title("error", title.to_owned()), Line::Scale(scale)];
             let swatches = error_swatches(session);
             lines.extend(swatches.chunks(2).map(|it| Line::Swatches(it.to_vec())));
             lines

@@ -9,6 +9,7 @@ mod facts;
 use std::path::Path;
 
 use super::profile::Plot;
+use crate::trade::error_map::Scale;
 use crate::window::bindings::{Action, Section};
 use crate::window::session::Session;
 use crate::window::views::mode_label;
@@ -55,7 +56,7 @@ pub enum Line {
     /// A line drawn between what can be clicked and what can be known.
     Rule,
     /// The colours of the error map with errors in levels below them; two rows high.
-    Scale,
+    Scale(Scale),
     /// The levels along a row of the picture; six rows high.
     Profile(Plot),
     /// Colours (0x00RRGGBB) and what they stand for.
@@ -113,6 +114,8 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
         ("drag the picture", "orbits"),
         ("drag divider or light", "moves it"),
         ("wheel", "zooms"),
+        ("Ctrl wheel", "magnifies at the cursor"),
+        ("Ctrl drag", "moves what is magnified"),
     ];
     lines[1].push(Line::Heading("mouse"));
     lines[1].extend(mouse.map(|(name, does)| Line::Fact(name, does.to_owned())));

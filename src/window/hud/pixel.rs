@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::lines::Line;
 use crate::canvas::{Canvas, Ink, Point, Rect, fit};
-use crate::probe::{Light, Probe, Surface, parts};
+use crate::probe::{Light, PRODUCT_HEADS, Probe, Surface, parts};
 
 const CROSS: Ink = Ink::solid(0x00ff_ffff);
 const CROSS_EDGE: Ink = Ink::glass(0, 170);
@@ -17,8 +17,9 @@ const NAME: usize = 11;
 /// Letters of a number.
 const NUMBER: usize = 9;
 
-/// The lines about `probe`: the modes side by side where `wide`, else below one another.
-pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
+/// The lines about `probe`, exact Phong as products among them where `worked`: tables side by side where `wide`, else below
+/// one another.
+pub fn lines(probe: &Probe, wide: bool, worked: bool) -> Vec<Line> {
     let [x, y] = probe.pixel;
     let title = Line::Title("pixel", format!("{x},{y}"));
     let (Some(object), Some(surface)) = (&probe.object, &probe.surface) else {
@@ -40,13 +41,13 @@ pub fn lines(probe: &Probe, wide: bool) -> Vec<Line> {
         ));
         lines.push(vector("reflected r", light.reflected));
     }
-    lines.push(Line::Rule);
-    if wide {
-        lines.extend(table(surface, &[0, 1]));
-    } else {
-        lines.extend(table(surface, &[0]));
-        lines.extend(table(surface, &[1]));
+    let halves: &[&[usize]] = if wide { &[&[0, 1]] } else { &[&[0], &[1]] };
+    if worked {
+        lines.push(Line::Rule);
+        lines.extend(halves.iter().flat_map(|it| products(surface, it)));
     }
+    lines.push(Line::Rule);
+    lines.extend(halves.iter().flat_map(|it| table(surface, it)));
     lines
 }
 
@@ -63,6 +64,28 @@ pub fn places(surface: &Surface) -> Vec<(String, &Light)> {
         }
     }
     places
+}
+
+/// Exact Phong as products of factors, 0, and strengths, 1; these of them side by side.
+fn products(surface: &Surface, halves: &[usize]) -> Vec<Line> {
+    let titles = surface.product_titles();
+    let titles = halves
+        .iter()
+        .map(|half| format!("{:>width$}", titles[*half], width = 3 * NUMBER));
+    let title = format!("{:<NAME$}{}", "exact Phong", titles.collect::<String>());
+    let heads = PRODUCT_HEADS.map(|cells| cells.map(str::to_owned));
+    let rows = [(String::new(), heads)]
+        .into_iter()
+        .chain(surface.products());
+    let row = |(name, cells): (String, [[String; 3]; 2])| {
+        let cells: Vec<_> = halves.iter().map(|half| cells[*half].clone()).collect();
+        row(&name, &cells)
+    };
+    [title]
+        .into_iter()
+        .chain(rows.map(row))
+        .map(Line::Text)
+        .collect()
 }
 
 /// The table of levels with these modes side by side: 0 is Gouraud, 1 is Phong.
@@ -98,11 +121,12 @@ pub fn mark([x, y]: Point) -> Rect {
     Rect::new(x, y, 1, 1).inset(-(GAP + ARM + 2))
 }
 
-/// Marks a pixel, leaving it and its neighbours to be seen.
-pub fn draw_cross(canvas: &mut Canvas, [x, y]: Point) {
+/// Marks a pixel that reaches so far from its middle, leaving it and what is close to be seen.
+pub fn draw_cross(canvas: &mut Canvas, [x, y]: Point, reach: i32) {
+    let gap = GAP + reach;
     for [dx, dy] in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
-        let [from_x, from_y] = [x + GAP * dx, y + GAP * dy];
-        let [to_x, to_y] = [x + (GAP + ARM) * dx, y + (GAP + ARM) * dy];
+        let [from_x, from_y] = [x + gap * dx, y + gap * dy];
+        let [to_x, to_y] = [x + (gap + ARM) * dx, y + (gap + ARM) * dy];
         let arm = Rect::new(
             from_x.min(to_x),
             from_y.min(to_y),

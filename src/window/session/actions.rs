@@ -6,8 +6,10 @@ use super::{DEGREE_TIME, Measuring, Redraw, Request, Session};
 use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
 use crate::window::history::Change;
+use crate::window::magnifier::Magnifier;
 use crate::window::orbit::Limits;
 use crate::window::view_state::Drag;
+use crate::window::views::ViewMode;
 
 /// The tolerances that keys step through, in levels.
 pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -64,12 +66,11 @@ impl Session {
                 for spin in self.scene.world.query_mut::<&mut Spin>() {
                     spin.degrees = 0;
                 }
+                self.state.magnifier = Magnifier::default();
                 self.set_orbit(Orbit::default());
             }
-            Action::View(steps) => {
-                self.state.mode = self.state.mode.stepped(steps);
-                self.wants(Redraw::Picture);
-            }
+            Action::View(steps) => self.show(self.state.mode.stepped(steps)),
+            Action::Show(view) => self.show(view),
             Action::Blink => self.show_reference(!self.state.shows_reference),
             Action::EndBlink => self.show_reference(false),
             Action::Measure if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
@@ -120,6 +121,17 @@ impl Session {
                 by,
                 in_depth,
             } => self.drag_light(light, by, in_depth),
+            // It needs the picture's size, and so is resolved in `response`.
+            Action::MagnifyBy(_) => {}
+            Action::Magnify(magnifier) => {
+                let before = std::mem::replace(&mut self.state.magnifier, magnifier);
+                self.wants(Redraw::Overlay);
+                match magnifier.scale {
+                    scale if before == magnifier && scale > 1 => self.say("no larger than this"),
+                    1 if before == magnifier => self.say("no smaller than this"),
+                    _ => {}
+                }
+            }
             Action::DragDivider(by) => {
                 self.state.divider += by;
                 self.state.drag = Some(Drag::Divider);
@@ -134,6 +146,11 @@ impl Session {
             Action::SavePicture => self.requests.push(Request::SavePicture),
             Action::Screenshot => self.requests.push(Request::Screenshot),
         }
+    }
+
+    fn show(&mut self, view: ViewMode) {
+        self.state.mode = view;
+        self.wants(Redraw::Picture);
     }
 
     fn probe(&mut self, pixel: Option<[usize; 2]>) {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Command, Line, Mark, ON};
 use crate::window::bindings::{Action, BINDINGS, RIGHT, Section, UP};
 use crate::window::session::{Measuring, Session};
-use crate::window::views::mode_label;
+use crate::window::views::{ViewMode, mode_label};
 
 /// The commands of a section: those that the panel has, or all.
 pub fn commands(session: &Session, section: Section, panel: bool) -> Vec<Line> {
@@ -52,6 +52,8 @@ fn row(session: &Session, action: Action) -> Option<Action> {
         Action::Zoom(_) => Some(Action::Zoom(1)),
         Action::Orbit { azimuth, .. } => Some(if azimuth == 0.0 { UP } else { RIGHT }),
         Action::Row(_) => Some(Action::Row(1)),
+        Action::Show(_) => Some(Action::Show(ViewMode::Picture)),
+        Action::MagnifyBy(_) => Some(Action::MagnifyBy(1)),
         Action::Step { row, size, .. } => Some(Action::Step {
             row,
             size,
