@@ -1,8 +1,9 @@
-//! The window after a few keys -> its pictures in README.md, in `assets/figures`, without a display:
-//! `cargo run --release --example readme`.
+//! The window after a few keys -> its pictures in README.md, in `assets/figures`; recordings -> the animations beside them,
+//! in `assets/lessons`; without a display: `cargo run --release --example readme`.
 //!
 //! Rule: a picture of the window is what the window shows after those keys, put together by the same code.
 
+use std::fs;
 use std::path::Path;
 
 use fearless_simd::Level;
@@ -17,32 +18,39 @@ use shadetrade::window::composition::Composition;
 use shadetrade::window::examination::examine;
 use shadetrade::window::hud::{self, Hud};
 use shadetrade::window::jobs::Progress;
+use shadetrade::window::recording::Log;
+use shadetrade::window::replay;
 use shadetrade::window::session::Session;
+use shadetrade::window::views::ViewMode;
 
 /// As the window opens, in pixels.
 const SIZE: [usize; 2] = [960, 720];
-/// A pixel of the picture whose row goes through the highlight.
-const BESIDE_HIGHLIGHT: [usize; 2] = [470, 345];
 
 fn main() -> anyhow::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
     let phong = Action::Shading(ShadingMode::Phong);
-    for (name, actions, probed) in [
-        ("window", vec![phong], None),
-        ("error-map", vec![Action::View(3)], None),
-        ("tiles", vec![phong, Action::View(4)], None),
-        ("lens", vec![phong], Some(BESIDE_HIGHLIGHT)),
+    for (name, actions) in [
+        ("window", vec![phong]),
+        ("tiles", vec![phong, Action::Show(ViewMode::Tiles)]),
     ] {
-        let pixels = window_after(actions, probed)?;
+        let pixels = window_after(actions)?;
         let path = folder.join(name).with_extension("png");
         Output::File(path).write_png(&pixels, SIZE)?;
         say(&format!("wrote assets/figures/{name}.png"));
     }
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
+    for name in ["gouraud-misses-the-highlight", "what-a-tolerance-buys"] {
+        let path = folder.join(name);
+        let text = fs::read_to_string(path.with_extension("log"))?;
+        let log = Log::parse(name, &text, all_cores(), Level::new())?;
+        let output = Output::File(path.with_extension("png"));
+        replay::run(log, Some(&output), true, false)?;
+    }
     Ok(())
 }
 
-/// What the window shows of the built-in scene once all of `actions` are done, a pixel is probed, and the picture rests.
-fn window_after(actions: Vec<Action>, probed: Option<[usize; 2]>) -> anyhow::Result<Vec<u32>> {
+/// What the window shows of the built-in scene once all of `actions` are done and the picture rests.
+fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     let workers = || Workers::new(all_cores(), Level::new());
     let mut session = Session::new(Drawing {
         scene: Scene::load(None)?,
@@ -57,7 +65,6 @@ fn window_after(actions: Vec<Action>, probed: Option<[usize; 2]>) -> anyhow::Res
     for action in actions {
         session.apply(action);
     }
-    session.apply(Action::Probe(probed));
     let picture = hud::picture(&session, SIZE);
     let size = [picture.width as usize, picture.height as usize];
     let mut composition = Composition::new(workers()?);

@@ -6,6 +6,8 @@
 
 mod legend;
 
+use std::ops::RangeInclusive;
+
 use super::metrics::{Picture, pixel_error};
 use crate::frame::{NO_TRIANGLE, display_step};
 
@@ -48,14 +50,14 @@ pub struct Scale {
 impl Scale {
     /// All errors there are.
     pub const WIDEST: Scale = Scale { narrow: None };
-    /// The power of ten of the narrowest: a thousandth of a level.
-    const NARROWEST: i32 = 3;
+    /// From ten levels down to a thousandth.
+    const POWERS: RangeInclusive<i32> = -1..=3;
     /// The top over the error well below which the scale is even in the error itself, and above in its logarithm.
     const RANGE: f64 = 1020.0;
 
     /// The narrowest one that holds errors up to this one.
     pub fn holding(error: f64) -> Scale {
-        let mut powers = (0..=Scale::NARROWEST).rev();
+        let mut powers = Scale::POWERS.rev();
         Scale {
             narrow: powers.find(|power| error <= 10_f64.powi(-power)),
         }
@@ -237,7 +239,8 @@ mod tests {
             (0.001, 0.001, "0.000005"),
             (0.06, 0.1, "0.0005"),
             (1.0, 1.0, "0.005"),
-            (1.1, 255.0, "0.5"),
+            (1.1, 10.0, "0.05"),
+            (10.1, 255.0, "0.5"),
         ] {
             let scale = Scale::holding(error);
             assert_eq!(scale.top(), top, "{error}");

@@ -16,6 +16,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use fearless_simd::Level;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -291,7 +292,7 @@ fn parts(line: &str) -> Result<(Duration, &str, &str), Fault> {
 }
 
 fn start(argument: &str, threads: usize, level: Level) -> Result<Drawing, String> {
-    let start: Start = serde_json::from_str(argument).map_err(without_line)?;
+    let start: Start = json(argument)?;
     if !is_tolerance(start.tolerance) {
         return Err(format!("no tolerance is {}", start.tolerance));
     }
@@ -312,19 +313,17 @@ fn start(argument: &str, threads: usize, level: Level) -> Result<Drawing, String
 fn event(name: &str, argument: &str) -> Result<Event, String> {
     Ok(match name {
         "scene" => {
-            let text: SceneText = serde_json::from_str(argument).map_err(without_line)?;
+            let text: SceneText = json(argument)?;
             let scene = Scene::parse(&text.name, &text.scene).map_err(|error| error.to_string())?;
             Event::Scene(Ok(Box::new(scene)))
         }
-        "scene-error" => Event::Scene(Err(serde_json::from_str(argument).map_err(without_line)?)),
-        "size" => Event::Size(checked(
-            serde_json::from_str(argument).map_err(without_line)?,
-        )?),
-        "say" => Event::Say(serde_json::from_str(argument).map_err(without_line)?),
+        "scene-error" => Event::Scene(Err(json(argument)?)),
+        "size" => Event::Size(checked(json(argument)?)?),
+        "say" => Event::Say(json(argument)?),
         "time" => Event::Time,
         _ if argument.is_empty() => Event::Action(named(Value::String(name.to_owned()))?),
         _ => {
-            let argument: Value = serde_json::from_str(argument).map_err(without_line)?;
+            let argument: Value = json(argument)?;
             let named_argument = [(name.to_owned(), argument)];
             Event::Action(named(Value::Object(named_argument.into_iter().collect()))?)
         }
@@ -333,7 +332,7 @@ fn event(name: &str, argument: &str) -> Result<Event, String> {
 
 fn named(action: Value) -> Result<Action, String> {
     serde_json::from_value(action).map_err(|error| {
-        let reason = without_line(error);
+        let reason = without_line(&error);
         format!("no command, with what belongs to it, as in `light 0`: {reason}")
     })
 }
@@ -344,8 +343,12 @@ fn checked(size: [usize; 2]) -> Result<[usize; 2], String> {
         .ok_or_else(|| format!("a size is 1, 1 to {MAX_SIDE}, {MAX_SIDE}"))
 }
 
+fn json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    serde_json::from_str(text).map_err(|error| without_line(&error))
+}
+
 /// What JSON's reader says, but for the place: its line is a part of one of ours.
-fn without_line(error: serde_json::Error) -> String {
+fn without_line(error: &serde_json::Error) -> String {
     let text = error.to_string();
     match text.rsplit_once(" at line ") {
         Some((reason, _)) => reason.to_owned(),

@@ -3,7 +3,7 @@
 //! Rule: a frame is the picture as it was seen, with the boards that lay over it. The panel is left out, for its times
 //! are the machine's; so is the proof in the error map, for it takes seconds a frame.
 
-use std::io;
+use std::io::{self, Write};
 use std::time::Duration;
 
 use anyhow::Context;
@@ -130,15 +130,15 @@ pub fn run(
     let ends = times.iter().skip(1).copied().chain([last + LAST]);
     let frames = log.frames.into_iter().zip(ends);
     let mut player = Player::new(log.start)?;
-    let mut hashes = String::new();
+    let mut hashes = Vec::new();
     with_bar(|on_progress| {
-        let mut done = 0;
+        let mut done = 0_usize;
         let mut play = |player: &mut Player, frame: LogFrame| {
             let time = frame.time.as_secs_f64();
             player.play(frame)?;
             let (pixels, _) = player.shown();
             let bytes: Vec<u8> = pixels.iter().flat_map(|it| it.to_be_bytes()).collect();
-            hashes += &format!("{time:.3} {:08x}\n", crc32fast::hash(&bytes));
+            writeln!(hashes, "{time:.3} {:08x}", crc32fast::hash(&bytes))?;
             done += 1;
             on_progress(Progress {
                 step: "replaying",
@@ -167,7 +167,7 @@ pub fn run(
         }
     })?;
     if with_hashes {
-        Output::Stdout.write(|writer| writer.write_all(hashes.as_bytes()))?;
+        Output::Stdout.write(|writer| writer.write_all(&hashes))?;
     }
     let written = output.map_or_else(String::new, |it| format!("; wrote {}", it.name()));
     let seconds = last.as_secs_f64();

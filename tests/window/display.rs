@@ -436,3 +436,46 @@ fn a_resting_window_hardly_works() {
     };
     until("it rests", || share() < 0.05);
 }
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+fn what_is_recorded_is_replayed_as_it_was_seen() {
+    let mut program = Program::open(&["--record", "a.log"], &[]);
+    let start = program.picture();
+    program.press("p");
+    let phong = program.next_picture(&start, "p");
+    // A number is begun and forgotten again.
+    program.press("e");
+    program.press("minus");
+    program.next_picture(&phong, "the editor");
+    program.xdotool(&["key", "Escape", "Right", "Tab"]);
+    until("the wipe is shown", || program.picture() != phong);
+    program.press("shift+F12");
+    let folder = program.folder.path().to_path_buf();
+    let saved = folder.join("shadetrade-001.png");
+    until("the picture is saved", || saved.exists());
+    program.press("q");
+    assert!(program.status().success());
+    let replay = |options: &[&str]| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_shadetrade"))
+            .args(["replay", "a.log"])
+            .args(options)
+            .current_dir(&folder)
+            .output()
+            .expect("the program starts");
+        assert!(output.status.success());
+        output.stdout
+    };
+    let hashes = replay(&["-o", "last.png", "--hash"]);
+    assert!(hashes.split(|byte| *byte == b'\n').count() > 4);
+    assert_eq!(replay(&["--hash", "--simd", "fallback"]), hashes);
+    let [saved, replayed] = [saved, folder.join("last.png")]
+        .map(|path| image::open(path).expect("a picture").to_rgb8());
+    assert_eq!(saved.dimensions(), replayed.dimensions());
+    // The boards that name both sides lie over the upper edge of what is replayed, and the divider's handle over its middle.
+    let lower = |picture: &RgbImage| {
+        let [width, height] = [picture.width() / 3, picture.height()];
+        image::imageops::crop_imm(picture, 0, height / 4, width, height / 2).to_image()
+    };
+    assert!(lower(&saved) == lower(&replayed));
+}

@@ -2,18 +2,21 @@
 
 use std::fs;
 use std::io::{self, Cursor};
+use std::path::Path;
 use std::time::Duration;
 
 use fearless_simd::Level;
 use image::AnimationDecoder;
 use image::codecs::png::PngDecoder;
+use shadetrade::drawing::Drawing;
 use shadetrade::output::Animation;
+use shadetrade::scene::Scene;
+use shadetrade::simd;
 use shadetrade::window::bindings::{Action, StepSize};
 use shadetrade::window::recording::{Event, Log, LogError, Recorder, Start};
 use shadetrade::window::replay::Player;
 
 use super::drawing;
-use shadetrade::scene::Scene;
 
 fn start() -> Start {
     let scene = Scene::load(None).expect("the built-in scene is valid");
@@ -162,6 +165,40 @@ fn what_is_read_is_what_was_written_to_the_last_bit() {
     assert_eq!(log.frames.len(), 2, "a screenshot changes nothing");
     assert!(matches!(log.frames[1].events[..], [Event::Action(action)] if action == orbit));
     assert_eq!(log.frames[1].time, Duration::from_millis(100));
+}
+
+#[test]
+fn the_lessons_replay_alike_however_they_are_drawn() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
+    let mut lessons = 0;
+    for entry in fs::read_dir(folder).expect("there are lessons") {
+        let path = entry.expect("it can be read").path();
+        if path.extension().is_none_or(|extension| extension != "log") {
+            continue;
+        }
+        lessons += 1;
+        let text = fs::read_to_string(&path).expect("it can be read");
+        let fallback = simd::named("fallback").expect("every machine has it");
+        let ways = [(1, fallback), (3, Level::new())];
+        let replayed = ways.map(|(threads, level)| {
+            let log = Log::parse("lesson", &text, threads, level);
+            let log = log.unwrap_or_else(|error| panic!("{error}"));
+            let start = Drawing {
+                size: [200, 150],
+                ..log.start
+            };
+            let mut player = Player::new(start).expect("there are threads");
+            let frames = log.frames.into_iter().map(|frame| {
+                player.play(frame).expect("a small picture fits");
+                player.shown().0.to_vec()
+            });
+            frames.collect::<Vec<_>>()
+        });
+        assert!(replayed[0] == replayed[1], "{}", path.display());
+        let steps = replayed[0].windows(2).filter(|it| it[0] != it[1]);
+        assert!(steps.count() > 8, "{}", path.display());
+    }
+    assert_eq!(lessons, 2);
 }
 
 #[test]

@@ -104,23 +104,8 @@ impl Session {
                 self.state.help ^= true;
                 self.wants(Redraw::Overlay);
             }
-            Action::Editor => self.toggle_editor(),
-            Action::Row(rows) => self.go_to_row(rows),
-            Action::ChooseRow(row) => self.choose_row(row),
-            Action::Step { row, steps, size } => self.step_number(row, steps, size),
-            Action::Enter => self.enter(),
-            Action::Erase => self.erase(),
-            Action::Undo => self.undo(),
-            Action::Redo => self.redo(),
             Action::Save => self.requests.push(Request::Save),
-            Action::Type(letter) => self.type_letter(letter),
-            Action::Forget => self.forget_typed(),
             Action::Probe(pixel) => self.probe(pixel),
-            Action::DragLight {
-                light,
-                by,
-                in_depth,
-            } => self.drag_light(light, by, in_depth),
             // It needs the picture's size, and so is resolved in `response`.
             Action::MagnifyBy(_) => {}
             Action::Magnify(magnifier) => {
@@ -137,14 +122,15 @@ impl Session {
                 self.state.drag = Some(Drag::Divider);
                 self.wants(Redraw::Overlay);
             }
+            Action::Close => self.say("Q quits"),
+            Action::Quit => self.requests.push(Request::Quit),
             Action::EndDrag => {
                 self.state.end_drag();
                 self.history.end_step();
             }
-            Action::Close => self.say("Q quits"),
-            Action::Quit => self.requests.push(Request::Quit),
             Action::SavePicture => self.requests.push(Request::SavePicture),
             Action::Screenshot => self.requests.push(Request::Screenshot),
+            action => self.edit_scene(action),
         }
     }
 

@@ -9,7 +9,7 @@ use super::{Redraw, Session};
 use crate::components::{Lens, LightKind, Spin};
 use crate::scene::Scene;
 use crate::scene::edit::{Page, Parameter, Property};
-use crate::window::bindings::StepSize;
+use crate::window::bindings::{Action, StepSize};
 use crate::window::history::Change;
 use crate::window::view_state::{Drag, Editor};
 
@@ -23,8 +23,30 @@ impl Session {
         Some(self.scene.page(editor.page))
     }
 
+    /// Does what the user wants of the scene's numbers.
+    pub(super) fn edit_scene(&mut self, action: Action) {
+        match action {
+            Action::Editor => self.toggle_editor(),
+            Action::Row(rows) => self.go_to_row(rows),
+            Action::ChooseRow(row) => self.choose_row(row),
+            Action::Step { row, steps, size } => self.step_number(row, steps, size),
+            Action::Type(letter) => self.type_letter(letter),
+            Action::Enter => self.enter(),
+            Action::Erase => self.erase(),
+            Action::Forget => self.forget_typed(),
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            Action::DragLight {
+                light,
+                by,
+                in_depth,
+            } => self.drag_light(light, by, in_depth),
+            _ => {}
+        }
+    }
+
     /// Shows the numbers of the scene, or hides them.
-    pub(super) fn toggle_editor(&mut self) {
+    fn toggle_editor(&mut self) {
         if let Some(editor) = self.state.editor.take() {
             self.last_page = editor.page;
         } else {
@@ -35,7 +57,7 @@ impl Session {
     }
 
     /// Goes to the row so many rows on; what was typed is taken first.
-    pub(super) fn go_to_row(&mut self, rows: i32) {
+    fn go_to_row(&mut self, rows: i32) {
         self.enter();
         let Some(page) = self.page() else {
             return;
@@ -48,14 +70,14 @@ impl Session {
     }
 
     /// Goes to this row.
-    pub(super) fn choose_row(&mut self, row: usize) {
+    fn choose_row(&mut self, row: usize) {
         self.enter();
         let last = self.page().map_or(0, |page| page.parameters.len());
         self.edit(|editor| editor.row = row.min(last));
     }
 
     /// Takes a letter of a number.
-    pub(super) fn type_letter(&mut self, letter: char) {
+    fn type_letter(&mut self, letter: char) {
         self.edit(|editor| {
             if editor.row > 0 {
                 editor.error = None;
@@ -65,7 +87,7 @@ impl Session {
     }
 
     /// Takes back the last letter of a number.
-    pub(super) fn erase(&mut self) {
+    fn erase(&mut self) {
         self.edit(|editor| {
             editor.error = None;
             editor.typed.pop();
@@ -73,7 +95,7 @@ impl Session {
     }
 
     /// Forgets what was typed.
-    pub(super) fn forget_typed(&mut self) {
+    fn forget_typed(&mut self) {
         self.edit(|editor| {
             editor.error = None;
             editor.typed.clear();
@@ -81,7 +103,7 @@ impl Session {
     }
 
     /// Takes the number that was typed.
-    pub(super) fn enter(&mut self) {
+    fn enter(&mut self) {
         let typed = self.state.editor.as_ref().map(|it| it.typed.clone());
         let (Some(typed), Some(parameter)) = (typed, self.chosen()) else {
             return;
@@ -96,7 +118,7 @@ impl Session {
     }
 
     /// Changes the number of a row by so many steps; the first row goes through the pages.
-    pub(super) fn step_number(&mut self, row: Option<usize>, steps: i32, size: StepSize) {
+    fn step_number(&mut self, row: Option<usize>, steps: i32, size: StepSize) {
         if let Some(row) = row {
             self.choose_row(row);
         }
@@ -118,7 +140,7 @@ impl Session {
 
     /// Moves a light, and those that stood where it stood when the drag began, `by` heights of the picture right and down:
     /// on the plane that faces the viewer, or away from the viewer by what is up.
-    pub(super) fn drag_light(&mut self, light: usize, by: [f64; 2], in_depth: bool) {
+    fn drag_light(&mut self, light: usize, by: [f64; 2], in_depth: bool) {
         let Some(lights) = self.dragged_lights(light) else {
             return self.say(format!("there is no light {}", light.saturating_add(1)));
         };
@@ -170,7 +192,7 @@ impl Session {
     }
 
     /// Takes back the last change of the scene.
-    pub(super) fn undo(&mut self) {
+    fn undo(&mut self) {
         if self.history.undo(&mut self.scene) {
             self.scene_changed();
         } else {
@@ -179,7 +201,7 @@ impl Session {
     }
 
     /// Makes the change again that was last taken back.
-    pub(super) fn redo(&mut self) {
+    fn redo(&mut self) {
         if self.history.redo(&mut self.scene) {
             self.scene_changed();
         } else {

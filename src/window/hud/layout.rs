@@ -1,0 +1,108 @@
+//! Boards and what they should not cover -> a place and letters for each.
+//!
+//! Rule: a board that is placed later gives way to those that are there.
+
+use super::board::{Board, Setting};
+use super::lines::{self, Line};
+use super::place::{Covered, place};
+use super::{FACES, Part};
+use crate::canvas::{Face, Point, Rect};
+use crate::window::session::Session;
+
+/// Boards being placed.
+pub struct Layout {
+    pub window: Rect,
+    /// The letters that may be used, the largest first.
+    pub faces: Vec<Face>,
+    pub cuboids: Rect,
+    /// What the probed pixel takes with its cross, and the lights with their names.
+    pub marks: Vec<Rect>,
+    pub arrows: Vec<Rect>,
+    /// Those that have a place.
+    pub boards: Vec<(Part, Board)>,
+}
+
+impl Layout {
+    /// Adds a board near `wish` with the first of these versions of its lines, in the largest letters, that covers
+    /// nothing; where none does, the one that covers least.
+    pub fn add(&mut self, part: Part, versions: &[Vec<Line>], wish: Point) {
+        let best = self.best(versions, wish);
+        self.boards.extend(best.map(|(_, board)| (part, board)));
+    }
+
+    /// The same unless it would cover marks or other boards; whether it did not.
+    pub fn add_clear(&mut self, part: Part, versions: &[Vec<Line>], wish: Point) -> bool {
+        let best = self.best(versions, wish);
+        let clear = best.filter(|(covered, _)| covered[..2] == [0, 0]);
+        let is_clear = clear.is_some();
+        self.boards.extend(clear.map(|(_, board)| (part, board)));
+        is_clear
+    }
+
+    fn best(&self, versions: &[Vec<Line>], wish: Point) -> Option<(Covered, Board)> {
+        let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
+        let obstacles: [&[Rect]; 4] = [&self.marks, &placed, &self.arrows, &[self.cuboids]];
+        let faces = self.faces.iter().map(|face| Setting::new(*face));
+        let versions = versions.iter().filter(|lines| !lines.is_empty());
+        let settings = faces.flat_map(|it| versions.clone().map(move |lines| (it, lines)));
+        let all = settings.filter_map(|(setting, lines)| {
+            let size = setting.size(lines);
+            let corner = [wish[0] - size[0] / 2, wish[1] - size[1]];
+            let (rect, covered) = place(size, self.window, corner, &obstacles)?;
+            Some((covered, rect, setting, lines))
+        });
+        // Of several that cover as much the first has the largest letters.
+        let (covered, rect, setting, lines) = all.min_by(|one, other| one.0.cmp(&other.0))?;
+        Some((covered, Board::new(lines.clone(), setting, rect)))
+    }
+
+    /// Adds the names of both sides of a wipe beside the divider, at the upper edge; one that the edge cuts is left out.
+    pub fn add_sides(&mut self, [left, right]: [String; 2], column: i32, area: Rect, face: Face) {
+        let setting = Setting::new(face);
+        let gap = face.advance();
+        let set = |text: String, x: &dyn Fn(i32) -> i32| {
+            let lines = vec![Line::Text(text)];
+            let [width, height] = setting.size(&lines);
+            Board::new(lines, setting, Rect::new(x(width), area.y, width, height))
+        };
+        let sides = [
+            set(left, &|width| column - gap - width),
+            set(right, &|_| column + gap),
+        ];
+        let fits = |board: &Board| board.rect().intersection(&area) == board.rect();
+        let fitting: Vec<_> = sides.into_iter().filter(fits).collect();
+        self.boards
+            .extend(fitting.into_iter().map(|board| (Part::Legend, board)));
+    }
+}
+
+/// The help in the middle of the window, in the largest letters in which both its boards fit; none where they do not.
+pub fn help(session: &Session, window: Rect) -> Vec<Board> {
+    let both = lines::help(session);
+    let area = window.inset(FACES[0].advance());
+    let setting = |face: &Face| {
+        let setting = Setting::new(*face);
+        let tight = Setting {
+            pitch: face.height(),
+            ..setting
+        };
+        [setting, tight].into_iter().find_map(|setting| {
+            let sizes = [&both[0], &both[1]].map(|lines| setting.size(lines));
+            let width = sizes[0][0] + setting.padding() + sizes[1][0];
+            let height = sizes[0][1].max(sizes[1][1]);
+            let fits = width <= area.width && height <= area.height;
+            fits.then_some((setting, sizes, [width, height]))
+        })
+    };
+    let Some((setting, sizes, [width, height])) = FACES.iter().rev().find_map(setting) else {
+        return Vec::new();
+    };
+    let mut x = window.x + (window.width - width) / 2;
+    let y = window.y + (window.height - height) / 2;
+    let boards = both.into_iter().zip(sizes).map(|(lines, [width, _])| {
+        let board = Board::new(lines, setting, Rect::new(x, y, width, height));
+        x += width + setting.padding();
+        board
+    });
+    boards.collect()
+}
