@@ -180,7 +180,7 @@
 //! ```text
 //! main
 //! cli          window       extremes
-//! prove        pictures     probe
+//! prove        requires     pictures     probe
 //! trade
 //! drawing      systems      reference
 //! frame
@@ -211,6 +211,7 @@ pub mod pictures;
 pub mod probe;
 pub mod prove;
 pub mod reference;
+pub mod requires;
 pub mod scene;
 pub mod shading;
 pub mod simd;

@@ -10,7 +10,7 @@ use shadetrade::cli::{self, Command, ExtremesOptions, Failure, ProbeOptions};
 use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::{self, WindowError};
-use shadetrade::{extremes, output, pictures, probe, prove, trade};
+use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
     let begun = output::survive_file_limits().map_err(Failure::from);
@@ -56,6 +56,14 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
                 options.output.as_ref(),
                 options.json,
             )?)
+        }
+        Some(Command::Requires(options)) => {
+            if let Some(file) = &options.output {
+                options.drawing.check_output(file)?;
+            }
+            let drawing = options.drawing.open()?;
+            let least = options.output.as_ref();
+            Ok(requires::run(&drawing, options.orbit, least, options.json)?)
         }
         Some(Command::Extremes(options)) => extremes(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
