@@ -315,14 +315,12 @@ impl<R: Real> Cuboid<R> {
 
     /// The place that interpolation of the corners gives; `place` is where the line meets their face.
     fn blended(&self, corners: [usize; 3], weights: [R; 3], place: &Place<R>) -> Place<R> {
-        let of = |corner: usize| Vector::exact(self.mesh.corners[corner]);
+        let [a, b, c] = corners.map(|corner| Vector::exact(self.mesh.corners[corner]));
         let share = |corner: usize| Vector::exact(self.mesh.corners[corner].signum() / 2.0);
         Place {
             share: blend(corners.map(share), weights),
-            point: Some(blend(
-                corners.map(|corner| of(corner) - self.solid.eye),
-                weights,
-            )),
+            // The eye may be so far away that it must not be weighted.
+            point: Some(a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2]),
             ..*place
         }
     }

@@ -13,7 +13,7 @@ use crate::output::{Output, printable, say};
 use crate::scene::Scene;
 use crate::trade::progress::{Progress, with_bar};
 use crate::trade::tables::{aligned, wrapped};
-use crate::trade::words::{counted, short};
+use crate::trade::words::short;
 
 /// What `--json` prints.
 #[derive(Serialize)]
@@ -26,6 +26,8 @@ struct Record<'a> {
 
 #[derive(Clone, Serialize)]
 struct Row {
+    #[serde(skip)]
+    left_out: Part,
     part: String,
     /// At least, and at most.
     largest_error: [f64; 2],
@@ -52,8 +54,7 @@ pub fn run(
     as_json: bool,
 ) -> anyhow::Result<()> {
     let (scene, views) = (scene(drawing), views(drawing, orbit));
-    let parts = parts(&scene);
-    let rows = rows(drawing, &scene, &views, &parts)?;
+    let rows = rows(drawing, &scene, &views)?;
     let text = if as_json {
         serde_json::to_string_pretty(&Record {
             scene: &drawing.scene.name,
@@ -70,10 +71,11 @@ pub fn run(
         ];
         printable(&texts.join("\n\n"))
     };
-    if let Some(output) = least {
-        write_least(drawing, &scene, &views, (&parts, &rows), output)?;
+    Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
+    match least {
+        Some(output) => write_least(drawing, &scene, &views, &rows, output),
+        None => Ok(()),
     }
-    Output::Stdout.write(|writer| writeln!(writer, "{text}"))
 }
 
 /// The scene as the options have it, with one camera.
@@ -112,13 +114,10 @@ fn views(drawing: &Drawing, count: usize) -> Vec<View> {
     (0..count).map(turned).collect()
 }
 
-fn rows(
-    drawing: &Drawing,
-    scene: &Scene,
-    views: &[View],
-    parts: &[Part],
-) -> anyhow::Result<Vec<Row>> {
+/// A row for each part.
+fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<Row>> {
     with_bar(|on_progress| {
+        let parts = parts(scene);
         let progress = |step, share| on_progress(Progress { step, share });
         let left_out: Vec<Vec<Part>> = parts.iter().map(|part| vec![*part]).collect();
         let by_view = changes(scene, views, &left_out, &|share| {
@@ -133,6 +132,7 @@ fn rows(
                 required_in += usize::from(!changes[index].keeps(drawing.tolerance));
             }
             anyhow::Ok(Row {
+                left_out: *part,
                 part: part.name(scene),
                 largest_error: sum.largest_error,
                 pixels: sum.pixels,
@@ -201,20 +201,19 @@ fn error([least, most]: [f64; 2]) -> String {
     }
 }
 
+/// Writes the least scene that keeps the tolerance, of those parts that a scene file can do without.
 fn write_least(
     drawing: &Drawing,
     scene: &Scene,
     views: &[View],
-    (parts, rows): (&[Part], &[Row]),
+    rows: &[Row],
     output: &Output,
 ) -> anyhow::Result<()> {
-    let mut candidates: Vec<(&Part, &Row)> = parts.iter().zip(rows).collect();
-    candidates.retain(|(part, row)| {
-        !row.required && matches!(part, Part::Light(_) | Part::EveryPixel(_) | Part::Cuboid(_))
-    });
-    candidates
-        .sort_by(|(_, left), (_, right)| left.largest_error[1].total_cmp(&right.largest_error[1]));
-    let candidates: Vec<Part> = candidates.into_iter().map(|(part, _)| *part).collect();
+    let is_of_scene = |part| matches!(part, Part::Light(_) | Part::EveryPixel(_) | Part::Cuboid(_));
+    let mut rows: Vec<&Row> = rows.iter().filter(|row| !row.required).collect();
+    rows.retain(|row| is_of_scene(row.left_out));
+    rows.sort_by(|left, right| left.largest_error[1].total_cmp(&right.largest_error[1]));
+    let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
     let least = with_bar(|on_progress| {
         let step = "looking for the least scene";
         anyhow::Ok(Least::find(scene, views, &candidates, &|share| {
@@ -223,23 +222,25 @@ fn write_least(
     })?;
     let names: Vec<String> = least.left_out.iter().map(|part| part.name(scene)).collect();
     let [_, most] = least.change.largest_error;
-    let summary = match &names[..] {
-        [] => "nothing can be left out".to_owned(),
-        names => format!(
-            "left out: {}; errs at most {} levels, proven",
-            names.join(", "),
-            short(Some(most))
-        ),
+    let found = if names.is_empty() {
+        "nothing can be left out".to_owned()
+    } else {
+        let most = (1e4 * most).ceil() / 1e4;
+        format!(
+            "left out: {}; errs at most {most} levels, proven",
+            names.join(", ")
+        )
     };
-    let comments = format!("{}\n{summary}", subject(drawing, scene, views.len()));
-    let comment = |line: &str| format!("# {}\n", line.replace(char::is_control, "\u{fffd}"));
-    let comments: String = comments.lines().map(comment).collect();
-    let scene = super::without(scene, &least.left_out).to_toml();
-    output.write(|writer| write!(writer, "# The least of a scene.\n{comments}\n{scene}"))?;
-    say(&format!(
-        "wrote {}: {}; {summary}",
-        output.name(),
-        counted(names.len(), "part")
-    ));
+    let comments = [
+        "The least scene that keeps the tolerance, found by `shadetrade requires`.".to_owned(),
+        subject(drawing, scene, views.len()),
+        found.clone(),
+    ];
+    // A name may hold a line break, which would end the comment.
+    let comments =
+        comments.map(|line| format!("# {}\n", line.replace(char::is_control, "\u{fffd}")));
+    let text = super::without(scene, &least.left_out).to_toml();
+    output.write(|writer| write!(writer, "{}\n{text}", comments.concat()))?;
+    say(&format!("wrote {}: {found}", output.name()));
     Ok(())
 }

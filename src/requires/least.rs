@@ -30,6 +30,12 @@ impl Least {
             change: Change::default(),
         };
         least.leave_out(scene, views, candidates, progress);
+        let all = least.left_out.clone();
+        // What is not there is not shaded.
+        least.left_out.retain(|part| match part {
+            Part::EveryPixel(cuboid) => !all.contains(&Part::Cuboid(*cuboid)),
+            _ => true,
+        });
         least
     }
 

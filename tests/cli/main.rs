@@ -9,6 +9,7 @@ mod help;
 #[cfg(unix)]
 mod names;
 mod pictures;
+mod requires;
 mod scale;
 
 use std::fs;
