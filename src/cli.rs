@@ -340,7 +340,7 @@ pub struct RequiresOptions {
     #[arg(long, value_name = "N", default_value = "1", hide_default_value = true, value_parser = views, allow_negative_numbers = true)]
     pub orbit: usize,
     /// Where the least scene goes that still keeps the tolerance
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(scene_file))]
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(file))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -389,21 +389,15 @@ fn picture_file(path: PathBuf) -> Result<Output, &'static str> {
     }
 }
 
-/// Standard output takes the counts.
 fn map_file(path: PathBuf) -> Result<Output, &'static str> {
-    match picture_file(path)? {
-        Output::Stdout => {
-            Err("it is a file: standard output takes the counts; ./- is a file of that name")
-        }
-        file @ Output::File(_) => Ok(file),
-    }
+    picture_file(path.clone()).and_then(|_| file(path))
 }
 
-/// Standard output takes the table.
-fn scene_file(path: PathBuf) -> Result<Output, &'static str> {
+/// Standard output takes what is found.
+fn file(path: PathBuf) -> Result<Output, &'static str> {
     match Output::from(path) {
         Output::Stdout => {
-            Err("it is a file: standard output takes the table; ./- is a file of that name")
+            Err("it is a file: standard output takes what is found; ./- is a file of that name")
         }
         file @ Output::File(_) => Ok(file),
     }

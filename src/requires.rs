@@ -17,17 +17,16 @@ mod command;
 mod least;
 mod share;
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use rayon::prelude::*;
+use serde::Serialize;
 
-use crate::components::{Light, Name, ShadingMode, View};
+use crate::components::{ShadingMode, View};
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
 use crate::trade::metrics::displayed;
 pub use command::run;
-pub use least::Least;
+pub use least::least;
 
 /// A part of the model. Cuboids and lights are named by their place in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +45,7 @@ pub enum Part {
 }
 
 /// What leaving out parts does to a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Change {
     /// The largest error, in levels: at least, and at most.
     pub largest_error: [f64; 2],
@@ -57,52 +56,30 @@ pub struct Change {
 /// The least and the largest displayed level, by channel.
 type Ends = [[f64; 2]; 3];
 
-/// A picture that is compared with the full one.
-enum Picture {
-    Enclosed(Reference<Interval>),
-    Single(Reference<f32>),
-}
+/// What a row of a picture errs against what the full picture may show in each of its columns.
+type Compare = Box<dyn Fn(usize, &[Vec<Ends>]) -> Change + Sync>;
 
-/// The parts of the model that a scene is drawn with, in the order in which they are reported.
-pub fn parts(scene: &Scene) -> Vec<Part> {
-    let is_on = |&light: &usize| {
-        let light = scene.world.get::<&Light>(scene.lights[light]);
-        light.is_ok_and(|light| light.on)
-    };
-    let is_phong = |&cuboid: &usize| {
-        let mode = scene.world.get::<&ShadingMode>(scene.cuboids[cuboid]);
-        mode.is_ok_and(|mode| *mode == ShadingMode::Phong)
-    };
-    let (lights, cuboids) = (0..scene.lights.len(), 0..scene.cuboids.len());
-    let mut parts: Vec<Part> = lights.filter(is_on).map(Part::Light).collect();
-    parts.extend([Rule::SpecularGate, Rule::UnitNormal].map(Part::Rule));
-    parts.extend(cuboids.clone().filter(is_phong).map(Part::EveryPixel));
-    let rules = [Rule::PerspectiveCorrect, Rule::DepthTest, Rule::NearPlane];
-    parts.extend(rules.map(Part::Rule));
-    parts.extend(cuboids.map(Part::Cuboid));
-    parts.push(Part::F64SetUp);
+/// The parts of the model that a scene is drawn with and what they are called, in the order in which they are reported.
+pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
+    let scene = scene.to_record();
+    let rule = |rule, name: &str| (Part::Rule(rule), name.to_owned());
+    let lights = scene.light.iter().enumerate().filter(|(_, it)| it.on);
+    let cuboids = || scene.cuboid.iter().enumerate();
+    let phong = cuboids().filter(|(_, it)| *it.shading == ShadingMode::Phong);
+    let mut parts = Vec::new();
+    parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", *it.name))));
+    parts.push(rule(Rule::SpecularGate, "specular gate"));
+    parts.push(rule(Rule::UnitNormal, "unit normal"));
+    parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", *it.name))));
+    parts.push(rule(
+        Rule::PerspectiveCorrect,
+        "perspective-correct interpolation",
+    ));
+    parts.push(rule(Rule::DepthTest, "depth test"));
+    parts.push(rule(Rule::NearPlane, "near plane"));
+    parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", *it.name))));
+    parts.push((Part::F64SetUp, "f64 set-up".to_owned()));
     parts
-}
-
-impl Part {
-    /// What reports call it.
-    pub fn name(self, scene: &Scene) -> String {
-        let name = |entity| {
-            let name = scene.world.get::<&Name>(entity);
-            name.map_or_else(|_| String::new(), |name| name.0.clone())
-        };
-        match self {
-            Part::Light(light) => format!("light {}", name(scene.lights[light])),
-            Part::Rule(Rule::SpecularGate) => "specular gate".to_owned(),
-            Part::Rule(Rule::UnitNormal) => "unit normal".to_owned(),
-            Part::EveryPixel(cuboid) => format!("every pixel {}", name(scene.cuboids[cuboid])),
-            Part::Rule(Rule::PerspectiveCorrect) => "perspective-correct interpolation".to_owned(),
-            Part::Rule(Rule::DepthTest) => "depth test".to_owned(),
-            Part::Rule(Rule::NearPlane) => "near plane".to_owned(),
-            Part::Cuboid(cuboid) => format!("cuboid {}", name(scene.cuboids[cuboid])),
-            Part::F64SetUp => "f64 set-up".to_owned(),
-        }
-    }
 }
 
 /// The scene without some of its lights, cuboids and ways of shading.
@@ -121,53 +98,81 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
     Scene::spawn(scene.name.clone(), &record)
 }
 
-impl Picture {
-    fn new(scene: &Scene, view: &View, left_out: &[Part]) -> Picture {
-        let world = without(scene, left_out).world;
-        let rule = left_out.iter().find_map(|part| match part {
-            Part::Rule(rule) => Some(*rule),
-            _ => None,
-        });
-        if left_out.contains(&Part::F64SetUp) {
-            Picture::Single(Reference::without(&world, view, rule))
-        } else {
-            Picture::Enclosed(Reference::without(&world, view, rule))
-        }
-    }
-
-    /// Adds what row `y` of this picture errs against what the full one may show in each of its columns.
-    fn compare(&self, y: usize, full: &[Vec<Ends>], limit: f64, change: &mut Change) {
-        match self {
-            Picture::Enclosed(picture) => picture.row(y, |x, seen| {
-                change.add(error(&full[x], seen), limit);
-            }),
-            Picture::Single(picture) => picture.row(y, |x, seen| {
-                change.add(error(&full[x], seen), limit);
-            }),
-        }
-    }
-}
-
 impl Change {
-    /// Adds what one pixel errs.
-    fn add(&mut self, error: [f64; 2], limit: f64) {
-        self.append(Change {
-            largest_error: error,
-            pixels: u64::from(error[0] > limit),
-        });
+    /// All of them together.
+    pub fn sum(changes: impl IntoIterator<Item = Change>) -> Change {
+        let add = |sum: Change, one: Change| Change {
+            largest_error: [0, 1].map(|end| sum.largest_error[end].max(one.largest_error[end])),
+            pixels: sum.pixels + one.pixels,
+        };
+        changes.into_iter().fold(Change::default(), add)
     }
 
-    /// Adds what other pixels err.
-    pub fn append(&mut self, other: Change) {
-        let [ours, theirs] = [self.largest_error, other.largest_error];
-        self.largest_error = [0, 1].map(|end| ours[end].max(theirs[end]));
-        self.pixels += other.pixels;
+    /// The upper end of the largest error.
+    pub fn most(&self) -> f64 {
+        self.largest_error[1]
     }
 
     /// Whether it is proven that the picture keeps the tolerance.
     pub fn keeps(&self, tolerance: f64) -> bool {
-        self.largest_error[1] <= limit(tolerance)
+        self.most() <= limit(tolerance)
     }
+}
+
+/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `row_done` is called
+/// once for each row.
+///
+/// The view leaves each cuboid its own shading.
+pub fn changes(
+    scene: &Scene,
+    view: &View,
+    left_out: &[Vec<Part>],
+    row_done: &(dyn Fn() + Sync),
+) -> Vec<Change> {
+    let full = Reference::<Interval>::new(&scene.world, view);
+    let pictures: Vec<Compare> = left_out
+        .iter()
+        .map(|parts| compare(scene, view, parts))
+        .collect();
+    let row = |y: usize| {
+        let mut shown = Vec::with_capacity(view.size[0]);
+        full.row(y, |_, seen| shown.push(seen.iter().map(ends).collect()));
+        let changes = pictures.iter().map(|compare| compare(y, &shown)).collect();
+        row_done();
+        changes
+    };
+    let rows: Vec<Vec<Change>> = (0..view.size[1]).into_par_iter().map(row).collect();
+    let picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
+    (0..pictures.len()).map(picture).collect()
+}
+
+fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {
+    let world = &without(scene, left_out).world;
+    let rule = left_out.iter().find_map(|part| match part {
+        Part::Rule(rule) => Some(*rule),
+        _ => None,
+    });
+    let limit = limit(view.tolerance);
+    if left_out.contains(&Part::F64SetUp) {
+        compare_in(Reference::<f32>::without(world, view, rule), limit)
+    } else {
+        compare_in(Reference::<Interval>::without(world, view, rule), limit)
+    }
+}
+
+fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64) -> Compare {
+    Box::new(move |y, full| {
+        let mut changes = Vec::with_capacity(full.len());
+        picture.row(y, |x, seen| {
+            let largest_error = error(&full[x], seen);
+            let pixels = u64::from(largest_error[0] > limit);
+            changes.push(Change {
+                largest_error,
+                pixels,
+            });
+        });
+        Change::sum(changes)
+    })
 }
 
 fn ends<R: Real>(seen: &Seen<R>) -> Ends {
@@ -177,8 +182,7 @@ fn ends<R: Real>(seen: &Seen<R>) -> Ends {
 /// The least and the largest error of a pixel by what it may show in full and without a part.
 fn error<R: Real>(full: &[Ends], without: &[Seen<R>]) -> [f64; 2] {
     let mut error = [f64::INFINITY, 0.0];
-    for seen in without {
-        let seen = ends(seen);
+    for seen in without.iter().map(ends) {
         let mut nearest = [f64::INFINITY; 2];
         for full in full {
             let between = difference(full, &seen);
@@ -195,58 +199,8 @@ fn difference(left: &Ends, right: &Ends) -> [f64; 2] {
     for (left, right) in left.iter().zip(right) {
         let [left, right] = [left, right].map(|[least, most]| Interval::new(*least, *most));
         let [below, above] = (left - right).endpoints();
-        largest = [
-            largest[0].max(below).max(-above),
-            largest[1].max(above).max(-below),
-        ];
+        let [least, most] = [below.max(-above), above.max(-below)];
+        largest = [largest[0].max(least), largest[1].max(most)];
     }
     largest
-}
-
-/// What the pictures of a scene err without each of these lists of parts, by view, on rayon's current threads. `progress`
-/// is told the share that is done, 0..=1.
-pub fn changes(
-    scene: &Scene,
-    views: &[View],
-    left_out: &[Vec<Part>],
-    progress: &(dyn Fn(f64) + Sync),
-) -> Vec<Vec<Change>> {
-    let rows: usize = views.iter().map(|view| view.size[1]).sum();
-    let done = AtomicUsize::new(0);
-    let row_done = || {
-        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        progress(done as f64 / rows as f64);
-    };
-    let of_view = |view| changes_of_view(scene, view, left_out, &row_done);
-    views.iter().map(of_view).collect()
-}
-
-fn changes_of_view(
-    scene: &Scene,
-    view: &View,
-    left_out: &[Vec<Part>],
-    row_done: &(dyn Fn() + Sync),
-) -> Vec<Change> {
-    let full = Reference::<Interval>::new(&scene.world, view);
-    let picture = |parts: &Vec<Part>| Picture::new(scene, view, parts);
-    let pictures: Vec<Picture> = left_out.iter().map(picture).collect();
-    let limit = limit(view.tolerance);
-    let none = || vec![Change::default(); pictures.len()];
-    let row = |y: usize| {
-        let mut shown: Vec<Vec<Ends>> = Vec::with_capacity(view.size[0]);
-        full.row(y, |_, seen| shown.push(seen.iter().map(ends).collect()));
-        let mut changes = none();
-        for (picture, change) in pictures.iter().zip(&mut changes) {
-            picture.compare(y, &shown, limit, change);
-        }
-        row_done();
-        changes
-    };
-    let add = |mut sum: Vec<Change>, row| {
-        for (sum, change) in sum.iter_mut().zip(row) {
-            sum.append(change);
-        }
-        sum
-    };
-    (0..view.size[1]).into_par_iter().map(row).reduce(none, add)
 }

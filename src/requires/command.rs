@@ -2,12 +2,14 @@
 //!
 //! Rule: the file is a scene that is read as it stands; comments say what was left out of it and what that errs.
 
-use serde::Serialize;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::least::Least;
+use serde::Serialize;
+use serde_json::json;
+
 use super::share::time_share;
-use super::{Change, Part, changes, parts};
-use crate::components::{Orbit, ShadingMode, View};
+use super::{Change, Part, changes, least, parts, without};
+use crate::components::{Orbit, View};
 use crate::drawing::Drawing;
 use crate::output::{Output, printable, say};
 use crate::scene::Scene;
@@ -15,24 +17,15 @@ use crate::trade::progress::{Progress, with_bar};
 use crate::trade::tables::{aligned, wrapped};
 use crate::trade::words::short;
 
-/// What `--json` prints.
+/// A part as `--json` and the table have it.
 #[derive(Serialize)]
-struct Record<'a> {
-    scene: &'a str,
-    tolerance: f64,
-    views: usize,
-    parts: Vec<Row>,
-}
-
-#[derive(Clone, Serialize)]
 struct Row {
     #[serde(skip)]
     left_out: Part,
     part: String,
-    /// At least, and at most.
-    largest_error: [f64; 2],
     /// In all views together.
-    pixels: u64,
+    #[serde(flatten)]
+    change: Change,
     time_share: Option<f64>,
     required: bool,
     /// In how many views.
@@ -50,30 +43,24 @@ const LEGEND: &str = "largest error: what leaving out that part alone changes, i
 pub fn run(
     drawing: &Drawing,
     orbit: usize,
-    least: Option<&Output>,
+    least_scene: Option<&Output>,
     as_json: bool,
 ) -> anyhow::Result<()> {
     let (scene, views) = (scene(drawing), views(drawing, orbit));
+    let subject = subject(drawing, &scene, &views);
     let rows = rows(drawing, &scene, &views)?;
     let text = if as_json {
-        serde_json::to_string_pretty(&Record {
-            scene: &drawing.scene.name,
-            tolerance: drawing.tolerance,
-            views: views.len(),
-            parts: rows.clone(),
-        })?
+        let (scene, tolerance, views) = (&scene.name, drawing.tolerance, views.len());
+        serde_json::to_string_pretty(
+            &json!({ "scene": scene, "tolerance": tolerance, "views": views, "parts": rows }),
+        )?
     } else {
-        let table = table(&rows, views.len());
-        let texts = [
-            subject(drawing, &scene, views.len()),
-            table,
-            wrapped(LEGEND),
-        ];
+        let texts = [subject.clone(), table(&rows, views.len()), wrapped(LEGEND)];
         printable(&texts.join("\n\n"))
     };
     Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
-    match least {
-        Some(output) => write_least(drawing, &scene, &views, &rows, output),
+    match least_scene {
+        Some(output) => write_least(&subject, &scene, &views, rows, output),
         None => Ok(()),
     }
 }
@@ -81,10 +68,8 @@ pub fn run(
 /// The scene as the options have it, with one camera.
 fn scene(drawing: &Drawing) -> Scene {
     let mut record = drawing.scene.to_record();
-    if let Some(mode) = drawing.shading {
-        for cuboid in &mut record.cuboid.value {
-            *cuboid.shading = mode;
-        }
+    for cuboid in &mut record.cuboid.value {
+        *cuboid.shading = drawing.shading.unwrap_or(*cuboid.shading);
     }
     record.camera.value = vec![record.camera.swap_remove(drawing.camera)];
     Scene::spawn(drawing.scene.name.clone(), &record)
@@ -92,92 +77,96 @@ fn scene(drawing: &Drawing) -> Scene {
 
 /// So many views, evenly round the camera's target, at its height; the first is the camera's own.
 fn views(drawing: &Drawing, count: usize) -> Vec<View> {
-    let view = View {
-        shading: None,
-        ..drawing.view()
-    };
+    let view = drawing.view();
     let turned = |number: usize| {
-        let azimuth = 360.0 * number as f64 / count as f64;
+        let turn = number as f64 / count as f64;
         let orbit = Orbit {
-            azimuth: if azimuth > 180.0 {
-                azimuth - 360.0
-            } else {
-                azimuth
-            },
+            azimuth: 360.0 * (turn - turn.round()),
             ..Orbit::default()
         };
         View {
             viewpoint: view.viewpoint.orbited(&orbit),
-            ..view.clone()
+            shading: None,
+            ..view
         }
     };
     (0..count).map(turned).collect()
 }
 
+/// What is looked at.
+fn subject(drawing: &Drawing, scene: &Scene, views: &[View]) -> String {
+    let [width, height] = drawing.size;
+    let orbit = match views.len() {
+        1 => String::new(),
+        views => format!(", {views} views round its target"),
+    };
+    format!(
+        "{}, camera {}{orbit}, {}, {width}x{height}, {}, tolerance {}",
+        scene.name,
+        scene.camera_names()[0],
+        drawing.projection.name(),
+        drawing.mode(),
+        drawing.tolerance
+    )
+}
+
+/// Does `work` with a bar that shows how many of `all` it has told to be done.
+fn with_counter<T>(
+    step: &'static str,
+    all: usize,
+    work: impl FnOnce(&(dyn Fn() + Sync)) -> anyhow::Result<T>,
+) -> anyhow::Result<T> {
+    let done = AtomicUsize::new(0);
+    with_bar(|on_progress| {
+        work(&|| {
+            let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64;
+            on_progress(Progress { step, share });
+        })
+    })
+}
+
 /// A row for each part.
 fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<Row>> {
-    with_bar(|on_progress| {
-        let parts = parts(scene);
-        let progress = |step, share| on_progress(Progress { step, share });
-        let left_out: Vec<Vec<Part>> = parts.iter().map(|part| vec![*part]).collect();
-        let by_view = changes(scene, views, &left_out, &|share| {
-            progress("leaving out", share);
-        });
-        let row = |(index, part): (usize, &Part)| {
-            progress("timing", index as f64 / parts.len() as f64);
-            let mut sum = Change::default();
-            let mut required_in = 0;
-            for changes in &by_view {
-                sum.append(changes[index]);
-                required_in += usize::from(!changes[index].keeps(drawing.tolerance));
-            }
-            anyhow::Ok(Row {
-                left_out: *part,
-                part: part.name(scene),
-                largest_error: sum.largest_error,
-                pixels: sum.pixels,
-                time_share: time_share(scene, views, *part, drawing.level)?,
+    let parts = parts(scene);
+    let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
+    let all = views.len() * drawing.size[1];
+    let by_view: Vec<Vec<Change>> = with_counter("leaving out", all, |row_done| {
+        let of_view = |view| changes(scene, view, &left_out, row_done);
+        Ok(views.iter().map(of_view).collect())
+    })?;
+    with_counter("timing", parts.len(), |part_done| {
+        let row = |(index, (left_out, part)): (usize, (Part, String))| {
+            let changes = by_view.iter().map(|view| view[index]);
+            let required = changes
+                .clone()
+                .filter(|change| !change.keeps(drawing.tolerance));
+            let required_in = required.count();
+            let time_share = time_share(scene, views, left_out, drawing.level)?;
+            part_done();
+            Ok(Row {
+                left_out,
+                part,
+                change: Change::sum(changes),
+                time_share,
                 required: required_in > 0,
                 required_in,
             })
         };
-        parts.iter().enumerate().map(row).collect()
+        parts.into_iter().enumerate().map(row).collect()
     })
-}
-
-/// What was looked at.
-fn subject(drawing: &Drawing, scene: &Scene, views: usize) -> String {
-    let [width, height] = drawing.size;
-    let mut query = scene.world.query::<&ShadingMode>();
-    let mut modes: Vec<&str> = query.iter().map(|mode| mode.name()).collect();
-    modes.sort_unstable();
-    modes.dedup();
-    let orbit = if views > 1 {
-        format!(", {views} views round its target")
-    } else {
-        String::new()
-    };
-    format!(
-        "{}, camera {}{orbit}, {}, {width}x{height}, {}, tolerance {}",
-        drawing.scene.name,
-        scene.camera_names()[0],
-        drawing.projection.name(),
-        modes.join(" and "),
-        drawing.tolerance
-    )
 }
 
 /// The parts that err most first.
 fn table(rows: &[Row], views: usize) -> String {
     let mut sorted: Vec<&Row> = rows.iter().collect();
-    sorted.sort_by(|left, right| right.largest_error[1].total_cmp(&left.largest_error[1]));
+    sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
     let cells = |row: &&Row| {
+        let percent = |share| format!("{:.0} %", 100.0 * share);
         vec![
             row.part.clone(),
-            error(row.largest_error),
-            row.pixels.to_string(),
-            row.time_share
-                .map_or_else(|| "-".to_owned(), |share| format!("{:.0} %", 100.0 * share)),
+            error(row.change.largest_error),
+            row.change.pixels.to_string(),
+            row.time_share.map_or_else(|| "-".to_owned(), percent),
             match (row.required_in, views) {
                 (0, _) => "no".to_owned(),
                 (_, 1) => "yes".to_owned(),
@@ -190,57 +179,47 @@ fn table(rows: &[Row], views: usize) -> String {
 }
 
 /// An interval in as few words as say it.
-fn error([least, most]: [f64; 2]) -> String {
-    let [from, to] = [least, most].map(|level| short(Some(level)));
-    if from == to || least == 0.0 && most < 0.001 {
-        to
-    } else if least == 0.0 {
-        format!("at most {to}")
+fn error(ends: [f64; 2]) -> String {
+    let [least, most] = ends.map(|level| short(Some(level)));
+    if least == most || most == "<0.001" {
+        most
     } else {
-        format!("{from} to {to}")
+        format!("{least} to {most}")
     }
 }
 
 /// Writes the least scene that keeps the tolerance, of those parts that a scene file can do without.
 fn write_least(
-    drawing: &Drawing,
+    subject: &str,
     scene: &Scene,
     views: &[View],
-    rows: &[Row],
+    mut rows: Vec<Row>,
     output: &Output,
 ) -> anyhow::Result<()> {
-    let is_of_scene = |part| matches!(part, Part::Light(_) | Part::EveryPixel(_) | Part::Cuboid(_));
-    let mut rows: Vec<&Row> = rows.iter().filter(|row| !row.required).collect();
-    rows.retain(|row| is_of_scene(row.left_out));
-    rows.sort_by(|left, right| left.largest_error[1].total_cmp(&right.largest_error[1]));
+    rows.retain(|row| {
+        let is_in_file = !matches!(row.left_out, Part::Rule(_) | Part::F64SetUp);
+        is_in_file && !row.required
+    });
+    rows.sort_by(|left, right| left.change.most().total_cmp(&right.change.most()));
     let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
-    let least = with_bar(|on_progress| {
-        let step = "looking for the least scene";
-        anyhow::Ok(Least::find(scene, views, &candidates, &|share| {
-            on_progress(Progress { step, share });
-        }))
+    let all = candidates.len() * views.len() * views[0].size[1];
+    let (left_out, change) = with_counter("looking for the least scene", all, |row_done| {
+        Ok(least(scene, views, &candidates, row_done))
     })?;
-    let names: Vec<String> = least.left_out.iter().map(|part| part.name(scene)).collect();
-    let [_, most] = least.change.largest_error;
-    let found = if names.is_empty() {
-        "nothing can be left out".to_owned()
-    } else {
-        let most = (1e4 * most).ceil() / 1e4;
-        format!(
+    rows.retain(|row| left_out.contains(&row.left_out));
+    let names: Vec<String> = rows.into_iter().map(|row| row.part).collect();
+    let most = (1e4 * change.most()).ceil() / 1e4;
+    let found = match &names[..] {
+        [] => "nothing can be left out".to_owned(),
+        names => format!(
             "left out: {}; errs at most {most} levels, proven",
             names.join(", ")
-        )
+        ),
     };
-    let comments = [
-        "The least scene that keeps the tolerance, found by `shadetrade requires`.".to_owned(),
-        subject(drawing, scene, views.len()),
-        found.clone(),
-    ];
     // A name may hold a line break, which would end the comment.
-    let comments =
-        comments.map(|line| format!("# {}\n", line.replace(char::is_control, "\u{fffd}")));
-    let text = super::without(scene, &least.left_out).to_toml();
-    output.write(|writer| write!(writer, "{}\n{text}", comments.concat()))?;
+    let comments = format!("{subject}: {found}").replace(char::is_control, "\u{fffd}");
+    let text = without(scene, &left_out).to_toml();
+    output.write(|writer| write!(writer, "# The least scene for {comments}\n\n{text}"))?;
     say(&format!("wrote {}: {found}", output.name()));
     Ok(())
 }

@@ -36,7 +36,7 @@ fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
         ("requires --orbit 361", &["'361'", "1 to 360"]),
         ("requires --orbit -3", &["'-3'", "1 to 360"]),
         ("requires --orbit half", &["'half'", "1 to 360"]),
-        ("requires -o -", &["standard output takes the table"]),
+        ("requires -o -", &["standard output takes what is found"]),
         (
             "requires --camera 3",
             &["no camera is named \"3\"", "\"1\", \"2\""],

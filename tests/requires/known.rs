@@ -303,6 +303,6 @@ fn a_scene_that_needs_everything() {
     let scene = scene_of(world, &view);
     let required = required(&scene, &view);
     let parts = shadetrade::requires::parts(&scene);
-    let all: Vec<String> = parts.iter().map(|part| part.name(&scene)).collect();
+    let all: Vec<String> = parts.into_iter().map(|(_, name)| name).collect();
     assert_eq!(required, all);
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Projection, View};
-use shadetrade::requires::{Least, Part, changes, without};
+use shadetrade::requires::{self, Part, changes, without};
 
 use super::scene::{at, empty, spawn_cuboid, spawn_light, view};
 use super::{WHITE, scene_of};
@@ -35,22 +35,15 @@ fn least(levels: &[f64], candidates: &[Part], views: usize) -> Vec<Part> {
     beside.viewpoint.position = DVec3::X * 8.0;
     let views = &[view.clone(), beside][..views];
     let scene = scene_of(world, &view);
-    let least = Least::find(&scene, views, candidates, &|_| ());
-    let [_, most] = least.change.largest_error;
-    let remains = without(&scene, &least.left_out);
-    assert!(most <= 0.5, "{most}");
+    let (left_out, change) = requires::least(&scene, views, candidates, &|| ());
+    assert!(change.keeps(0.5), "{change:?}");
     // What remains is itself the full scene less what was left out.
-    for by_view in changes(&remains, views, &[vec![]], &|_| ()) {
-        assert!(by_view[0].keeps(0.0));
+    let remains = without(&scene, &left_out);
+    for view in views {
+        assert!(changes(&scene, view, std::slice::from_ref(&left_out), &|| ())[0].keeps(0.5));
+        assert!(changes(&remains, view, &[vec![]], &|| ())[0].keeps(0.0));
     }
-    let change = changes(
-        &scene,
-        views,
-        std::slice::from_ref(&least.left_out),
-        &|_| (),
-    );
-    assert!(change.concat().iter().all(|change| change.keeps(0.5)));
-    least.left_out
+    left_out
 }
 
 #[test]

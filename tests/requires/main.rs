@@ -8,7 +8,7 @@ mod random_scene;
 #[path = "../support/scene.rs"]
 mod scene;
 mod scenes;
-//SIXTEEN
+mod sixteen;
 
 use glam::DVec3;
 use hecs::{Component, Entity, World};
@@ -57,14 +57,14 @@ fn in_file_order<C: Component>(world: &World) -> Vec<Entity> {
 
 /// What the picture errs without a part.
 fn change(scene: &Scene, view: &View, part: Part) -> Change {
-    changes(scene, std::slice::from_ref(view), &[vec![part]], &|_| ())[0][0]
+    changes(scene, view, &[vec![part]], &|| ())[0]
 }
 
 /// Every part of a scene that the picture requires, by name.
 fn required(scene: &Scene, view: &View) -> Vec<String> {
     let parts = parts(scene).into_iter();
-    let required = parts.filter(|part| !change(scene, view, *part).keeps(view.tolerance));
-    required.map(|part| part.name(scene)).collect()
+    let required = parts.filter(|(part, _)| !change(scene, view, *part).keeps(view.tolerance));
+    required.map(|(_, name)| name).collect()
 }
 
 /// How many cases a test is to try: `SHADETRADE_CASES`, or so many.
