@@ -98,21 +98,35 @@ fn json_names_every_part_in_order_and_requires_what_is_not_proven() {
 #[test]
 fn a_part_is_required_where_one_of_the_views_requires_it() {
     let folder = folder();
-    let in_views = |options: &str| {
-        let line = format!("requires bench-far --size 32x24 --lights white --json {options}");
-        let found = json(folder.path(), &line);
-        let light = &found["parts"][0];
-        assert_eq!(light["required"], light["required_in"].as_u64() > Some(0));
-        (
-            found["views"].as_u64().unwrap(),
-            light["required_in"].as_u64().unwrap(),
+    let cuboid = |name: &str, size: f64, z: f64| {
+        format!(
+            "[[cuboid]]\nname = \"{name}\"\nsize = [{size}, {size}, {size}]\nposition = [0.0, 0.0, {z}]\n[cuboid.material]\n\
+             ambient = [1.0, 1.0, 1.0]\ndiffuse = [0.0, 0.0, 0.0]\nspecular = [0.0, 0.0, 0.0]\nshininess = 1.0\n"
         )
     };
-    assert_eq!(in_views(""), (1, 1));
-    // From behind no face in sight is turned towards the light but the one on top.
-    let (views, required_in) = in_views("--orbit 5");
-    assert_eq!(views, 5);
-    assert!(required_in >= 1);
+    let text = cuboid("front", 2.0, 0.0)
+        + &cuboid("behind", 1.0, -2.0)
+        + "[[light]]\nname = \"ambient\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 100.0\n\
+           [[camera]]\nname = \"1\"\nposition = [0.0, 0.0, 8.0]\ntarget = [0.0, 0.0, 0.0]\nfov = 40.0\nheight = 6.0\n";
+    fs::write(folder.path().join("two.toml"), text).unwrap();
+    let required_in = |views: u64| {
+        let line = format!("requires two.toml --size 32x24 --json --orbit {views}");
+        let found = json(folder.path(), &line);
+        assert_eq!(found["views"], views);
+        let behind = names(&found)
+            .iter()
+            .position(|name| *name == "cuboid behind");
+        let behind = &found["parts"][behind.expect("it is a part")];
+        assert_eq!(behind["required"], behind["required_in"] != 0);
+        behind["required_in"].as_u64().unwrap()
+    };
+    // From the front it is hidden, and from behind it is before the other one, of its colour.
+    assert_eq!(required_in(1), 0);
+    assert_eq!(required_in(4), 2);
+    let output = run(folder.path(), "requires two.toml --size 32x24 --orbit 4");
+    let table = String::from_utf8(output.stdout).unwrap();
+    let row = table.lines().find(|line| line.starts_with("cuboid behind"));
+    assert!(row.is_some_and(|row| row.ends_with("in 2 of 4")), "{table}");
 }
 
 #[test]
