@@ -6,7 +6,7 @@
 //!                                   |                                         |--> window            (view)
 //!                                   |                                         |--> PNG               (render, figures)
 //!                                   |--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
-//!                                   '--reference (intervals)--> enclosures --> a proof (prove, extremes, window)
+//!                                   '--reference (intervals)--> enclosures --> a proof (prove, extremes, requires, window)
 //! ```
 //!
 //! # From scene to pixel
@@ -146,6 +146,10 @@
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! Two such pictures, one without a part of the model, prove what that part is worth: [`mod@requires`] leaves out each
+//! light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn, and says which
+//! of them the tolerance requires. [`reference::Rule`] defines the pictures that no scene file can ask for.
 //!
 //! # Where numbers end
 //!

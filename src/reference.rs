@@ -232,11 +232,9 @@ impl<R: Real> Reference<R> {
                 let order = depth(other)
                     .zip(depth(&new))
                     .and_then(|(other, new)| (other * R::of(1.0 - DEPTH_TIE) - new).sign(0.0));
-                let order = match self.without {
-                    Some(Rule::DepthTest) => Some(Ordering::Greater),
-                    _ => order,
-                };
+                let is_painted_over = self.without == Some(Rule::DepthTest);
                 match order {
+                    _ if is_painted_over => !meeting.is_certain,
                     Some(Ordering::Greater) => !meeting.is_certain,
                     Some(_) => {
                         is_hidden |= other.meeting.is_certain;
@@ -286,11 +284,7 @@ impl<R: Real> Cuboid<R> {
         open: Open,
     ) -> Lit<R> {
         if self.mode == ShadingMode::Phong && self.is_perspective_correct {
-            let to_eye = match place.point {
-                Some(point) => self.solid.to_eye(point),
-                None => -line.along.unit(),
-            };
-            return self.surface.phong(place, line, to_eye, open);
+            return self.phong(place, line, open);
         }
         let weights = Solid::weights(face, is_first, place);
         let (corners, weights) = arrange(face, is_first, weights);
@@ -305,12 +299,17 @@ impl<R: Real> Cuboid<R> {
             ShadingMode::UnitVectors => self.surface.unit_vectors(corners, weights),
             ShadingMode::Phong => {
                 let place = self.blended(corners, weights, place);
-                let to_eye = place
-                    .point
-                    .map_or(-line.along.unit(), |point| self.solid.to_eye(point));
-                self.surface.phong(&place, line, to_eye, open)
+                self.phong(&place, line, open)
             }
         }
+    }
+
+    fn phong(&self, place: &Place<R>, line: &Line<R>, open: Open) -> Lit<R> {
+        let to_eye = match place.point {
+            Some(point) => self.solid.to_eye(point),
+            None => -line.along.unit(),
+        };
+        self.surface.phong(place, line, to_eye, open)
     }
 
     /// The place that interpolation of the corners gives; `place` is where the line meets their face.

@@ -39,8 +39,8 @@ pub enum Part {
     EveryPixel(usize),
     /// A cuboid; left out, what is behind it is seen.
     Cuboid(usize),
-    /// f64; left out, the reference's formula is evaluated in f32, from the scene's numbers on. No formula of it is chosen
-    /// for f32, so it errs as a textbook's does.
+    /// f64; left out, the reference's formula is evaluated in f32, from the scene's numbers on. No step of it is chosen for
+    /// f32, so it errs as a textbook's does; only where on the picture a cuboid is looked for is found exactly.
     F64SetUp,
 }
 
@@ -71,10 +71,8 @@ pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     parts.push(rule(Rule::SpecularGate, "specular gate"));
     parts.push(rule(Rule::UnitNormal, "unit normal"));
     parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", *it.name))));
-    parts.push(rule(
-        Rule::PerspectiveCorrect,
-        "perspective-correct interpolation",
-    ));
+    let name = "perspective-correct interpolation";
+    parts.push(rule(Rule::PerspectiveCorrect, name));
     parts.push(rule(Rule::DepthTest, "depth test"));
     parts.push(rule(Rule::NearPlane, "near plane"));
     parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", *it.name))));
@@ -130,10 +128,8 @@ pub fn changes(
     row_done: &(dyn Fn() + Sync),
 ) -> Vec<Change> {
     let full = Reference::<Interval>::new(&scene.world, view);
-    let pictures: Vec<Compare> = left_out
-        .iter()
-        .map(|parts| compare(scene, view, parts))
-        .collect();
+    let picture = |parts: &Vec<Part>| compare(scene, view, parts);
+    let pictures: Vec<Compare> = left_out.iter().map(picture).collect();
     let row = |y: usize| {
         let mut shown = Vec::with_capacity(view.size[0]);
         full.row(y, |_, seen| shown.push(seen.iter().map(ends).collect()));
@@ -142,8 +138,8 @@ pub fn changes(
         changes
     };
     let rows: Vec<Vec<Change>> = (0..view.size[1]).into_par_iter().map(row).collect();
-    let picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
-    (0..pictures.len()).map(picture).collect()
+    let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
+    (0..pictures.len()).map(of_picture).collect()
 }
 
 fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {

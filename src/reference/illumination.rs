@@ -201,13 +201,10 @@ impl<R: Real> Surface<R> {
             };
             along.max(zero).min(one).power(self.shininess)
         };
-        let is_open = match self.without {
-            Some(Rule::SpecularGate) => Some(true),
-            _ => facing.gate(tied),
-        };
         Incidence {
             diffuse: facing.max(zero),
-            specular: match is_open {
+            specular: match facing.gate(tied) {
+                _ if self.without == Some(Rule::SpecularGate) => power(),
                 Some(true) => power(),
                 Some(false) => zero,
                 None => power().either(zero),

@@ -52,9 +52,6 @@ pub fn time_share(
     let times = in_batches(2, MIN_SAMPLES, TIME, prepare, |_| ())?;
     let [with, without] = [&times[0], &times[1]];
     let differ = with.is_measurably_less_than(without) || without.is_measurably_less_than(with);
-    Ok(Some(if differ {
-        1.0 - without.median / with.median
-    } else {
-        0.0
-    }))
+    let share = 1.0 - without.median / with.median;
+    Ok(Some(if differ { share } else { 0.0 }))
 }
