@@ -128,6 +128,24 @@ near an edge that they may show either side, and how far the f64 reference may b
 shows proven pixels dim, undecided ones yellow and refuted ones red. Exit status 1 if a pixel is
 refuted.")]
     Prove(ProveOptions),
+    /// Says which parts of the model a scene requires: what leaving out each errs, proven, and what it costs
+    #[command(after_help = "\
+Examples:
+  shadetrade requires
+  shadetrade requires bench-close --shading phong --tolerance 4
+  shadetrade requires my.toml --orbit 8 -o least.toml
+  shadetrade requires assignment --json > requires.json
+
+Leaves out every part in turn, the others as they are: each light, the specular gate (n.l > 0), the
+normalisation of interpolated normals, Phong of each cuboid (Gouraud instead), perspective-correct
+interpolation (linear on the screen instead), the depth test (the order of the file instead), the near
+plane, each cuboid, and f64 (f32 throughout instead). Both pictures are enclosed by interval arithmetic,
+so the largest error lies between the two numbers given. A part is required unless its largest error is
+proven to be within the tolerance (0.05 level at tolerance 0).
+
+With -o it leaves out as many lights, cuboids and evaluations at every pixel as the tolerance allows
+together, and writes the scene that remains, with the one camera looked through.")]
+    Requires(RequiresOptions),
     /// Runs the table of numerical extremes: what each ought to give, what it gives, and whether that is right
     #[command(after_help = "\
 Examples:
@@ -182,6 +200,7 @@ impl Command {
             Command::Render(options) if options.reference => options.drawing.workers.threads(),
             Command::Probe(options) => options.drawing.workers.threads(),
             Command::Prove(options) => options.drawing.workers.threads(),
+            Command::Requires(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),
             Command::Replay(options) => options.workers.threads(),
             // What is not timed may take every core.
@@ -379,6 +398,27 @@ pub struct ProveOptions {
     pub json: bool,
 }
 
+/// The options of `requires`.
+#[derive(Args, Debug)]
+pub struct RequiresOptions {
+    /// What is drawn, and how.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// Looks from N places, 1 to 360, evenly round the camera's target at its height
+    #[arg(long, value_name = "N", default_value = "1", hide_default_value = true, value_parser = views, allow_negative_numbers = true)]
+    pub orbit: usize,
+    /// Where the least scene goes that still keeps the tolerance
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(file))]
+    pub output: Option<Output>,
+    /// Prints one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn views(text: &str) -> Result<usize, &'static str> {
+    options::whole_number(text, 360).ok_or("it is a whole number from 1 to 360")
+}
+
 /// The options of `extremes`.
 #[derive(Args, Debug)]
 pub struct ExtremesOptions {
@@ -417,11 +457,15 @@ fn picture_file(path: PathBuf) -> Result<Output, &'static str> {
     }
 }
 
-/// Standard output takes the counts.
 fn map_file(path: PathBuf) -> Result<Output, &'static str> {
-    match picture_file(path)? {
+    picture_file(path.clone()).and_then(|_| file(path))
+}
+
+/// Standard output takes what is found.
+fn file(path: PathBuf) -> Result<Output, &'static str> {
+    match Output::from(path) {
         Output::Stdout => {
-            Err("it is a file: standard output takes the counts; ./- is a file of that name")
+            Err("it is a file: standard output takes what is found; ./- is a file of that name")
         }
         file @ Output::File(_) => Ok(file),
     }

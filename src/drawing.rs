@@ -57,6 +57,20 @@ impl Drawing {
         }
     }
 
+    /// The mode of all cuboids, or `scene` where they differ.
+    pub fn mode(&self) -> &'static str {
+        if let Some(mode) = self.shading {
+            return mode.name();
+        }
+        let mut modes = self.scene.world.query::<&ShadingMode>();
+        let mut modes = modes.iter().copied();
+        let first = modes.next();
+        match first.filter(|first| modes.all(|mode| mode == *first)) {
+            Some(mode) => mode.name(),
+            None => "scene",
+        }
+    }
+
     /// Who draws it.
     ///
     /// # Errors

@@ -6,7 +6,7 @@
 //!                                   |                                         |--> window            (view)
 //!                                   |                                         |--> PNG               (render, figures)
 //!                                   |--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
-//!                                   '--reference (intervals)--> enclosures --> a proof (prove, extremes, window)
+//!                                   '--reference (intervals)--> enclosures --> a proof (prove, extremes, requires, window)
 //! ```
 //!
 //! # From scene to pixel
@@ -147,6 +147,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Two such pictures, one without a part of the model, prove what that part is worth: [`mod@requires`] leaves out each
+//! light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn, and says which
+//! of them the tolerance requires. [`reference::Rule`] defines the pictures that no scene file can ask for.
+//!
 //! # Where numbers end
 //!
 //! [`extremes`] is one table of what a scene can hold at the ends of its ranges: the near plane through a corner, a light an
@@ -180,7 +184,7 @@
 //! ```text
 //! main
 //! cli          window       extremes
-//! prove        pictures     probe
+//! prove        requires     pictures     probe
 //! trade
 //! drawing      systems      reference
 //! frame
@@ -211,6 +215,7 @@ pub mod pictures;
 pub mod probe;
 pub mod prove;
 pub mod reference;
+pub mod requires;
 pub mod scene;
 pub mod shading;
 pub mod simd;

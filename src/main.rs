@@ -13,7 +13,7 @@ use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::recording::Log;
 use shadetrade::window::{self, WindowError};
-use shadetrade::{extremes, output, pictures, probe, prove, trade};
+use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
     let begun = output::survive_file_limits().map_err(Failure::from);
@@ -60,6 +60,14 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
                 options.output.as_ref(),
                 options.json,
             )?)
+        }
+        Some(Command::Requires(options)) => {
+            if let Some(file) = &options.output {
+                options.drawing.check_output(file)?;
+            }
+            let drawing = options.drawing.open()?;
+            let least = options.output.as_ref();
+            Ok(requires::run(&drawing, options.orbit, least, options.json)?)
         }
         Some(Command::Extremes(options)) => extremes(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),

@@ -17,6 +17,7 @@
 mod illumination;
 mod interval;
 mod real;
+mod rule;
 mod sample;
 mod sight;
 mod vector;
@@ -32,9 +33,10 @@ use crate::components::{
     FACES, FileOrder, Light, Material, Mesh, ShadingMode, Spin, TRIANGLES, Transform, View,
 };
 use crate::frame::NO_TRIANGLE;
-use illumination::{Lit, Open, Surface, TIES};
+use illumination::{Lit, Open, Surface, TIES, blend};
 pub use interval::Interval;
 pub use real::Real;
+pub use rule::Rule;
 pub use sample::{LightSample, Sample, at_pixel};
 use sight::{Line, Meeting, Place, Sight, Solid};
 use vector::Vector;
@@ -56,8 +58,10 @@ pub struct Truth {
     pub triangles: Vec<u32>,
 }
 
-/// A picture to be evaluated, in f64 or in intervals.
+/// A picture to be evaluated, in f64, in f32 or in intervals.
 pub struct Reference<R> {
+    /// The rule that is left out, if any.
+    without: Option<Rule>,
     sight: Sight<R>,
     cuboids: Vec<Cuboid<R>>,
     background: Vector<R>,
@@ -70,6 +74,7 @@ struct Cuboid<R> {
     surface: Surface<R>,
     mesh: Mesh,
     mode: ShadingMode,
+    is_perspective_correct: bool,
 }
 
 /// The entities in file order, whatever order the world has them in.
@@ -91,8 +96,13 @@ pub struct Seen<R> {
 impl<R: Real> Reference<R> {
     /// The picture of `world` that `view` asks for; the view's tolerance is not used.
     pub fn new(world: &World, view: &View) -> Self {
-        let sight = Sight::new(view);
-        let enclosed = Sight::<Interval>::new(view);
+        Reference::without(world, view, None)
+    }
+
+    /// The same picture without one of the model's rules.
+    pub fn without(world: &World, view: &View, without: Option<Rule>) -> Self {
+        let sight = Sight::new(view, without);
+        let enclosed = Sight::<Interval>::new(view, without);
         let mut query = world.query::<(&FileOrder, &Transform, &Light)>();
         let lights = query.iter().filter(|(_, _, light)| light.on);
         let lights = in_file_order(
@@ -113,15 +123,17 @@ impl<R: Real> Reference<R> {
                 let solid = Solid::new(&sight, transform, mesh, enclosed.bounds(transform, mesh));
                 let places = (sight.eye, transform.position);
                 let cuboid = Cuboid {
-                    surface: Surface::new(&solid, mesh, material, &lights, places),
+                    surface: Surface::new(&solid, mesh, material, &lights, places, without),
                     solid,
                     mesh: *mesh,
                     mode: view.shading.unwrap_or(*mode),
+                    is_perspective_correct: without != Some(Rule::PerspectiveCorrect),
                 };
                 (*order, cuboid)
             });
         let cuboids = in_file_order(cuboids);
         Reference {
+            without,
             sight,
             cuboids,
             background: Vector::exact(view.background),
@@ -219,8 +231,10 @@ impl<R: Real> Reference<R> {
             met.retain(|other| {
                 let order = depth(other)
                     .zip(depth(&new))
-                    .and_then(|(other, new)| (other * R::from(1.0 - DEPTH_TIE) - new).sign(0.0));
+                    .and_then(|(other, new)| (other * R::of(1.0 - DEPTH_TIE) - new).sign(0.0));
+                let is_painted_over = self.without == Some(Rule::DepthTest);
                 match order {
+                    _ if is_painted_over => !meeting.is_certain,
                     Some(Ordering::Greater) => !meeting.is_certain,
                     Some(_) => {
                         is_hidden |= other.meeting.is_certain;
@@ -252,7 +266,9 @@ impl<R: Real> Cuboid<R> {
             None => self.solid.is_on_first(face, line),
         };
         match is_on_first {
-            None if self.mode != ShadingMode::Phong => &[true, false],
+            None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
+                &[true, false]
+            }
             Some(false) => &[false],
             _ => &[true],
         }
@@ -267,23 +283,45 @@ impl<R: Real> Cuboid<R> {
         place: &Place<R>,
         open: Open,
     ) -> Lit<R> {
-        if self.mode == ShadingMode::Phong {
-            let to_eye = match place.point {
-                Some(point) => self.solid.to_eye(point),
-                None => -line.along.unit(),
-            };
-            return self.surface.phong(place, line, to_eye, open);
+        if self.mode == ShadingMode::Phong && self.is_perspective_correct {
+            return self.phong(place, line, open);
         }
         let weights = Solid::weights(face, is_first, place);
         let (corners, weights) = arrange(face, is_first, weights);
-        if self.mode != ShadingMode::UnitVectors {
-            return self.surface.gouraud(corners, weights, open);
+        let depths = self.solid.depths(corners, &self.mesh);
+        let depths = depths.filter(|depths| match self.mode {
+            ShadingMode::UnitVectors => self.solid.are_beyond_near(depths),
+            _ => !self.is_perspective_correct,
+        });
+        let weights = depths.map_or(weights, |depths| on_screen(weights, depths));
+        match self.mode {
+            ShadingMode::Gouraud => self.surface.gouraud(corners, weights, open),
+            ShadingMode::UnitVectors => self.surface.unit_vectors(corners, weights),
+            ShadingMode::Phong => {
+                let place = self.blended(corners, weights, place);
+                self.phong(&place, line, open)
+            }
         }
-        let weights = match self.solid.depths(corners, &self.mesh) {
-            Some(depths) => on_screen(weights, depths),
-            None => weights,
+    }
+
+    fn phong(&self, place: &Place<R>, line: &Line<R>, open: Open) -> Lit<R> {
+        let to_eye = match place.point {
+            Some(point) => self.solid.to_eye(point),
+            None => -line.along.unit(),
         };
-        self.surface.unit_vectors(corners, weights)
+        self.surface.phong(place, line, to_eye, open)
+    }
+
+    /// The place that interpolation of the corners gives; `place` is where the line meets their face.
+    fn blended(&self, corners: [usize; 3], weights: [R; 3], place: &Place<R>) -> Place<R> {
+        let [a, b, c] = corners.map(|corner| Vector::exact(self.mesh.corners[corner]));
+        let share = |corner: usize| Vector::exact(self.mesh.corners[corner].signum() / 2.0);
+        Place {
+            share: blend(corners.map(share), weights),
+            // The eye may be so far away that it must not be weighted.
+            point: Some(a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2]),
+            ..*place
+        }
     }
 }
 

@@ -171,7 +171,7 @@ impl Scene {
     /// transforms, and what a frame derives starts empty.
     #[must_use]
     pub fn snapshot(&self) -> Scene {
-        let mut copy = Scene::spawn(self.name.clone(), &self.record(Scene::viewpoint));
+        let mut copy = Scene::spawn(self.name.clone(), &self.to_record());
         copy.look_from(self.active_camera());
         copy
     }
@@ -179,7 +179,12 @@ impl Scene {
     /// The text of a scene file that describes the scene as it stands now: read again it gives the same components, bit
     /// for bit. The assignment's shortcut, which no file can ask for, becomes Phong.
     pub fn to_toml(&self) -> String {
-        self.record(Scene::viewpoint).write()
+        self.to_record().write()
+    }
+
+    /// The same as the tables of a file.
+    pub(crate) fn to_record(&self) -> SceneRecord {
+        self.record(Scene::viewpoint)
     }
 
     /// The same with the view of the active camera, as it is now, as the first camera, and the others where the file has

@@ -226,7 +226,7 @@ fn threads(text: &str) -> Result<usize, String> {
 }
 
 /// A number written in digits alone, 1..=`most`.
-fn whole_number(text: &str, most: usize) -> Option<usize> {
+pub(super) fn whole_number(text: &str, most: usize) -> Option<usize> {
     let digits = text.bytes().all(|byte| byte.is_ascii_digit());
     text.parse()
         .ok()

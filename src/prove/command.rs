@@ -8,7 +8,7 @@ use anyhow::{Context, bail};
 use serde::Serialize;
 
 use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
-use crate::components::{ShadingMode, View};
+use crate::components::View;
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::Output;
@@ -63,7 +63,7 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
         camera: &cameras[drawing.camera],
         projection: view.projection.name(),
         size: view.size,
-        mode: mode(drawing),
+        mode: drawing.mode(),
         tolerance: view.tolerance,
         limit: limit(view.tolerance),
         pixels: proof.marks.len(),
@@ -103,20 +103,6 @@ fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
         prove(world, view, workers, &|| false, &done)
     })?;
     proof.context("the proof was cancelled")
-}
-
-/// The mode of all cuboids, or `scene` where they differ.
-fn mode(drawing: &Drawing) -> &'static str {
-    if let Some(mode) = drawing.shading {
-        return mode.name();
-    }
-    let mut modes = drawing.scene.world.query::<&ShadingMode>();
-    let mut modes = modes.iter().copied();
-    let first = modes.next();
-    match first.filter(|first| modes.all(|mode| mode == *first)) {
-        Some(mode) => mode.name(),
-        None => "scene",
-    }
 }
 
 /// A proven pixel is dimmed, so that the others stand out.

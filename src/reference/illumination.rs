@@ -14,6 +14,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::real::Real;
+use super::rule::Rule;
 use super::sight::{Line, Place, Solid};
 use super::vector::Vector;
 use crate::components::{Light, LightKind, Material, Mesh};
@@ -75,6 +76,8 @@ pub struct Lit<R> {
 
 /// A cuboid's surface under its lights.
 pub struct Surface<R> {
+    /// The rule that is left out, if any.
+    without: Option<Rule>,
     shininess: f64,
     ambient: Vector<R>,
     sources: Vec<Source<R>>,
@@ -93,6 +96,7 @@ impl<R: Real> Surface<R> {
         material: &Material,
         lights: &[(DVec3, Light)],
         (eye, centre): (DVec3, DVec3),
+        without: Option<Rule>,
     ) -> Self {
         let zero = Vector::exact(DVec3::ZERO);
         let mut ambient = zero;
@@ -105,7 +109,7 @@ impl<R: Real> Surface<R> {
                 LightKind::Diffuse => material.diffuse,
                 LightKind::Specular => material.specular,
             };
-            let sent = Vector::exact(light.color) * R::from(light.intensity) * R::from(light.gain);
+            let sent = Vector::exact(light.color) * R::of(light.intensity) * R::of(light.gain);
             let levels = Vector::exact(coefficient).zip(sent, R::mul);
             let source = (light.kind != LightKind::Ambient).then(|| {
                 // -0 and 0 are one place.
@@ -152,6 +156,7 @@ impl<R: Real> Surface<R> {
             }
         });
         let mut surface = Surface {
+            without,
             shininess: material.shininess,
             ambient,
             sources,
@@ -183,18 +188,23 @@ impl<R: Real> Surface<R> {
         to_light: Vector<R>,
         tied: bool,
     ) -> Incidence<R> {
-        let (zero, one) = (R::from(0.0), R::from(1.0));
+        let (zero, one) = (R::of(0.0), R::of(1.0));
         let facing = normal.dot(to_light);
         let power = || {
             let reflected = reflection(normal, to_light);
-            // |r - o|^2 / 2 is 1 - o.r, and sharp where o.r is nearly 1.
-            let missed = (reflected - to_eye).length_squared() / R::from(2.0);
-            let along = to_eye.dot(reflected).both(one - missed);
+            let along = to_eye.dot(reflected);
+            let along = if self.without == Some(Rule::UnitNormal) {
+                along
+            } else {
+                // Of unit vectors |r - o|^2 / 2 is 1 - o.r, and sharp where o.r is nearly 1.
+                along.both(one - (reflected - to_eye).length_squared() / R::of(2.0))
+            };
             along.max(zero).min(one).power(self.shininess)
         };
         Incidence {
             diffuse: facing.max(zero),
             specular: match facing.gate(tied) {
+                _ if self.without == Some(Rule::SpecularGate) => power(),
                 Some(true) => power(),
                 Some(false) => zero,
                 None => power().either(zero),
@@ -221,7 +231,7 @@ impl<R: Real> Surface<R> {
                 levels = levels + source.specular * incidence.specular;
                 is_tied |= normal.dot(to_light).is_tied();
             } else {
-                levels = levels + source.diffuse * normal.dot(to_light).max(R::from(0.0));
+                levels = levels + source.diffuse * normal.dot(to_light).max(R::of(0.0));
             }
         }
         Lit { levels, is_tied }
@@ -230,7 +240,13 @@ impl<R: Real> Surface<R> {
     /// Phong (1975): the model at the point of a face that the line meets.
     pub fn phong(&self, place: &Place<R>, line: &Line<R>, to_eye: Vector<R>, open: Open) -> Lit<R> {
         let to_light = |source| self.to_light(source, place, line);
-        self.lit(place.share.unit(), to_eye, to_light, open)
+        let normal = if self.without == Some(Rule::UnitNormal) {
+            // A corner is at 1/2 along every axis, where its normal has 1 / sqrt(3).
+            place.share * (R::of(2.0) / R::of(3.0).sqrt())
+        } else {
+            place.share.unit()
+        };
+        self.lit(normal, to_eye, to_light, open)
     }
 
     /// l of a source at a point: w (L - P) = w (L - O) - H d, all along the cuboid's axes.
@@ -275,7 +291,7 @@ impl<R: Real> Surface<R> {
 
 /// r: `to_light` mirrored at the normal.
 pub fn reflection<R: Real>(normal: Vector<R>, to_light: Vector<R>) -> Vector<R> {
-    normal * (R::from(2.0) * normal.dot(to_light)) - to_light
+    normal * (R::of(2.0) * normal.dot(to_light)) - to_light
 }
 
 /// What three corners have, by their weights.

@@ -1,4 +1,4 @@
-//! The numbers that the formula is evaluated in: f64 gives one value, intervals enclose every value that exact
+//! The numbers that the formula is evaluated in: f64 and f32 give one value, intervals enclose every value that exact
 //! arithmetic could give.
 //!
 //! Rule: an interval that straddles a bound is undecided, and nothing takes "undecided" for "no".
@@ -19,13 +19,15 @@ pub trait Real:
     Copy
     + Send
     + Sync
-    + From<f64>
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// A number of the scene: exact, or in f32 the nearest.
+    fn of(value: f64) -> Self;
+
     /// The least and the largest value that it can stand for.
     fn endpoints(self) -> [f64; 2];
 
@@ -64,57 +66,73 @@ pub trait Real:
     fn either(self, other: Self) -> Self;
 }
 
-impl Real for f64 {
-    fn endpoints(self) -> [f64; 2] {
-        [self; 2]
-    }
+/// Rounds every operation to the nearest number of the type.
+macro_rules! float {
+    ($float:ident) => {
+        impl Real for $float {
+            fn of(value: f64) -> Self {
+                value as $float
+            }
 
-    fn sign(self, _margin: f64) -> Option<Ordering> {
-        self.partial_cmp(&0.0)
-    }
+            fn endpoints(self) -> [f64; 2] {
+                [self.into(); 2]
+            }
 
-    fn gate(self, _tied: bool) -> Option<bool> {
-        Some(self > 0.0)
-    }
+            fn sign(self, _margin: f64) -> Option<Ordering> {
+                self.partial_cmp(&0.0)
+            }
 
-    fn is_tied(self) -> bool {
-        false
-    }
+            fn gate(self, _tied: bool) -> Option<bool> {
+                Some(self > 0.0)
+            }
 
-    fn square(self) -> Self {
-        self * self
-    }
+            fn is_tied(self) -> bool {
+                false
+            }
 
-    fn sqrt(self) -> Self {
-        f64::sqrt(self)
-    }
+            fn square(self) -> Self {
+                self * self
+            }
 
-    fn max(self, other: Self) -> Self {
-        f64::max(self, other)
-    }
+            fn sqrt(self) -> Self {
+                $float::sqrt(self)
+            }
 
-    fn min(self, other: Self) -> Self {
-        f64::min(self, other)
-    }
+            fn max(self, other: Self) -> Self {
+                $float::max(self, other)
+            }
 
-    fn sin_cos(degrees: f64) -> [Self; 2] {
-        degrees.to_radians().sin_cos().into()
-    }
+            fn min(self, other: Self) -> Self {
+                $float::min(self, other)
+            }
 
-    fn power(self, exponent: f64) -> Self {
-        self.powf(exponent)
-    }
+            fn sin_cos(degrees: f64) -> [Self; 2] {
+                (degrees as $float).to_radians().sin_cos().into()
+            }
 
-    fn both(self, _other: Self) -> Self {
-        self
-    }
+            fn power(self, exponent: f64) -> Self {
+                self.powf(exponent as $float)
+            }
 
-    fn either(self, _other: Self) -> Self {
-        self
-    }
+            fn both(self, _other: Self) -> Self {
+                self
+            }
+
+            fn either(self, _other: Self) -> Self {
+                self
+            }
+        }
+    };
 }
 
+float!(f64);
+float!(f32);
+
 impl Real for Interval {
+    fn of(value: f64) -> Self {
+        Interval::from(value)
+    }
+
     fn endpoints(self) -> [f64; 2] {
         Interval::endpoints(self)
     }

@@ -25,12 +25,16 @@ use std::ops::Range;
 
 use self::edge::Edge;
 use super::real::Real;
+use super::rule::Rule;
 use super::vector::Vector;
 use crate::components::{Mesh, Projection, Transform, View};
 use glam::DVec3;
 
 /// How near to an edge, in pixels, a pixel's centre may show either side: snapping moves corners by up to 0.003 pixel.
 pub const EDGE: f64 = 0.01;
+
+/// Farther away than anything in a scene, in world units.
+const FAR: f64 = 1e150;
 
 /// The lines of sight of a picture.
 pub struct Sight<R> {
@@ -111,8 +115,8 @@ pub struct Place<R> {
 }
 
 impl<R: Real> Sight<R> {
-    /// The lines of sight that `view` asks for.
-    pub fn new(view: &View) -> Self {
+    /// The lines of sight that `view` asks for, without one of the model's rules.
+    pub fn new(view: &View, without: Option<Rule>) -> Self {
         let camera = &view.viewpoint.camera;
         let eye = view.viewpoint.position;
         let to_target = Vector::exact(camera.target) - Vector::exact(eye);
@@ -121,19 +125,21 @@ impl<R: Real> Sight<R> {
         let seen = match view.projection {
             Projection::Perspective => {
                 let [sin, cos] = R::sin_cos(camera.fov / 2.0);
-                R::from(2.0) * sin / cos
+                R::of(2.0) * sin / cos
             }
-            Projection::Orthographic => R::from(camera.height),
+            Projection::Orthographic => R::of(camera.height),
         };
         Sight {
             eye,
             axes: [right, right.cross(forward), forward],
             projection: view.projection,
-            near: match camera.near {
-                Some(near) => R::from(near),
-                None => to_target.dot(forward) / R::from(1000.0),
+            near: match (camera.near, view.projection) {
+                (_, Projection::Perspective) if without == Some(Rule::NearPlane) => R::of(0.0),
+                (_, Projection::Orthographic) if without == Some(Rule::NearPlane) => R::of(-FAR),
+                (Some(near), _) => R::of(near),
+                (None, _) => to_target.dot(forward) / R::of(1000.0),
             },
-            pitch: seen / R::from(view.size[1] as f64),
+            pitch: seen / R::of(view.size[1] as f64),
             size: view.size,
         }
     }
@@ -228,7 +234,7 @@ impl<R: Real> Solid<R> {
         let mut solid = Solid {
             axes,
             half,
-            per_edge: half.map(|half| R::from(0.5) / R::from(half)),
+            per_edge: half.map(|half| R::of(0.5) / R::of(half)),
             eye: own(Vector::exact(sight.eye) - Vector::exact(transform.position)),
             step: [right * sight.pitch, -up * sight.pitch],
             forward,
@@ -262,7 +268,7 @@ impl<R: Real> Solid<R> {
     /// The eye's height above the plane of a face.
     fn height(&self, face: usize) -> R {
         let (axis, outwards) = across(face);
-        signed(outwards, self.eye.0[axis]) - R::from(self.half[axis])
+        signed(outwards, self.eye.0[axis]) - R::of(self.half[axis])
     }
 
     /// Greater: a face looks towards the eye.
@@ -270,7 +276,7 @@ impl<R: Real> Solid<R> {
         let (axis, outwards) = across(face);
         match self.projection {
             Projection::Perspective => self.height(face).sign(0.0),
-            Projection::Orthographic => (R::from(-outwards) * self.forward.0[axis]).sign(0.0),
+            Projection::Orthographic => (R::of(-outwards) * self.forward.0[axis]).sign(0.0),
         }
     }
 
@@ -280,8 +286,8 @@ impl<R: Real> Solid<R> {
         // The way from the eye to a place on the face: where an edge across `axis` is, or the middle.
         let to = |axis: usize, end: f64| {
             let mut way = -self.eye;
-            way.0[k] = R::from(outwards * self.half[k]) - self.eye.0[k];
-            way.0[axis] = R::from(end * self.half[axis]) - self.eye.0[axis];
+            way.0[k] = R::of(outwards * self.half[k]) - self.eye.0[k];
+            way.0[axis] = R::of(end * self.half[axis]) - self.eye.0[axis];
             way
         };
         // How far a line passes that place along `axis`, times its pace towards the face.
@@ -290,15 +296,15 @@ impl<R: Real> Solid<R> {
         };
         let ends = [(i, -1.0), (i, 1.0), (j, -1.0), (j, 1.0)];
         let edges = ends.map(|(axis, end)| {
-            let sign = R::from(-end * outwards);
+            let sign = R::of(-end * outwards);
             self.edge(to(axis, end), |to, along| sign * passing(axis, to, along))
         });
         let is_shared = ends.map(|(axis, end)| {
             fronts[2 * axis + usize::from(end < 0.0)] == Some(Ordering::Greater)
         });
-        let sign = R::from(outwards);
+        let sign = R::of(outwards);
         // Proportions, because products of lengths leave the range of f64.
-        let [half_i, half_j] = [i, j].map(|axis| R::from(self.half[axis]));
+        let [half_i, half_j] = [i, j].map(|axis| R::of(self.half[axis]));
         let longer = half_i.max(half_j);
         let diagonal = self.edge(to(i, 0.0), |to, along| {
             let [of_i, of_j] = [i, j].map(|axis| passing(axis, to, along));
@@ -307,7 +313,7 @@ impl<R: Real> Solid<R> {
         // The height over the face, less what the line loses of it up to the near plane.
         let pace = match self.projection {
             Projection::Perspective => self.near,
-            Projection::Orthographic => R::from(1.0),
+            Projection::Orthographic => R::of(1.0),
         };
         let near = Edge::new(
             self.height(number) + sign * self.forward.0[k] * self.near,
@@ -333,7 +339,7 @@ impl<R: Real> Solid<R> {
     /// The line of sight through the centre of pixel (`x`, `y`).
     pub fn line(&self, sight: &Sight<R>, x: usize, y: usize) -> Line<R> {
         let pixel = sight.offset(x, y);
-        let moved = self.step[0] * R::from(pixel[0]) + self.step[1] * R::from(pixel[1]);
+        let moved = self.step[0] * R::of(pixel[0]) + self.step[1] * R::of(pixel[1]);
         let (offset, along) = match self.projection {
             Projection::Perspective => (Vector::exact(DVec3::ZERO), self.forward + moved),
             Projection::Orthographic => (moved, self.forward),
@@ -405,7 +411,7 @@ impl<R: Real> Solid<R> {
         let depth = height / slope;
         let share = std::array::from_fn(|i| {
             if i == axis {
-                R::from(0.5 * outwards)
+                R::of(0.5 * outwards)
             } else {
                 (line.from.0[i] + line.along.0[i] * depth) * self.per_edge[i]
             }
@@ -423,7 +429,7 @@ impl<R: Real> Solid<R> {
         let place = self.place(face, line);
         let depth = place.height / place.slope;
         let (axis, outwards) = across(face);
-        let end = |i: usize, sign: f64| R::from(sign * self.half[i]) - self.eye.0[i];
+        let end = |i: usize, sign: f64| R::of(sign * self.half[i]) - self.eye.0[i];
         let point: [R; 3] = std::array::from_fn(|i| {
             if i == axis {
                 end(i, outwards)
@@ -468,7 +474,7 @@ impl<R: Real> Solid<R> {
     pub fn weights(face: usize, is_first: bool, place: &Place<R>) -> [R; 3] {
         let (axis, outwards) = across(face);
         let [u, v] = along(axis).map(|axis| place.share.0[axis]);
-        let half = R::from(0.5);
+        let half = R::of(0.5);
         let (larger, smaller) = if is_first == (outwards > 0.0) {
             (u, v)
         } else {
@@ -477,12 +483,17 @@ impl<R: Real> Solid<R> {
         [half - larger, half + smaller, larger - smaller]
     }
 
-    /// Distances of corners along the view direction, unless one is nearer than the near plane.
+    /// Distances of corners along the view direction, where they matter: in perspective.
     pub fn depths(&self, corners: [usize; 3], mesh: &Mesh) -> Option<[R; 3]> {
-        let depths = corners
-            .map(|corner| (Vector::exact(mesh.corners[corner]) - self.eye).dot(self.forward));
-        let is_seen = |depth: &R| (*depth - self.near).sign(0.0) != Some(Ordering::Less);
-        (self.projection == Projection::Perspective && depths.iter().all(is_seen)).then_some(depths)
+        let depth =
+            |corner: usize| (Vector::exact(mesh.corners[corner]) - self.eye).dot(self.forward);
+        (self.projection == Projection::Perspective).then(|| corners.map(depth))
+    }
+
+    /// Whether no depth is certainly nearer than the near plane.
+    pub fn are_beyond_near(&self, depths: &[R; 3]) -> bool {
+        let is_beyond = |depth: &R| (*depth - self.near).sign(0.0) != Some(Ordering::Less);
+        depths.iter().all(is_beyond)
     }
 }
 

@@ -14,7 +14,7 @@ pub struct Vector<R>(pub [R; 3]);
 impl<R: Real> Vector<R> {
     /// The vector of three exact numbers.
     pub fn exact(vector: DVec3) -> Self {
-        Vector(vector.to_array().map(R::from))
+        Vector(vector.to_array().map(R::of))
     }
 
     /// The same to each component of two vectors.
@@ -50,7 +50,7 @@ impl<R: Real> Vector<R> {
         let largest = bounds.into_iter().fold(0.0, f64::max);
         let is_extreme = largest.is_finite() && !(1e-100..1e100).contains(&largest);
         let scaled = if is_extreme && largest > 0.0 {
-            self * R::from(largest.recip().min(f64::MAX))
+            self * R::of(largest.recip().min(f64::MAX))
         } else {
             self
         };
@@ -58,7 +58,7 @@ impl<R: Real> Vector<R> {
         if length.sign(0.0) == Some(Ordering::Equal) {
             return scaled;
         }
-        let one = R::from(1.0);
+        let one = R::of(1.0);
         Vector(scaled.0.map(|x| (x / length).max(-one).min(one)))
     }
 }

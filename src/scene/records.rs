@@ -30,7 +30,7 @@ pub const EMERALD: Material = Material {
 };
 
 /// The whole file, everything in its order.
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneRecord {
     #[serde(default)]

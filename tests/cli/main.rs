@@ -10,6 +10,7 @@ mod help;
 mod names;
 mod pictures;
 mod replays;
+mod requires;
 mod scale;
 
 use std::fs;

@@ -25,7 +25,7 @@ impl<R: Real> Edge<R> {
             at_centre,
             right,
             down,
-            pixel: Vector([right, down, R::from(0.0)]).length_squared().sqrt(),
+            pixel: Vector([right, down, R::of(0.0)]).length_squared().sqrt(),
         }
     }
 
@@ -33,7 +33,7 @@ impl<R: Real> Edge<R> {
     ///
     /// A centre on the line is on the side of what lies to the right, or below if the line is level.
     pub fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
-        let distance = self.at_centre + self.right * R::from(right) + self.down * R::from(down);
+        let distance = self.at_centre + self.right * R::of(right) + self.down * R::of(down);
         let is_equal = |sign| sign == Some(Ordering::Equal);
         let [_, pixel] = self.pixel.endpoints();
         match distance.sign(margin * pixel)? {

@@ -54,7 +54,7 @@ fn every_pixel_that_may_meet_a_cuboid_is_within_its_bounds_and_these_are_not_the
             rotation: numbers.vector(360.0),
         };
         let mesh = Mesh::cuboid(numbers.vector(1.5).abs());
-        let sight = Sight::<Interval>::new(&view);
+        let sight = Sight::<Interval>::new(&view, None);
         let [columns, rows] = sight.bounds(&transform, &mesh);
         let everywhere = SIZE.map(|side| 0..side);
         let solid = Solid::new(&sight, &transform, &mesh, everywhere);
@@ -86,7 +86,7 @@ fn a_face_turned_with_the_camera_is_certainly_met() {
             let (sin, cos) = f64::to_radians(degrees).sin_cos();
             let view = view(DVec3::new(sin, 0.0, cos) * 6.0, DVec3::ZERO, projection);
             let mesh = Mesh::cuboid(DVec3::splat(2.0));
-            let sight = Sight::<Interval>::new(&view);
+            let sight = Sight::<Interval>::new(&view, None);
             let solid = Solid::new(&sight, &transform, &mesh, sight.bounds(&transform, &mesh));
             let middle = SIZE.map(|side| side / 2);
             let meeting = solid.meet(&solid.line(&sight, middle[0], middle[1]));

@@ -1,0 +1,202 @@
+//! A scene and its views in; what each part of the model is worth to the picture out, proven.
+//!
+//! ```text
+//! scene --reference over intervals--> what each pixel shows ---------------+
+//!    |                                                                     +--> error --> required or not
+//!    '--without a part--> reference over intervals --> what each shows ----+
+//! ```
+//! A part is left out alone, and the others stay as they are. Its error is between displayed levels, the largest of the
+//! three channels. Both pictures are enclosed, so it lies in an interval: the largest error of the picture is at least the
+//! largest of the lower ends and at most the largest of the upper ends.
+//!
+//! Rule: a part is required unless it is proven that the picture without it keeps the tolerance. A pixel whose centre is so
+//! near an edge that it may show either side is judged as `prove` judges it: each value it may show without the part is held
+//! against the nearest of those it may show with it.
+
+mod command;
+mod least;
+mod share;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::components::{ShadingMode, View};
+use crate::reference::{Interval, Real, Reference, Rule, Seen};
+use crate::scene::Scene;
+use crate::shading::limit;
+use crate::trade::metrics::displayed;
+pub use command::run;
+pub use least::least;
+
+/// A part of the model. Cuboids and lights are named by their place in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A light that is on; left out, it is off.
+    Light(usize),
+    /// A rule of the reference; see [`Rule`] for what a picture without it is.
+    Rule(Rule),
+    /// Phong of a cuboid; left out, it is Gouraud.
+    EveryPixel(usize),
+    /// A cuboid; left out, what is behind it is seen.
+    Cuboid(usize),
+    /// f64; left out, the reference's formula is evaluated in f32, from the scene's numbers on. No step of it is chosen for
+    /// f32, so it errs as a textbook's does; only where on the picture a cuboid is looked for is found exactly.
+    F64SetUp,
+}
+
+/// What leaving out parts does to a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Change {
+    /// The largest error, in levels: at least, and at most.
+    pub largest_error: [f64; 2],
+    /// How many pixels err by more than the tolerance, whatever the values in their enclosures are.
+    pub pixels: u64,
+}
+
+/// The least and the largest displayed level, by channel.
+type Ends = [[f64; 2]; 3];
+
+/// What a row of a picture errs against what the full picture may show in each of its columns.
+type Compare = Box<dyn Fn(usize, &[Vec<Ends>]) -> Change + Sync>;
+
+/// The parts of the model that a scene is drawn with and what they are called, in the order in which they are reported.
+pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
+    let scene = scene.to_record();
+    let rule = |rule, name: &str| (Part::Rule(rule), name.to_owned());
+    let lights = scene.light.iter().enumerate().filter(|(_, it)| it.on);
+    let cuboids = || scene.cuboid.iter().enumerate();
+    let phong = cuboids().filter(|(_, it)| *it.shading == ShadingMode::Phong);
+    let mut parts = Vec::new();
+    parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", *it.name))));
+    parts.push(rule(Rule::SpecularGate, "specular gate"));
+    parts.push(rule(Rule::UnitNormal, "unit normal"));
+    parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", *it.name))));
+    let name = "perspective-correct interpolation";
+    parts.push(rule(Rule::PerspectiveCorrect, name));
+    parts.push(rule(Rule::DepthTest, "depth test"));
+    parts.push(rule(Rule::NearPlane, "near plane"));
+    parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", *it.name))));
+    parts.push((Part::F64SetUp, "f64 set-up".to_owned()));
+    parts
+}
+
+/// The scene without some of its lights, cuboids and ways of shading.
+pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
+    let mut record = scene.to_record();
+    for part in parts {
+        match *part {
+            Part::Light(light) => record.light[light].on = false,
+            Part::EveryPixel(cuboid) => *record.cuboid[cuboid].shading = ShadingMode::Gouraud,
+            Part::Rule(_) | Part::Cuboid(_) | Part::F64SetUp => {}
+        }
+    }
+    let mut cuboids = (0..).map(Part::Cuboid);
+    let is_kept = |_: &_| !cuboids.next().is_some_and(|cuboid| parts.contains(&cuboid));
+    record.cuboid.value.retain(is_kept);
+    Scene::spawn(scene.name.clone(), &record)
+}
+
+impl Change {
+    /// All of them together.
+    pub fn sum(changes: impl IntoIterator<Item = Change>) -> Change {
+        let add = |sum: Change, one: Change| Change {
+            largest_error: [0, 1].map(|end| sum.largest_error[end].max(one.largest_error[end])),
+            pixels: sum.pixels + one.pixels,
+        };
+        changes.into_iter().fold(Change::default(), add)
+    }
+
+    /// The upper end of the largest error.
+    pub fn most(&self) -> f64 {
+        self.largest_error[1]
+    }
+
+    /// Whether it is proven that the picture keeps the tolerance.
+    pub fn keeps(&self, tolerance: f64) -> bool {
+        self.most() <= limit(tolerance)
+    }
+}
+
+/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `row_done` is called
+/// once for each row.
+///
+/// The view leaves each cuboid its own shading.
+pub fn changes(
+    scene: &Scene,
+    view: &View,
+    left_out: &[Vec<Part>],
+    row_done: &(dyn Fn() + Sync),
+) -> Vec<Change> {
+    let full = Reference::<Interval>::new(&scene.world, view);
+    let picture = |parts: &Vec<Part>| compare(scene, view, parts);
+    let pictures: Vec<Compare> = left_out.iter().map(picture).collect();
+    let row = |y: usize| {
+        let mut shown = Vec::with_capacity(view.size[0]);
+        full.row(y, |_, seen| shown.push(seen.iter().map(ends).collect()));
+        let changes = pictures.iter().map(|compare| compare(y, &shown)).collect();
+        row_done();
+        changes
+    };
+    let rows: Vec<Vec<Change>> = (0..view.size[1]).into_par_iter().map(row).collect();
+    let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
+    (0..pictures.len()).map(of_picture).collect()
+}
+
+fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {
+    let world = &without(scene, left_out).world;
+    let rule = left_out.iter().find_map(|part| match part {
+        Part::Rule(rule) => Some(*rule),
+        _ => None,
+    });
+    let limit = limit(view.tolerance);
+    if left_out.contains(&Part::F64SetUp) {
+        compare_in(Reference::<f32>::without(world, view, rule), limit)
+    } else {
+        compare_in(Reference::<Interval>::without(world, view, rule), limit)
+    }
+}
+
+fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64) -> Compare {
+    Box::new(move |y, full| {
+        let mut changes = Vec::with_capacity(full.len());
+        picture.row(y, |x, seen| {
+            let largest_error = error(&full[x], seen);
+            let pixels = u64::from(largest_error[0] > limit);
+            changes.push(Change {
+                largest_error,
+                pixels,
+            });
+        });
+        Change::sum(changes)
+    })
+}
+
+fn ends<R: Real>(seen: &Seen<R>) -> Ends {
+    seen.levels.map(|level| level.endpoints().map(displayed))
+}
+
+/// The least and the largest error of a pixel by what it may show in full and without a part.
+fn error<R: Real>(full: &[Ends], without: &[Seen<R>]) -> [f64; 2] {
+    let mut error = [f64::INFINITY, 0.0];
+    for seen in without.iter().map(ends) {
+        let mut nearest = [f64::INFINITY; 2];
+        for full in full {
+            let between = difference(full, &seen);
+            nearest = [0, 1].map(|end| nearest[end].min(between[end]));
+        }
+        error = [error[0].min(nearest[0]), error[1].max(nearest[1])];
+    }
+    error
+}
+
+/// The least and the largest difference of two enclosures, over the channels.
+fn difference(left: &Ends, right: &Ends) -> [f64; 2] {
+    let mut largest = [0.0_f64; 2];
+    for (left, right) in left.iter().zip(right) {
+        let [left, right] = [left, right].map(|[least, most]| Interval::new(*least, *most));
+        let [below, above] = (left - right).endpoints();
+        let [least, most] = [below.max(-above), above.max(-below)];
+        largest = [largest[0].max(least), largest[1].max(most)];
+    }
+    largest
+}

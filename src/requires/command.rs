@@ -1,0 +1,239 @@
+//! A [`Drawing`] in; what it requires as a table or JSON, and the least scene as a file, out.
+//!
+//! Rule: the file is a scene that is read as it stands; comments say what was left out of it and what that errs.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use serde::Serialize;
+use serde_json::json;
+
+use super::share::time_share;
+use super::{Change, Part, changes, least, parts, without};
+use crate::components::{Orbit, View};
+use crate::drawing::Drawing;
+use crate::output::{Output, printable, say};
+use crate::scene::Scene;
+use crate::trade::progress::{Progress, with_bar};
+use crate::trade::tables::{aligned, wrapped};
+use crate::trade::words::short;
+
+/// A part as `--json` and the table have it.
+#[derive(Serialize)]
+struct Row {
+    #[serde(skip)]
+    left_out: Part,
+    part: String,
+    /// In all views together.
+    #[serde(flatten)]
+    change: Change,
+    time_share: Option<f64>,
+    required: bool,
+    /// In how many views.
+    required_in: usize,
+}
+
+/// Pictures that are evaluated at once. Each holds every cuboid.
+const AT_ONCE: usize = 16;
+
+const LEGEND: &str = "Each part is left out alone. largest error: in levels of 255, proven; pixels: how many err by more \
+    than the tolerance; time: share of a frame on one thread, 0 where none can be measured, - where the renderer cannot \
+    draw without it; required: not proven to keep the tolerance without it.";
+
+/// Finds what a picture requires, prints it, and writes the least scene if one is asked for.
+///
+/// # Errors
+/// When the picture does not fit in memory, or something cannot be written.
+pub fn run(
+    drawing: &Drawing,
+    orbit: usize,
+    least_scene: Option<&Output>,
+    as_json: bool,
+) -> anyhow::Result<()> {
+    let (scene, views) = (scene(drawing), views(drawing, orbit));
+    let subject = subject(drawing, &scene, &views);
+    let rows = rows(drawing, &scene, &views)?;
+    let text = if as_json {
+        let (scene, tolerance, views) = (&scene.name, drawing.tolerance, views.len());
+        serde_json::to_string_pretty(
+            &json!({ "scene": scene, "tolerance": tolerance, "views": views, "parts": rows }),
+        )?
+    } else {
+        let texts = [subject.clone(), table(&rows, views.len()), wrapped(LEGEND)];
+        printable(&texts.join("\n\n"))
+    };
+    Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
+    match least_scene {
+        Some(output) => write_least(&subject, &scene, &views, rows, output),
+        None => Ok(()),
+    }
+}
+
+/// The scene as the options have it, with one camera.
+fn scene(drawing: &Drawing) -> Scene {
+    let mut record = drawing.scene.to_record();
+    for cuboid in &mut record.cuboid.value {
+        *cuboid.shading = drawing.shading.unwrap_or(*cuboid.shading);
+    }
+    record.camera.value = vec![record.camera.swap_remove(drawing.camera)];
+    Scene::spawn(drawing.scene.name.clone(), &record)
+}
+
+/// So many views, evenly round the camera's target, at its height; the first is the camera's own.
+fn views(drawing: &Drawing, count: usize) -> Vec<View> {
+    let view = drawing.view();
+    let turned = |number: usize| {
+        let turn = number as f64 / count as f64;
+        let orbit = Orbit {
+            azimuth: 360.0 * (turn - turn.round()),
+            ..Orbit::default()
+        };
+        View {
+            viewpoint: view.viewpoint.orbited(&orbit),
+            shading: None,
+            ..view
+        }
+    };
+    (0..count).map(turned).collect()
+}
+
+/// What is looked at.
+fn subject(drawing: &Drawing, scene: &Scene, views: &[View]) -> String {
+    let [width, height] = drawing.size;
+    let orbit = match views.len() {
+        1 => String::new(),
+        views => format!(", {views} views round its target"),
+    };
+    format!(
+        "{}, camera {}{orbit}, {}, {width}x{height}, {}, tolerance {}",
+        scene.name,
+        scene.camera_names()[0],
+        drawing.projection.name(),
+        drawing.mode(),
+        drawing.tolerance
+    )
+}
+
+/// Does `work` with a bar that shows how many of `all` it has told to be done.
+fn with_counter<T>(
+    step: &'static str,
+    all: usize,
+    work: impl FnOnce(&(dyn Fn() + Sync)) -> anyhow::Result<T>,
+) -> anyhow::Result<T> {
+    let done = AtomicUsize::new(0);
+    with_bar(|on_progress| {
+        work(&|| {
+            let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64;
+            on_progress(Progress { step, share });
+        })
+    })
+}
+
+/// A row for each part.
+fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<Row>> {
+    let parts = parts(scene);
+    let time_shares: Vec<_> = with_counter("timing", parts.len(), |part_done| {
+        let of_part = |(part, _): &(Part, _)| {
+            part_done();
+            Ok(time_share(scene, views, *part, drawing.level)?)
+        };
+        parts.iter().map(of_part).collect()
+    })?;
+    let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
+    let all = views.len() * left_out.len().div_ceil(AT_ONCE) * drawing.size[1];
+    let by_view: Vec<Vec<Change>> = with_counter("leaving out", all, |row_done| {
+        let of_view = |view| {
+            let some = left_out.chunks(AT_ONCE);
+            some.flat_map(|some| changes(scene, view, some, row_done))
+                .collect()
+        };
+        Ok(views.iter().map(of_view).collect())
+    })?;
+    let row = |(index, ((left_out, part), time_share)): (usize, ((Part, String), _))| {
+        let changes: Vec<Change> = by_view.iter().map(|view| view[index]).collect();
+        let is_required = |change: &&Change| !change.keeps(drawing.tolerance);
+        let required_in = changes.iter().filter(is_required).count();
+        Row {
+            left_out,
+            part,
+            change: Change::sum(changes),
+            time_share,
+            required: required_in > 0,
+            required_in,
+        }
+    };
+    Ok(parts
+        .into_iter()
+        .zip(time_shares)
+        .enumerate()
+        .map(row)
+        .collect())
+}
+
+/// The parts that err most first.
+fn table(rows: &[Row], views: usize) -> String {
+    let mut sorted: Vec<&Row> = rows.iter().collect();
+    sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
+    let cells = |row: &&Row| {
+        let percent = |share| format!("{:.0} %", 100.0 * share);
+        vec![
+            row.part.clone(),
+            error(row.change.largest_error),
+            row.change.pixels.to_string(),
+            row.time_share.map_or_else(|| "-".to_owned(), percent),
+            match (row.required_in, views) {
+                (0, _) => "no".to_owned(),
+                (_, 1) => "yes".to_owned(),
+                (some, all) => format!("in {some} of {all}"),
+            },
+        ]
+    };
+    let head = ["part", "largest error", "pixels", "time", "required"].map(str::to_owned);
+    aligned(&head, &sorted.iter().map(cells).collect::<Vec<_>>())
+}
+
+/// An interval in as few words as say it.
+fn error(ends: [f64; 2]) -> String {
+    let [least, most] = ends.map(|level| short(Some(level)));
+    if least == most || most == "<0.001" {
+        most
+    } else {
+        format!("{least} to {most}")
+    }
+}
+
+/// Writes the least scene that keeps the tolerance, of those parts that a scene file can do without.
+fn write_least(
+    subject: &str,
+    scene: &Scene,
+    views: &[View],
+    mut rows: Vec<Row>,
+    output: &Output,
+) -> anyhow::Result<()> {
+    rows.retain(|row| {
+        let is_in_file = !matches!(row.left_out, Part::Rule(_) | Part::F64SetUp);
+        is_in_file && !row.required
+    });
+    rows.sort_by(|left, right| left.change.most().total_cmp(&right.change.most()));
+    let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
+    let all = candidates.len() * views.len() * views[0].size[1];
+    let (left_out, change) = with_counter("looking for the least scene", all, |row_done| {
+        Ok(least(scene, views, &candidates, row_done))
+    })?;
+    rows.retain(|row| left_out.contains(&row.left_out));
+    let names: Vec<String> = rows.into_iter().map(|row| row.part).collect();
+    let most = (1e4 * change.most()).ceil() / 1e4;
+    let found = match &names[..] {
+        [] => "nothing can be left out".to_owned(),
+        names => format!(
+            "left out: {}; errs at most {most} levels, proven",
+            names.join(", ")
+        ),
+    };
+    // A name may hold a line break, which would end the comment.
+    let comments = format!("The least scene for {subject}: {found}.");
+    let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
+    let text = without(scene, &left_out).to_toml();
+    output.write(|writer| write!(writer, "# {comments}\n\n{text}"))?;
+    say(&format!("wrote {}: {found}", output.name()));
+    Ok(())
+}

@@ -1,0 +1,35 @@
+//! Parts that a scene does not require one by one in; those that it does not require together out.
+//!
+//! Errors of parts add up, or make up for one another, so what is tried is the picture without all of them.
+//!
+//! Rule: the pictures without what is left out are proven to keep the tolerance against the full ones.
+
+use super::{Change, Part, changes, without};
+use crate::components::View;
+use crate::scene::Scene;
+
+/// Leaves out one candidate after the other, as long as every view keeps its tolerance and a cuboid remains; also what that
+/// does to the pictures. `row_done` is called once for each row, view and candidate.
+pub fn least(
+    scene: &Scene,
+    views: &[View],
+    candidates: &[Part],
+    row_done: &(dyn Fn() + Sync),
+) -> (Vec<Part>, Change) {
+    let (mut left_out, mut change) = (Vec::new(), Change::default());
+    for part in candidates {
+        let tried = [&left_out[..], &[*part]].concat();
+        if without(scene, &tried).cuboids.is_empty() {
+            continue;
+        }
+        let one = std::slice::from_ref(&tried);
+        let tries = views
+            .iter()
+            .flat_map(|view| changes(scene, view, one, row_done));
+        let sum = Change::sum(tries);
+        if views.iter().all(|view| sum.keeps(view.tolerance)) {
+            (left_out, change) = (tried, sum);
+        }
+    }
+    (left_out, change)
+}

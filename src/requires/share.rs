@@ -1,0 +1,57 @@
+//! A part and the views of a scene in; the share of a frame's time that the part costs out.
+//!
+//! Rule: frames are drawn by the renderer on one thread, warm, with and without the part in turns. What the renderer cannot
+//! draw without has no time of its own.
+
+use std::time::Duration;
+
+use fearless_simd::Level;
+
+use super::{Part, without};
+use crate::components::View;
+use crate::frame::{Frame, Keep, Workers};
+use crate::memory::OutOfMemory;
+use crate::reference::Rule;
+use crate::scene::Scene;
+use crate::systems;
+use crate::trade::timing::in_batches;
+
+/// How long each part is timed, and how often at least.
+const TIME: Duration = Duration::from_millis(250);
+const MIN_SAMPLES: usize = 16;
+
+/// 1 less the time without the part over the time with it, all views together; 0 where the two do not differ measurably,
+/// negative where a frame without the part takes longer. `None`: the renderer cannot draw without the part.
+///
+/// # Errors
+/// When the picture does not fit in memory.
+pub fn time_share(
+    scene: &Scene,
+    views: &[View],
+    part: Part,
+    level: Level,
+) -> Result<Option<f64>, OutOfMemory> {
+    match part {
+        // The renderer has no depth buffer then.
+        Part::Rule(Rule::DepthTest) if scene.cuboids.len() == 1 => return Ok(Some(0.0)),
+        Part::Rule(_) | Part::F64SetUp => return Ok(None),
+        Part::Light(_) | Part::EveryPixel(_) | Part::Cuboid(_) => {}
+    }
+    let prepare = || {
+        let mut drawn = [scene.snapshot(), without(scene, &[part])].map(|scene| {
+            let frame = Frame::new(Keep::Display, Workers::alone(level));
+            (scene.world, frame)
+        });
+        Ok(move |which: usize| {
+            let (world, frame) = &mut drawn[which];
+            views
+                .iter()
+                .try_for_each(|view| systems::draw(world, view, frame))
+        })
+    };
+    let times = in_batches(2, MIN_SAMPLES, TIME, prepare, |_| ())?;
+    let [with, without] = [&times[0], &times[1]];
+    let differ = with.is_measurably_less_than(without) || without.is_measurably_less_than(with);
+    let share = 1.0 - without.median / with.median;
+    Ok(Some(if differ { share } else { 0.0 }))
+}
