@@ -8,35 +8,54 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask64x4};
 use glam::DVec3;
 
+use super::affine::Affine;
 use super::bound;
-use super::display::Rows;
-use super::face::Face;
+use super::display::{Pixels, Rows};
+use super::face::{Face, Linear, Plane};
 use super::field::{self, Lanes, Places};
 use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
 use super::kernel::Reals;
 use super::square::Region;
 use super::{Evaluations, Scratch, TileKind, U, limit};
+use crate::components::FACES;
 use crate::simd::{apart, inlined, three};
 
 /// Draws what was lit at the vertices.
 pub struct Gouraud<'a> {
-    /// What is interpolated.
-    pub face: &'a Face,
+    /// What is interpolated over.
+    pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
+    /// Levels on the first triangle, and continued on the second; and the same times w.
+    levels: Linear,
+    colors: Affine,
+    /// What the levels of the second triangle have besides: this times how far beyond the diagonal they are.
+    fold: DVec3,
 }
 
 /// What f64 makes of a sample and of the biquadratic, relative to the colours: less than this many roundings.
 const SAMPLING: f64 = 64.0 * f64::EPSILON;
 
-impl Gouraud<'_> {
+impl<'a> Gouraud<'a> {
+    /// Draws levels that are given at a cuboid's corners.
+    pub fn new(face: &'a Face, levels: &[DVec3; 8], tolerance: f64) -> Self {
+        let [a, b, c, d] = FACES[face.number].map(|corner| levels[usize::from(corner)]);
+        let levels = face.linear(levels);
+        Gouraud {
+            face,
+            tolerance,
+            levels,
+            colors: face.place.map(|place| levels.scaled(place)),
+            fold: d + b - a - c,
+        }
+    }
+
     /// See [`super::Shader::interpolate`].
     #[inline(always)]
     pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+        let Gouraud { colors, fold, .. } = self;
         let Face {
-            w,
-            colors,
-            fold,
+            plane: Plane { w, .. },
             diagonal,
             ..
         } = self.face;
@@ -122,10 +141,9 @@ impl Gouraud<'_> {
         region: &Region,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
+        let Gouraud { colors, fold, .. } = self;
         let Face {
-            w,
-            colors,
-            fold,
+            plane: Plane { w, .. },
             diagonal,
             ..
         } = self.face;
@@ -166,7 +184,7 @@ impl Gouraud<'_> {
             simd,
             #[inline(always)]
             || {
-                scratch.levels.fill(region, &mut quotient);
+                scratch.levels.fill(simd, region, &mut quotient);
             },
         );
         Some(Evaluations {
@@ -178,7 +196,8 @@ impl Gouraud<'_> {
 
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
-        self.face.levels_at(self.face.point(x, y).place)
+        let place = self.face.point(x, y).place;
+        self.levels.at(place) + self.fold * (-self.face.across(place)).max(0.0)
     }
 }
 
@@ -207,10 +226,27 @@ impl<S: Simd> Rows<S> for Quotient<S> {
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let y = self.first[1] + row as i32 as f32;
-        let at = inlined(
+        self.divided(
             #[inline(always)]
-            |[middle, right, down]: [f32; 3]| self.x * right + (middle + down * y),
-        );
+            |[middle, right, down]| self.x * right + (middle + down * y),
+        )
+    }
+}
+
+impl<S: Simd> Pixels<S> for Quotient<S> {
+    #[inline(always)]
+    fn at(&self, [x, y]: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        self.divided(
+            #[inline(always)]
+            |[middle, right, down]| x * right + (y * down + middle),
+        )
+    }
+}
+
+impl<S: Simd> Quotient<S> {
+    /// w C / w, where `at` evaluates an affine function.
+    #[inline(always)]
+    fn divided(&self, at: impl Fn([f32; 3]) -> f32x16<S>) -> [f32x16<S>; 3] {
         let inverse = 1.0 / at(self.w);
         let mut levels = three(
             #[inline(always)]

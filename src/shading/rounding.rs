@@ -53,8 +53,13 @@ impl Rounding {
 
     /// Adds a light's diffuse term of at most so many levels.
     pub fn diffuse(&mut self, light: Extent, levels: f64) {
-        self.error += levels * (self.normal + direction(self.unit, light) + 12.0 * self.unit);
+        self.error += levels * self.cosine(light);
         self.count(levels);
+    }
+
+    /// What n.l errs by.
+    pub fn cosine(&self, light: Extent) -> f64 {
+        self.normal + direction(self.unit, light) + 12.0 * self.unit
     }
 
     /// Adds a light's specular term of at most so many levels.
