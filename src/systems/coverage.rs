@@ -166,7 +166,9 @@ impl Scan {
         scan
     }
 
-    /// Finds the sides of the present row, and how far they go.
+    /// Finds the sides of the present row, and how far they go. Outlined, as [`Scan::span_of_all`] is: else every row of a
+    /// large polygon loads all edges for them.
+    #[inline(never)]
     fn settle(&mut self) {
         let [mut left, mut right] = [None; 2];
         let mut one_each = true;
@@ -202,6 +204,7 @@ impl Scan {
     }
 
     /// The span of the present row, whatever edges there are.
+    #[inline(never)]
     fn span_of_all(&mut self) -> (i64, i64) {
         let (mut from, mut to) = (i64::MIN, i64::MAX);
         let (mut begins, mut ends) = (false, false);
