@@ -20,6 +20,8 @@ pub mod kernel;
 pub mod phong;
 pub mod rounding;
 pub mod rows;
+#[cfg(test)]
+mod running;
 pub mod specular;
 pub mod square;
 pub mod unit_vectors;

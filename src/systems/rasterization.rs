@@ -156,7 +156,7 @@ fn list_seen(
             listed.extend([x, y], pixels, |pixel| face(ids[pixel]) == face(piece.id));
         }
     }
-    listed.len() > 0
+    listed.count() > 0
 }
 
 /// What shades a face: the one place where the mode is asked.

@@ -79,7 +79,7 @@ impl<'a, 'b> Store<'a, 'b> {
     /// Pixels one by one.
     #[inline(always)]
     pub fn draw_listed<S: Simd>(&mut self, simd: S, listed: &Listed) {
-        self.drawn = listed.len() as u64;
+        self.drawn = listed.count() as u64;
         if self.band.pixels.is_empty() {
             for (index, levels) in listed.levels() {
                 self.band.levels[index] = levels;
