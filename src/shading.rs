@@ -20,6 +20,8 @@ pub mod kernel;
 pub mod phong;
 pub mod rounding;
 pub mod rows;
+#[cfg(test)]
+mod running;
 pub mod specular;
 pub mod square;
 pub mod unit_vectors;
@@ -28,11 +30,12 @@ use fearless_simd::Simd;
 use glam::DVec3;
 
 use self::display::{Levels, Rows};
+use self::face::Face;
 use self::field::Places;
 use self::gouraud::Gouraud;
 use self::interpolation::Interpolant;
 use self::kernel::Light;
-use self::phong::{Active, Phong};
+use self::phong::{Active, FaceLight, Phong};
 use self::square::Region;
 use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
@@ -299,6 +302,15 @@ impl Shader<'_> {
         }
     }
 
+    /// What is drawn.
+    pub fn face(&self) -> &Face<'_> {
+        match self {
+            Shader::Gouraud(gouraud) => gouraud.face,
+            Shader::Phong(phong) => phong.face,
+            Shader::UnitVectors(vectors) => vectors.face,
+        }
+    }
+
     /// How many powers one evaluation takes at most.
     pub fn powers(&self) -> usize {
         match self {
@@ -320,10 +332,12 @@ pub struct Evaluations {
     pub specular: u64,
 }
 
-/// Room for the levels of one square, and for the lights that are evaluated there.
+/// Room for the lights of one face, for the levels of one square, and for the lights that are evaluated there.
 #[derive(Debug, Default)]
 pub struct Scratch {
     pub levels: Levels,
+    /// The lights that reach the face being drawn.
+    pub lights: Vec<FaceLight>,
     active: Vec<Active>,
     single: Vec<Light<f32>>,
     double: Vec<Light<f64>>,

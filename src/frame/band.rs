@@ -110,14 +110,15 @@ impl Band<'_> {
         (above, below)
     }
 
-    /// Puts the background back wherever the last frame drew, except in one run of every row that the next one draws over:
+    /// Puts the background back wherever the last frame drew in some rows of the picture, except in one run of every row that the next one draws over:
     /// all that is seen of a convex body, for its faces meet without a gap.
     #[inline(always)]
-    pub fn clear(&mut self) {
+    pub fn clear(&mut self, rows: Range<usize>) {
         let [red, green, blue] = self.background.to_array().map(display_step);
         let pixel = u32::from_be_bytes([0, red, green, blue]);
         let levels = self.background.as_vec3().to_array();
-        for (row, drawn) in self.drawn.iter_mut().enumerate() {
+        let rows = rows.start - self.rows.start..rows.end - self.rows.start;
+        for (row, drawn) in rows.clone().zip(&mut self.drawn[rows]) {
             let Drawn {
                 by_last: [from, to],
                 runs: [[run_from, run_to], ..],
@@ -221,7 +222,7 @@ mod tests {
         for &[from, to] in spans {
             band.announce(0, from, to);
         }
-        band.clear();
+        band.clear(0..1);
         pixels
     }
 

@@ -1,4 +1,6 @@
-//! What one frame draws: faces, the lights that reach them, and the pixels they cover.
+//! What one frame draws: cuboids, and the pixels that their faces cover.
+//!
+//! What shades a face is made where the face is drawn: only there is it known to be seen.
 //!
 //! Rule: all of it is made once a frame, read by every thread, and its memory kept for the next frame.
 
@@ -7,9 +9,9 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::components::{Material, ShadingMode};
-use crate::shading::face::Face;
+use crate::shading::affine::Affine;
+use crate::shading::face::Solid;
 use crate::shading::gloss::Gloss;
-use crate::shading::phong::FaceLight;
 use crate::shading::square::{MAX_SIDE, Spans};
 
 /// The faces of a frame.
@@ -17,11 +19,11 @@ use crate::shading::square::{MAX_SIDE, Spans};
 pub(crate) struct DrawList {
     /// What is drawn, in the order of drawing.
     pub pieces: Vec<Piece>,
-    /// The lights of all faces, one face's after another's.
-    pub lights: Vec<FaceLight>,
     pub objects: Vec<Object>,
     /// Of objects one after another with different materials.
     pub glosses: Vec<Gloss>,
+    /// For each strip of [`MAX_SIDE`] rows of the picture, which pieces it may show, in the order of drawing.
+    pub strips: Vec<Vec<u32>>,
     /// The pixels from..to of each row of each piece.
     pub from: Vec<i32>,
     pub to: Vec<i32>,
@@ -35,6 +37,7 @@ pub(crate) struct Object {
     pub material: Material,
     /// Its centre, in world units.
     pub centre: DVec3,
+    pub solid: Solid,
     pub mode: ShadingMode,
     /// Which of the list's.
     pub gloss: usize,
@@ -43,37 +46,27 @@ pub(crate) struct Object {
 /// A face, or one triangle of a face whose two do not meet on the screen, as snapped.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
-    pub face: Face,
     /// The number of its first triangle: cuboid * 12 + triangle.
     pub id: u32,
     /// Which of the list's.
     pub object: usize,
-    pub lights: Range<usize>,
     /// The picture's row of its first span, and its spans.
     pub row: usize,
     pub spans: Range<usize>,
-    /// The least and the most nearness of what is seen of the face. Samples are held to it: one that snapping put just
-    /// outside an edge-on face would else be as near or as far as the face is steep.
-    pub nearness: [f64; 2],
-    /// w of the face's corners on the screen, where they have a place there.
-    pub depths: [Option<f64>; 4],
-}
-
-impl Piece {
-    /// The number of the triangle at a place from the picture's middle, in pixels.
-    #[inline]
-    pub fn triangle(&self, x: f64, y: f64) -> u32 {
-        self.id + u32::from(self.face.diagonal.at(x, y) < 0.0)
-    }
+    /// See [`crate::shading::face::Plane::nearness`].
+    pub nearness: Affine<f64>,
+    /// The least and the most of what is seen of the face. Samples are held to it: one that snapping put just outside an
+    /// edge-on face would else be as near or as far as the face is steep.
+    pub range: [f64; 2],
 }
 
 impl DrawList {
     /// Nothing, but the memory is kept.
     pub fn clear(&mut self) {
         self.pieces.clear();
-        self.lights.clear();
         self.objects.clear();
         self.glosses.clear();
+        self.strips.iter_mut().for_each(Vec::clear);
         self.from.clear();
         self.to.clear();
     }
@@ -84,6 +77,20 @@ impl DrawList {
             first: piece.row,
             from: &self.from[piece.spans.clone()],
             to: &self.to[piece.spans.clone()],
+        }
+    }
+
+    /// Puts the pieces into the order of drawing and into strips of a picture of so many rows.
+    pub fn sort(&mut self, height: usize) {
+        // Where depths tie the piece listed first is seen, so the file decides, and not the order in which hecs iterates.
+        self.pieces
+            .sort_unstable_by_key(|piece| (piece.id, piece.spans.start));
+        self.strips.resize_with(height.div_ceil(MAX_SIDE), Vec::new);
+        for (index, piece) in self.pieces.iter().enumerate() {
+            let last = piece.row + piece.spans.len() - 1;
+            for strip in &mut self.strips[piece.row / MAX_SIDE..=last / MAX_SIDE] {
+                strip.push(index as u32);
+            }
         }
     }
 

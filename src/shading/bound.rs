@@ -172,6 +172,14 @@ pub fn reflection<S: Simd>(
     }
 }
 
+/// The largest s = 2 (n.l) (n.o) - o.l where n.l = 0; at most 1.
+#[inline(always)]
+pub fn gate<S: Simd>(light: &Field<S>, eye: &Field<S>) -> Lanes<S> {
+    let most = (light.radius + eye.radius) * ARC - dot(&light.middle, &eye.middle);
+    let calm = light.is_calm() & eye.is_calm();
+    calm.select(most, Lanes::splat(most.token(), 1.0))
+}
+
 /// What does not change from square to square in the bound of a highlight.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlight {

@@ -2,11 +2,13 @@
 //!
 //! Rule: `byte = floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0; no gamma, levels are display-referred.
 
+use std::ops::Range;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 use glam::DVec3;
 
-use super::square::{MAX_SIDE, Region};
+use super::square::{MAX_SIDE, MIN_SIDE, Region};
 use crate::simd::three;
 
 /// The colours of a square, sixteen columns at a time.
@@ -28,32 +30,159 @@ pub trait Rows<S: Simd> {
     }
 }
 
-/// The levels of a square's pixels, by row and channel.
+/// The colours of any pixels, sixteen at a time.
+pub trait Pixels<S: Simd> {
+    /// Their levels, from their places: right and down from a square's middle, in pixels.
+    fn at(&self, place: [f32x16<S>; 2]) -> [f32x16<S>; 3];
+}
+
+/// The most pixels that are listed: those of one of the smallest squares.
+const MAX_LISTED: usize = MIN_SIDE * MIN_SIDE;
+
+/// Pixels of a square one by one, so that a few of them fill the lanes.
 #[derive(Clone, Copy, Debug)]
-pub struct Levels([[[f32; MAX_SIDE]; 3]; MAX_SIDE]);
+pub struct Listed {
+    len: usize,
+    /// Right and down from the square's middle, in pixels.
+    places: [[f32; MAX_LISTED]; 2],
+    /// Where each stands in the band.
+    indices: [usize; MAX_LISTED],
+    levels: [[f32; MAX_LISTED]; 3],
+}
+
+impl Default for Listed {
+    fn default() -> Self {
+        Listed {
+            len: 0,
+            places: [[0.0; MAX_LISTED]; 2],
+            indices: [0; MAX_LISTED],
+            levels: [[0.0; MAX_LISTED]; 3],
+        }
+    }
+}
+
+impl Listed {
+    /// None.
+    pub fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    /// Those of a row that are `seen`, which is told how far each is from the first; the first stands at `x`, `y`.
+    #[inline(always)]
+    pub fn extend(
+        &mut self,
+        [mut x, y]: [f32; 2],
+        indices: Range<usize>,
+        seen: impl Fn(usize) -> bool,
+    ) {
+        for (pixel, index) in indices.enumerate() {
+            if seen(pixel) {
+                let len = self.len;
+                (self.places[0][len], self.places[1][len]) = (x, y);
+                self.indices[len] = index;
+                self.len += 1;
+            }
+            x += 1.0;
+        }
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.len
+    }
+
+    /// Evaluates all, and takes those that are `wanted`.
+    #[inline(always)]
+    fn fill<S: Simd>(
+        &mut self,
+        simd: S,
+        pixels: &impl Pixels<S>,
+        wanted: impl Fn([f64; 2]) -> bool,
+    ) {
+        for first in (0..self.len).step_by(16) {
+            let [x, y] = &self.places;
+            let [x, y] = [x, y].map(
+                #[inline(always)]
+                |places| f32x16::from_slice(simd, &places[first..first + 16]),
+            );
+            let levels = pixels.at([x, y]);
+            for lane in 0..16 {
+                if wanted([x[lane], y[lane]].map(f64::from)) {
+                    for channel in 0..3 {
+                        self.levels[channel][first + lane] = levels[channel][lane];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Where they stand in the band, and their levels.
+    pub fn levels(&self) -> impl Iterator<Item = (usize, [f32; 3])> {
+        let levels = |pixel: usize| three(|channel| self.levels[channel][pixel]);
+        (0..self.len).map(move |pixel| (self.indices[pixel], levels(pixel)))
+    }
+
+    /// The same, and their display step.
+    #[inline(always)]
+    pub fn draw<S: Simd>(&self, simd: S, mut draw: impl FnMut(usize, u32)) {
+        for first in (0..self.len).step_by(16) {
+            let pixels = pack(three(
+                #[inline(always)]
+                |channel| {
+                    let levels = &self.levels[channel][first..first + 16];
+                    display_bits(f32x16::from_slice(simd, levels))
+                },
+            ));
+            let indices = &self.indices[first..self.len.min(first + 16)];
+            for (index, pixel) in indices.iter().zip(pixels.as_array()) {
+                draw(*index, *pixel);
+            }
+        }
+    }
+}
+
+/// The levels of a square's pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Levels {
+    /// By row and channel.
+    rows: [[[f32; MAX_SIDE]; 3]; MAX_SIDE],
+    /// Where the square holds but a few.
+    pub listed: Listed,
+}
 
 impl Default for Levels {
     fn default() -> Self {
-        Levels([[[0.0; MAX_SIDE]; 3]; MAX_SIDE])
+        Levels {
+            rows: [[[0.0; MAX_SIDE]; 3]; MAX_SIDE],
+            listed: Listed::default(),
+        }
     }
 }
 
 impl Levels {
     /// Those of a pixel, counted from the square's first.
     pub fn at(&self, column: usize, row: usize) -> [f32; 3] {
-        self.0[row].map(|channel| channel[column])
+        self.rows[row].map(|channel| channel[column])
     }
 
     /// Takes what is covered of a region.
     #[inline(always)]
-    pub fn fill<S: Simd>(&mut self, region: &Region, rows: &mut impl Rows<S>) {
+    pub fn fill<S: Simd>(
+        &mut self,
+        simd: S,
+        region: &Region,
+        rows: &mut (impl Rows<S> + Pixels<S>),
+    ) {
+        if region.listed {
+            return self.listed.fill(simd, rows, |_| true);
+        }
         for_parts(
             region,
             rows,
             #[inline(always)]
             |row, part, levels| {
                 for channel in 0..3 {
-                    self.0[row][channel][16 * part..16 * part + 16]
+                    self.rows[row][channel][16 * part..16 * part + 16]
                         .copy_from_slice(levels[channel].as_slice());
                 }
             },
@@ -64,10 +193,17 @@ impl Levels {
     #[inline(always)]
     pub fn fill_where<S: Simd>(
         &mut self,
+        simd: S,
         region: &Region,
-        rows: &mut impl Rows<S>,
+        rows: &mut (impl Rows<S> + Pixels<S>),
         wanted: impl Fn([f64; 2]) -> bool,
     ) {
+        if region.listed {
+            let [right, down] = region.middle();
+            return self
+                .listed
+                .fill(simd, rows, |[x, y]| wanted([x + right, y + down]));
+        }
         for_parts(
             region,
             rows,
@@ -77,7 +213,7 @@ impl Levels {
                     let column = 16 * part + lane;
                     if wanted(region.centre(column, row)) {
                         for channel in 0..3 {
-                            self.0[row][channel][column] = levels[channel][lane];
+                            self.rows[row][channel][column] = levels[channel][lane];
                         }
                     }
                 }
@@ -87,11 +223,28 @@ impl Levels {
 
     /// Takes what is covered of a region, one pixel at a time; `evaluate` is told its centre from the picture's middle.
     pub fn fill_each(&mut self, region: &Region, evaluate: impl Fn([f64; 2]) -> DVec3) {
+        if region.listed {
+            let [right, down] = region.middle();
+            let Listed {
+                len,
+                places: [x, y],
+                levels: kept,
+                ..
+            } = &mut self.listed;
+            for pixel in 0..*len {
+                let place = [f64::from(x[pixel]) + right, f64::from(y[pixel]) + down];
+                let levels = evaluate(place).as_vec3();
+                for channel in 0..3 {
+                    kept[channel][pixel] = levels[channel];
+                }
+            }
+            return;
+        }
         for (row, span) in region.covered() {
             for column in span {
                 let levels = evaluate(region.centre(column, row)).as_vec3();
                 for channel in 0..3 {
-                    self.0[row][channel][column] = levels[channel];
+                    self.rows[row][channel][column] = levels[channel];
                 }
             }
         }
@@ -141,7 +294,7 @@ impl<S: Simd> Rows<S> for Evaluated<'_, S> {
         let first = 16 * self.part;
         three(
             #[inline(always)]
-            |channel| f32x16::from_slice(self.simd, &self.levels.0[row][channel][first..][..16]),
+            |channel| f32x16::from_slice(self.simd, &self.levels.rows[row][channel][first..][..16]),
         )
     }
 }

@@ -16,11 +16,12 @@
 use glam::{DMat3, DVec3};
 
 use super::affine::Affine;
-use crate::components::{FACES, Projection, length};
+use super::field::Moving;
+use crate::components::{FACES, Lens, Projection, length};
 
 /// A cuboid as lines of sight meet it.
 #[derive(Clone, Copy, Debug)]
-pub struct Solid<'a> {
+pub struct Solid {
     /// Its centre from the eye, in world units.
     pub centre: DVec3,
     /// Its own axes in world space.
@@ -28,20 +29,86 @@ pub struct Solid<'a> {
     /// Half its edges, in world units.
     pub half: DVec3,
     /// Unit normals at its corners, in world space.
-    pub normals: &'a [DVec3; 8],
+    pub normals: [DVec3; 8],
     /// Levels at its corners.
-    pub colors: &'a [DVec3; 8],
+    pub colors: [DVec3; 8],
 }
 
-/// The lines of sight.
+/// The lines of sight of a frame, anchored at the picture's middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Rays {
-    /// Right, up and forward: unit vectors in world space.
-    pub axes: [DVec3; 3],
-    /// From one pixel's centre to the next, in world units: at distance one in perspective.
-    pub pitch: f64,
-    /// Whether they leave the eye or run in parallel.
-    pub projection: Projection,
+    /// Their start from the eye, and their direction.
+    start: Affine,
+    direction: Affine,
+    /// Towards the eye, of positive length.
+    pub to_eye: Moving,
+    projection: Projection,
+}
+
+impl Rays {
+    /// Those of a lens.
+    pub fn new(lens: &Lens) -> Self {
+        let [right, up, forward] = lens.axes;
+        let moving = Affine {
+            centre: DVec3::ZERO,
+            dx: right * lens.pitch,
+            dy: up * -lens.pitch,
+        };
+        let still = Affine {
+            centre: forward,
+            ..Affine::default()
+        };
+        let (start, direction) = match lens.projection {
+            Projection::Perspective => (Affine::default(), still + moving),
+            Projection::Orthographic => (moving, still),
+        };
+        Rays {
+            start,
+            direction,
+            to_eye: direction.map(|d| -d).into(),
+            projection: lens.projection,
+        }
+    }
+}
+
+/// The plane of a face, as lines of sight meet it.
+#[derive(Clone, Copy, Debug)]
+pub struct Plane {
+    /// The unit normal, on the side that is seen.
+    outwards: DVec3,
+    /// w.
+    pub w: Affine<f64>,
+    /// H.
+    height: Affine<f64>,
+    projection: Projection,
+}
+
+impl Plane {
+    /// That of face `number` of a solid, as [`FACES`] counts.
+    pub fn new(number: usize, solid: &Solid, rays: &Rays) -> Self {
+        let across = number / 2;
+        let sign = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let outwards = solid.axes.col(across) * sign;
+        let reach = outwards.dot(-solid.centre) - solid.half[across];
+        Plane {
+            outwards,
+            w: rays.direction.map(|d| -outwards.dot(d)),
+            height: Affine {
+                centre: reach,
+                ..rays.start.map(|o| outwards.dot(o))
+            },
+            projection: rays.projection,
+        }
+    }
+
+    /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the
+    /// eye. Depth is in world units along the view direction.
+    pub fn nearness(&self) -> Affine<f64> {
+        match self.projection {
+            Projection::Perspective => self.w.map(|w| w / self.height.centre),
+            Projection::Orthographic => self.height.map(|h| h / -self.w.centre),
+        }
+    }
 }
 
 /// Overshoot, as a share of the face, from which a point is held on the face: coverage is decided on vertices moved by up
@@ -50,42 +117,26 @@ const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// A face that is seen. Its functions are anchored at the picture's middle.
 #[derive(Clone, Copy, Debug)]
-pub struct Face {
-    /// w.
-    pub w: Affine<f64>,
-    /// The interpolated normal times w.
-    pub normal: Affine,
-    /// Towards the eye, of positive length.
-    pub to_eye: Affine,
+pub struct Face<'a> {
+    pub rays: &'a Rays,
+    pub plane: Plane,
+    /// As [`FACES`] counts.
+    pub number: usize,
     /// u, v and 1, times w: from -1 to 1 along the face's axes.
     pub place: Affine,
-    /// Levels times w on the first triangle, and continued on the second.
-    pub colors: Affine,
-    /// What the levels of the second triangle have besides: this times w times how far beyond the diagonal they are.
-    pub fold: DVec3,
     /// w times the weight of the corner across the diagonal: positive on the first triangle, minus the other's weight on
     /// the second.
     pub diagonal: Affine<f64>,
     /// How much of the face a pixel is at most, times w.
     pub pace: f64,
-    /// The line of sight through the middle, from the eye: its start, its direction, and what pixels add to them.
-    start: Affine,
-    direction: Affine,
-    /// H.
-    height: Affine<f64>,
-    /// The unit normal of the face's plane, and its distance from the cuboid's centre.
-    outwards: DVec3,
+    /// The plane's distance from the cuboid's centre.
     half_height: f64,
     /// The face's middle from the eye, and half its edges.
     middle: DVec3,
     half_edges: [DVec3; 2],
-    /// Normals at the middle, and what u and v add to them.
-    normals: [DVec3; 3],
-    /// The same for levels on the first triangle.
-    levels: [DVec3; 3],
-    /// Half the place of the corner across the diagonal.
+    /// The places of its corners in the order of [`FACES`], and half that of the corner across the diagonal.
+    corners: [[f64; 2]; 4],
     across: [f64; 2],
-    projection: Projection,
 }
 
 /// What a pixel shows of a face.
@@ -99,91 +150,55 @@ pub struct Point {
     pub held: bool,
 }
 
-impl Face {
+impl<'a> Face<'a> {
     /// Face `number` of a solid, as [`FACES`] counts, on the side that is seen.
-    pub fn new(number: usize, solid: &Solid, rays: &Rays) -> Self {
-        let across = number / 2;
-        let sign = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let along = [(across + 1) % 3, (across + 2) % 3];
-        let outwards = solid.axes.col(across) * sign;
-        let [right, up, forward] = rays.axes;
-        let moving = Affine {
-            centre: DVec3::ZERO,
-            dx: right * rays.pitch,
-            dy: up * -rays.pitch,
-        };
-        let still = Affine {
-            centre: forward,
-            ..Affine::default()
-        };
-        let (start, direction) = match rays.projection {
-            Projection::Perspective => (Affine::default(), still + moving),
-            Projection::Orthographic => (moving, still),
-        };
-        let w = direction.map(|d| -outwards.dot(d));
-        let reach = outwards.dot(-solid.centre) - solid.half[across];
-        let height = Affine {
-            centre: reach,
-            ..start.map(|o| outwards.dot(o))
-        };
-        let half_edges = along.map(|axis| solid.axes.col(axis) * solid.half[axis]);
+    pub fn new(number: usize, solid: &Solid, rays: &'a Rays) -> Self {
+        let axis = number / 2;
+        let along = [(axis + 1) % 3, (axis + 2) % 3];
+        let plane = Plane::new(number, solid, rays);
+        let corners = places(number);
         let mut face = Face {
-            w,
-            normal: Affine::default(),
-            to_eye: direction.map(|d| -d),
+            rays,
+            number,
             place: Affine::default(),
-            colors: Affine::default(),
-            fold: DVec3::ZERO,
             diagonal: Affine::default(),
             pace: 0.0,
-            start,
-            direction,
-            height,
-            outwards,
-            half_height: solid.half[across],
-            middle: solid.centre + outwards * solid.half[across],
-            half_edges,
-            normals: [DVec3::ZERO; 3],
-            levels: [DVec3::ZERO; 3],
-            across: [0.0; 2],
-            projection: rays.projection,
+            half_height: solid.half[axis],
+            middle: solid.centre + plane.outwards * solid.half[axis],
+            half_edges: along.map(|axis| solid.axes.col(axis) * solid.half[axis]),
+            corners,
+            // The weight of the second corner is one there and zero on the diagonal.
+            across: corners[1].map(|sign| sign / 2.0),
+            plane,
         };
         let to_centre = face.towards(solid.centre, DVec3::ZERO);
         let [u, v] =
             along.map(|axis| to_centre.map(|c| -solid.axes.col(axis).dot(c) / solid.half[axis]));
+        let w = plane.w;
         face.place = Affine {
             centre: DVec3::new(u.centre, v.centre, w.centre),
             dx: DVec3::new(u.dx, v.dx, w.dx),
             dy: DVec3::new(u.dy, v.dy, w.dy),
         };
         face.pace = u.dx.abs().max(v.dx.abs()) + u.dy.abs().max(v.dy.abs());
-
-        let corners = FACES[number].map(usize::from);
-        let signs = places(number);
-        // A value that is linear between the corners a, b and c, as its middle and what u and v add.
-        let linear = |values: &[DVec3; 8]| {
-            let [a, b, c] = [corners[0], corners[1], corners[2]].map(|corner| values[corner]);
-            let half = |from: DVec3, to: DVec3, axis: usize, first: usize| {
-                (to - from) / 2.0 * (signs[first + 1][axis] - signs[first][axis]) / 2.0
-            };
-            [
-                (a + c) / 2.0,
-                half(a, b, 0, 0) + half(b, c, 0, 1),
-                half(a, b, 1, 0) + half(b, c, 1, 1),
-            ]
-        };
-        face.normals = linear(solid.normals);
-        face.levels = linear(solid.colors);
-        face.normal = face.place.map(|place| combine(&face.normals, place));
-        face.colors = face.place.map(|place| combine(&face.levels, place));
-        let [a, b, c, d] = corners.map(|corner| solid.colors[corner]);
-        face.fold = d + b - a - c;
-        // The weight of b, which is one there and zero on the diagonal.
-        face.across = signs[1].map(|sign| sign / 2.0);
         face.diagonal = face
             .place
             .map(|place| face.across[0] * place.x + face.across[1] * place.y);
         face
+    }
+
+    /// A value that is linear between the first three corners of the face, from those at the cuboid's corners.
+    pub fn linear(&self, values: &[DVec3; 8]) -> Linear {
+        let [a, b, c, _] = FACES[self.number].map(|corner| values[usize::from(corner)]);
+        let signs = &self.corners;
+        let half = |from: DVec3, to: DVec3, axis: usize, first: usize| {
+            (to - from) / 2.0 * (signs[first + 1][axis] - signs[first][axis]) / 2.0
+        };
+        Linear([
+            (a + c) / 2.0,
+            half(a, b, 0, 0) + half(b, c, 0, 1),
+            half(a, b, 1, 0) + half(b, c, 1, 1),
+        ])
     }
 
     /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
@@ -192,7 +207,8 @@ impl Face {
     /// component across the face is w times the light's height above the face, which is taken from the nearer of the two
     /// places: an ulp above the face is above it.
     pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
-        let (from, d, w, h) = (&self.start, &self.direction, &self.w, &self.height);
+        let (from, d) = (&self.rays.start, &self.rays.direction);
+        let (w, h) = (&self.plane.w, &self.plane.height);
         let towards = Affine {
             centre: (light - from.centre) * w.centre - d.centre * h.centre,
             dx: light * w.dx - from.dx * w.centre - d.dx * h.centre - d.centre * h.dx,
@@ -201,19 +217,10 @@ impl Face {
         if length(light) < length(from_centre) {
             return towards;
         }
-        let across = self.outwards;
+        let across = self.plane.outwards;
         let above = across.dot(from_centre) - self.half_height;
         let along = towards.map(|v| v - across * across.dot(v));
         along + w.map(|w| across * above * w)
-    }
-
-    /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the
-    /// eye. Depth is in world units along the view direction.
-    pub fn nearness(&self) -> Affine<f64> {
-        match self.projection {
-            Projection::Perspective => self.w.map(|w| w / self.height.centre),
-            Projection::Orthographic => self.height.map(|h| h / -self.w.centre),
-        }
     }
 
     /// The least w from which a face is so large that no pixel's centre can overshoot it by much.
@@ -228,7 +235,7 @@ impl Face {
 
     /// Whether it is so all over a square.
     pub fn is_steady_on(&self, [x, y]: [f64; 2], half: [f64; 2]) -> bool {
-        self.is_steady(self.w.at(x, y) - self.w.reach(half))
+        self.is_steady(self.plane.w.at(x, y) - self.plane.w.reach(half))
     }
 
     /// What the pixel `x` right and `y` down of the picture's middle shows; held on the face where the face is a sliver.
@@ -241,7 +248,10 @@ impl Face {
         let from_eye = if held {
             self.from_eye(place)
         } else {
-            self.start.at(x, y) + self.direction.at(x, y) * (self.height.at(x, y) / w)
+            let Rays {
+                start, direction, ..
+            } = self.rays;
+            start.at(x, y) + direction.at(x, y) * (self.plane.height.at(x, y) / w)
         };
         Point {
             place,
@@ -280,9 +290,9 @@ impl Face {
 
     /// The vector to the eye from a point that was moved onto the face.
     pub fn held_to_eye(&self, point: &Point) -> DVec3 {
-        match self.projection {
+        match self.rays.projection {
             Projection::Perspective => -point.from_eye,
-            Projection::Orthographic => self.to_eye.centre,
+            Projection::Orthographic => self.rays.to_eye.vector.centre,
         }
     }
 
@@ -291,10 +301,10 @@ impl Face {
     ///
     /// N and L are combinations, with weights that are nowhere negative, of what they are at the corners of a face that is
     /// larger by what pixels overshoot: below the least and above the most is no N.L of a pixel.
-    pub fn light_from(&self, light: DVec3) -> [f64; 2] {
+    pub fn light_from(&self, light: DVec3, normals: &Linear) -> [f64; 2] {
         const END: f64 = 1.0 + 2.0 * OVERSHOOT;
         const CORNERS: [[f64; 2]; 4] = [[-END, -END], [END, -END], [-END, END], [END, END]];
-        let normals = CORNERS.map(|corner| self.normal_at(corner));
+        let normals = CORNERS.map(|corner| normals.at(corner));
         let [mut most, mut least] = [f64::NEG_INFINITY, f64::INFINITY];
         for corner in CORNERS {
             let to_light = light - self.from_eye(corner);
@@ -307,19 +317,9 @@ impl Face {
         [most, least]
     }
 
-    /// The normal at a place on the face.
-    pub fn normal_at(&self, [u, v]: [f64; 2]) -> DVec3 {
-        combine(&self.normals, DVec3::new(u, v, 1.0))
-    }
-
     /// The weight of the first triangle's corner across the diagonal: below zero on the second triangle.
     pub fn across(&self, [u, v]: [f64; 2]) -> f64 {
         self.across[0] * u + self.across[1] * v
-    }
-
-    /// The levels at a place on the face.
-    pub fn levels_at(&self, [u, v]: [f64; 2]) -> DVec3 {
-        combine(&self.levels, DVec3::new(u, v, 1.0)) + self.fold * (-self.across([u, v])).max(0.0)
     }
 }
 
@@ -329,7 +329,18 @@ pub fn places(number: usize) -> [[f64; 2]; 4] {
     FACES[number].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
 }
 
-/// A linear function of a place u, v, 1.
-fn combine(values: &[DVec3; 3], place: DVec3) -> DVec3 {
-    values[0] * place.z + values[1] * place.x + values[2] * place.y
+/// A value that is linear on a face: at its middle, and what u and v add.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear([DVec3; 3]);
+
+impl Linear {
+    /// Its value at u, v.
+    pub fn at(&self, [u, v]: [f64; 2]) -> DVec3 {
+        self.scaled(DVec3::new(u, v, 1.0))
+    }
+
+    /// Its value times w, from u, v and 1 times w.
+    pub fn scaled(&self, place: DVec3) -> DVec3 {
+        self.0[0] * place.z + self.0[1] * place.x + self.0[2] * place.y
+    }
 }

@@ -15,7 +15,7 @@ use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
-use super::display::{Levels, Rows};
+use super::display::{Levels, Pixels, Rows};
 use super::specular::{self, Power};
 use super::square::Region;
 use crate::simd::{apart, inlined, three};
@@ -40,6 +40,9 @@ pub trait Reals<S: Simd>:
     /// `from`, `from` + 1, ...
     fn count(simd: S, from: usize) -> Self;
 
+    /// Some of sixteen, from `lane` on.
+    fn some(of: f32x16<S>, lane: usize) -> Self;
+
     /// max(0, 1 - x)^rho.
     fn powers(self, power: &Power) -> Self;
 
@@ -62,6 +65,11 @@ impl<S: Simd> Reals<S> for f32x16<S> {
             0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
         ];
         Self::simd_from(simd, LANES) + from as i32 as f32
+    }
+
+    #[inline(always)]
+    fn some(of: f32x16<S>, _lane: usize) -> Self {
+        of
     }
 
     #[inline(always)]
@@ -95,6 +103,12 @@ impl<S: Simd> Reals<S> for f64x4<S> {
     #[inline(always)]
     fn count(simd: S, from: usize) -> Self {
         Self::simd_from(simd, [0.0, 1.0, 2.0, 3.0]) + f64::from(from as i32)
+    }
+
+    #[inline(always)]
+    fn some(of: f32x16<S>, lane: usize) -> Self {
+        let four = [of[lane], of[lane + 1], of[lane + 2], of[lane + 3]];
+        Self::simd_from(of.token(), four.map(f64::from))
     }
 
     #[inline(always)]
@@ -242,6 +256,15 @@ impl<T: Copy + Default + Add<Output = T> + Mul<Output = T>> Vector<T> {
             },
         )
     }
+
+    /// At any places from the middle, in pixels right and down.
+    #[inline(always)]
+    fn at_each<S: Simd, V: Reals<S, Element = T>>(&self, [x, y]: [V; 2]) -> Lanes3<V> {
+        three(
+            #[inline(always)]
+            |axis| x * self.right[axis] + self.middle[axis] + y * self.down[axis],
+        )
+    }
 }
 
 /// A light on a square, with the terms that are evaluated there.
@@ -281,7 +304,7 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
         apart(
             self.simd,
             #[inline(always)]
-            || levels.fill_where(region, self, wanted),
+            || levels.fill_where(self.simd, region, self, wanted),
         );
     }
 
@@ -290,18 +313,18 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
         apart(
             self.simd,
             #[inline(always)]
-            || levels.fill(region, self),
+            || levels.fill(self.simd, region, self),
         );
     }
 
-    /// In some of the sixteen columns, from `lane` on, `y` pixels below the middle.
+    /// Its levels, where `at` evaluates a vector.
     #[inline(always)]
-    fn at(&self, lane: usize, y: V::Element) -> [V; 3] {
+    fn sum(&self, at: impl Fn(&Vector<V::Element>) -> Lanes3<V>) -> [V; 3] {
         let simd = self.simd;
-        let mut n: Lanes3<V> = self.normal.at(simd, lane, y);
+        let mut n: Lanes3<V> = at(&self.normal);
         let mut o = n;
         if self.shines {
-            o = self.eye.at(simd, lane, y);
+            o = at(&self.eye);
             if !UNIT {
                 (n, o) = (unit(simd, n), unit(simd, o));
             }
@@ -312,7 +335,7 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
             |channel| V::splat(simd, self.ambient[channel]),
         );
         for light in &*self.lights {
-            let l = light.vector.at(simd, lane, y);
+            let l = at(&light.vector);
             let [cosine, power] = if UNIT {
                 let cosine = dot(&n, &l);
                 if light.is[1] {
@@ -363,7 +386,30 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Rows<S> for Model<'_, S, V, UNIT> {
         V::sixteen(
             self.simd,
             #[inline(always)]
-            |lane| self.at(lane, y),
+            |lane| {
+                self.sum(
+                    #[inline(always)]
+                    |vector| vector.at(self.simd, lane, y),
+                )
+            },
+        )
+    }
+}
+
+impl<S: Simd, V: Reals<S>, const UNIT: bool> Pixels<S> for Model<'_, S, V, UNIT> {
+    #[inline(always)]
+    fn at(&self, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        V::sixteen(
+            self.simd,
+            #[inline(always)]
+            |lane| {
+                let [x, y] = place;
+                let place = [V::some(x, lane), V::some(y, lane)];
+                self.sum(
+                    #[inline(always)]
+                    |vector| vector.at_each(place),
+                )
+            },
         )
     }
 }

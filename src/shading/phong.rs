@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::bound;
-use super::face::Face;
+use super::face::{Face, Linear};
 use super::field::{self, Field, Lanes, Moving, Places};
 use super::gloss::Gloss;
 use super::interpolation::{Colors, Interpolant, LEBESGUE, Nine, biquadratic};
@@ -38,13 +38,19 @@ pub struct FaceLight {
 
 impl FaceLight {
     /// A light that lights a face at all; `eye` in world units.
-    pub fn new(face: &Face, surface: &Surface, light: &PointLight, eye: DVec3) -> Option<Self> {
+    pub fn new(
+        face: &Face,
+        normals: &Linear,
+        surface: &Surface,
+        light: &PointLight,
+        eye: DVec3,
+    ) -> Option<Self> {
         let [diffuse, specular] = surface.coefficients(light);
         if diffuse == DVec3::ZERO && specular == DVec3::ZERO {
             return None;
         }
         let position = light.position - eye;
-        let [most, least] = face.light_from(position);
+        let [most, least] = face.light_from(position, normals);
         // Not below: what is not a number may light.
         let dark = most < 0.0;
         (!dark).then(|| FaceLight {
@@ -61,7 +67,7 @@ impl FaceLight {
 /// What a face of a shaded object brings to all of its squares.
 pub struct Phong<'a> {
     /// What is interpolated.
-    pub face: &'a Face,
+    pub face: &'a Face<'a>,
     /// What is shaded.
     pub surface: Surface<'a>,
     /// The eye, in world units.
@@ -72,9 +78,9 @@ pub struct Phong<'a> {
     pub lights: &'a [FaceLight],
     /// As asked for, in levels.
     pub tolerance: f64,
-    /// The face's normal, and the vector to the eye.
+    /// The interpolated normal, and the same times w.
+    normals: Linear,
     normal: Moving,
-    to_eye: Moving,
     /// What f64 makes of the samples, in levels.
     sampling: f64,
 }
@@ -87,9 +93,10 @@ pub struct Active {
 }
 
 impl<'a> Phong<'a> {
-    /// A face of an object.
+    /// A face of an object, from the normals at its middle and what changes them.
     pub fn new(
         face: &'a Face,
+        normals: Linear,
         surface: Surface<'a>,
         eye: DVec3,
         gloss: &'a Gloss,
@@ -114,8 +121,8 @@ impl<'a> Phong<'a> {
             gloss,
             lights,
             tolerance,
-            normal: face.normal.into(),
-            to_eye: face.to_eye.into(),
+            normals,
+            normal: face.place.map(|place| normals.scaled(place)).into(),
             sampling: rounding.levels() * LEBESGUE,
         }
     }
@@ -132,9 +139,9 @@ impl<'a> Phong<'a> {
         let zero = Lanes::splat(simd, 0.0);
         let never = Lanes::splat(simd, f64::NEG_INFINITY);
         let normal = Field::new(&self.normal, places);
-        let eye = Field::new(&self.to_eye, places);
+        let eye = Field::new(&self.face.rays.to_eye, places);
         // What pixels show of a sliver is held on the face, one by one.
-        let least = field::least(&self.face.w, places);
+        let least = field::least(&self.face.plane.w, places);
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let steady = steady & normal.is_calm() & eye.is_calm();
         let mut budget = steady.select(Lanes::splat(simd, self.tolerance - self.sampling), never);
@@ -234,6 +241,7 @@ impl<'a> Phong<'a> {
             active,
             single,
             double,
+            ..
         } = scratch;
         let found = apart(
             simd,
@@ -261,14 +269,15 @@ impl<'a> Phong<'a> {
         active: &mut Vec<Active>,
     ) -> Option<Evaluations> {
         let normal = Field::new(&self.normal, places);
-        let eye = Field::new(&self.to_eye, places);
+        let eye = Field::new(&self.face.rays.to_eye, places);
         let extents = [(&normal).into(), (&eye).into()];
         let ambient = self.surface.ambient().max_element();
         let mut roundings = two(
             #[inline(always)]
             |index| Rounding::new([U, kernel::DOUBLE][index], extents, ambient),
         );
-        // The specular term jumps where n.l = 0. f32 may put a pixel on the wrong side, so such squares take f64.
+        // The specular term jumps where n.l = 0. f32 may put a pixel on the wrong side, so squares where it jumps by more than
+        // what is faint take f64.
         let (mut dropped, mut gated) = (0.0, false);
         active.clear();
         let mut highlights = 0;
@@ -287,7 +296,9 @@ impl<'a> Phong<'a> {
                 dropped += self.gloss.faint;
                 if specular {
                     highlights += 1;
-                    gated |= !(light.lit || side.lit.test(0));
+                    let least = self.gloss.least - 2.0 * roundings[0].cosine(extent);
+                    let faint = bound::gate(&to_light, &eye).simd_lt(least);
+                    gated |= !(light.lit || side.lit.test(0) || faint.test(0));
                 }
             }
             for rounding in &mut roundings {
@@ -356,8 +367,8 @@ impl<'a> Phong<'a> {
         let [x, y] = region.square.first().map(V::element);
         Model {
             simd,
-            normal: vector(&self.face.normal),
-            eye: vector(&self.face.to_eye),
+            normal: vector(&self.normal.vector),
+            eye: vector(&self.face.rays.to_eye.vector),
             lights,
             ambient: all(self.surface.ambient()),
             power: &self.gloss.bright,
@@ -370,11 +381,11 @@ impl<'a> Phong<'a> {
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
         let point = self.face.point(x, y);
-        let normal = unit(self.face.normal_at(point.place));
+        let normal = unit(self.normals.at(point.place));
         let to_eye = if point.held {
             self.face.held_to_eye(&point)
         } else {
-            self.face.to_eye.at(x, y)
+            self.face.rays.to_eye.vector.at(x, y)
         };
         self.surface.sum(normal, unit(to_eye), |light| {
             let [from_eye, from_centre] =

@@ -53,15 +53,25 @@ impl Rounding {
 
     /// Adds a light's diffuse term of at most so many levels.
     pub fn diffuse(&mut self, light: Extent, levels: f64) {
-        self.error += levels * (self.normal + direction(self.unit, light) + 12.0 * self.unit);
+        self.error += levels * self.cosine(light);
         self.count(levels);
+    }
+
+    /// What n.l errs by.
+    pub fn cosine(&self, light: Extent) -> f64 {
+        self.normal + direction(self.unit, light) + 12.0 * self.unit
     }
 
     /// Adds a light's specular term of at most so many levels.
     pub fn specular(&mut self, light: Extent, levels: f64, power: &Power) {
-        let apart = 2.0 * self.normal + direction(self.unit, light) + self.eye + 50.0 * self.unit;
-        self.error += levels * (power.moved(apart, self.unit) + power.error);
+        let moved = power.moved(self.chord(light), self.unit);
+        self.error += levels * (moved + power.error);
         self.count(levels);
+    }
+
+    /// What |r - o| errs by.
+    fn chord(&self, light: Extent) -> f64 {
+        2.0 * self.normal + direction(self.unit, light) + self.eye + 50.0 * self.unit
     }
 
     fn count(&mut self, levels: f64) {
@@ -106,5 +116,143 @@ fn direction(unit: f64, Extent { radius, shortest }: Extent) -> f64 {
         unit * (3.0 + 4.0 * radius) / shortest
     } else {
         f64::INFINITY
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use proptest::test_runner::{Config, RngSeed, TestRunner};
+
+    use super::super::running::{Rounded, Vector, dot, lengths, unit};
+    use super::*;
+
+    /// A vector of length one at the middle of a square, which moves by that much to the right and down.
+    type Moving = [[f64; 3]; 3];
+
+    fn moving() -> impl Strategy<Value = Moving> {
+        let vector = || prop::array::uniform3(-1.0..1.0_f64);
+        let scaled = |vector: [f64; 3], to: f64| {
+            let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+            vector.map(|component| component / length * to)
+        };
+        let radii = [0.0..MAX_RADIUS / 2.0, 0.0..MAX_RADIUS / 2.0];
+        ([vector(), vector(), vector()], radii, any::<bool>()).prop_map(
+            move |([middle, right, down], [x, y], shortens)| {
+                // Half of them get as short as they may, where errors weigh most.
+                let [right, down] =
+                    [right, down].map(|v| if shortens { middle.map(|c| -c) } else { v });
+                [scaled(middle, 1.0), scaled(right, x), scaled(down, y)]
+            },
+        )
+    }
+
+    /// The vector at a corner as the kernel forms it.
+    fn formed([middle, right, down]: &Moving) -> Vector {
+        [0, 1, 2].map(|axis| {
+            let [middle, right, down] = [middle, right, down].map(|v| Rounded::stored(v[axis]));
+            right * Rounded::exact(1.0) + middle + down * Rounded::exact(1.0)
+        })
+    }
+
+    fn extent([middle, right, down]: &Moving) -> Extent {
+        let along = |v: &[f64; 3]| (0..3).map(|i| middle[i] * v[i]).sum::<f64>().abs();
+        let length = |v: &[f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+        Extent {
+            radius: length(right) + length(down),
+            shortest: 1.0 - along(right) - along(down),
+        }
+    }
+
+    /// The same, taken as exact; and what its direction errs by.
+    fn as_formed(vector: &Moving) -> Vector {
+        formed(vector).map(|component| Rounded::exact(component.value))
+    }
+
+    fn turned(vector: &Moving) -> f64 {
+        direction(1.0, extent(vector))
+    }
+
+    /// The largest share of what is said that an analysis finds.
+    fn largest<T: Strategy>(cases: T, share: impl Fn(T::Value) -> f64) -> f64 {
+        let config = Config {
+            cases: 4000,
+            rng_seed: RngSeed::Fixed(1),
+            failure_persistence: None,
+            ..Config::default()
+        };
+        let most = std::cell::Cell::new(0.0_f64);
+        let run = TestRunner::new(config).run(&cases, |case| {
+            most.set(most.get().max(share(case)));
+            Ok(())
+        });
+        run.expect("nothing is asserted");
+        most.get()
+    }
+
+    fn assert_covers(what: &str, share: f64, least: f64) {
+        println!("{what}: {share:.3} of the count");
+        assert!(share <= 1.0, "{what}: the count is {share} times too small");
+        assert!(share > least, "{what}: the count is loose: {share}");
+    }
+
+    #[test]
+    fn counts_cover_what_a_running_error_analysis_finds() {
+        let formed_share = largest(moving(), |vector| {
+            let [length, error] = lengths(&formed(&vector));
+            error / length / direction(1.0, extent(&vector))
+        });
+        assert_covers("a direction", formed_share, 0.8);
+
+        // The vectors are taken as they are formed: what their directions err by turns the result by as much.
+        let three = || [moving(), moving(), moving()];
+        let count = |n: &Moving, o: &Moving| Rounding::new(1.0, [extent(n), extent(o)], 0.0);
+        let cosine = largest(three(), |[n, l, o]| {
+            let count = count(&n, &o).cosine(extent(&l)) - [&n, &l].map(turned).iter().sum::<f64>();
+            let [n, l] = [&n, &l].map(as_formed);
+            let plain = dot(&n, &l) / (dot(&n, &n) * dot(&l, &l)).sqrt();
+            let inverse = Rounded::exact(1.0) / dot(&l, &l).sqrt();
+            let shining = dot(&unit(&n), &l) * inverse;
+            plain.error.max(shining.error) / count
+        });
+        assert_covers("n.l", cosine, 0.5);
+
+        let chord = largest(three(), |[n, l, o]| {
+            let turned = [&n, &n, &l, &o].map(turned).iter().sum::<f64>();
+            let count = count(&n, &o).chord(extent(&l)) - turned;
+            let [n, l, o] = [&n, &l, &o].map(as_formed);
+            let [n, o] = [&n, &o].map(unit);
+            let inverse = Rounded::exact(1.0) / dot(&l, &l).sqrt();
+            let cosine = dot(&n, &l) * inverse;
+            let twice = cosine + cosine;
+            let apart = [0, 1, 2].map(|axis| n[axis] * twice - l[axis] * inverse - o[axis]);
+            lengths(&apart)[1] / count
+        });
+        assert_covers("|r - o|", chord, 0.5);
+    }
+
+    #[test]
+    fn the_sum_over_lights_is_counted_whatever_their_number() {
+        let terms = prop::collection::vec(0.0..100.0_f64, 1..60);
+        let steady = Extent {
+            radius: 0.0,
+            shortest: 1.0,
+        };
+        let share = |(ambient, terms): (f64, Vec<f64>)| {
+            // Of lights that do not err themselves, and in f32 alone.
+            let mut count = Rounding::new(U, [steady; 2], ambient);
+            let mut sum = Rounded::stored(ambient);
+            for &levels in &terms {
+                count.diffuse(steady, levels);
+                sum = sum + Rounded::stored(levels) * Rounded::exact(1.0);
+            }
+            let own = terms.iter().sum::<f64>() * count.cosine(steady);
+            // To f32, and on to the display of the next float.
+            (sum.error + 3.0 * sum.value) * U / (count.levels() - own)
+        };
+        let bright = largest((500.0..1000.0, terms.clone()), share);
+        assert_covers("a bright ambient light", bright, 0.8);
+        let single = share((0.0, vec![1.0]));
+        assert_covers("a single light", single, 0.8);
     }
 }

@@ -200,6 +200,48 @@ mod tests {
     }
 
     #[test]
+    fn a_power_errs_by_less_than_half_of_what_is_said_and_by_more_than_an_eighth() {
+        let mut worst = 0.0_f64;
+        for shininess in SHININESSES.into_iter().filter(|rho| *rho >= 1.0) {
+            let shininess = f64::from(shininess as f32);
+            for step in 0..=100_000 {
+                let lambda = (f64::from(step) / 100_000.0).powi(4);
+                let found = f64::from(power(shininess as f32, lambda as f32));
+                worst = worst.max((found - power_exact(shininess, lambda)).abs());
+            }
+        }
+        println!("{:.3} of what is said", worst / POWER_ERROR);
+        assert!(worst <= POWER_ERROR / 2.0, "{worst}");
+        assert!(worst > POWER_ERROR / 8.0, "{worst}");
+    }
+
+    #[test]
+    fn no_error_in_the_chord_or_in_one_minus_s_makes_more_of_the_power_than_is_said() {
+        for shininess in SHININESSES {
+            let given = Power::new(shininess, 0.0, 0.0);
+            let (mut moved, mut rounded) = (0.0_f64, 0.0_f64);
+            let (apart, unit) = (1e-5, 1e-5);
+            for step in 0..=20_000 {
+                let chord = std::f64::consts::SQRT_2 * (f64::from(step) / 20_000.0).powi(3);
+                let at =
+                    |chord: f64, factor: f64| power_exact(shininess, chord * chord / 2.0 * factor);
+                let here = at(chord, 1.0);
+                moved = moved.max((at(chord + apart, 1.0) - here).abs() / given.moved(apart, 0.0));
+                let change = (at(chord, 1.0 + 4.0 * unit) - here).abs();
+                rounded = rounded.max(change / given.moved(0.0, unit));
+            }
+            if shininess > 0.0 {
+                println!("rho {shininess}: {moved:.3} and {rounded:.3} of what is said");
+                assert!(moved <= 1.001 && rounded <= 1.001, "rho {shininess}");
+            }
+            if shininess > 1.0 && shininess < 1e4 {
+                assert!(moved > 0.95, "rho {shininess}: {moved} is loose");
+                assert!(rounded > 0.3, "rho {shininess}: {rounded} is loose");
+            }
+        }
+    }
+
+    #[test]
     fn the_ends_are_exact() {
         for shininess in SHININESSES {
             assert_eq!(

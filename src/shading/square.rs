@@ -99,15 +99,16 @@ pub struct Square {
 impl Square {
     /// All that is covered, as one square, if it is no more than the smallest.
     pub fn around(spans: &Spans) -> Option<Self> {
-        let rows = spans.rows();
-        if rows.len() > MIN_SIDE {
+        if spans.from.len() > MIN_SIDE {
             return None;
         }
-        let (columns, _) = spans.extents(rows.clone());
-        if columns.len() > MIN_SIDE {
-            return None;
-        }
-        Some(Square::new(spans, [columns.start, rows.start], MIN_SIDE))
+        let square = Square::bounded(spans, spans.rows(), [0, i32::MAX]);
+        let [left, right] = square.columns;
+        (right - left < MIN_SIDE).then_some(Square {
+            place: [left, spans.first],
+            side: MIN_SIDE,
+            ..square
+        })
     }
 
     /// A square that is covered all over.
@@ -125,8 +126,18 @@ impl Square {
     /// The square at a place, of a side.
     #[inline(always)]
     pub fn new(spans: &Spans, place: [usize; 2], side: usize) -> Self {
-        let [left, right] = [place[0] as i32, (place[0] + side) as i32];
-        let rows = spans.local(place[1]..place[1] + side);
+        let ends = [place[0] as i32, (place[0] + side) as i32];
+        Square {
+            place,
+            side,
+            ..Square::bounded(spans, place[1]..place[1] + side, ends)
+        }
+    }
+
+    /// What is covered of some rows, from one column to another.
+    #[inline(always)]
+    fn bounded(spans: &Spans, rows: Range<usize>, [left, right]: [i32; 2]) -> Square {
+        let rows = spans.local(rows);
         let first = (spans.first + rows.start) as i32;
         let mut pixels = 0;
         let (mut columns, mut covered) = ([i32::MAX, 0], [i32::MAX, 0]);
@@ -141,18 +152,13 @@ impl Square {
             covered[1] = covered[1].max(if any { row } else { 0 });
         }
         if pixels == 0 {
-            return Square {
-                place,
-                side,
-                ..Square::default()
-            };
+            return Square::default();
         }
         Square {
-            place,
-            side,
             columns: [columns[0] as usize, columns[1] as usize - 1],
             rows: covered.map(|row| row as usize),
             pixels: pixels as usize,
+            ..Square::default()
         }
     }
 
@@ -237,6 +243,8 @@ pub struct Region<'a> {
     pub spans: &'a Spans<'a>,
     /// The picture's middle, in pixels from its corner.
     pub picture: [f64; 2],
+    /// Whether only the pixels in [`super::display::Listed`] are.
+    pub listed: bool,
 }
 
 impl Region<'_> {

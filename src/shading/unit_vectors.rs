@@ -11,7 +11,7 @@ use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
-use super::face::{Face, places};
+use super::face::{Face, Linear, places};
 use super::gloss::Gloss;
 use super::kernel::{DOUBLE, Light, Model, Reals, Vector};
 use super::specular::{Power, power_exact};
@@ -22,7 +22,7 @@ use crate::components::{PointLight, unit};
 /// Draws the shortcut; it has no tolerance to keep.
 pub struct UnitVectors<'a> {
     /// What is interpolated over.
-    pub face: &'a Face,
+    pub face: &'a Face<'a>,
     /// What is shaded.
     pub surface: Surface<'a>,
     /// The eye, in world units.
@@ -51,11 +51,11 @@ pub struct Triangle {
 }
 
 impl Triangle {
-    /// Triangle 0 or 1 of face `number`; `depths`: of its corners in the order of the face's, as w in screen coordinates,
-    /// if none is nearer than the near plane.
-    pub fn new(face: &Face, number: usize, second: usize, depths: [Option<f64>; 4]) -> Self {
+    /// Triangle 0 or 1 of a face with these normals; `depths`: of its corners in the order of the face's, as w in screen
+    /// coordinates, if none is nearer than the near plane.
+    pub fn new(face: &Face, normals: &Linear, second: usize, depths: [Option<f64>; 4]) -> Self {
         let corners = if second == 0 { [0, 1, 2] } else { [0, 2, 3] };
-        let all = places(number);
+        let all = places(face.number);
         let weights = face.weights(corners.map(|corner| all[corner]));
         let factors = corners.map(|corner| depths[corner]);
         let screen = match factors {
@@ -64,7 +64,7 @@ impl Triangle {
         };
         Triangle {
             corners: corners.map(|corner| face.from_eye(all[corner])),
-            normals: corners.map(|corner| face.normal_at(all[corner])),
+            normals: corners.map(|corner| normals.at(all[corner])),
             weights: weights.map(|weights| weights * screen.unwrap_or(DVec3::ONE)),
             linear: screen.is_some(),
         }

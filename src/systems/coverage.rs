@@ -5,12 +5,17 @@
 //!   row 1   . # # . .      left edges give the first pixel, right edges the first one beyond
 //!   row 2   . # # # .
 //! ```
-//! Rule: all in 64-bit integers. With coordinates below 2^30 in 1/256 pixel no product exceeds 2^62. An edge gives its
+//! Rule: all in integers, and exact. With coordinates below 2^30 in 1/256 pixel no product exceeds 2^62. An edge gives its
 //! two triangles the same boundary, since both compute it from its upper end; so nothing is missed and nothing drawn twice.
+//! A small triangle is asked at every pixel around it instead, sixteen at a time (Pineda 1988): no edge is divided.
 
 use std::ops::Range;
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, i32x16};
+
 use crate::components::Polygon;
+use crate::simd::inlined;
 
 /// One edge on its way down the rows: the first pixel whose centre is not left of it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -80,6 +85,42 @@ impl Edge {
     }
 }
 
+/// The side of the square of pixels round a small triangle.
+pub const SMALL: usize = 16;
+
+/// The pixels that a triangle covers of the [`SMALL`] columns and so many rows from `first` on, by row: a bit for each column.
+/// It must lie in that square. [`Scan`] finds the same.
+#[inline(always)]
+pub fn covered<S: Simd>(
+    simd: S,
+    corners: [[i32; 2]; 3],
+    first: [i32; 2],
+    rows: usize,
+) -> [u32; SMALL] {
+    const LANES: [i32; SMALL] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+    let lanes = i32x16::simd_from(simd, LANES);
+    // Twice the area of a pixel's centre and an edge: not negative inside, and positive if the edge is right or below. From
+    // the centre of the first pixel no number exceeds 2^26.
+    let edge = inlined(
+        #[inline(always)]
+        |from: usize, to: usize| {
+            let at = |corner: usize, axis: usize| corners[corner][axis] - 256 * first[axis] - 128;
+            let [x, y] = [at(from, 0), at(from, 1)];
+            let [run, rise] = [at(to, 0) - x, at(to, 1) - y];
+            let open = rise < 0 || rise == 0 && run >= 0;
+            let start = y * run - x * rise - i32::from(open);
+            (lanes * (256 * rise) + start, -256 * run)
+        },
+    );
+    let [mut a, mut b, mut c] = [edge(0, 1), edge(1, 2), edge(2, 0)];
+    let mut bits = [0; SMALL];
+    for row in bits.iter_mut().take(rows) {
+        *row = (a.0 | b.0 | c.0).simd_ge(0).to_bitmask() as u32;
+        (a.0, b.0, c.0) = (a.0 + a.1, b.0 + b.1, c.0 + c.1);
+    }
+    bits
+}
+
 /// A polygon being scanned downwards.
 pub struct Scan {
     edges: [Edge; Polygon::MAX_VERTICES],
@@ -125,7 +166,9 @@ impl Scan {
         scan
     }
 
-    /// Finds the sides of the present row, and how far they go.
+    /// Finds the sides of the present row, and how far they go. Outlined, as [`Scan::span_of_all`] is: else every row of a
+    /// large polygon loads all edges for them.
+    #[inline(never)]
     fn settle(&mut self) {
         let [mut left, mut right] = [None; 2];
         let mut one_each = true;
@@ -161,6 +204,7 @@ impl Scan {
     }
 
     /// The span of the present row, whatever edges there are.
+    #[inline(never)]
     fn span_of_all(&mut self) -> (i64, i64) {
         let (mut from, mut to) = (i64::MIN, i64::MAX);
         let (mut begins, mut ends) = (false, false);

@@ -14,9 +14,7 @@ use glam::DVec3;
 use hecs::World;
 
 use self::frustum::Frustum;
-use crate::components::{
-    Lens, Mesh, Polygon, Projected, Projection, TRIANGLES, View, WorldTransform,
-};
+use crate::components::{FACES, Lens, Mesh, Projected, Projection, View, WorldTransform};
 use crate::frame::Frame;
 
 /// Overwrites the [`Projected`] of every cuboid.
@@ -40,19 +38,29 @@ pub fn project(place: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut
         Projection::Orthographic => axes.transpose() * -lens.axes[2] * f64::INFINITY,
     };
     let frustum = Frustum::new(lens, axes, centre);
-    for (index, triangle) in TRIANGLES.iter().enumerate() {
-        let axis = index / 4;
-        let outwards = if index / 2 % 2 == 0 { 1.0 } else { -1.0 };
-        let front = outwards * eye_side[axis] > mesh.corners[7][axis];
-        projected.polygons[index] = if front {
-            let corners = triangle.map(|corner| {
-                let corner = usize::from(corner);
-                (mesh.corners[corner], projected.seen[corner])
-            });
-            frustum.clip(axis, corners)
-        } else {
-            Polygon::default()
-        };
+    let half = mesh.corners[7];
+    let snapped = frustum
+        .holds(half)
+        .then(|| projected.seen.map(|seen| frustum.snapped(seen)));
+    for (face, corners) in FACES.iter().enumerate() {
+        let axis = face / 2;
+        let outwards = if face % 2 == 0 { 1.0 } else { -1.0 };
+        let front = outwards * eye_side[axis] > half[axis];
+        let [a, b, c, d] = corners.map(usize::from);
+        for (second, triangle) in [[a, b, c], [a, c, d]].into_iter().enumerate() {
+            let polygon = &mut projected.polygons[2 * face + second];
+            if !front {
+                polygon.len = 0;
+            } else if let Some(snapped) = &snapped {
+                polygon.len = 3;
+                for (vertex, corner) in polygon.vertices.iter_mut().zip(triangle) {
+                    *vertex = snapped[corner];
+                }
+            } else {
+                let corner = |corner: usize| (mesh.corners[corner], projected.seen[corner]);
+                *polygon = frustum.clip(axis, triangle.map(corner));
+            }
+        }
     }
 }
 
@@ -61,7 +69,7 @@ mod tests {
     use glam::DMat3;
 
     use super::*;
-    use crate::components::{Camera, Viewpoint};
+    use crate::components::{Camera, Polygon, Viewpoint};
 
     pub(super) fn view(projection: Projection, size: [usize; 2]) -> View {
         let camera = Camera {

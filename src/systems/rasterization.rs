@@ -11,22 +11,26 @@
 mod listing;
 mod store;
 
+use std::ops::Range;
+
 use fearless_simd::Simd;
+use glam::DVec3;
 use hecs::World;
 
-use self::listing::add;
+use self::listing::Listing;
 use self::store::Store;
 use crate::components::{
     FileOrder, Illumination, Lens, Material, Mesh, Normals, Projected, Projection, ShadingMode,
     VertexColors, View, WorldTransform,
 };
 use crate::frame::{Band, Counts, DrawList, Frame, Object, Piece, face};
-use crate::shading::display::Evaluated;
-use crate::shading::face::Solid;
+use crate::shading::affine::Affine;
+use crate::shading::display::{Evaluated, Listed};
+use crate::shading::face::{Face, Rays, Solid, places};
 use crate::shading::field::Places;
 use crate::shading::gouraud::Gouraud;
 use crate::shading::interpolation::{self, Form, Interpolant};
-use crate::shading::phong::Phong;
+use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Spans, Square};
 use crate::shading::unit_vectors::{self, UnitVectors};
 use crate::shading::{Evaluations, Scratch, Shader, Sink, Surface, TileKind};
@@ -42,6 +46,14 @@ const FEW: usize = 24;
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     let (lens, lights) = (frame.lens, std::mem::take(&mut frame.illumination));
     let illumination = &lights;
+    let level = frame.workers().level();
+    let rays = &Rays::new(&lens);
+    let listing = Listing {
+        illumination,
+        view,
+        lens: &lens,
+        rays,
+    };
     let mut list = frame.take_list();
     list.clear();
     for (order, place, mesh, material, own, normals, colors, projected) in world.query_mut::<(
@@ -60,89 +72,139 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             centre: place.position,
             mode: view.shading.unwrap_or(*own),
             gloss: 0,
+            solid: Solid {
+                centre: place.position - lens.eye,
+                axes: place.axes,
+                half: mesh.corners[7],
+                normals: normals.0,
+                colors: colors.0,
+            },
         };
-        let solid = Solid {
-            centre: place.position - lens.eye,
-            axes: place.axes,
-            half: mesh.corners[7],
-            normals: &normals.0,
-            colors: &colors.0,
-        };
-        add(
-            &mut list,
-            object,
-            &solid,
-            projected,
-            illumination,
-            view,
-            &lens,
-        );
+        dispatch!(level, simd => listing.add(simd, &mut list, object, projected));
     }
-    // Where depths tie the piece listed first is seen, so the file decides, and not the order in which hecs iterates.
-    let in_file = |piece: &Piece| (piece.id, piece.spans.start);
-    list.pieces.sort_unstable_by_key(in_file);
-    let level = frame.workers().level();
+    list.sort(view.size[1]);
     frame.paint(view.background, list, |list, band, scratch| {
-        dispatch!(level, _simd => prepare(list, band, &lens));
         let mut counts = Counts::default();
-        for piece in &list.pieces {
-            let spans = list.spans(piece);
-            if band.held(spans.rows()).is_empty() {
+        for (strip, row) in (0..band.rows.end).step_by(MAX_SIDE).enumerate() {
+            let rows = band.held(row..row + MAX_SIDE);
+            if rows.is_empty() {
                 continue;
             }
-            let shader = shader(list, piece, illumination, view, &lens);
-            let mut drawing = Drawing {
-                spans,
-                id: piece.id,
-                picture: lens.half,
-                few: if shader.interpolates() {
-                    FEW
-                } else {
-                    usize::MAX
-                },
-                shader,
-                band,
-                scratch,
-                counts: &mut counts,
-            };
-            dispatch!(level, simd => drawing.draw(simd));
+            dispatch!(level, _simd => prepare(list, strip, &rows, band, &lens));
+            for &piece in &list.strips[strip] {
+                let piece = &list.pieces[piece as usize];
+                let spans = list.spans(piece);
+                // Drawn once all of it in this band is prepared.
+                if band.held(spans.rows()).end > rows.end {
+                    continue;
+                }
+                // What fits into the smallest square is drawn as one.
+                let square = Square::around(&spans);
+                if let Some(square) = &square
+                    && !list_seen(&mut scratch.levels.listed, square, &spans, piece, band)
+                {
+                    continue;
+                }
+                let object = &list.objects[piece.object];
+                let face = Face::new((piece.id % 12 / 2) as usize, &object.solid, rays);
+                let mut lights = std::mem::take(&mut scratch.lights);
+                let shader = shader(list, object, &face, &mut lights, illumination, view, &lens);
+                let mut drawing = Drawing {
+                    spans,
+                    id: piece.id,
+                    picture: lens.half,
+                    few: if shader.interpolates() {
+                        FEW
+                    } else {
+                        usize::MAX
+                    },
+                    shader,
+                    band,
+                    scratch,
+                    counts: &mut counts,
+                };
+                dispatch!(level, simd => match &square {
+                    Some(square) => drawing.evaluated(simd, square, true),
+                    None => drawing.draw(simd),
+                });
+                scratch.lights = lights;
+            }
         }
         counts
     });
     frame.illumination = lights;
 }
 
-/// What shades a piece: the one place where the mode is asked.
+/// Lists the pixels of a square in which a piece is seen; whether there are any.
+fn list_seen(
+    listed: &mut Listed,
+    square: &Square,
+    spans: &Spans,
+    piece: &Piece,
+    band: &Band,
+) -> bool {
+    listed.clear();
+    let [left, top] = square.first().map(|first| first as f32);
+    for (row, span) in spans.within(&band.rows) {
+        let x = left + (span.start - square.place[0]) as i32 as f32;
+        let y = top + (row - square.place[1]) as i32 as f32;
+        let pixels = band.index(span.start, row)..band.index(span.end, row);
+        if band.triangles.is_empty() {
+            listed.extend([x, y], pixels, |_| true);
+        } else {
+            let ids = &band.triangles[pixels.clone()];
+            listed.extend([x, y], pixels, |pixel| face(ids[pixel]) == face(piece.id));
+        }
+    }
+    listed.count() > 0
+}
+
+/// What shades a face: the one place where the mode is asked.
 fn shader<'a>(
     list: &'a DrawList,
-    piece: &'a Piece,
+    object: &'a Object,
+    face: &'a Face,
+    lights: &'a mut Vec<FaceLight>,
     illumination: &'a Illumination,
     view: &View,
     lens: &Lens,
 ) -> Shader<'a> {
-    let object = &list.objects[piece.object];
     let surface = Surface {
         material: &object.material,
         illumination,
         centre: object.centre,
     };
-    let (face, eye, tolerance) = (&piece.face, lens.eye, view.tolerance);
+    let (eye, tolerance) = (lens.eye, view.tolerance);
+    let solid = &object.solid;
     match object.mode {
-        ShadingMode::Gouraud => Shader::Gouraud(Gouraud { face, tolerance }),
+        ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, &solid.colors, tolerance)),
         ShadingMode::Phong => {
             let gloss = &list.glosses[object.gloss];
-            let lights = &list.lights[piece.lights.clone()];
-            Shader::Phong(Phong::new(face, surface, eye, gloss, lights, tolerance))
+            let normals = face.linear(&solid.normals);
+            lights.clear();
+            let points = illumination.points.iter();
+            lights.extend(
+                points.filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye)),
+            );
+            Shader::Phong(Phong::new(
+                face, normals, surface, eye, gloss, lights, tolerance,
+            ))
         }
         ShadingMode::UnitVectors => {
-            let number = (piece.id % 12 / 2) as usize;
+            let normals = face.linear(&solid.normals);
+            // w of the corners on the screen, where they have a place there.
+            let depths = places(face.number).map(|place| {
+                let corner = face.from_eye(place);
+                let seen = DVec3::from_array(lens.axes.map(|axis| axis.dot(corner)));
+                (seen.z >= lens.near).then(|| lens.homogeneous(seen).z)
+            });
             Shader::UnitVectors(UnitVectors {
                 face,
                 surface,
                 eye,
                 backward: (lens.projection == Projection::Orthographic).then(|| -lens.axes[2]),
                 triangles: [0, 1]
-                    .map(|second| unit_vectors::Triangle::new(face, number, second, piece.depths)),
+                    .map(|second| unit_vectors::Triangle::new(face, &normals, second, depths)),
                 gloss: &list.glosses[object.gloss],
                 power: list.glosses[object.gloss].every,
             })
@@ -150,38 +212,39 @@ fn shader<'a>(
     }
 }
 
-/// Clears a band, and finds what is seen of each piece where the band has room to say so.
+/// Clears the rows of a strip that are in a band, and finds what is seen of each piece there where the band has room to say so.
 #[inline(always)]
-fn prepare(list: &DrawList, band: &mut Band, lens: &Lens) {
+fn prepare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, lens: &Lens) {
     let deep = !band.depths.is_empty();
-    let rows = band.rows.clone();
+    let pieces = || {
+        let indices = list.strips[strip].iter();
+        indices.map(|&index| &list.pieces[index as usize])
+    };
     if !deep {
-        for piece in &list.pieces {
-            for (row, span) in list.spans(piece).within(&rows) {
+        for piece in pieces() {
+            for (row, span) in list.spans(piece).within(rows) {
                 band.announce(row, span.start, span.end);
             }
         }
     }
-    band.clear();
+    band.clear(rows.clone());
     if band.triangles.is_empty() {
         return;
     }
-    for piece in &list.pieces {
-        for (row, span) in list.spans(piece).within(&rows) {
+    for piece in pieces() {
+        for (row, span) in list.spans(piece).within(rows) {
             let first = band.index(span.start, row);
             let pixels = first..first + span.len();
             let ids = &mut band.triangles[pixels.clone()];
-            let place = [
-                span.start as f64 + 0.5 - lens.half[0],
-                row as f64 + 0.5 - lens.half[1],
-            ];
             if deep {
-                band.drawn[row - rows.start].touch(span.start, span.end);
+                band.drawn[row - band.rows.start].touch(span.start, span.end);
+                let place = [
+                    span.start as f64 + 0.5 - lens.half[0],
+                    row as f64 + 0.5 - lens.half[1],
+                ];
                 see(piece, place, &mut band.depths[pixels], ids);
             } else {
-                for (id, x) in ids.iter_mut().zip(0..) {
-                    *id = piece.triangle(place[0] + f64::from(x), place[1]);
-                }
+                ids.fill(piece.id);
             }
         }
     }
@@ -191,14 +254,19 @@ fn prepare(list: &DrawList, band: &mut Band, lens: &Lens) {
 /// middle.
 #[inline(always)]
 fn see(piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
-    let plane = piece.face.nearness();
-    let [least, most] = piece.nearness;
-    for ((old, id), x) in depths.iter_mut().zip(ids).zip(0..) {
-        let x = left + f64::from(x);
-        let new = plane.at(x, y).max(least).min(most);
-        let nearer = new - *old > DEPTH_TIE * old.abs();
-        *old = if nearer { new } else { *old };
-        *id = if nearer { piece.triangle(x, y) } else { *id };
+    let [least, most] = piece.range;
+    let Affine { centre, dx, dy } = piece.nearness;
+    let start = centre + dy * y;
+    let mut x = left;
+    for (old, id) in depths.iter_mut().zip(ids) {
+        let new = start + dx * x;
+        // One instruction each; what is not a number becomes the least.
+        let new = if new > least { new } else { least };
+        let new = if new < most { new } else { most };
+        if new - *old > DEPTH_TIE * old.abs() {
+            (*old, *id) = (new, piece.id);
+        }
+        x += 1.0;
     }
 }
 
@@ -220,12 +288,6 @@ struct Drawing<'a, 'b> {
 impl Drawing<'_, '_> {
     /// Draws all of it that is in the band.
     fn draw<S: Simd>(&mut self, simd: S) {
-        if let Some(square) = Square::around(&self.spans) {
-            if self.is_seen(&square) {
-                self.evaluated(simd, &square);
-            }
-            return;
-        }
         let rows = self.band.held(self.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
             let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
@@ -268,7 +330,7 @@ impl Drawing<'_, '_> {
             } else if square.side > MIN_SIDE && tried[index] {
                 self.squares(simd, &square.quarters(&self.spans));
             } else {
-                self.evaluated(simd, square);
+                self.evaluated(simd, square, false);
             }
         }
     }
@@ -295,7 +357,7 @@ impl Drawing<'_, '_> {
                 }
                 match interpolant.forms[index] {
                     Some(form) => self.interpolated(simd, quarter, &interpolant, index, form),
-                    None => self.evaluated(simd, quarter),
+                    None => self.evaluated(simd, quarter, false),
                 }
             }
             return;
@@ -306,16 +368,17 @@ impl Drawing<'_, '_> {
             #[inline(always)]
             || interpolation::draw(simd, interpolant, index, form, square, &mut store),
         );
-        self.counts.covered_pixels += store.finish(form.kind);
+        self.counts.covered_pixels += store.finish(form.kind, &self.shader, self.picture);
         self.counts.tiles[form.kind as usize] += 1;
     }
 
-    /// Draws a square pixel by pixel, or its quarters where that cannot be done in lanes.
-    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square) {
+    /// Draws a square, or what is listed of it, pixel by pixel; or its quarters where that cannot be done in lanes.
+    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, listed: bool) {
         let region = Region {
             square,
             spans: &self.spans,
             picture: self.picture,
+            listed,
         };
         let evaluations = match self.shader.evaluate(simd, &region, self.scratch) {
             None if square.side > MIN_SIDE => {
@@ -334,13 +397,19 @@ impl Drawing<'_, '_> {
             Some(evaluations) => evaluations,
         };
         let mut store = Store::new(self.band, &self.spans, square, self.id);
-        let mut rows = Evaluated::new(simd, &self.scratch.levels);
+        let levels = &self.scratch.levels;
         apart(
             simd,
             #[inline(always)]
-            || store.draw(&mut rows),
+            || {
+                if listed {
+                    store.draw_listed(simd, &levels.listed);
+                } else {
+                    store.draw(&mut Evaluated::new(simd, levels));
+                }
+            },
         );
-        self.counts.covered_pixels += store.finish(evaluations.kind);
+        self.counts.covered_pixels += store.finish(evaluations.kind, &self.shader, self.picture);
         self.counts.model_evaluations += evaluations.model;
         self.counts.specular_evaluations += evaluations.specular;
         self.counts.tiles[evaluations.kind as usize] += 1;

@@ -2,7 +2,9 @@
 
 use fearless_simd::Simd;
 use glam::DVec3;
-use shadetrade::components::{Illumination, Material, Mesh, PointLight, Projection, Transform};
+use shadetrade::components::{
+    Illumination, Lens, Material, Mesh, PointLight, Projection, Transform,
+};
 use shadetrade::shading::display::Rows;
 use shadetrade::shading::face::{Face, Rays, Solid};
 use shadetrade::shading::field::Places;
@@ -44,13 +46,16 @@ impl<S: Simd> Sink<S> for Shown {
 
 /// A face of a random cuboid, seen so that a square is anything from a thousandth of it to more than all of it.
 struct Subject {
-    face: Face,
+    solid: Solid,
+    rays: Rays,
     eye: DVec3,
     material: Material,
     illumination: Illumination,
     /// The picture's middle, in pixels.
     picture: [f64; 2],
     side: usize,
+    /// Whether its pixels are evaluated one by one where they are not interpolated.
+    listed: bool,
 }
 
 impl Subject {
@@ -60,6 +65,11 @@ impl Subject {
             illumination: &self.illumination,
             centre: DVec3::ZERO,
         }
+    }
+
+    /// Its face +z.
+    fn face(&self) -> Face<'_> {
+        Face::new(4, &self.solid, &self.rays)
     }
 
     /// A pixel's centre from the picture's middle.
@@ -73,12 +83,13 @@ impl Subject {
 
     /// Whether all of the square shows the face, which alone may be asked of a shader.
     fn is_inside(&self) -> bool {
+        let face = self.face();
         let last = self.side - 1;
         [[0, 0], [last, 0], [0, last], [last, last]]
             .iter()
             .all(|&[column, row]| {
                 let [x, y] = self.place(column, row);
-                let DVec3 { x: u, y: v, z: w } = self.face.place.at(x, y);
+                let DVec3 { x: u, y: v, z: w } = face.place.at(x, y);
                 w > 0.0 && u.abs() <= w && v.abs() <= w
             })
     }
@@ -112,23 +123,22 @@ fn subject(random: &mut Random) -> Subject {
         Projection::Orthographic,
     ]);
     let seen = half.x.min(half.y) * random.decade(-4.0, -1.0);
-    let rays = Rays {
+    let rays = Rays::new(&Lens {
         axes: [right, right.cross(forward), forward],
         pitch: match projection {
             Projection::Perspective => seen / eye.distance(target),
             Projection::Orthographic => seen,
         },
         projection,
-    };
+        ..Lens::default()
+    });
     let solid = Solid {
         centre: -eye,
         axes,
         half,
-        normals: &normals,
-        colors: &colors,
+        normals,
+        colors,
     };
-    // Face 4 is the face +z.
-    let face = Face::new(4, &solid, &rays);
     let material = Material {
         ambient: random.vector(0.0, 1.0),
         diffuse: random.vector(0.0, 1.0),
@@ -161,12 +171,14 @@ fn subject(random: &mut Random) -> Subject {
     };
     let side = random.one_of(&[16, 16, 32]);
     Subject {
-        face,
+        solid,
+        rays,
         eye,
         material,
         illumination,
         picture: PLACE.map(|first| first as f64 + random.within(-4.0, 20.0).round()),
         side,
+        listed: side == 16 && random.one_of(&[true, false]),
     }
 }
 
@@ -202,8 +214,23 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
         square: &square,
         spans: &spans,
         picture,
+        listed: subject.listed,
     };
+    scratch.levels.listed.clear();
+    if subject.listed {
+        let [left, top] = square.first().map(|first| first as f32);
+        for row in 0..side {
+            let indices = side * row..side * (row + 1);
+            let listed = &mut scratch.levels.listed;
+            listed.extend([left, top + row as f32], indices, |_| true);
+        }
+    }
     match shader.evaluate(simd, &region, &mut scratch) {
+        Some(evaluations) if subject.listed => {
+            let listed = scratch.levels.listed.levels();
+            let levels = listed.map(|(_, levels)| levels.map(f64::from));
+            (evaluations.kind, levels.collect())
+        }
         Some(evaluations) => {
             let levels = pixels.map(|[column, row]| scratch.levels.at(column, row).map(f64::from));
             (evaluations.kind, levels.collect())
@@ -242,15 +269,16 @@ fn no_square_exceeds_its_tolerance() {
         }
         let tolerance = random.one_of(&[0.0, 1.0, 1.0, 1.0]) * random.decade(-2.0, 0.9);
         let surface = subject.surface();
-        let (face, eye) = (&subject.face, subject.eye);
+        let (face, eye) = (&subject.face(), subject.eye);
+        let normals = face.linear(&subject.solid.normals);
         let gloss = Gloss::new(&surface, tolerance);
         let points = subject.illumination.points.iter();
         let lights: Vec<_> = points
-            .filter_map(|light| FaceLight::new(face, &surface, light, eye))
+            .filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye))
             .collect();
-        let phong = Phong::new(face, surface, eye, &gloss, &lights, tolerance);
+        let phong = Phong::new(face, normals, surface, eye, &gloss, &lights, tolerance);
         for shader in [
-            Shader::Gouraud(Gouraud { face, tolerance }),
+            Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance)),
             Shader::Phong(phong),
         ] {
             let (kind, found) = shade(&shader, &subject);
@@ -282,23 +310,16 @@ fn a_sliver_is_never_interpolated() {
     let mut slivers = 0;
     for seed in 0..4000_u64 {
         let subject = subject(&mut Random(seed.wrapping_mul(0x1000_0000_01b3)));
-        let Subject {
-            face,
-            picture,
-            side,
-            ..
-        } = &subject;
+        let Subject { picture, side, .. } = &subject;
+        let face = &subject.face();
         let square = Square::whole(PLACE, *side);
         let middle = [0, 1].map(|axis| square.middle()[axis] - picture[axis]);
-        if face.is_steady(face.w.at(middle[0], middle[1])) {
+        if face.is_steady(face.plane.w.at(middle[0], middle[1])) {
             continue;
         }
         slivers += 1;
         let places = Places::single(simd, middle, square.half());
-        let shader = Shader::Gouraud(Gouraud {
-            face,
-            tolerance: 8.0,
-        });
+        let shader = Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, 8.0));
         let form = shader
             .interpolate(simd, &places)
             .and_then(|interpolant| interpolant.forms[2]);

@@ -1,7 +1,8 @@
 //! Drawings and assertions of how many polygons cover each pixel.
 
 use shadetrade::components::Polygon;
-use shadetrade::systems::coverage::Scan;
+use shadetrade::simd::baseline;
+use shadetrade::systems::coverage::{SMALL, Scan, covered};
 
 /// A polygon whose vertices are given in 1/256 pixel, counter-clockwise as seen.
 pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
@@ -14,7 +15,12 @@ pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
 }
 
 /// How many of the polygons cover each pixel of a picture.
+///
+/// Small triangles are counted both ways.
 pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
+    for polygon in polygons {
+        assert_small(polygon, [width, height]);
+    }
     let mut counts = vec![0; width * height];
     for polygon in polygons {
         let mut scan = Scan::new(polygon, 0..height, width);
@@ -25,6 +31,34 @@ pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
         }
     }
     counts
+}
+
+/// Asserts that a triangle which fits into a small square round the first pixels covers the same, asked at every pixel.
+fn assert_small(polygon: &Polygon, [width, height]: [usize; 2]) {
+    let small = |coordinate: &i32| (-128..16 * 256).contains(coordinate);
+    let (&[a, b, c], true) = (
+        polygon
+            .vertices()
+            .first_chunk::<3>()
+            .unwrap_or(&[[i32::MAX; 2]; 3]),
+        polygon.len == 3,
+    ) else {
+        return;
+    };
+    if ![a, b, c].as_flattened().iter().all(small) {
+        return;
+    }
+    let simd = baseline().expect("every machine has them");
+    let bits = covered(simd, [a, b, c], [0, 0], SMALL);
+    let mut expected = [0; SMALL];
+    let mut scan = Scan::new(polygon, 0..SMALL.min(height), SMALL.min(width));
+    while let Some((row, from, to)) = scan.next_span() {
+        expected[row] = (1 << to) - (1 << from);
+    }
+    for (bits, expected) in bits.into_iter().zip(expected).take(height) {
+        let in_picture = (1_u32 << width.min(SMALL)) - 1;
+        assert_eq!(bits & in_picture, expected, "{polygon:?}");
+    }
 }
 
 /// How many pixels a polygon covers of a picture.

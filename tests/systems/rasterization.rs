@@ -5,7 +5,8 @@ use hecs::World;
 use shadetrade::components::{
     FileOrder, LightKind, Material, Projection, ShadingMode, Transform, VertexColors, View,
 };
-use shadetrade::frame::{Frame, NO_TRIANGLE};
+use shadetrade::frame::{Frame, NO_TRIANGLE, OUTLINE};
+use shadetrade::shading::TileKind;
 use shadetrade::systems::rasterization;
 use shadetrade::{reference, systems};
 
@@ -179,6 +180,55 @@ fn what_is_drawn_of_gouraud_are_the_vertex_colours() {
                 "{projection:?}: {} for {expected}",
                 levels[0]
             );
+        }
+    }
+}
+
+/// Whether any pixel, and whether every pixel that shows a triangle, is evaluated in f64.
+fn doubles(frame: &Frame) -> [bool; 2] {
+    let seen = frame.triangles().iter().zip(frame.kinds());
+    let kinds = seen.filter(|(id, _)| **id != NO_TRIANGLE);
+    let is_double = |kind: &u8| TileKind::ALL[usize::from(kind & !OUTLINE)] == TileKind::Double;
+    let doubles: Vec<bool> = kinds.map(|(_, kind)| is_double(kind)).collect();
+    [doubles.contains(&true), !doubles.contains(&false)]
+}
+
+#[test]
+fn levels_are_evaluated_in_f64_where_the_roundings_of_f32_reach_a_twentieth_of_one() {
+    // A round-off is 2^-24: 42 of them are counted in Gouraud, and six of ambient light in Phong: two of the sum, one of its
+    // term and three of its display.
+    for (mode, roundings) in [(ShadingMode::Gouraud, 42.0), (ShadingMode::Phong, 6.0)] {
+        let edge = 0.05 * 2.0_f64.powi(24) / roundings;
+        for (size, share, expected) in [
+            ([300, 200], 0.99, [false; 2]),
+            ([300, 200], 1.01, [true; 2]),
+            ([24, 16], 0.99, [false; 2]),
+            ([24, 16], 1.01, [true; 2]),
+        ] {
+            let mut world = World::new();
+            flat_cube(&mut world, 0, DVec3::ZERO, share * edge);
+            world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 1.0)));
+            let mut view = ahead(Projection::Orthographic, size);
+            view.shading = Some(mode);
+            let frame = draw(&mut world, &view);
+            assert_eq!(doubles(&frame), expected, "{mode:?}, {size:?}, {share}");
+        }
+    }
+}
+
+#[test]
+fn a_grazing_light_takes_f64_only_where_its_highlight_is_cut_off() {
+    // n.l changes its sign on the front face. A light behind it shines along the face into the eye; one before it does not.
+    for (depth, expected) in [(-5.0, true), (5.0, false)] {
+        for size in [[300, 200], [24, 16]] {
+            let mut world = World::new();
+            let (side, mode) = (DVec3::splat(2.0), ShadingMode::Phong);
+            spawn_cuboid(&mut world, 0, at(DVec3::ZERO), side, MATERIAL, mode);
+            let position = dvec3(20.0, 0.0, depth);
+            world.spawn((at(position), light(LightKind::Diffuse, 100.0)));
+            world.spawn((at(position), light(LightKind::Specular, 100.0)));
+            let frame = draw(&mut world, &ahead(Projection::Orthographic, size));
+            assert_eq!(doubles(&frame)[0], expected, "{depth}, {size:?}");
         }
     }
 }

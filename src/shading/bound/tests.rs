@@ -184,6 +184,30 @@ fn a_highlight_strays_no_further_than_its_bound() {
 }
 
 #[test]
+fn where_the_light_grazes_the_highlight_is_no_brighter_than_the_gate_says() {
+    let mut random = Random(4);
+    let (mut most, mut seen) = (0.0_f64, 0);
+    for _ in 0..4000 {
+        let [_, light, eye] = scene(&mut random);
+        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        let [l, o] = [light, eye].map(|vector| Field::new(&vector.into(), &places));
+        let bound = one(gate(&l, &o));
+        assert!(bound <= 1.0 || one(l.radius.max(o.radius)) < MAX_RADIUS);
+        for step in 0..=40 {
+            let [x, y] = [step % 9, step / 9].map(|step| f64::from(step) / 4.0 - 1.0);
+            let [l, o] = [light, eye].map(|vector| value(&vector, x, y));
+            assert!(-o.dot(l) <= bound + 1e-14, "{} above {bound}", -o.dot(l));
+            most = most.max((1.0 - o.dot(l)) / (1.0 + bound));
+            seen += 1;
+        }
+    }
+    assert!(
+        seen > 1000 && most > 0.99,
+        "{most}: so loose a bound would hide a mistake"
+    );
+}
+
+#[test]
 fn a_quotient_strays_no_further_than_its_bound() {
     let mut random = Random(3);
     let mut ratios = Vec::new();

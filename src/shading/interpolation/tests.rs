@@ -4,6 +4,7 @@
 
 use super::*;
 use crate::shading::display::Rows;
+use crate::shading::running::Rounded;
 use crate::simd::{Baseline, token};
 
 /// Holds every pixel of a square to the colour that it is drawn with.
@@ -205,4 +206,40 @@ fn a_colour_is_the_same_on_the_quarters_of_its_square() {
     }
     assert!(parts.colors.crosses.all_true());
     assert_eq!(parts.colors.budget.as_array(), &[0.25; 4]);
+}
+
+#[test]
+fn the_count_of_roundings_is_what_a_running_error_analysis_finds() {
+    // x^2 y^2 alone, at the corner, through the rows of a terminator.
+    let [zero, one] = [0.0, 1.0].map(Rounded::exact);
+    let bend = (one * Rounded::stored(1.0) + zero) * one + zero;
+    let lit = (bend * one + zero) * one + zero;
+    let level = zero + lit * Rounded::stored(1.0);
+    // The display may be that of the next float.
+    let count = (level.error + 2.0 * level.value) * U;
+    assert!((count / ROUNDING - 1.0).abs() < 1e-12, "{count}");
+}
+
+#[test]
+fn steps_of_a_256th_cost_what_they_are_said_to() {
+    let mut worst = 0.0_f64;
+    for case in 0..400 {
+        let term = |factor: f64, size: f64| size * (f64::from(case) * factor).sin();
+        let nine = [
+            [128.0 + term(1.3, 90.0), term(0.7, 9.0), 0.0],
+            [term(2.1, 9.0), 0.0, 0.0],
+            [0.0; 3],
+        ];
+        let bent = [nine[0], nine[1], [0.0, 0.0, 0.1]];
+        let color = [[nine; 3], [bent; 3]][case as usize % 2];
+        let [red, green, blue] = color;
+        // Too little to leave out what is bent.
+        let budget = FIXED + 256.0 * ROUNDING;
+        let (form, judge) = judge(&[red, green, blue, [[0.0; 3]; 3]], None, 16, budget);
+        assert!(form.is_some_and(|form| form.fixed), "{form:?}");
+        worst = worst.max(judge.worst);
+    }
+    println!("{:.3} of the count", worst / FIXED);
+    assert!(worst <= FIXED, "{worst}");
+    assert!(worst > 0.5 * FIXED, "{worst}: the count is loose");
 }

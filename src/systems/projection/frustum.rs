@@ -93,6 +93,14 @@ impl<'a> Frustum<'a> {
         }
     }
 
+    /// Whether all of a cuboid with these half edges is in sight, so that nothing of it is cut: whether its corner farthest
+    /// behind each plane is.
+    pub fn holds(&self, half: DVec3) -> bool {
+        self.planes
+            .iter()
+            .all(|plane| plane.at(-half * plane.normal.signum()) >= 0.0)
+    }
+
     /// The part of a triangle on a face across `axis` that is in sight, snapped; each corner is given in the cuboid's
     /// coordinates and as it is seen.
     pub fn clip(&self, axis: usize, corners: [(DVec3, DVec3); 3]) -> Polygon {
@@ -124,7 +132,7 @@ impl<'a> Frustum<'a> {
 
     /// The snapped pixel of a place in sight. Where the numbers are so large that rounding takes a vertex out of the guard
     /// band again, it is held to it, since rasterization counts on that.
-    fn snapped(&self, seen: DVec3) -> [i32; 2] {
+    pub fn snapped(&self, seen: DVec3) -> [i32; 2] {
         let pixel = self.lens.pixel(self.lens.homogeneous(seen));
         [0, 1].map(|axis| {
             let middle = self.lens.half[axis];

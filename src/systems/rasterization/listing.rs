@@ -1,100 +1,110 @@
-//! A projected cuboid in; its faces, the lights that reach them and the spans that they cover out.
+//! A projected cuboid in; the spans that its faces cover, and their planes, out.
 //!
 //! Rule: all of it is made once a face and frame.
 
 use std::ops::Range;
+
+use fearless_simd::Simd;
+use glam::DVec3;
 
 use crate::components::{
     FACES, Illumination, Lens, Polygon, Projected, Projection, ShadingMode, View,
 };
 use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
-use crate::shading::face::{Face, Rays, Solid};
+use crate::shading::face::{Plane, Rays};
 use crate::shading::gloss::Gloss;
-use crate::shading::phong::FaceLight;
-use crate::systems::coverage::Scan;
+use crate::simd::apart;
+use crate::systems::coverage::{SMALL, Scan, covered};
 
-/// Adds the faces of a cuboid that are seen.
-pub fn add(
-    list: &mut DrawList,
-    mut object: Object,
-    solid: &Solid,
-    projected: &Projected,
-    illumination: &Illumination,
-    view: &View,
-    lens: &Lens,
-) {
-    let material = object.material;
-    let surface = Surface {
-        material: &material,
-        illumination,
-        centre: object.centre,
-    };
-    let rays = Rays {
-        axes: lens.axes,
-        pitch: lens.pitch,
-        projection: lens.projection,
-    };
-    let pieces = list.pieces.len();
-    for (number, polygons) in projected.polygons.chunks(2).enumerate() {
-        let covered = cover(list, [&polygons[0], &polygons[1]], view.size);
-        if covered.iter().all(|(_, spans)| spans.is_empty()) {
-            continue;
-        }
-        let face = Face::new(number, solid, &rays);
-        let lights = list.lights.len();
-        if object.mode == ShadingMode::Phong {
-            let seen = illumination.points.iter();
-            list.lights
-                .extend(seen.filter_map(|light| FaceLight::new(&face, &surface, light, lens.eye)));
-        }
-        let depths = FACES[number].map(|corner| projected.seen[usize::from(corner)].z);
-        let (farthest, nearest) = depths
-            .iter()
-            .fold((f64::MIN, f64::MAX), |(most, least), depth| {
-                (most.max(*depth), least.min(*depth))
-            });
-        for (row, spans) in covered {
-            if !spans.is_empty() {
-                list.pieces.push(Piece {
-                    face,
-                    id: object.id + 2 * number as u32,
-                    object: list.objects.len(),
-                    lights: lights..list.lights.len(),
-                    row,
-                    spans,
-                    nearness: match lens.projection {
-                        Projection::Perspective => [1.0 / farthest, 1.0 / nearest.max(lens.near)],
-                        Projection::Orthographic => [-farthest, -nearest.max(lens.near)],
-                    },
-                    depths: FACES[number].map(|corner| {
-                        let seen = projected.seen[usize::from(corner)];
-                        (seen.z >= lens.near).then(|| lens.homogeneous(seen).z)
-                    }),
-                });
+/// What is listed alike for all cuboids.
+pub struct Listing<'a> {
+    pub illumination: &'a Illumination,
+    pub view: &'a View,
+    pub lens: &'a Lens,
+    pub rays: &'a Rays,
+}
+
+impl Listing<'_> {
+    /// Adds the faces of a cuboid that are seen.
+    pub fn add<S: Simd>(
+        &self,
+        simd: S,
+        list: &mut DrawList,
+        mut object: Object,
+        projected: &Projected,
+    ) {
+        let pieces = list.pieces.len();
+        for (number, polygons) in projected.polygons.chunks(2).enumerate() {
+            let covered = cover(simd, list, [&polygons[0], &polygons[1]], self.view.size);
+            for (row, spans) in covered {
+                if !spans.is_empty() {
+                    list.pieces.push(Piece {
+                        id: object.id + 2 * number as u32,
+                        object: list.objects.len(),
+                        row,
+                        spans,
+                        nearness: Plane::new(number, &object.solid, self.rays).nearness(),
+                        range: self.range(FACES[number].map(|it| projected.seen[usize::from(it)])),
+                    });
+                }
             }
+        }
+        if list.pieces.len() > pieces {
+            if object.mode != ShadingMode::Gouraud {
+                object.gloss = self.gloss(list, &object);
+            }
+            list.objects.push(object);
         }
     }
-    if list.pieces.len() > pieces {
-        if object.mode != ShadingMode::Gouraud {
-            let last = list.glosses.last();
-            if last.is_none_or(|gloss| gloss.material != material) {
-                list.glosses.push(Gloss::new(&surface, view.tolerance));
-            }
-            object.gloss = list.glosses.len() - 1;
+
+    /// The least and the most nearness of these corners.
+    fn range(&self, seen: [DVec3; 4]) -> [f64; 2] {
+        let depths = seen.map(|corner| corner.z);
+        let farthest = depths.into_iter().fold(f64::MIN, f64::max);
+        let nearest = depths.into_iter().fold(f64::MAX, f64::min);
+        match self.lens.projection {
+            Projection::Perspective => [1.0 / farthest, 1.0 / nearest.max(self.lens.near)],
+            Projection::Orthographic => [-farthest, -nearest.max(self.lens.near)],
         }
-        list.objects.push(object);
+    }
+
+    /// Which of the list's highlights an object has.
+    fn gloss(&self, list: &mut DrawList, object: &Object) -> usize {
+        let last = list.glosses.last();
+        if last.is_none_or(|gloss| gloss.material != object.material) {
+            let surface = Surface {
+                material: &object.material,
+                illumination: self.illumination,
+                centre: object.centre,
+            };
+            list.glosses.push(Gloss::new(&surface, self.view.tolerance));
+        }
+        list.glosses.len() - 1
     }
 }
 
 /// Finds the pixels that a face covers: its first row, and where its spans are listed. The
 /// spans of its two triangles meet along the diagonal and are listed as one; where snapping has bent a sliver so that they
 /// do not, each triangle has its own.
-fn cover(
+fn cover<S: Simd>(
+    simd: S,
     list: &mut DrawList,
     polygons: [&Polygon; 2],
-    [width, height]: [usize; 2],
+    size: [usize; 2],
 ) -> [(usize, Range<usize>); 2] {
+    if polygons.iter().all(|polygon| polygon.len == 0) {
+        return [(0, 0..0), (0, 0..0)];
+    }
+    let small = apart(
+        simd,
+        #[inline(always)]
+        || cover_small(simd, list, polygons, size),
+    );
+    if let Some(covered) = small {
+        return [covered, (0, 0..0)];
+    }
+    let [width, height] = size;
     let start = list.from.len();
     let [one, other] = polygons.map(|polygon| rows_of(polygon, height));
     let both = one.start.min(other.start)..one.end.max(other.end);
@@ -126,6 +136,58 @@ fn cover(
         }
         (own.start, start..list.from.len())
     })
+}
+
+/// The same for two triangles within a small square of the picture, if their spans meet.
+#[inline(always)]
+fn cover_small<S: Simd>(
+    simd: S,
+    list: &mut DrawList,
+    polygons: [&Polygon; 2],
+    size: [usize; 2],
+) -> Option<(usize, Range<usize>)> {
+    let [one, other] = polygons;
+    if one.len != 3 || other.len != 3 {
+        return None;
+    }
+    let [[left, top], [a, b], c] = [one.vertices[0], one.vertices[1], one.vertices[2]];
+    let d = other.vertices[2];
+    let [first, last] = [i32::min, i32::max].map(|end: fn(i32, i32) -> i32| {
+        [
+            end(end(left, a), end(c[0], d[0])) >> 8,
+            end(end(top, b), end(c[1], d[1])) >> 8,
+        ]
+    });
+    let fits = |axis: usize| {
+        first[axis] >= 0
+            && last[axis] < size[axis] as i32
+            && last[axis] - first[axis] < SMALL as i32
+    };
+    if !(fits(0) && fits(1)) {
+        return None;
+    }
+    let rows = (last[1] - first[1] + 1) as usize;
+    let [one, other] = polygons.map(
+        #[inline(always)]
+        |polygon| {
+            let [a, b, c, ..] = polygon.vertices;
+            covered(simd, [a, b, c], first, rows)
+        },
+    );
+    let start = list.from.len();
+    for (one, other) in one.into_iter().zip(other).take(rows) {
+        let row = one | other;
+        // One run of bits, or none: adding its lowest carries through all of it.
+        if row & row.wrapping_add(row & row.wrapping_neg()) != 0 {
+            list.from.truncate(start);
+            list.to.truncate(start);
+            return None;
+        }
+        let from = first[0] + row.trailing_zeros() as i32;
+        list.from.push(from);
+        list.to.push(from + row.count_ones() as i32);
+    }
+    Some((first[1] as usize, start..list.from.len()))
 }
 
 /// Lists so many rows that are not covered.

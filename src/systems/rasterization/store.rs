@@ -9,9 +9,10 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, i32x16, u32x16};
 
 use crate::frame::{Band, OUTLINE, face};
-use crate::shading::display::Rows;
+use crate::shading::display::{Listed, Rows};
+use crate::shading::face::Face;
 use crate::shading::square::{Spans, Square};
-use crate::shading::{Sink, TileKind};
+use crate::shading::{Shader, Sink, TileKind};
 use crate::simd::three;
 
 /// Stores the pixels of one square.
@@ -43,11 +44,12 @@ impl<'a, 'b> Store<'a, 'b> {
         self.band.held(self.square.covered_rows())
     }
 
-    /// Notes how the square was drawn, where the frame keeps that; how many of its pixels were drawn.
+    /// Notes how the square was drawn, and the triangles seen there, where the frame keeps that; how many of its pixels were
+    /// drawn. `picture` is its middle, in pixels from its corner.
     #[inline]
-    pub fn finish(mut self, kind: TileKind) -> u64 {
+    pub fn finish(mut self, kind: TileKind, shader: &Shader, picture: [f64; 2]) -> u64 {
         if !self.band.kinds.is_empty() {
-            self.mark(kind);
+            self.mark(kind, shader.face(), picture);
         }
         if self.band.is_plain() && self.rows() == self.square.covered_rows() {
             self.square.pixels as u64
@@ -57,16 +59,37 @@ impl<'a, 'b> Store<'a, 'b> {
     }
 
     #[inline(never)]
-    fn mark(&mut self, kind: TileKind) {
+    fn mark(&mut self, kind: TileKind, shown: &Face, picture: [f64; 2]) {
         let Square { place, columns, .. } = *self.square;
         for (row, span) in self.spans.clipped(self.rows(), columns) {
             let first = self.band.index(0, row);
             for column in span {
                 if face(self.band.triangles[first + column]) == face(self.id) {
+                    let [x, y] =
+                        [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - picture[axis]);
+                    let second = u32::from(shown.diagonal.at(x, y) < 0.0);
+                    self.band.triangles[first + column] = self.id + second;
                     let edge = row == place[1] || column == place[0];
                     self.band.kinds[first + column] = kind as u8 | if edge { OUTLINE } else { 0 };
                 }
             }
+        }
+    }
+
+    /// Pixels one by one.
+    #[inline(always)]
+    pub fn draw_listed<S: Simd>(&mut self, simd: S, listed: &Listed) {
+        self.drawn = listed.count() as u64;
+        if self.band.pixels.is_empty() {
+            for (index, levels) in listed.levels() {
+                self.band.levels[index] = levels;
+            }
+        } else {
+            listed.draw(
+                simd,
+                #[inline(always)]
+                |index, pixel| self.band.pixels[index] = pixel,
+            );
         }
     }
 

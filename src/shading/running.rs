@@ -1,0 +1,94 @@
+//! Running error analysis (Wilkinson 1963; Higham, "Accuracy and Stability of Numerical Algorithms", 3.3): a number in, the
+//! number and a bound on what rounding has left in it out.
+//!
+//! Rule: every operation rounds once, whatever its operands are; errors of second order are left out. What a formula is said
+//! to cost must cover what this finds where the formula is worked out in the order in which the code does it.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+/// A number that was rounded, and by how much at most, in unit round-offs.
+#[derive(Clone, Copy, Debug)]
+pub struct Rounded {
+    pub value: f64,
+    pub error: f64,
+}
+
+impl Rounded {
+    /// A number as it is.
+    pub fn exact(value: f64) -> Self {
+        Rounded { value, error: 0.0 }
+    }
+
+    /// A number that is rounded when it is stored.
+    pub fn stored(value: f64) -> Self {
+        Rounded::new(value, 0.0)
+    }
+
+    /// The result of an operation whose operands have left so much.
+    fn new(value: f64, error: f64) -> Self {
+        let error = error + value.abs();
+        Rounded { value, error }
+    }
+
+    pub fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        Rounded::new(root, self.error / (2.0 * root))
+    }
+}
+
+impl Add for Rounded {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Rounded::new(self.value + other.value, self.error + other.error)
+    }
+}
+
+impl Sub for Rounded {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Rounded::new(self.value - other.value, self.error + other.error)
+    }
+}
+
+impl Mul for Rounded {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let error = self.error * other.value.abs() + other.error * self.value.abs();
+        Rounded::new(self.value * other.value, error)
+    }
+}
+
+impl Div for Rounded {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let error = (self.error + other.error * value.abs()) / other.value.abs();
+        Rounded::new(value, error)
+    }
+}
+
+/// Three at a time.
+pub type Vector = [Rounded; 3];
+
+pub fn dot(a: &Vector, b: &Vector) -> Rounded {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// At length one.
+pub fn unit(vector: &Vector) -> Vector {
+    let inverse = Rounded::exact(1.0) / dot(vector, vector).sqrt();
+    vector.map(|component| component * inverse)
+}
+
+/// The lengths of a vector and of its error.
+pub fn lengths(vector: &Vector) -> [f64; 2] {
+    let length = |of: fn(&Rounded) -> f64| vector.iter().map(|c| of(c).powi(2)).sum::<f64>().sqrt();
+    [
+        length(|component| component.value),
+        length(|component| component.error),
+    ]
+}
