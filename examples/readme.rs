@@ -73,10 +73,10 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     let mut request = session.reference_request(size);
     if let Some(result) = examine(&mut request, workers()?, &|| false) {
         let revision = result.revision;
-        session.hear(Progress::Examined(result));
+        session.on_progress(Progress::Examined(result));
         let (world, view) = (&mut request.scene.world, &request.view);
         if let Some(proof) = prove(world, view, [workers()?, workers()?], &|| false, &|_| ())? {
-            session.hear(Progress::Proven(revision, proof));
+            session.on_progress(Progress::Proven(revision, proof));
         }
     }
     let (mut picture, mut pixels) = (Vec::new(), Vec::new());

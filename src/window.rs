@@ -255,7 +255,7 @@ impl Window {
             self.session.reload(read);
         }
         for progress in self.jobs.progress() {
-            self.session.hear(progress);
+            self.session.on_progress(progress);
         }
         for event in self.display.take_events() {
             self.input

@@ -31,7 +31,7 @@ use super::session::Session;
 use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
 use crate::components::{Polygon, Projected};
 use arrows::{Arrow, arrows};
-use board::{Board, Setting};
+use board::{Board, TextStyle};
 use layout::{Layout, help};
 use lines::Line;
 use markers::{Marker, markers};
@@ -96,13 +96,13 @@ fn strips(session: &Session, size: [usize; 2]) -> (Option<Board>, Rect, Face) {
     let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
     let lines = lines::panel(session);
     let width = |face: Face| {
-        let padding = Setting::new(face).padding();
+        let padding = TextStyle::new(face).padding();
         face.width(PANEL_LETTERS) + 2 * padding
     };
-    let setting = |face: &Face| {
-        let loose = Setting::new(*face);
+    let style = |face: &Face| {
+        let loose = TextStyle::new(*face);
         // Rows may be as close as their letters are high.
-        let tight = Setting {
+        let tight = TextStyle {
             pitch: face.height(),
             ..loose
         };
@@ -110,24 +110,20 @@ fn strips(session: &Session, size: [usize; 2]) -> (Option<Board>, Rect, Face) {
         let fits = width(*face) <= window.width * PANEL_SHARE / 100 && tight.height(&lines) <= room;
         let rows = tight.height(&lines) / tight.pitch + 1;
         let pitch = (room / rows).clamp(tight.pitch, face.height() * 5 / 4);
-        fits.then_some(Setting { pitch, ..loose })
+        fits.then_some(TextStyle { pitch, ..loose })
     };
-    let Some(setting) = FACES.iter().rev().find_map(setting) else {
+    let Some(style) = FACES.iter().rev().find_map(style) else {
         return (None, window, FACES[0]);
     };
     if !session.state().panel {
-        return (None, window, setting.face);
+        return (None, window, style.face);
     }
     let strip = Rect {
-        width: width(setting.face),
+        width: width(style.face),
         ..window
     };
     let picture = Rect::new(strip.right(), 0, window.width - strip.width, window.height);
-    (
-        Some(Board::new(lines, setting, strip)),
-        picture,
-        setting.face,
-    )
+    (Some(Board::new(lines, style, strip)), picture, style.face)
 }
 
 /// Where the picture stands in a window of `size` pixels.

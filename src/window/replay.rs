@@ -98,7 +98,7 @@ impl Player {
             let mut request = self.session.reference_request(self.size);
             let result = examine(&mut request, Workers::alone(self.level), &|| false)
                 .context("memory does not suffice for the reference")?;
-            self.session.hear(jobs::Progress::Examined(result));
+            self.session.on_progress(jobs::Progress::Examined(result));
         }
         self.composition.compose(&self.session, &mut self.picture);
         let hud = Hud::new(&self.session, self.size);

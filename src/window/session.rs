@@ -174,7 +174,7 @@ impl Session {
     }
 
     /// Takes what a job has come to, unless it is about a picture that has changed since, or is no longer wanted.
-    pub fn hear(&mut self, progress: Progress) {
+    pub fn on_progress(&mut self, progress: Progress) {
         let measures = matches!(self.measuring, Measuring::Running(_));
         match progress {
             Progress::Examined(result) if result.revision == self.revision => {

@@ -89,10 +89,10 @@ fn an_answer_about_another_picture_is_dropped() {
     let findings = found(session.reference_request(SMALL));
     press(&mut session, Key::R);
     session.take_redraw();
-    session.hear(Progress::Examined(findings));
+    session.on_progress(Progress::Examined(findings));
     assert!(session.reference().is_none());
     assert_eq!(session.take_redraw(), Redraw::Nothing);
-    session.hear(Progress::Examined(found(session.reference_request(SMALL))));
+    session.on_progress(Progress::Examined(found(session.reference_request(SMALL))));
     assert!(session.reference().is_some());
     assert_eq!(session.take_redraw(), Redraw::Overlay);
     press(&mut session, Key::P);
@@ -109,14 +109,14 @@ fn the_panel_tells_the_error_or_why_there_is_none() {
         mean: 9.934,
     });
     findings.own_errors = None;
-    session.hear(Progress::Examined(findings));
+    session.on_progress(Progress::Examined(findings));
     assert_eq!(facts(&session)[3..], ["163 (mean 9.93)", "-"]);
 }
 
 #[test]
 fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
     let mut session = default_session();
-    session.hear(Progress::Proven(
+    session.on_progress(Progress::Proven(
         session.revision(),
         proof(session.reference_request(SMALL)),
     ));
@@ -124,14 +124,14 @@ fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
         facts(&session)[2].starts_with("... of"),
         "a proof follows the findings"
     );
-    session.hear(Progress::Examined(found(session.reference_request(SMALL))));
+    session.on_progress(Progress::Examined(found(session.reference_request(SMALL))));
     let proven = proof(session.reference_request(SMALL));
-    session.hear(Progress::Proven(session.revision() + 1, proven.clone()));
+    session.on_progress(Progress::Proven(session.revision() + 1, proven.clone()));
     assert!(
         facts(&session)[2].starts_with("... of"),
         "a proof of another picture"
     );
-    session.hear(Progress::Proven(session.revision(), proven.clone()));
+    session.on_progress(Progress::Proven(session.revision(), proven.clone()));
     let covered = proven.covered.to_string();
     let told = facts(&session)[2].replace(' ', "");
     assert!(
@@ -142,11 +142,11 @@ fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
     let mut lacking = proven.clone();
     lacking.undecided = 2;
     lacking.marks[3].verdict = Verdict::Undecided;
-    session.hear(Progress::Proven(session.revision(), lacking.clone()));
+    session.on_progress(Progress::Proven(session.revision(), lacking.clone()));
     assert!(alarm(&session).contains('2'), "{}", alarm(&session));
     lacking.refuted = 7;
     lacking.marks[4].verdict = Verdict::Refuted;
-    session.hear(Progress::Proven(session.revision(), lacking));
+    session.on_progress(Progress::Proven(session.revision(), lacking));
     assert!(
         alarm(&session).contains("7 px refuted"),
         "{}",
@@ -214,7 +214,7 @@ fn where_nothing_is_drawn_there_is_no_error() {
     request.view.viewpoint.camera.target = request.view.viewpoint.position * 2.0;
     let findings = found(request);
     assert_eq!((findings.errors, findings.own_errors), (None, None));
-    session.hear(Progress::Examined(findings));
+    session.on_progress(Progress::Examined(findings));
     assert_eq!(facts(&session)[3..], ["-", "-"]);
 }
 
@@ -240,7 +240,7 @@ fn the_newest_request_is_answered_and_what_is_cancelled_is_not() {
     }
     until_heard(&jobs, |progress| {
         let last = matches!(progress, Progress::Proven(..));
-        session.hear(progress);
+        session.on_progress(progress);
         last
     });
     assert!(session.reference().is_some_and(|it| it.proof.is_some()));

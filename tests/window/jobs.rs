@@ -41,7 +41,7 @@ fn measured() -> Session {
         ..session.measurement([32, 24])
     };
     let report = trade::measure(request, &|_| ()).expect("there is memory");
-    session.hear(Progress::Measured(Box::new(report)));
+    session.on_progress(Progress::Measured(Box::new(report)));
     session
 }
 
@@ -71,7 +71,7 @@ fn m_measures_and_tells_how_far_it_is_a_few_times_a_second() {
         session.tick(Duration::from_millis(step));
         let share = step as f64 / 2000.0;
         let step = "timing frames";
-        session.hear(Progress::Measuring(trade::Progress { step, share }));
+        session.on_progress(Progress::Measuring(trade::Progress { step, share }));
         redraws += usize::from(session.take_redraw() > Redraw::Nothing);
     }
     assert!(
@@ -90,7 +90,7 @@ fn a_measurement_runs_alone_and_what_it_cancels_is_asked_again() {
     session.drawn(FrameTimes::default(), &[]);
     session.tick(Duration::from_secs(5));
     assert_eq!(session.take_requests(), [Request::Measure]);
-    session.hear(Progress::NotMeasured("no memory".to_owned()));
+    session.on_progress(Progress::NotMeasured("no memory".to_owned()));
     session.tick(Duration::from_secs(6));
     assert_eq!(session.take_requests(), [Request::Time, Request::Examine]);
 }
@@ -119,7 +119,7 @@ fn escape_m_and_every_change_end_it_but_looking_around_does_not() {
             press(session, key);
             assert!(!is_open(session), "{key:?}");
             assert!(!session.take_requests().contains(&Request::Quit));
-            session.hear(Progress::NotMeasured("too late".to_owned()));
+            session.on_progress(Progress::NotMeasured("too late".to_owned()));
             assert_eq!(session.state().message(), None);
         }
     }
@@ -136,7 +136,7 @@ fn a_failure_is_said_and_what_turns_is_not_measured() {
     let mut session = default_session();
     press(&mut session, Key::M);
     session.take_requests();
-    session.hear(Progress::NotMeasured("no memory".to_owned()));
+    session.on_progress(Progress::NotMeasured("no memory".to_owned()));
     let message = |session: &Session| session.state().message().unwrap_or_default().to_owned();
     assert!(message(&session).contains("no memory"));
     assert!(!is_open(&session));

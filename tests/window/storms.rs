@@ -223,10 +223,10 @@ impl Window {
                 let workers = Workers::alone(Level::new());
                 let result = asked.and_then(|mut asked| examine(&mut asked, workers, &|| false));
                 if let Some(result) = result {
-                    self.session.hear(Progress::Examined(result));
+                    self.session.on_progress(Progress::Examined(result));
                 }
             }
-            Happening::Measured(done) => self.session.hear(if *done {
+            Happening::Measured(done) => self.session.on_progress(if *done {
                 let request = trade::Request {
                     time: Duration::ZERO,
                     ..self.session.measurement([8, 6])

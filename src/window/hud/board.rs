@@ -33,16 +33,16 @@ const SCALE_LETTERS: usize = 44;
 
 /// How the rows of a board are set: the letters, and the pixels from one row to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Setting {
+pub struct TextStyle {
     pub face: Face,
     pub pitch: i32,
 }
 
-impl Setting {
+impl TextStyle {
     /// Rows so close that a board covers little.
     pub fn new(face: Face) -> Self {
         let pitch = face.height() * 17 / 16;
-        Setting { face, pitch }
+        TextStyle { face, pitch }
     }
 
     /// From a board's edge to its rows, in pixels.
@@ -144,25 +144,25 @@ fn mark_size(face: Face) -> i32 {
 #[derive(Debug)]
 pub struct Board {
     rect: Rect,
-    setting: Setting,
+    style: TextStyle,
     columns: Columns,
     rows: Vec<(Line, Rect)>,
 }
 
 impl Board {
     /// Sets `lines` in `rect`, from the top.
-    pub fn new(lines: Vec<Line>, setting: Setting, rect: Rect) -> Board {
-        let inside = rect.inset(setting.padding());
-        let columns = Columns::of(&lines, setting.face);
+    pub fn new(lines: Vec<Line>, style: TextStyle, rect: Rect) -> Board {
+        let inside = rect.inset(style.padding());
+        let columns = Columns::of(&lines, style.face);
         let mut y = inside.y;
         let mut set = |line: Line| {
-            let row = Rect::new(inside.x, y, inside.width, setting.row_height(&line));
+            let row = Rect::new(inside.x, y, inside.width, style.row_height(&line));
             y = row.bottom();
             (line, row)
         };
         Board {
             rect,
-            setting,
+            style,
             columns,
             rows: lines.into_iter().map(&mut set).collect(),
         }
@@ -185,7 +185,7 @@ impl Board {
             return None;
         };
         let x = point[0] - row.x;
-        let caps = keycaps(command, self.setting.face);
+        let caps = keycaps(command, self.style.face);
         let mut keys = command.keys.iter().zip(caps);
         let on_key = keys.find(|(_, cap)| (cap.x..cap.right()).contains(&x));
         let (_, action) = on_key.map_or(command.keys.last()?, |(key, _)| key);
@@ -195,10 +195,10 @@ impl Board {
     /// Draws it, the row of `hovered` lit.
     pub fn draw(&self, canvas: &mut Canvas, hovered: Option<Action>) {
         let canvas = &mut canvas.clipped(self.rect);
-        let radius = self.setting.padding();
+        let radius = self.style.padding();
         canvas.rounded(self.rect, radius, PANE);
         canvas.outline(self.rect, radius, 1.0, EDGE);
-        let face = self.setting.face;
+        let face = self.style.face;
         for (line, row) in &self.rows {
             let y = row.y + (row.height - face.height()) / 2;
             match line {
@@ -239,12 +239,12 @@ impl Board {
 
     /// How many letters there is room for in a row.
     fn letters(&self, row: Rect) -> usize {
-        (row.width / self.setting.face.advance()).max(0) as usize
+        (row.width / self.style.face.advance()).max(0) as usize
     }
 
     /// `text` at the right end of a row, cut to what the first letters leave.
     fn draw_right(&self, canvas: &mut Canvas, row: Rect, taken: usize, text: &str, ink: Ink) {
-        let face = self.setting.face;
+        let face = self.style.face;
         let text = fit(text, self.letters(row).saturating_sub(taken));
         let x = row.right() - face.width(text.chars().count());
         let y = row.y + (row.height - face.height()) / 2;
@@ -252,7 +252,7 @@ impl Board {
     }
 
     fn draw_command(&self, canvas: &mut Canvas, row: Rect, command: &Command) {
-        let face = self.setting.face;
+        let face = self.style.face;
         let y = row.y + (row.height - face.height()) / 2;
         for ((caption, _), cap) in command.keys.iter().zip(keycaps(command, face)) {
             let cap = Rect::new(row.x + cap.x, y, cap.width, cap.height - 1);

@@ -2,7 +2,7 @@
 //!
 //! Rule: a board that is placed later gives way to those that are there.
 
-use super::board::{Board, Setting};
+use super::board::{Board, TextStyle};
 use super::lines::{self, Line};
 use super::place::{Covered, place};
 use super::{FACES, Part};
@@ -42,28 +42,28 @@ impl Layout {
     fn best(&self, versions: &[Vec<Line>], wish: Point) -> Option<(Covered, Board)> {
         let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
         let obstacles: [&[Rect]; 4] = [&self.marks, &placed, &self.arrows, &[self.cuboids]];
-        let faces = self.faces.iter().map(|face| Setting::new(*face));
+        let faces = self.faces.iter().map(|face| TextStyle::new(*face));
         let versions = versions.iter().filter(|lines| !lines.is_empty());
-        let settings = faces.flat_map(|it| versions.clone().map(move |lines| (it, lines)));
-        let all = settings.filter_map(|(setting, lines)| {
-            let size = setting.size(lines);
+        let styles = faces.flat_map(|it| versions.clone().map(move |lines| (it, lines)));
+        let all = styles.filter_map(|(style, lines)| {
+            let size = style.size(lines);
             let corner = [wish[0] - size[0] / 2, wish[1] - size[1]];
             let (rect, covered) = place(size, self.window, corner, &obstacles)?;
-            Some((covered, rect, setting, lines))
+            Some((covered, rect, style, lines))
         });
         // Of several that cover as much the first has the largest letters.
-        let (covered, rect, setting, lines) = all.min_by(|one, other| one.0.cmp(&other.0))?;
-        Some((covered, Board::new(lines.clone(), setting, rect)))
+        let (covered, rect, style, lines) = all.min_by(|one, other| one.0.cmp(&other.0))?;
+        Some((covered, Board::new(lines.clone(), style, rect)))
     }
 
     /// Adds the names of both sides of a wipe beside the divider, at the upper edge; one that the edge cuts is left out.
     pub fn add_sides(&mut self, [left, right]: [String; 2], column: i32, area: Rect, face: Face) {
-        let setting = Setting::new(face);
+        let style = TextStyle::new(face);
         let gap = face.advance();
         let set = |text: String, x: &dyn Fn(i32) -> i32| {
             let lines = vec![Line::Text(text)];
-            let [width, height] = setting.size(&lines);
-            Board::new(lines, setting, Rect::new(x(width), area.y, width, height))
+            let [width, height] = style.size(&lines);
+            Board::new(lines, style, Rect::new(x(width), area.y, width, height))
         };
         let sides = [
             set(left, &|width| column - gap - width),
@@ -80,28 +80,28 @@ impl Layout {
 pub fn help(session: &Session, window: Rect) -> Vec<Board> {
     let both = lines::help(session);
     let area = window.inset(FACES[0].advance());
-    let setting = |face: &Face| {
-        let setting = Setting::new(*face);
-        let tight = Setting {
+    let style = |face: &Face| {
+        let style = TextStyle::new(*face);
+        let tight = TextStyle {
             pitch: face.height(),
-            ..setting
+            ..style
         };
-        [setting, tight].into_iter().find_map(|setting| {
-            let sizes = [&both[0], &both[1]].map(|lines| setting.size(lines));
-            let width = sizes[0][0] + setting.padding() + sizes[1][0];
+        [style, tight].into_iter().find_map(|style| {
+            let sizes = [&both[0], &both[1]].map(|lines| style.size(lines));
+            let width = sizes[0][0] + style.padding() + sizes[1][0];
             let height = sizes[0][1].max(sizes[1][1]);
             let fits = width <= area.width && height <= area.height;
-            fits.then_some((setting, sizes, [width, height]))
+            fits.then_some((style, sizes, [width, height]))
         })
     };
-    let Some((setting, sizes, [width, height])) = FACES.iter().rev().find_map(setting) else {
+    let Some((style, sizes, [width, height])) = FACES.iter().rev().find_map(style) else {
         return Vec::new();
     };
     let mut x = window.x + (window.width - width) / 2;
     let y = window.y + (window.height - height) / 2;
     let boards = both.into_iter().zip(sizes).map(|(lines, [width, _])| {
-        let board = Board::new(lines, setting, Rect::new(x, y, width, height));
-        x += width + setting.padding();
+        let board = Board::new(lines, style, Rect::new(x, y, width, height));
+        x += width + style.padding();
         board
     });
     boards.collect()
