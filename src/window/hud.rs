@@ -23,8 +23,6 @@ pub mod pixel;
 mod place;
 pub mod profile;
 
-use std::iter::repeat_n;
-
 use super::bindings::Action;
 use super::magnifier::{MAX_SCALE, Magnifier};
 use super::session::Session;
@@ -255,13 +253,10 @@ impl Hud {
         for (y, row) in rows.enumerate().take(self.picture.height as usize) {
             let [x, y] = self.magnifier.pixel([0, y as i32]);
             let drawn = &picture[y * (width - left)..][x..width - left];
-            let seen = drawn
-                .iter()
-                .flat_map(|pixel| repeat_n(*pixel, self.magnifier.scale));
-            row[left..]
-                .iter_mut()
-                .zip(seen)
-                .for_each(|(at, seen)| *at = seen);
+            let squares = row[left..].chunks_mut(self.magnifier.scale);
+            squares
+                .zip(drawn)
+                .for_each(|(square, pixel)| square.fill(*pixel));
         }
         let canvas = &mut Canvas::new(pixels, self.size);
         let over_picture = &mut canvas.clipped(self.picture);
