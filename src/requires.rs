@@ -17,10 +17,14 @@ mod command;
 mod least;
 mod share;
 
+use std::convert::Infallible;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::{ShadingMode, View};
+use crate::frame::display_step;
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
@@ -43,6 +47,9 @@ pub enum Part {
     /// f32, so it errs as a textbook's does; only where on the picture a cuboid is looked for is found exactly.
     F64SetUp,
 }
+
+/// Pictures that are evaluated at once. Each holds every cuboid.
+const AT_ONCE: usize = 16;
 
 /// What leaving out parts does to a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -127,6 +134,21 @@ pub fn changes(
     left_out: &[Vec<Part>],
     row_done: &(dyn Fn() + Sync),
 ) -> Vec<Change> {
+    let row_done = || {
+        row_done();
+        Ok::<_, Infallible>(())
+    };
+    let Ok(changes) = try_changes(scene, view, left_out, &row_done);
+    changes
+}
+
+/// The same, as long as `row_done` allows.
+fn try_changes<E: Send>(
+    scene: &Scene,
+    view: &View,
+    left_out: &[Vec<Part>],
+    row_done: &(dyn Fn() -> Result<(), E> + Sync),
+) -> Result<Vec<Change>, E> {
     let full = Reference::<Interval>::new(&scene.world, view);
     let picture = |parts: &Vec<Part>| compare(scene, view, parts);
     let pictures: Vec<Compare> = left_out.iter().map(picture).collect();
@@ -134,12 +156,102 @@ pub fn changes(
         let mut shown = Vec::with_capacity(view.size[0]);
         full.row(y, |_, seen| shown.push(seen.iter().map(ends).collect()));
         let changes = pictures.iter().map(|compare| compare(y, &shown)).collect();
-        row_done();
-        changes
+        row_done()?;
+        Ok(changes)
     };
-    let rows: Vec<Vec<Change>> = (0..view.size[1]).into_par_iter().map(row).collect();
+    let rows = (0..view.size[1]).into_par_iter().map(row);
+    let rows: Vec<Vec<Change>> = rows.collect::<Result<_, E>>()?;
     let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
-    (0..pictures.len()).map(of_picture).collect()
+    Ok((0..pictures.len()).map(of_picture).collect())
+}
+
+/// A part, what it is called, and what the picture errs without it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartChange {
+    pub part: Part,
+    pub name: String,
+    pub change: Change,
+}
+
+/// What a picture errs without each part, the largest error first; `None` as soon as `cancelled` says yes. `progress` is told
+/// which share of it is done.
+pub fn ranked(
+    scene: &Scene,
+    view: &View,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    progress: &(dyn Fn(f64) + Sync),
+) -> Option<Vec<PartChange>> {
+    let parts = parts(scene);
+    let all = parts.len().div_ceil(AT_ONCE) * view.size[1];
+    let done = AtomicUsize::new(0);
+    let row_done = || {
+        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64);
+        if cancelled() { Err(()) } else { Ok(()) }
+    };
+    let mut ranked = Vec::new();
+    for some in parts.chunks(AT_ONCE) {
+        let left_out: Vec<_> = some.iter().map(|(part, _)| vec![*part]).collect();
+        let changes = try_changes(scene, view, &left_out, &row_done).ok()?;
+        ranked.extend(
+            some.iter()
+                .zip(changes)
+                .map(|((part, name), change)| PartChange {
+                    part: *part,
+                    name: name.clone(),
+                    change,
+                }),
+        );
+    }
+    ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
+    Some(ranked)
+}
+
+/// The picture without a part, by the reference, 0x00RRGGBB; `None` as soon as `cancelled` says yes.
+pub fn picture_without(
+    scene: &Scene,
+    view: &View,
+    part: Part,
+    cancelled: &(dyn Fn() -> bool + Sync),
+) -> Option<Vec<u32>> {
+    let world = &without(scene, &[part]).world;
+    let rule = match part {
+        Part::Rule(rule) => Some(rule),
+        _ => None,
+    };
+    let pixels = match part {
+        Part::F64SetUp => pixels(
+            &Reference::<f32>::without(world, view, rule),
+            view,
+            cancelled,
+        ),
+        _ => pixels(
+            &Reference::<f64>::without(world, view, rule),
+            view,
+            cancelled,
+        ),
+    };
+    Some(pixels?.concat())
+}
+
+/// The first that each pixel may show, row by row.
+fn pixels<R: Real>(
+    picture: &Reference<R>,
+    view: &View,
+    cancelled: &(dyn Fn() -> bool + Sync),
+) -> Option<Vec<Vec<u32>>> {
+    let row = |y| {
+        let mut row = Vec::with_capacity(view.size[0]);
+        picture.row(y, |_, seen| {
+            let levels = seen
+                .first()
+                .map(|seen| seen.levels.map(|level| level.endpoints()[0]));
+            let levels = levels.unwrap_or(view.background.to_array());
+            let [red, green, blue] = levels.map(display_step);
+            row.push(u32::from_be_bytes([0, red, green, blue]));
+        });
+        (!cancelled()).then_some(row)
+    };
+    (0..view.size[1]).into_par_iter().map(row).collect()
 }
 
 fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {

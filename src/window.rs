@@ -163,7 +163,7 @@ impl Window {
         let area = self.hud.picture();
         let (mut size, mut picture) = ([0, 0], [area.width as usize, area.height as usize]);
         let mut active = false;
-        let mut job_is_for = (0, false);
+        let mut job_is_for = (0, false, false);
         while self.display.is_open() {
             // A log has milliseconds.
             let now = Duration::from_millis(start.elapsed().as_millis() as u64);
@@ -188,7 +188,8 @@ impl Window {
                 }
             }
             let measures = matches!(self.session.measuring(), Measuring::Running(_));
-            let wanted = (self.session.revision(), measures);
+            let requires = self.session.requires().is_some();
+            let wanted = (self.session.revision(), measures, requires);
             if std::mem::replace(&mut job_is_for, wanted) != wanted {
                 self.jobs.cancel();
             }
@@ -219,6 +220,14 @@ impl Window {
                     Request::Examine => {
                         let request = self.session.reference_request(picture);
                         self.jobs.submit(Job::Examine(request));
+                    }
+                    Request::Require => {
+                        let request = self.session.reference_request(picture);
+                        self.jobs.submit(Job::Require(request));
+                    }
+                    Request::LeaveOut(part) => {
+                        let request = self.session.reference_request(picture);
+                        self.jobs.submit(Job::LeaveOut(request, part));
                     }
                     Request::Quit => return Ok(()),
                 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::share::time_share;
-use super::{Change, Part, changes, least, parts, without};
+use super::{AT_ONCE, Change, Part, changes, least, parts, without};
 use crate::components::{Orbit, View};
 use crate::drawing::Drawing;
 use crate::output::{Output, printable, say};
@@ -31,9 +31,6 @@ struct Row {
     /// In how many views.
     required_in: usize,
 }
-
-/// Pictures that are evaluated at once. Each holds every cuboid.
-const AT_ONCE: usize = 16;
 
 const LEGEND: &str = "Each part is left out alone. largest error: in levels of 255, proven; pixels: how many err by more \
     than the tolerance; time: share of a frame on one thread, 0 where none can be measured, - where the renderer cannot \

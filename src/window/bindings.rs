@@ -53,6 +53,12 @@ pub enum Action {
     ResetView,
     /// Starts and stops turning the cuboids about their own x axes.
     Turning,
+    /// Shows what the scene requires of the model, and hides it again.
+    #[serde(skip)]
+    Requires,
+    /// Shows the picture without this part of that list, or the whole again.
+    #[serde(skip)]
+    LeaveOut(usize),
     /// Shows and hides the panel.
     #[serde(skip)]
     Panel,
@@ -358,7 +364,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "projection").on_panel(),
     Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "camera").on_panel(),
     Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::View(1), "view").on_panel(),
-    Binding::new(Section::View, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view before").with_shift(),
+    Binding::new(Section::View, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view").with_shift(),
     Binding::new(Section::View, &["F2"], &[Key::F2], &[], Action::Show(ViewMode::Picture), "each view"),
     Binding::new(Section::View, &["F3"], &[Key::F3], &[], Action::Show(ViewMode::GouraudPhong), "each view"),
     Binding::new(Section::View, &["F4"], &[Key::F4], &[], Action::Show(ViewMode::MethodReference), "each view"),
@@ -368,6 +374,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::View, &["X"], &[Key::X], &['x'], Action::MagnifyBy(-1), "magnify, or Ctrl wheel"),
     Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
     Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
+    Binding::new(Section::View, &["N"], &[Key::N], &['n'], Action::Requires, "what is required"),
     Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit across, or drag").repeats(),
     Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], RIGHT, "orbit across, or drag").repeats(),
     Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], UP, "orbit up and down").repeats(),

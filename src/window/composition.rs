@@ -112,6 +112,13 @@ impl Composition {
             views::dim(&mut waiting);
             waiting
         };
+        if let Some(requires) = session.requires().filter(|it| it.left_out.is_some()) {
+            match &requires.picture {
+                Some(picture) => pixels.clone_from(picture),
+                None => *pixels = dimmed(),
+            }
+            return;
+        }
         let state = session.state();
         let divider = state.divider_column(width);
         pixels.clear();

@@ -22,6 +22,7 @@ pub mod measurements;
 pub mod pixel;
 mod place;
 pub mod profile;
+pub mod requires;
 
 use super::bindings::Action;
 use super::magnifier::{MAX_SCALE, Magnifier};
@@ -63,6 +64,8 @@ pub enum Part {
     Table,
     Message,
     Help,
+    /// What the scene requires.
+    Requires,
     /// The numbers of the scene.
     Editor,
     /// What is wrong with the scene's file.
@@ -375,6 +378,11 @@ fn add_boards(layout: &mut Layout, session: &Session, area: Rect) {
     layout.add(
         Part::Editor,
         &[editor::lines(session)],
+        [area.right(), area.y],
+    );
+    layout.add(
+        Part::Requires,
+        &[requires::lines(session)],
         [area.right(), area.y],
     );
     let below = [area.x + area.width / 2, area.bottom()];

@@ -20,6 +20,7 @@ use super::examination::{ReferenceRequest, ReferenceResult, examine};
 use crate::drawing::all_cores;
 use crate::frame::Workers;
 use crate::prove::{Proof, prove};
+use crate::requires::{self, Part, PartChange};
 use crate::trade::{self, Report};
 
 /// What is to be done.
@@ -28,6 +29,10 @@ pub enum Job {
     Examine(ReferenceRequest),
     /// Measures every method.
     Measure(trade::Request),
+    /// Finds what the scene requires.
+    Require(ReferenceRequest),
+    /// Draws the picture without a part of the model.
+    LeaveOut(ReferenceRequest, Part),
 }
 
 /// What a job has come to.
@@ -38,6 +43,12 @@ pub enum Progress {
     Proven(u64, Proof),
     Measuring(trade::Progress),
     Measured(Box<Report>),
+    /// How much is known of what the scene requires, 0..=1.
+    Requiring(f64),
+    /// What the picture of this revision requires, the part that matters most first.
+    Required(u64, Vec<PartChange>),
+    /// The picture of this revision without a part, 0x00RRGGBB.
+    LeftOut(u64, Vec<u32>),
     /// Why nothing was measured.
     NotMeasured(String),
 }
@@ -125,6 +136,18 @@ fn work(
             Job::Examine(request) => {
                 pool.install(|| examine_and_prove(request, level, &is_cancelled, &tell));
             }
+            Job::Require(request) => pool.install(|| {
+                let on_row = |share| tell(Progress::Requiring(share));
+                let parts = requires::ranked(&request.scene, &request.view, &is_cancelled, &on_row);
+                let known = parts.map(|parts| Progress::Required(request.revision, parts));
+                known.into_iter().for_each(tell);
+            }),
+            Job::LeaveOut(request, part) => pool.install(|| {
+                let picture =
+                    requires::picture_without(&request.scene, &request.view, part, &is_cancelled);
+                let drawn = picture.map(|picture| Progress::LeftOut(request.revision, picture));
+                drawn.into_iter().for_each(tell);
+            }),
             Job::Measure(request) => pool.install(|| {
                 let on_progress = |progress| tell(Progress::Measuring(progress));
                 tell(

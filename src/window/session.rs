@@ -24,6 +24,7 @@ use crate::drawing::Drawing;
 use crate::frame::{Frame, Workers, display_step};
 use crate::memory::OutOfMemory;
 use crate::probe::{self, Probe, Profile};
+use crate::requires::{Part, PartChange};
 use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::systems;
@@ -48,6 +49,28 @@ pub enum Measuring {
     Running(Option<trade::Progress>),
     /// What came of it.
     Done(Box<Report>),
+}
+
+/// What the scene requires, as far as it is known.
+#[derive(Debug, Default)]
+pub struct Requires {
+    /// How much of it is done, 0..=1.
+    pub share: f64,
+    /// Every part, the one whose absence errs most first; empty until all are known.
+    pub parts: Vec<PartChange>,
+    /// The part without which the picture is shown.
+    pub left_out: Option<usize>,
+    /// That picture, 0x00RRGGBB, once it is there.
+    pub picture: Option<Vec<u32>>,
+    is_asked: bool,
+}
+
+impl Requires {
+    /// Another job begins: what is not there yet is asked for again after it.
+    fn interrupt(&mut self) {
+        self.is_asked = !self.parts.is_empty();
+        self.left_out = None;
+    }
 }
 
 /// What has to be done anew because something changed.
@@ -75,6 +98,10 @@ pub enum Request {
     Examine,
     /// Starts measuring.
     Measure,
+    /// Finds what the scene requires.
+    Require,
+    /// Draws the picture without a part.
+    LeaveOut(Part),
     /// Writes the scene into a new file.
     Save,
     /// Ends the program.
@@ -111,6 +138,8 @@ pub struct Session {
     to_be_examined: Option<Duration>,
     reference: Option<ReferenceResult>,
     measuring: Measuring,
+    /// Where it is shown.
+    requires: Option<Requires>,
     /// When the progress of a measurement is shown next.
     next_progress: Duration,
     level: Level,
@@ -142,6 +171,7 @@ impl Session {
             to_be_examined: Some(Duration::ZERO),
             reference: None,
             measuring: Measuring::Off,
+            requires: None,
             next_progress: Duration::ZERO,
             level: drawing.level,
             now: Duration::ZERO,
@@ -197,6 +227,21 @@ impl Session {
                 self.measuring = Measuring::Off;
                 self.say(format!("not measured: {reason}"));
             }
+            Progress::Requiring(share) => {
+                if let Some(requires) = &mut self.requires {
+                    requires.share = share;
+                }
+            }
+            Progress::Required(revision, parts) if revision == self.revision => {
+                if let Some(requires) = &mut self.requires {
+                    requires.parts = parts;
+                }
+            }
+            Progress::LeftOut(revision, picture) if revision == self.revision => {
+                if let Some(requires) = &mut self.requires {
+                    requires.picture = Some(picture);
+                }
+            }
             _ => return,
         }
         self.wants(Redraw::Overlay);
@@ -223,6 +268,16 @@ impl Session {
         }
         if self.to_be_examined.take_if(rested).is_some() {
             self.requests.push(Request::Examine);
+        }
+        // It takes longest, and would cancel the proof.
+        let is_proven = self.reference.as_ref().is_some_and(|it| it.proof.is_some());
+        if let Some(requires) = self
+            .requires
+            .as_mut()
+            .filter(|it| is_proven && !it.is_asked)
+        {
+            requires.is_asked = true;
+            self.requests.push(Request::Require);
         }
     }
 
@@ -346,8 +401,12 @@ impl Session {
         self.reference = None;
         self.measuring = Measuring::Off;
         self.requests.retain(|request| {
-            !matches!(request, Request::Time | Request::Examine | Request::Measure)
+            matches!(
+                request,
+                Request::Screenshot | Request::SavePicture | Request::Save | Request::Quit
+            )
         });
+        self.requires = self.requires.take().map(|_| Requires::default());
         self.wants(Redraw::Picture);
     }
 

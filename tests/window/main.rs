@@ -18,6 +18,7 @@ mod orbit;
 mod pointing;
 mod probing;
 mod recording;
+mod requires;
 mod screenshot;
 mod storms;
 mod views;

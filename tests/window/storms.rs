@@ -314,6 +314,8 @@ impl Window {
                 }
                 // Who quits sees no more; here it goes on, for nothing may depend on it.
                 Request::Measure
+                | Request::Require
+                | Request::LeaveOut(_)
                 | Request::Screenshot
                 | Request::SavePicture
                 | Request::Save

@@ -35,6 +35,15 @@ pub fn lines(session: &Session) -> Vec<Line> {
     let state = session.state();
     let known = session.reference().is_some();
     let text = |text: &str| Line::Text(text.to_owned());
+    let requires = session.requires();
+    if let Some((requires, index)) = requires.and_then(|it| it.left_out.map(|index| (it, index))) {
+        let name = requires.parts.get(index).map_or("", |part| &part.name);
+        let waiting = requires.picture.is_none();
+        return vec![text(&format!(
+            "without {name}{}",
+            if waiting { ": computing ..." } else { "" }
+        ))];
+    }
     if state.shows_reference {
         return vec![text(if known {
             "reference: exact Phong"

@@ -2,7 +2,7 @@
 //!
 //! Rule: whatever was wanted shows: in the picture, over it, or as words that say why not.
 
-use super::{DEGREE_TIME, Measuring, Redraw, Request, Session};
+use super::{DEGREE_TIME, Measuring, Redraw, Request, Requires, Session};
 use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
 use crate::window::history::Change;
@@ -24,6 +24,7 @@ impl Session {
             Action::Close if editor.is_some_and(|it| it.typed.is_empty()) => Action::Editor,
             Action::Close if editor.is_some() => Action::Forget,
             Action::Close if !matches!(self.measuring, Measuring::Off) => Action::Measure,
+            Action::Close if self.requires.is_some() => Action::Requires,
             Action::Close if self.state.pixel.is_some() => Action::Probe(None),
             _ => action,
         }
@@ -82,10 +83,21 @@ impl Session {
                 if self.reference.as_ref().is_none_or(|it| it.proof.is_none()) {
                     self.to_be_examined = Some(self.now);
                 }
+                if let Some(requires) = &mut self.requires {
+                    requires.interrupt();
+                }
                 self.measuring = Measuring::Running(None);
                 self.requests.push(Request::Measure);
                 self.wants(Redraw::Overlay);
             }
+            Action::Requires => {
+                self.requires = match self.requires {
+                    Some(_) => None,
+                    None => Some(Requires::default()),
+                };
+                self.wants(Redraw::Overlay);
+            }
+            Action::LeaveOut(index) => self.leave_out(index),
             Action::Turning => {
                 for spin in self.scene.world.query_mut::<&mut Spin>() {
                     spin.on ^= true;
@@ -132,6 +144,19 @@ impl Session {
             Action::Screenshot => self.requests.push(Request::Screenshot),
             action => self.edit_scene(action),
         }
+    }
+
+    fn leave_out(&mut self, index: usize) {
+        let Some(requires) = &mut self.requires else {
+            return;
+        };
+        let is_left_out = requires.left_out == Some(index);
+        let part = requires.parts.get(index).filter(|_| !is_left_out);
+        requires.left_out = part.map(|_| index);
+        requires.picture = None;
+        self.requests
+            .extend(part.map(|it| Request::LeaveOut(it.part)));
+        self.wants(Redraw::Overlay);
     }
 
     fn show(&mut self, view: ViewMode) {

@@ -4,7 +4,7 @@
 
 use hecs::Entity;
 
-use super::{Measuring, Session};
+use super::{Measuring, Requires, Session};
 use crate::components::{Light, Name, Orbit, Projection, ShadingMode, Spin};
 use crate::probe::{Probe, Profile};
 use crate::scene::Scene;
@@ -92,6 +92,11 @@ impl Session {
     /// What is measured, or was.
     pub fn measuring(&self) -> &Measuring {
         &self.measuring
+    }
+
+    /// What the scene requires, where it is shown.
+    pub fn requires(&self) -> Option<&Requires> {
+        self.requires.as_ref()
     }
 
     /// The number of the present picture: every change makes it larger.

@@ -52,6 +52,7 @@ fn row(session: &Session, action: Action) -> Option<Action> {
         Action::Zoom(_) => Some(Action::Zoom(1)),
         Action::Orbit { azimuth, .. } => Some(if azimuth == 0.0 { UP } else { RIGHT }),
         Action::Row(_) => Some(Action::Row(1)),
+        Action::View(_) => Some(Action::View(1)),
         Action::Show(_) => Some(Action::Show(ViewMode::Picture)),
         Action::MagnifyBy(_) => Some(Action::MagnifyBy(1)),
         Action::Step { row, size, .. } => Some(Action::Step {
