@@ -141,7 +141,8 @@ normalisation of interpolated normals, Phong of each cuboid (Gouraud instead), p
 interpolation (linear on the screen instead), the depth test (the order of the file instead), the near
 plane, each cuboid, and f64 (f32 throughout instead). Both pictures are enclosed by interval arithmetic,
 so the largest error lies between the two numbers given. A part is required unless its largest error is
-proven to be within the tolerance (0.05 level at tolerance 0).
+proven to be within the tolerance (0.05 level at tolerance 0). With --orbit all views count: it is
+required where one of them requires it.
 
 With -o it leaves out as many lights, cuboids and evaluations at every pixel as the tolerance allows
 together, and writes the scene that remains, with the one camera looked through.")]

@@ -70,6 +70,8 @@ pub struct Reference<R> {
 
 /// One cuboid: where its picture is, and what it looks like there.
 struct Cuboid<R> {
+    /// Its place in the file, which it keeps when others are gone.
+    number: usize,
     solid: Solid<R>,
     surface: Surface<R>,
     mesh: Mesh,
@@ -123,6 +125,7 @@ impl<R: Real> Reference<R> {
                 let solid = Solid::new(&sight, transform, mesh, enclosed.bounds(transform, mesh));
                 let places = (sight.eye, transform.position);
                 let cuboid = Cuboid {
+                    number: order.0 as usize,
                     surface: Surface::new(&solid, mesh, material, &lights, places, without),
                     solid,
                     mesh: *mesh,
@@ -144,8 +147,8 @@ impl<R: Real> Reference<R> {
     /// Evaluates the pixels of row `y` from left to right. `each` is told what every one of them may show: one thing, unless
     /// an edge, a gate that may fall either way, or another cuboid at the same depth is near.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
-        let here = |(_, cuboid): &(usize, &Cuboid<R>)| cuboid.solid.rows.contains(&y);
-        let cuboids: Vec<_> = self.cuboids.iter().enumerate().filter(here).collect();
+        let here = |cuboid: &&Cuboid<R>| cuboid.solid.rows.contains(&y);
+        let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.width {
             self.meet([x, y], &cuboids, &mut met);
@@ -156,7 +159,7 @@ impl<R: Real> Reference<R> {
 
     /// What pixel (`x`, `y`) may show.
     pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
-        let cuboids: Vec<_> = self.cuboids.iter().enumerate().collect();
+        let cuboids: Vec<_> = self.cuboids.iter().collect();
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         self.meet(pixel, &cuboids, &mut met);
         self.see(&met, &mut seen);
@@ -182,7 +185,7 @@ impl<R: Real> Reference<R> {
                         let mut see = |open| {
                             let lit = cuboid.lit(face, is_first, line, &place, open);
                             seen.push(Seen {
-                                face: Some(met.object * FACES.len() + face),
+                                face: Some(cuboid.number * FACES.len() + face),
                                 levels: lit.levels.0,
                             });
                             lit.is_tied
@@ -205,14 +208,9 @@ impl<R: Real> Reference<R> {
     }
 
     /// Overwrites `met` with what may be seen at pixel (`x`, `y`) of some cuboids, in file order.
-    fn meet<'a>(
-        &self,
-        [x, y]: [usize; 2],
-        cuboids: &[(usize, &'a Cuboid<R>)],
-        met: &mut Vec<Met<'a, R>>,
-    ) {
+    fn meet<'a>(&self, [x, y]: [usize; 2], cuboids: &[&'a Cuboid<R>], met: &mut Vec<Met<'a, R>>) {
         met.clear();
-        for &(object, cuboid) in cuboids {
+        for &cuboid in cuboids {
             if !cuboid.solid.columns.contains(&x) {
                 continue;
             }
@@ -222,7 +220,6 @@ impl<R: Real> Reference<R> {
             };
             let depth = |met: &Met<R>| met.cuboid.solid.depth(met.meeting, &met.line);
             let new = Met {
-                object,
                 cuboid,
                 line,
                 meeting,
@@ -252,7 +249,6 @@ impl<R: Real> Reference<R> {
 
 /// A cuboid that a line of sight meets.
 struct Met<'a, R> {
-    object: usize,
     cuboid: &'a Cuboid<R>,
     line: Line<R>,
     meeting: Meeting,
@@ -381,8 +377,8 @@ impl Reference<f64> {
                 if cancelled() {
                     return None;
                 }
-                let here = |(_, cuboid): &(usize, &Cuboid<f64>)| cuboid.solid.rows.contains(&y);
-                let cuboids: Vec<_> = self.cuboids.iter().enumerate().filter(here).collect();
+                let here = |cuboid: &&Cuboid<f64>| cuboid.solid.rows.contains(&y);
+                let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
                 let mut met = Vec::new();
                 for x in 0..width {
                     self.meet([x, y], &cuboids, &mut met);
@@ -391,7 +387,7 @@ impl Reference<f64> {
                         let place = met.cuboid.solid.place(face, &met.line);
                         let lit = met.cuboid.lit(face, is_first, &met.line, &place, 0);
                         levels[x] = lit.levels.0;
-                        triangles[x] = (met.object * TRIANGLES.len() + triangle) as u32;
+                        triangles[x] = (met.cuboid.number * TRIANGLES.len() + triangle) as u32;
                     }
                 }
                 progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);

@@ -10,8 +10,9 @@
 //! largest of the lower ends and at most the largest of the upper ends.
 //!
 //! Rule: a part is required unless it is proven that the picture without it keeps the tolerance. A pixel whose centre is so
-//! near an edge that it may show either side is judged as `prove` judges it: each value it may show without the part is held
-//! against the nearest of those it may show with it.
+//! near an edge that it may show either side is judged as `prove` judges it: what it may show of a face is held against the
+//! nearest that it may show of that face in the other picture. A face that it may show in one picture alone is held against
+//! all that it may show in the other.
 
 mod command;
 mod least;
@@ -60,11 +61,11 @@ pub struct Change {
     pub pixels: u64,
 }
 
-/// The least and the largest displayed level, by channel.
-type Ends = [[f64; 2]; 3];
+/// A face that a pixel may show, and the least and the largest displayed level of each channel.
+type Shown = (Option<usize>, [[f64; 2]; 3]);
 
 /// What a row of a picture errs against what the full picture may show in each of its columns.
-type Compare = Box<dyn Fn(usize, &[Vec<Ends>]) -> Change + Sync>;
+type Compare = Box<dyn Fn(usize, &[Vec<Shown>]) -> Change + Sync>;
 
 /// The parts of the model that a scene is drawn with and what they are called, in the order in which they are reported.
 pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
@@ -97,10 +98,13 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
             Part::Rule(_) | Part::Cuboid(_) | Part::F64SetUp => {}
         }
     }
+    let mut scene = Scene::spawn(scene.name.clone(), &record);
     let mut cuboids = (0..).map(Part::Cuboid);
-    let is_kept = |_: &_| !cuboids.next().is_some_and(|cuboid| parts.contains(&cuboid));
-    record.cuboid.value.retain(is_kept);
-    Scene::spawn(scene.name.clone(), &record)
+    scene.cuboids.retain(|entity| {
+        let is_left_out = cuboids.next().is_some_and(|cuboid| parts.contains(&cuboid));
+        !is_left_out || scene.world.despawn(*entity).is_err()
+    });
+    scene
 }
 
 impl Change {
@@ -153,9 +157,9 @@ fn try_changes<E: Send>(
     let picture = |parts: &Vec<Part>| compare(scene, view, parts);
     let pictures: Vec<Compare> = left_out.iter().map(picture).collect();
     let row = |y: usize| {
-        let mut shown = Vec::with_capacity(view.size[0]);
-        full.row(y, |_, seen| shown.push(seen.iter().map(ends).collect()));
-        let changes = pictures.iter().map(|compare| compare(y, &shown)).collect();
+        let mut pixels = Vec::with_capacity(view.size[0]);
+        full.row(y, |_, seen| pixels.push(shown(seen)));
+        let changes = pictures.iter().map(|compare| compare(y, &pixels)).collect();
         row_done()?;
         Ok(changes)
     };
@@ -262,17 +266,22 @@ fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {
     });
     let limit = limit(view.tolerance);
     if left_out.contains(&Part::F64SetUp) {
-        compare_in(Reference::<f32>::without(world, view, rule), limit)
+        compare_in(Reference::<f32>::without(world, view, rule), limit, false)
     } else {
-        compare_in(Reference::<Interval>::without(world, view, rule), limit)
+        compare_in(
+            Reference::<Interval>::without(world, view, rule),
+            limit,
+            true,
+        )
     }
 }
 
-fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64) -> Compare {
+/// An enclosed picture may show several things, one in f32 shows one of what the full picture may show.
+fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64, is_enclosed: bool) -> Compare {
     Box::new(move |y, full| {
         let mut changes = Vec::with_capacity(full.len());
         picture.row(y, |x, seen| {
-            let largest_error = error(&full[x], seen);
+            let largest_error = error(&full[x], &shown(seen), is_enclosed);
             let pixels = u64::from(largest_error[0] > limit);
             changes.push(Change {
                 largest_error,
@@ -283,26 +292,39 @@ fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64) -> Compare {
     })
 }
 
-fn ends<R: Real>(seen: &Seen<R>) -> Ends {
-    seen.levels.map(|level| level.endpoints().map(displayed))
+fn shown<R: Real>(seen: &[Seen<R>]) -> Vec<Shown> {
+    let ends = |seen: &Seen<R>| seen.levels.map(|level| level.endpoints().map(displayed));
+    seen.iter().map(|seen| (seen.face, ends(seen))).collect()
 }
 
 /// The least and the largest error of a pixel by what it may show in full and without a part.
-fn error<R: Real>(full: &[Ends], without: &[Seen<R>]) -> [f64; 2] {
-    let mut error = [f64::INFINITY, 0.0];
-    for seen in without.iter().map(ends) {
-        let mut nearest = [f64::INFINITY; 2];
-        for full in full {
-            let between = difference(full, &seen);
-            nearest = [0, 1].map(|end| nearest[end].min(between[end]));
+fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
+    let mut error = [f64::INFINITY, 0.0_f64];
+    let mut compare = |pixel: &[Shown], other: &[Shown]| {
+        for shown in pixel {
+            let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
+            for other in other {
+                let [least, most] = difference(shown, other);
+                error[0] = error[0].min(least);
+                farthest = farthest.max(most);
+                nearest = if shown.0 == other.0 {
+                    nearest.min(most)
+                } else {
+                    nearest
+                };
+            }
+            error[1] = error[1].max(nearest.min(farthest));
         }
-        error = [error[0].min(nearest[0]), error[1].max(nearest[1])];
+    };
+    compare(without, full);
+    if is_enclosed {
+        compare(full, without);
     }
     error
 }
 
 /// The least and the largest difference of two enclosures, over the channels.
-fn difference(left: &Ends, right: &Ends) -> [f64; 2] {
+fn difference((_, left): &Shown, (_, right): &Shown) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];
     for (left, right) in left.iter().zip(right) {
         let [left, right] = [left, right].map(|[least, most]| Interval::new(*least, *most));

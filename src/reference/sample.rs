@@ -54,7 +54,7 @@ pub struct LightSample {
 /// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; `None` is background, or outside of it.
 pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
     let reference = Reference::new(world, view);
-    let cuboids: Vec<_> = reference.cuboids.iter().enumerate().collect();
+    let cuboids: Vec<_> = reference.cuboids.iter().collect();
     let mut met = Vec::new();
     reference.meet([x, y], &cuboids, &mut met);
     let (met, face, triangle) = first(&met)?;
@@ -110,7 +110,7 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
             }
         });
     Some(Sample {
-        object: met.object,
+        object: met.cuboid.number,
         triangle,
         position: reference.sight.eye
             + to_world(line.offset + line.along * (place.height / place.slope)),

@@ -306,3 +306,19 @@ fn a_scene_that_needs_everything() {
     let all: Vec<String> = parts.into_iter().map(|(_, name)| name).collect();
     assert_eq!(required, all);
 }
+
+/// From so far away f64 does not say where on a cuboid a pixel looks, or whether it looks at it at all.
+#[test]
+fn what_cannot_be_decided_is_required() {
+    let mut world = cube();
+    lit(&mut world, LightKind::Ambient, 100.0, DVec3::ZERO);
+    let mut view = from_z(8.0);
+    view.viewpoint.position = DVec3::new(1.0, 0.7, 1.3) * 1e22;
+    view.viewpoint.camera.fov = 1e-20;
+    let scene = scene_of(world, &view);
+    let cuboid = change(&scene, &view, Part::Cuboid(0));
+    assert_eq!(cuboid.largest_error[0], 0.0, "it cannot be decided");
+    assert!(!cuboid.keeps(0.5), "{cuboid:?}");
+    // The same may be seen without a rule that decides nothing here.
+    assert!(change(&scene, &view, Part::Rule(Rule::DepthTest)).keeps(0.5));
+}

@@ -143,6 +143,22 @@ fn a_measurement_interrupts_what_is_not_known_yet_and_it_is_asked_for_again() {
 }
 
 #[test]
+fn opening_and_closing_the_board_asks_for_the_proof_again_unless_it_is_there() {
+    let mut session = default_session();
+    session.tick(Duration::from_secs(1));
+    assert!(session.take_requests().contains(&Request::Examine));
+    for second in [2, 4] {
+        press(&mut session, Key::N);
+        session.tick(Duration::from_secs(second));
+        assert_eq!(session.take_requests(), [Request::Examine]);
+    }
+    rest(&mut session);
+    press(&mut session, Key::N);
+    session.tick(Duration::from_secs(9));
+    assert_eq!(session.take_requests(), [Request::Require]);
+}
+
+#[test]
 fn what_is_cancelled_ends() {
     let request = default_session().reference_request(SMALL);
     assert!(ranked(&request.scene, &request.view, &|| true, &|_| ()).is_none());

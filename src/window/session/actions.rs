@@ -79,10 +79,7 @@ impl Session {
                 self.say("stop the rotation (Space) before measuring");
             }
             Action::Measure => {
-                // A measurement runs alone: the comparison with the reference is cancelled, and asked for again after it.
-                if self.reference.as_ref().is_none_or(|it| it.proof.is_none()) {
-                    self.to_be_examined = Some(self.now);
-                }
+                self.examine_again();
                 if let Some(requires) = &mut self.requires {
                     requires.interrupt();
                 }
@@ -95,6 +92,7 @@ impl Session {
                     Some(_) => None,
                     None => Some(Requires::default()),
                 };
+                self.examine_again();
                 self.wants(Redraw::Overlay);
             }
             Action::LeaveOut(index) => self.leave_out(index),
@@ -143,6 +141,13 @@ impl Session {
             Action::SavePicture => self.requests.push(Request::SavePicture),
             Action::Screenshot => self.requests.push(Request::Screenshot),
             action => self.edit_scene(action),
+        }
+    }
+
+    /// The job that runs is cancelled; the comparison with the reference is asked for again where it had not ended.
+    fn examine_again(&mut self) {
+        if self.reference.as_ref().is_none_or(|it| it.proof.is_none()) {
+            self.to_be_examined = Some(self.now);
         }
     }
 
