@@ -182,7 +182,7 @@ impl Frame {
     }
 
     /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or a depth buffer
-    /// was needed.
+    /// was needed. With [`Keep::Display`] it is the first triangle of the face that is seen.
     pub fn triangles(&self) -> &[u32] {
         &self.triangles
     }

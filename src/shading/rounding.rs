@@ -137,11 +137,14 @@ mod tests {
             vector.map(|component| component / length * to)
         };
         let radii = [0.0..MAX_RADIUS / 2.0, 0.0..MAX_RADIUS / 2.0];
-        ([vector(), vector(), vector()], radii, any::<bool>()).prop_map(
-            move |([middle, right, down], [x, y], shortens)| {
-                // Half of them get as short as they may, where errors weigh most.
-                let [right, down] =
-                    [right, down].map(|v| if shortens { middle.map(|c| -c) } else { v });
+        ([vector(), vector(), vector()], radii, 0..3).prop_map(
+            move |([middle, right, down], [x, y], way)| {
+                // A third of them get as long as they may, and a third as short, where errors weigh most.
+                let [right, down] = [right, down].map(|v| match way {
+                    0 => middle,
+                    1 => middle.map(|c| -c),
+                    _ => v,
+                });
                 [scaled(middle, 1.0), scaled(right, x), scaled(down, y)]
             },
         )
@@ -198,11 +201,22 @@ mod tests {
 
     #[test]
     fn counts_cover_what_a_running_error_analysis_finds() {
-        let formed_share = largest(moving(), |vector| {
-            let [length, error] = lengths(&formed(&vector));
-            error / length / direction(1.0, extent(&vector))
+        let direction_share = |vector: &Moving| {
+            let (count, [_, error]) = (turned(vector), lengths(&formed(vector)));
+            // The count is for the shortest vector there is on the square.
+            error / extent(vector).shortest / count
+        };
+        let any = largest(moving(), |vector| direction_share(&vector));
+        assert_covers("a direction", any, 0.9);
+        let wide = largest(moving(), |vector| {
+            let is_wide = extent(&vector).radius > 0.9 * MAX_RADIUS;
+            if is_wide {
+                direction_share(&vector)
+            } else {
+                0.0
+            }
         });
-        assert_covers("a direction", formed_share, 0.8);
+        assert_covers("a direction that moves far", wide, 0.9);
 
         // The vectors are taken as they are formed: what their directions err by turns the result by as much.
         let three = || [moving(), moving(), moving()];

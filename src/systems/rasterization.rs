@@ -2,11 +2,13 @@
 //!
 //! ```text
 //!  polygons --scan conversion--> spans --quadtree of 32 and 16 pixels--> squares --shader--> rows of levels --display step--> frame
+//!                                  '-- of a face of at most 16 x 16 pixels: those that are seen, one by one --'
 //! ```
 //! Rules: a pixel is covered if its centre is inside the snapped polygon, or on its top or left edge; the arithmetic is in
 //! integers and exact, so pixels along a shared edge are drawn once. A depth buffer exists only while there is more than
-//! one cuboid, and then only squares that are seen are shaded. Everything is made once a face and frame; squares are set up
-//! from all they cover, so neither threads nor parts of a picture change a bit.
+//! one cuboid, and then only faces and squares that are seen are shaded. Strips of the picture are cleared, compared in depth
+//! and shaded one after another, so that they stay in a cache. Faces and squares are set up from all they cover, so neither
+//! threads, strips nor parts of a picture change a bit.
 
 mod listing;
 mod store;
