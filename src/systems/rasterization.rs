@@ -101,11 +101,13 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
                     continue;
                 }
                 // What fits into the smallest square is drawn as one.
-                let square = Square::around(&spans);
-                if let Some(square) = &square
-                    && !list_seen(&mut scratch.levels.listed, square, &spans, piece, band)
-                {
-                    continue;
+                let mut square = Square::around(&spans);
+                if let Some(square) = &mut square {
+                    list_seen(&mut scratch.levels.listed, square, &spans, piece, band);
+                    square.pixels = scratch.levels.listed.count();
+                    if square.pixels == 0 {
+                        continue;
+                    }
                 }
                 let object = &list.objects[piece.object];
                 let face = Face::new((piece.id % 12 / 2) as usize, &object.solid, rays);
@@ -137,14 +139,8 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     frame.illumination = lights;
 }
 
-/// Lists the pixels of a square in which a piece is seen; whether there are any.
-fn list_seen(
-    listed: &mut Listed,
-    square: &Square,
-    spans: &Spans,
-    piece: &Piece,
-    band: &Band,
-) -> bool {
+/// Lists the pixels of a square in which a piece is seen.
+fn list_seen(listed: &mut Listed, square: &Square, spans: &Spans, piece: &Piece, band: &Band) {
     listed.clear();
     let [left, top] = square.first().map(|first| first as f32);
     for (row, span) in spans.within(&band.rows) {
@@ -158,7 +154,6 @@ fn list_seen(
             listed.extend([x, y], pixels, |pixel| face(ids[pixel]) == face(piece.id));
         }
     }
-    listed.count() > 0
 }
 
 /// What shades a face: the one place where the mode is asked.

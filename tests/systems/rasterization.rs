@@ -232,3 +232,21 @@ fn a_grazing_light_takes_f64_only_where_its_highlight_is_cut_off() {
         }
     }
 }
+
+#[test]
+fn what_is_hidden_of_a_small_face_is_not_evaluated() {
+    let counts = |cuboids: usize| {
+        let mut world = World::new();
+        for order in 0..cuboids {
+            // One behind the other.
+            let position = DVec3::Z * (3.0 - 3.0 * order as f64);
+            let (side, mode) = (DVec3::splat(2.0), ShadingMode::Phong);
+            spawn_cuboid(&mut world, order, at(position), side, MATERIAL, mode);
+        }
+        world.spawn((at(dvec3(1.0, 2.0, 20.0)), light(LightKind::Diffuse, 100.0)));
+        draw(&mut world, &ahead(Projection::Orthographic, [100, 100])).counts()
+    };
+    let seen = counts(1);
+    assert_eq!(seen.model_evaluations, 100);
+    assert_eq!(counts(2), seen);
+}
