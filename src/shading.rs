@@ -39,9 +39,9 @@ use self::phong::{Active, FaceLight, Phong};
 use self::square::Region;
 use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
-use crate::simd::apart;
+use crate::simd::outlined;
 
-/// A way to draw: what the picture means, and how far it may stray from that.
+/// A way to draw: what the picture means, and how far it may err from that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     /// What reports call it.
@@ -121,7 +121,7 @@ pub const EXACT: f64 = 0.05;
 /// The least tolerance but 0, in levels: levels are f32, which near 255 are 1.5e-5 apart.
 pub const MIN_TOLERANCE: f64 = 1e-4;
 
-/// How far a pixel may stray, in levels: the tolerance, or what is called exact where that is 0.
+/// How far a pixel may err, in levels: the tolerance, or what is called exact where that is 0.
 #[inline(always)]
 pub(crate) fn limit(tolerance: f64) -> f64 {
     if tolerance > 0.0 { tolerance } else { EXACT }
@@ -256,12 +256,12 @@ impl Shader<'_> {
             return None;
         }
         match self {
-            Shader::Gouraud(gouraud) => apart(
+            Shader::Gouraud(gouraud) => outlined(
                 simd,
                 #[inline(always)]
                 || gouraud.interpolate(simd, places),
             ),
-            Shader::Phong(phong) => apart(
+            Shader::Phong(phong) => outlined(
                 simd,
                 #[inline(always)]
                 || phong.interpolate(simd, places),

@@ -54,7 +54,7 @@ pub(crate) fn token() -> Baseline {
 
 /// Does `work` at a SIMD level, in a function of its own.
 #[inline(never)]
-pub(crate) fn apart<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
+pub(crate) fn outlined<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
     simd.vectorize(work)
 }
 

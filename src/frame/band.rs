@@ -35,7 +35,7 @@ impl Drawn {
 
     /// After clearing: notes that some of the pixels from..to may be drawn.
     #[inline(always)]
-    pub fn touch(&mut self, from: usize, to: usize) {
+    pub fn drew(&mut self, from: usize, to: usize) {
         self.by_last = joined(self.by_last, from, to);
     }
 }
@@ -144,7 +144,7 @@ impl Band<'_> {
 
     /// Before clearing: notes that every pixel from..to of a row of the picture will be drawn.
     #[inline(always)]
-    pub fn announce(&mut self, row: usize, from: usize, to: usize) {
+    pub fn will_draw(&mut self, row: usize, from: usize, to: usize) {
         let drawn = &mut self.drawn[row - self.rows.start];
         drawn.by_next = joined(drawn.by_next, from, to);
         let mut span = [from as u32, to as u32];
@@ -220,7 +220,7 @@ mod tests {
             drawn: &mut [Drawn::anything(WIDTH)],
         };
         for &[from, to] in spans {
-            band.announce(0, from, to);
+            band.will_draw(0, from, to);
         }
         band.clear(0..1);
         pixels

@@ -1,4 +1,4 @@
-//! How far the interpolant through nine samples may stray: a closed form.
+//! How far the interpolant through nine samples may err: a closed form.
 //!
 //! On a square of half extents h_x and h_y, a function f is sampled at the nine Chebyshev nodes x, y in {-r, 0, r},
 //! r = sqrt(3) / 2, in units of the half extents. The biquadratic through the samples errs by at most
@@ -268,8 +268,9 @@ impl Highlight {
 #[inline(always)]
 pub fn power<S: Simd>(power: &Power, most: Lanes<S>) -> Lanes<S> {
     // f32 may round 1 - s up, which would make the power smaller.
-    let lambda = positive((1.0 - most) * (1.0 - 2.0 * U)).min(Lanes::splat(most.token(), 1.0));
-    lambda.powers(power) * 1.001 + 1e-30
+    let one_minus_cos =
+        positive((1.0 - most) * (1.0 - 2.0 * U)).min(Lanes::splat(most.token(), 1.0));
+    one_minus_cos.powers(power) * 1.001 + 1e-30
 }
 
 /// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.

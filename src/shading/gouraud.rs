@@ -18,7 +18,7 @@ use super::kernel::Reals;
 use super::square::Region;
 use super::{Evaluations, Scratch, TileKind, U, limit};
 use crate::components::FACES;
-use crate::simd::{apart, inlined, three};
+use crate::simd::{inlined, outlined, three};
 
 /// Draws what was lit at the vertices.
 pub struct Gouraud<'a> {
@@ -183,7 +183,7 @@ impl<'a> Gouraud<'a> {
             first: region.square.first().map(|first| first as f32),
             x: f32x16::splat(simd, 0.0),
         };
-        apart(
+        outlined(
             simd,
             #[inline(always)]
             || {

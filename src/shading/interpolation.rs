@@ -111,11 +111,11 @@ impl<S: Simd> Interpolant<S> {
             let all = square + c[1][1].abs() + cubic + quartic;
             let rest = (square + cubic) * 0.5 + c[1][1].abs() + quartic * 0.75;
             let linear = c[0][1].abs() + c[1][0].abs();
-            let sway = linear + all;
+            let radius = linear + all;
             inside = inside
-                & (c[0][0] - sway).simd_ge(FIXED_RANGE[0])
-                & (c[0][0] + sway).simd_le(FIXED_RANGE[1]);
-            let all = c[0][0].abs() + sway + lit * colors.crossing[channel];
+                & (c[0][0] - radius).simd_ge(FIXED_RANGE[0])
+                & (c[0][0] + radius).simd_le(FIXED_RANGE[1]);
+            let all = c[0][0].abs() + radius + lit * colors.crossing[channel];
             finite &= all.simd_lt(f64::INFINITY);
             size = size.max(all);
             curve = curve.max(rest);

@@ -18,7 +18,7 @@ use super::affine::Affine;
 use super::display::{Levels, Pixels, Rows};
 use super::specular::{self, Power};
 use super::square::Region;
-use crate::simd::{apart, inlined, three};
+use crate::simd::{inlined, outlined, three};
 
 /// Unit round-off of f64.
 pub const DOUBLE: f64 = f64::EPSILON / 2.0;
@@ -117,14 +117,14 @@ impl<S: Simd> Reals<S> for f64x4<S> {
             // The slope has no bound at s = 0: there f32 would make levels of a rounding.
             let exact = self
                 .as_array()
-                .map(|lambda| specular::power_exact(power.exact, lambda));
+                .map(|one_minus_cos| specular::power_exact(power.exact, one_minus_cos));
             return Self::simd_from(self.token(), exact);
         }
-        let mut lambda = [0.0; 16];
-        for (lambda, own) in lambda.iter_mut().zip(self.as_array()) {
-            *lambda = *own as f32;
+        let mut one_minus_cos = [0.0; 16];
+        for (one_minus_cos, own) in one_minus_cos.iter_mut().zip(self.as_array()) {
+            *one_minus_cos = *own as f32;
         }
-        let powers = f32x16::simd_from(self.token(), lambda).powers(power);
+        let powers = f32x16::simd_from(self.token(), one_minus_cos).powers(power);
         let [a, b, c, d, ..] = powers.as_array().map(f64::from);
         Self::simd_from(self.token(), [a, b, c, d])
     }
@@ -179,12 +179,12 @@ pub fn highlight<S: Simd, V: Reals<S>>(
     let inverse = V::all(simd, 1.0) / dot(light, light).sqrt();
     let cosine = dot(normal, light) * inverse;
     let twice = cosine + cosine;
-    let apart = three(
+    let difference = three(
         #[inline(always)]
         |axis| normal[axis] * twice - light[axis] * inverse - eye[axis],
     );
-    let lambda = dot(&apart, &apart) * V::all(simd, 0.5);
-    [cosine, lambda.powers(power)]
+    let one_minus_cos = dot(&difference, &difference) * V::all(simd, 0.5);
+    [cosine, one_minus_cos.powers(power)]
 }
 
 /// At length one.
@@ -301,7 +301,7 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
         levels: &mut Levels,
         wanted: impl Fn([f64; 2]) -> bool,
     ) {
-        apart(
+        outlined(
             self.simd,
             #[inline(always)]
             || levels.fill_where(self.simd, region, self, wanted),
@@ -310,7 +310,7 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
 
     /// Evaluates all that is covered of a region.
     pub fn fill(&mut self, region: &Region, levels: &mut Levels) {
-        apart(
+        outlined(
             self.simd,
             #[inline(always)]
             || levels.fill(self.simd, region, self),
@@ -340,8 +340,8 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
                 let cosine = dot(&n, &l);
                 if light.is[1] {
                     let along = (cosine + cosine) * dot(&n, &o) - dot(&l, &o);
-                    let lambda = (V::all(simd, 1.0) - along).max(V::all(simd, 0.0));
-                    [cosine, lambda.powers(self.power)]
+                    let one_minus_cos = (V::all(simd, 1.0) - along).max(V::all(simd, 0.0));
+                    [cosine, one_minus_cos.powers(self.power)]
                 } else {
                     [cosine; 2]
                 }

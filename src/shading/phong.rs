@@ -22,7 +22,7 @@ use super::rounding::{Extent, Rounding};
 use super::square::Region;
 use super::{Evaluations, Scratch, Surface, TileKind, U, limit};
 use crate::components::{PointLight, length, unit};
-use crate::simd::{apart, inlined, three, two};
+use crate::simd::{inlined, outlined, three, two};
 
 /// A point light as a face sees it.
 #[derive(Clone, Copy, Debug)]
@@ -243,7 +243,7 @@ impl<'a> Phong<'a> {
             double,
             ..
         } = scratch;
-        let found = apart(
+        let found = outlined(
             simd,
             #[inline(always)]
             || self.survey(&places, region.square.pixels as u64, active),

@@ -239,8 +239,8 @@ mod tests {
             let inverse = Rounded::exact(1.0) / dot(&l, &l).sqrt();
             let cosine = dot(&n, &l) * inverse;
             let twice = cosine + cosine;
-            let apart = [0, 1, 2].map(|axis| n[axis] * twice - l[axis] * inverse - o[axis]);
-            lengths(&apart)[1] / count
+            let difference = [0, 1, 2].map(|axis| n[axis] * twice - l[axis] * inverse - o[axis]);
+            lengths(&difference)[1] / count
         });
         assert_covers("|r - o|", chord, 0.5);
     }

@@ -1,6 +1,6 @@
 //! The specular power: s^rho from 1 - s.
 //!
-//! Rule: every function here takes lambda = 1 - s, formed without cancellation as |r - o|^2 / 2 (Lyon 1993: for unit
+//! Rule: every function here takes one_minus_cos = 1 - s, formed without cancellation as |r - o|^2 / 2 (Lyon 1993: for unit
 //! vectors o.r = 1 - |r - o|^2 / 2), because near the highlight s itself has too few digits for a large rho.
 
 use fearless_simd::prelude::*;
@@ -8,14 +8,14 @@ use fearless_simd::{Simd, f32x16, i32x16};
 
 use super::U;
 
-/// s^rho for s = 1 - lambda, in f64: `max(0, s)^rho`, and 0^0 = 1.
-pub fn power_exact(shininess: f64, lambda: f64) -> f64 {
+/// s^rho for s = 1 - one_minus_cos, in f64: `max(0, s)^rho`, and 0^0 = 1.
+pub fn power_exact(shininess: f64, one_minus_cos: f64) -> f64 {
     if shininess == 0.0 {
         1.0
-    } else if lambda >= 1.0 {
+    } else if one_minus_cos >= 1.0 {
         0.0
     } else {
-        (shininess * (-lambda).ln_1p()).exp()
+        (shininess * (-one_minus_cos).ln_1p()).exp()
     }
 }
 
@@ -24,21 +24,21 @@ const HALF_ROOT_BITS: i32 = 0x3f35_04f3;
 /// 1.5 * 2^23: adding it to a float of size below 2^22 leaves the nearest integer in the low bits.
 const ROUND: f32 = 12_582_912.0;
 
-/// s^rho for s = 1 - lambda, lambda in 0..=2, shininess > 0, in f32 and without branches.
+/// s^rho for s = 1 - one_minus_cos, one_minus_cos in 0..=2, shininess > 0, in f32 and without branches.
 ///
 /// Twice the inverse hyperbolic tangent of f / (2 + f) is ln(1 + f) (Abramowitz and Stegun 4.6.22); four terms leave a
-/// relative error of 9e-8 on [sqrt(1/2), sqrt(2)], and where s is at least sqrt(1/2) f is -lambda itself, so the
+/// relative error of 9e-8 on [sqrt(1/2), sqrt(2)], and where s is at least sqrt(1/2) f is -one_minus_cos itself, so the
 /// logarithm is relatively exact as s goes to 1. The power of two is rounded off and the rest, within +-1/2, goes
 /// through the exponential series to the sixth power (relative error 1.2e-7).
 #[inline(always)]
-pub fn power<S: Simd>(shininess: f32, lambda: f32x16<S>) -> f32x16<S> {
-    let simd = lambda.token();
+pub fn power<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
+    let simd = one_minus_cos.token();
     let zero = f32x16::splat(simd, 0.0);
-    let s = 1.0 - lambda;
+    let s = 1.0 - one_minus_cos;
     let bits: i32x16<S> = s.bitcast();
     let exponent = (bits - HALF_ROOT_BITS) >> 23;
     let mantissa: f32x16<S> = (bits - (exponent << 23)).bitcast();
-    let f = exponent.simd_eq(0).select(-lambda, mantissa - 1.0);
+    let f = exponent.simd_eq(0).select(-one_minus_cos, mantissa - 1.0);
     let z = f / (f + 2.0);
     let z2 = z * z;
     // 2 / ln 2 over 1, 3, 5, 7.
@@ -111,16 +111,16 @@ impl Squarings {
         })
     }
 
-    /// s^rho for s = 1 - `lambda`.
+    /// s^rho for s = 1 - `one_minus_cos`.
     #[inline(always)]
-    pub fn power<S: Simd>(&self, lambda: f32x16<S>) -> f32x16<S> {
-        let zero = f32x16::splat(lambda.token(), 0.0);
+    pub fn power<S: Simd>(&self, one_minus_cos: f32x16<S>) -> f32x16<S> {
+        let zero = f32x16::splat(one_minus_cos.token(), 0.0);
         let [constant, slope, curve] = self.coefficients;
-        let mut power = (lambda * curve + slope) * lambda + constant;
+        let mut power = (one_minus_cos * curve + slope) * one_minus_cos + constant;
         for _ in 0..self.times {
             power = power * power;
         }
-        lambda.simd_lt(self.end).select(power, zero)
+        one_minus_cos.simd_lt(self.end).select(power, zero)
     }
 }
 
@@ -157,12 +157,12 @@ impl Power {
     /// What an error in |r - o|, and four roundings of 1 - s, make of s^rho. Below a shininess of 1 the slope has no bound as
     /// s goes to 0, but powers of two numbers then differ by no more than the power of their difference. From 1 on it makes
     /// relative errors of 1 - s no larger: rho (1 - s) s^(rho - 1) <= 1.
-    pub fn moved(&self, apart: f64, unit: f64) -> f64 {
+    pub fn moved(&self, distance: f64, unit: f64) -> f64 {
         let rounded = 4.0 * unit;
         match self.exact {
             0.0 => 0.0,
-            shininess if shininess < 1.0 => (2.0 * apart + rounded).powf(shininess),
-            _ => self.steepest * apart + rounded,
+            shininess if shininess < 1.0 => (2.0 * distance + rounded).powf(shininess),
+            _ => self.steepest * distance + rounded,
         }
     }
 }
@@ -172,12 +172,12 @@ mod tests {
     use super::*;
     use crate::simd::{Baseline, token};
 
-    fn lanes(lambda: f32) -> f32x16<Baseline> {
-        f32x16::splat(token(), lambda)
+    fn lanes(one_minus_cos: f32) -> f32x16<Baseline> {
+        f32x16::splat(token(), one_minus_cos)
     }
 
-    fn power(shininess: f32, lambda: f32) -> f32 {
-        super::power(shininess, lanes(lambda)).as_array()[0]
+    fn power(shininess: f32, one_minus_cos: f32) -> f32 {
+        super::power(shininess, lanes(one_minus_cos)).as_array()[0]
     }
 
     const SHININESSES: [f64; 12] = [
@@ -189,11 +189,12 @@ mod tests {
         let mut worst = 0.0_f64;
         for shininess in SHININESSES {
             for step in 0..=200_000 {
-                // Denser towards lambda = 0, where a large rho has its highlight.
-                let lambda = 2.0 * (f64::from(step) / 200_000.0).powi(4);
-                let lambda = lambda as f32;
-                let expected = power_exact(f64::from(shininess as f32), f64::from(lambda));
-                worst = worst.max((f64::from(power(shininess as f32, lambda)) - expected).abs());
+                // Denser towards one_minus_cos = 0, where a large rho has its highlight.
+                let one_minus_cos = 2.0 * (f64::from(step) / 200_000.0).powi(4);
+                let one_minus_cos = one_minus_cos as f32;
+                let expected = power_exact(f64::from(shininess as f32), f64::from(one_minus_cos));
+                worst =
+                    worst.max((f64::from(power(shininess as f32, one_minus_cos)) - expected).abs());
             }
         }
         assert!(worst * 255.0 < 1e-3, "{} levels", worst * 255.0);
@@ -205,9 +206,9 @@ mod tests {
         for shininess in SHININESSES.into_iter().filter(|rho| *rho >= 1.0) {
             let shininess = f64::from(shininess as f32);
             for step in 0..=100_000 {
-                let lambda = (f64::from(step) / 100_000.0).powi(4);
-                let found = f64::from(power(shininess as f32, lambda as f32));
-                worst = worst.max((found - power_exact(shininess, lambda)).abs());
+                let one_minus_cos = (f64::from(step) / 100_000.0).powi(4);
+                let found = f64::from(power(shininess as f32, one_minus_cos as f32));
+                worst = worst.max((found - power_exact(shininess, one_minus_cos)).abs());
             }
         }
         println!("{:.3} of what is said", worst / POWER_ERROR);
@@ -220,13 +221,14 @@ mod tests {
         for shininess in SHININESSES {
             let given = Power::new(shininess, 0.0, 0.0);
             let (mut moved, mut rounded) = (0.0_f64, 0.0_f64);
-            let (apart, unit) = (1e-5, 1e-5);
+            let (distance, unit) = (1e-5, 1e-5);
             for step in 0..=20_000 {
                 let chord = std::f64::consts::SQRT_2 * (f64::from(step) / 20_000.0).powi(3);
                 let at =
                     |chord: f64, factor: f64| power_exact(shininess, chord * chord / 2.0 * factor);
                 let here = at(chord, 1.0);
-                moved = moved.max((at(chord + apart, 1.0) - here).abs() / given.moved(apart, 0.0));
+                moved = moved
+                    .max((at(chord + distance, 1.0) - here).abs() / given.moved(distance, 0.0));
                 let change = (at(chord, 1.0 + 4.0 * unit) - here).abs();
                 rounded = rounded.max(change / given.moved(0.0, unit));
             }
@@ -280,16 +282,16 @@ mod tests {
                 made += 1;
                 let mut worst = 0.0_f64;
                 for step in 0..=20_000 {
-                    let lambda = (2.0 * (f64::from(step) / 20_000.0).powi(3)) as f32;
-                    let found = f64::from(squarings.power(lanes(lambda)).as_array()[0]);
-                    let expected = power_exact(shininess, f64::from(lambda));
+                    let one_minus_cos = (2.0 * (f64::from(step) / 20_000.0).powi(3)) as f32;
+                    let found = f64::from(squarings.power(lanes(one_minus_cos)).as_array()[0]);
+                    let expected = power_exact(shininess, f64::from(one_minus_cos));
                     let error = (found - expected).abs();
-                    if f64::from(lambda) < 1.0 - least {
+                    if f64::from(one_minus_cos) < 1.0 - least {
                         worst = worst.max(error);
                     } else {
                         assert!(
                             error <= faint * (1.0 + 1e-3),
-                            "rho {shininess}, 1 - s {lambda}"
+                            "rho {shininess}, 1 - s {one_minus_cos}"
                         );
                     }
                 }

@@ -293,9 +293,9 @@ impl UnitVectors<'_> {
             let l = blend(weights, &self.to_light(triangle, light));
             let cosine = n.dot(l);
             if cosine > 0.0 {
-                let lambda = (1.0 - o.dot(2.0 * cosine * n - l)).max(0.0);
+                let one_minus_cos = (1.0 - o.dot(2.0 * cosine * n - l)).max(0.0);
                 levels += diffuse * cosine
-                    + specular * power_exact(self.surface.material.shininess, lambda);
+                    + specular * power_exact(self.surface.material.shininess, one_minus_cos);
             }
         }
         levels

@@ -36,7 +36,7 @@ use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Spans, Square};
 use crate::shading::unit_vectors::{self, UnitVectors};
 use crate::shading::{Evaluations, Scratch, Shader, Sink, Surface, TileKind};
-use crate::simd::{apart, dispatch};
+use crate::simd::{dispatch, outlined};
 
 /// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
 const DEPTH_TIE: f64 = 1e-11;
@@ -220,7 +220,7 @@ fn prepare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, 
     if !deep {
         for piece in pieces() {
             for (row, span) in list.spans(piece).within(rows) {
-                band.announce(row, span.start, span.end);
+                band.will_draw(row, span.start, span.end);
             }
         }
     }
@@ -234,7 +234,7 @@ fn prepare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, 
             let pixels = first..first + span.len();
             let ids = &mut band.triangles[pixels.clone()];
             if deep {
-                band.drawn[row - band.rows.start].touch(span.start, span.end);
+                band.drawn[row - band.rows.start].drew(span.start, span.end);
                 let place = [
                     span.start as f64 + 0.5 - lens.half[0],
                     row as f64 + 0.5 - lens.half[1],
@@ -343,7 +343,7 @@ impl Drawing<'_, '_> {
     ) {
         if form.kind == TileKind::Quadratic && square.side > MIN_SIDE {
             let quarters = square.quarters(&self.spans);
-            let interpolant = apart(
+            let interpolant = outlined(
                 simd,
                 #[inline(always)]
                 || interpolant.on_quarters(index, square, &quarters),
@@ -360,7 +360,7 @@ impl Drawing<'_, '_> {
             return;
         }
         let mut store = Store::new(self.band, &self.spans, square, self.id);
-        apart(
+        outlined(
             simd,
             #[inline(always)]
             || interpolation::draw(simd, interpolant, index, form, square, &mut store),
@@ -395,7 +395,7 @@ impl Drawing<'_, '_> {
         };
         let mut store = Store::new(self.band, &self.spans, square, self.id);
         let levels = &self.scratch.levels;
-        apart(
+        outlined(
             simd,
             #[inline(always)]
             || {

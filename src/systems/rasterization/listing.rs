@@ -14,7 +14,7 @@ use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
 use crate::shading::face::{Plane, Rays};
 use crate::shading::gloss::Gloss;
-use crate::simd::apart;
+use crate::simd::outlined;
 use crate::systems::coverage::{SMALL, Scan, covered};
 
 /// What is listed alike for all cuboids.
@@ -96,7 +96,7 @@ fn cover<S: Simd>(
     if polygons.iter().all(|polygon| polygon.len == 0) {
         return [(0, 0..0), (0, 0..0)];
     }
-    let small = apart(
+    let small = outlined(
         simd,
         #[inline(always)]
         || cover_small(simd, list, polygons, size),

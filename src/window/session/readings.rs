@@ -69,7 +69,7 @@ impl Session {
         modes.all(|mode| *mode == first).then_some(first)
     }
 
-    /// How far the picture may stray from its own mode, in levels.
+    /// How far the picture may err from its own mode, in levels.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
