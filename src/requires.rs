@@ -334,3 +334,54 @@ fn difference((_, left): &Shown, (_, right): &Shown) -> [f64; 2] {
     }
     largest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grey(face: usize, least: f64, most: f64) -> Shown {
+        (Some(face), [[least, most]; 3])
+    }
+
+    #[test]
+    fn a_difference_is_at_least_the_gap_and_at_most_the_span() {
+        for (left, right, known) in [
+            ([0.0, 1.0], [3.0, 4.5], [2.0, 4.5]),
+            ([3.0, 4.5], [0.0, 1.0], [2.0, 4.5]),
+            ([0.0, 10.0], [5.0, 20.0], [0.0, 20.0]),
+            ([5.0, 6.0], [0.0, 20.0], [0.0, 15.0]),
+            ([7.0, 7.0], [7.0, 7.0], [0.0, 0.0]),
+        ] {
+            let [left, right] = [left, right].map(|[least, most]| grey(0, least, most));
+            assert_eq!(difference(&left, &right), known, "{left:?} {right:?}");
+        }
+        // The channel that differs most decides.
+        let (_, mut channels) = grey(0, 1.0, 1.0);
+        channels[2] = [6.0, 7.0];
+        assert_eq!(
+            difference(&grey(0, 1.0, 1.0), &(Some(0), channels)),
+            [5.0, 6.0]
+        );
+    }
+
+    #[test]
+    fn near_an_edge_a_face_is_held_against_itself_and_against_all_where_it_is_gone() {
+        let [front, darker] = [grey(0, 100.0, 101.0), grey(0, 90.0, 92.0)];
+        let behind = (None, [[20.0, 20.0]; 3]);
+        let cases = [
+            (vec![front, behind], vec![darker, behind], [0.0, 11.0]),
+            (vec![front, behind], vec![behind], [0.0, 81.0]),
+            (vec![behind], vec![front, behind], [0.0, 81.0]),
+            (vec![front], vec![behind], [80.0, 81.0]),
+            // Of what may be seen of one face the nearest counts.
+            (vec![front, darker], vec![darker], [0.0, 11.0]),
+        ];
+        for (full, without, known) in cases {
+            assert_eq!(error(&full, &without, true), known, "{full:?} {without:?}");
+        }
+        // In f32 one thing is drawn, and it may be any of those that may be seen.
+        assert_eq!(error(&[front, behind], &[behind], false), [0.0, 0.0]);
+        let drawn = grey(0, 30.0, 30.0);
+        assert_eq!(error(&[front, behind], &[drawn], false), [10.0, 71.0]);
+    }
+}

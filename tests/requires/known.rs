@@ -312,13 +312,18 @@ fn a_scene_that_needs_everything() {
 fn what_cannot_be_decided_is_required() {
     let mut world = cube();
     lit(&mut world, LightKind::Ambient, 100.0, DVec3::ZERO);
+    lit(&mut world, LightKind::Diffuse, 100.0, DVec3::Z * 8.0);
     let mut view = from_z(8.0);
     view.viewpoint.position = DVec3::new(1.0, 0.7, 1.3) * 1e22;
     view.viewpoint.camera.fov = 1e-20;
     let scene = scene_of(world, &view);
-    let cuboid = change(&scene, &view, Part::Cuboid(0));
-    assert_eq!(cuboid.largest_error[0], 0.0, "it cannot be decided");
-    assert!(!cuboid.keeps(0.5), "{cuboid:?}");
-    // The same may be seen without a rule that decides nothing here.
-    assert!(change(&scene, &view, Part::Rule(Rule::DepthTest)).keeps(0.5));
+    for part in [Part::Cuboid(0), Part::Light(1)] {
+        let change = change(&scene, &view, part);
+        assert_eq!(
+            (change.largest_error[0], change.pixels),
+            (0.0, 0),
+            "{part:?}"
+        );
+        assert!(!change.keeps(0.5), "{part:?}: {change:?}");
+    }
 }
