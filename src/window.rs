@@ -5,8 +5,10 @@
 //!    ^             (bindings)          (hud: which row) (actions, editing) ^         |
 //!    |                      jobs --Progress--, watch --the scene's file----'         |
 //!    '---------------------- hud, around it and over it <-- pixels ------------------'
+//!
+//! Actions --recording--> a log --replay--> the same session, composition and hud without a display
 //! ```
-//! Everything but [`display`], [`jobs`] and [`run`] is pure and tested without a display. Rule: nothing is drawn while
+//! Only [`display`], [`jobs`] and [`run`] need a display or threads; all else is tested without. Rule: nothing is drawn while
 //! nothing changes, and what the user does shows within a sixtieth of a second.
 
 pub mod bindings;
