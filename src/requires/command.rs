@@ -33,7 +33,7 @@ struct Row {
 }
 
 const LEGEND: &str = "Each part is left out alone. largest error: in levels of 255, proven; pixels: how many err by more \
-    than the tolerance; time: share of a frame on one thread, 0 where none can be measured, - where the renderer cannot \
+    than the tolerance; time: share of a frame on one thread, the shortest of several, - where the renderer cannot \
     draw without it; required: not proven to keep the tolerance without it.";
 
 /// Finds what a picture requires, prints it, and writes the least scene if one is asked for.
@@ -171,7 +171,7 @@ fn table(rows: &[Row], views: usize) -> String {
     let mut sorted: Vec<&Row> = rows.iter().collect();
     sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
     let cells = |row: &&Row| {
-        let percent = |share| format!("{:.0} %", 100.0 * share);
+        let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         vec![
             row.part.clone(),
             error(row.change.largest_error),
