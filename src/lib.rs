@@ -22,7 +22,7 @@
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far it has turned.
 //! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`scene::Scene::viewpoint`] says where a camera
 //!    stands once its orbit has moved it.
-//! 3. [`systems::normals`]: a vertex normal is the normalised sum of the unit normals of the faces that meet there
+//! 3. [`systems::normals`]: the mesh's vertex normals, turned. One is the normalised sum of the unit normals of the faces there
 //!    (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). The corner of every
 //!    cuboid that stands upright has (±1, ±1, ±1) / √3.
 //! 4. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
