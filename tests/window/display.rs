@@ -39,7 +39,7 @@ fn left_part(window: &RgbImage) -> RgbImage {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn every_key_changes_the_picture_or_the_panel() {
     let program = Program::open(&[], &[]);
     let start = program.picture();
@@ -116,7 +116,7 @@ fn every_key_changes_the_picture_or_the_panel() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn the_mouse_does_what_keys_do() {
     let program = Program::open(&[], &[]);
     let start = program.picture();
@@ -154,7 +154,7 @@ fn the_mouse_does_what_keys_do() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn views_follow_keys_and_come_back() {
     let program = Program::open(&[], &[]);
     let start = right_part(&program.picture());
@@ -200,7 +200,7 @@ fn views_follow_keys_and_come_back() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_pixel_is_probed_a_view_is_measured_and_a_divider_dragged() {
     let program = Program::open(&[], &[]);
     let start = right_part(&program.picture());
@@ -258,7 +258,7 @@ fn a_pixel_is_probed_a_view_is_measured_and_a_divider_dragged() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn no_tap_of_a_key_is_lost() {
     let program = Program::open(&[], &[]);
     let start = program.picture();
@@ -279,7 +279,7 @@ fn no_tap_of_a_key_is_lost() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn screenshots_are_what_is_shown_and_never_overwrite() {
     let program = Program::open(&["--size", "640x480"], &[]);
     let file = |number: u32| {
@@ -318,7 +318,7 @@ fn make_read_only(folder: &Path) {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_scene_is_edited_saved_drawn_by_its_command_and_read_again() {
     let scenes = tempfile::tempdir().expect("a folder");
     let path = scenes.path().join("mine.toml");
@@ -360,7 +360,7 @@ fn a_scene_is_edited_saved_drawn_by_its_command_and_read_again() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn any_size_is_drawn() {
     let mut program = Program::open(&[], &[]);
     for size in [
@@ -400,7 +400,7 @@ fn any_size_is_drawn() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn an_input_method_that_does_not_run_does_no_harm() {
     let program = Program::open(&["--camera", "2"], &[("XMODIFIERS", "@im=ibus")]);
     assert!(
@@ -412,7 +412,7 @@ fn an_input_method_that_does_not_run_does_no_harm() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_resting_window_hardly_works() {
     let program = Program::open(&["--size", "1920x1080"], &[]);
     let worked = || {
@@ -438,7 +438,7 @@ fn a_resting_window_hardly_works() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn what_is_recorded_is_replayed_as_it_was_seen() {
     let mut program = Program::open(&["--record", "a.log"], &[]);
     let start = program.picture();

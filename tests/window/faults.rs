@@ -31,7 +31,7 @@ fn whole_screenshots(folder: &Path) -> usize {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_window_destroyed_from_outside_ends_the_program_and_leaves_whole_files() {
     // The connection is cut, or the window alone is gone.
     for way in ["windowkill", "windowclose"] {
@@ -45,7 +45,7 @@ fn a_window_destroyed_from_outside_ends_the_program_and_leaves_whole_files() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_server_that_dies_ends_the_program_and_leaves_whole_files() {
     let mut program = Program::open(&["--size", "1600x1200"], &[]);
     program.xdotool(&["key", "--repeat", "5", "--delay", "5", "F12"]);
@@ -56,7 +56,7 @@ fn a_server_that_dies_ends_the_program_and_leaves_whole_files() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_signal_in_the_middle_of_a_screenshot_leaves_whole_files() {
     // Not INT: what is started in the background, as these tests may be, ignores it.
     for signal in ["KILL", "TERM"] {
@@ -77,7 +77,7 @@ fn a_signal_in_the_middle_of_a_screenshot_leaves_whole_files() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_key_held_as_the_focus_goes_is_up_when_it_comes_back() {
     let program = Program::open(&[], &[]);
     let start = program.picture();
@@ -100,7 +100,7 @@ fn a_key_held_as_the_focus_goes_is_up_when_it_comes_back() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick"]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_storm_of_keys_and_sizes_leaves_a_window_that_answers() {
     let mut program = Program::open(&[], &[]);
     let start = program.picture();
