@@ -145,7 +145,8 @@ fn a_signal_at_any_time_leaves_whole_files() {
                 std::thread::yield_now();
             }
             let id = child.id().to_string();
-            let _ = Command::new("kill").args(["-s", signal, &id]).status();
+            let kill = format!("kill -s {signal} {id}");
+            let _ = Command::new("sh").args(["-c", &kill]).status();
             let ended = child.wait().expect("it ends");
             whole_files(&out, !ended.success());
         }

@@ -359,7 +359,8 @@ mod unix {
             std::thread::yield_now();
         }
         let id = child.id().to_string();
-        let _ = Command::new("kill").args(["-INT", &id]).status();
+        let kill = format!("kill -s INT {id}");
+        let _ = Command::new("sh").args(["-c", &kill]).status();
         let ended = child.wait().unwrap();
         if ended.success() {
             assert_eq!(listing(folder.path()), ["a.png"]);
