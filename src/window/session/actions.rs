@@ -78,15 +78,7 @@ impl Session {
             Action::Measure if self.spin().on => {
                 self.say("stop the rotation (Space) before measuring");
             }
-            Action::Measure => {
-                self.examine_again();
-                if let Some(requires) = &mut self.requires {
-                    requires.interrupt();
-                }
-                self.measuring = Measuring::Running(None);
-                self.requests.push(Request::Measure);
-                self.wants(Redraw::Overlay);
-            }
+            Action::Measure => self.measure(),
             Action::Requires => {
                 self.requires = match self.requires {
                     Some(_) => None,
@@ -118,15 +110,7 @@ impl Session {
             Action::Probe(pixel) => self.probe(pixel),
             // It needs the picture's size, and so is resolved in `response`.
             Action::MagnifyBy(_) => {}
-            Action::Magnify(magnifier) => {
-                let before = std::mem::replace(&mut self.state.magnifier, magnifier);
-                self.wants(Redraw::Overlay);
-                match magnifier.scale {
-                    scale if before == magnifier && scale > 1 => self.say("no larger than this"),
-                    1 if before == magnifier => self.say("no smaller than this"),
-                    _ => {}
-                }
-            }
+            Action::Magnify(magnifier) => self.magnify(magnifier),
             Action::DragDivider(by) => {
                 self.state.divider += by;
                 self.state.drag = Some(Drag::Divider);
@@ -141,6 +125,26 @@ impl Session {
             Action::SavePicture => self.requests.push(Request::SavePicture),
             Action::Screenshot => self.requests.push(Request::Screenshot),
             action => self.edit_scene(action),
+        }
+    }
+
+    fn measure(&mut self) {
+        self.examine_again();
+        if let Some(requires) = &mut self.requires {
+            requires.interrupt();
+        }
+        self.measuring = Measuring::Running(None);
+        self.requests.push(Request::Measure);
+        self.wants(Redraw::Overlay);
+    }
+
+    fn magnify(&mut self, magnifier: Magnifier) {
+        let before = std::mem::replace(&mut self.state.magnifier, magnifier);
+        self.wants(Redraw::Overlay);
+        match magnifier.scale {
+            scale if before == magnifier && scale > 1 => self.say("no larger than this"),
+            1 if before == magnifier => self.say("no smaller than this"),
+            _ => {}
         }
     }
 
