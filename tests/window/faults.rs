@@ -129,7 +129,14 @@ fn a_storm_of_keys_and_sizes_leaves_a_window_that_answers() {
 #[test]
 fn a_library_that_is_missing_is_told_and_is_no_missing_display() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for name in ["libX11.so", "libX11.so.6"] {
+    // Which of them is searched for by name, and not at the place where the build found it, depends on the machine.
+    let libraries = [
+        "libX11.so",
+        "libX11.so.6",
+        "libXcursor.so",
+        "libXcursor.so.1",
+    ];
+    for name in libraries {
         fs::write(folder.path().join(name), "no library").expect("written");
     }
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
@@ -142,7 +149,7 @@ fn a_library_that_is_missing_is_told_and_is_no_missing_display() {
         .expect("the program starts");
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("Xlib"), "{said}");
+    assert!(said.contains("failed to load"), "{said}");
     let entries = fs::read_dir(folder.path()).expect("listed").count();
-    assert_eq!(entries, 2, "no figures are drawn instead");
+    assert_eq!(entries, libraries.len(), "no figures are drawn instead");
 }
