@@ -66,7 +66,7 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
         session.apply(action);
     }
     let picture = hud::picture(&session, SIZE);
-    let size = [picture.width as usize, picture.height as usize];
+    let size = picture.size();
     let mut composition = Composition::new(workers()?);
     composition.draw(&mut session, size)?;
     composition.time(&mut session)?;

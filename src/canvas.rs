@@ -33,6 +33,11 @@ impl Rect {
         }
     }
 
+    /// Its width and height, in pixels; not of an empty one.
+    pub fn size(&self) -> [usize; 2] {
+        [self.width as usize, self.height as usize]
+    }
+
     /// The first column to the right of it.
     pub fn right(&self) -> i32 {
         self.x + self.width

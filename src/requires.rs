@@ -218,10 +218,7 @@ pub fn picture_without(
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<Vec<u32>> {
     let world = &without(scene, &[part]).world;
-    let rule = match part {
-        Part::Rule(rule) => Some(rule),
-        _ => None,
-    };
+    let rule = rule(&[part]);
     let pixels = match part {
         Part::F64SetUp => pixels(
             &Reference::<f32>::without(world, view, rule),
@@ -258,12 +255,17 @@ fn pixels<R: Real>(
     (0..view.size[1]).into_par_iter().map(row).collect()
 }
 
-fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {
-    let world = &without(scene, left_out).world;
-    let rule = left_out.iter().find_map(|part| match part {
+/// The rule among parts that are left out, if any.
+fn rule(left_out: &[Part]) -> Option<Rule> {
+    left_out.iter().find_map(|part| match part {
         Part::Rule(rule) => Some(*rule),
         _ => None,
-    });
+    })
+}
+
+fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {
+    let world = &without(scene, left_out).world;
+    let rule = rule(left_out);
     let limit = limit(view.tolerance);
     if left_out.contains(&Part::F64SetUp) {
         compare_in(Reference::<f32>::without(world, view, rule), limit, false)

@@ -114,7 +114,7 @@ pub fn run(drawing: Drawing, log: Option<&Path>) -> Result<(), WindowError> {
     let hud = Hud::new(&session, size);
     let title = title(&session, &hud);
     let picture = hud.picture();
-    let start = start.with_picture([picture.width as usize, picture.height as usize]);
+    let start = start.with_picture(picture.size());
     let display = Display::open(&title, size)?;
     let recorder = log.map(|path| Recorder::create(path, &start)).transpose();
     let window = Window {
@@ -163,7 +163,7 @@ impl Window {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
         let area = self.hud.picture();
-        let (mut size, mut picture) = ([0, 0], [area.width as usize, area.height as usize]);
+        let (mut size, mut picture) = ([0, 0], area.size());
         let mut active = false;
         let mut job_is_for = (0, false, false);
         while self.display.is_open() {
@@ -180,7 +180,7 @@ impl Window {
             let mut redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
                 let area = hud::picture(&self.session, size);
-                let new_picture = [area.width as usize, area.height as usize];
+                let new_picture = area.size();
                 if std::mem::replace(&mut picture, new_picture) != new_picture {
                     self.record(|recorder| recorder.size(now, new_picture));
                 }

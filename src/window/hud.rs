@@ -153,7 +153,7 @@ impl Hud {
     pub fn new(session: &Session, size: [usize; 2]) -> Hud {
         let (panel, picture, face) = strips(session, size);
         let state = session.state();
-        let size_of_picture = [picture.width as usize, picture.height as usize];
+        let size_of_picture = picture.size();
         let magnifier = state.magnifier.within(size_of_picture);
         let seen = seen_part(session);
         let corner = magnifier.place([seen.x, seen.y]);
@@ -322,7 +322,7 @@ impl Hud {
 
     /// Width and height of the picture, in pixels.
     pub fn picture_size(&self) -> [usize; 2] {
-        [self.picture.width as usize, self.picture.height as usize]
+        self.picture.size()
     }
 
     /// The probed pixel in the window, or the middle of the picture.

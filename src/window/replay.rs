@@ -15,7 +15,6 @@ use super::hud::Hud;
 use super::jobs;
 use super::recording::{Event, Log, LogFrame};
 use super::session::{Redraw, Session};
-use super::views::ViewMode;
 use crate::drawing::Drawing;
 use crate::frame::Workers;
 use crate::output::{Animation, Output, say};
@@ -94,7 +93,7 @@ impl Player {
             self.composition.draw(&mut self.session, self.size)?;
         }
         let state = self.session.state();
-        if (compares(state.mode) || state.shows_reference) && self.session.reference().is_none() {
+        if (state.mode.compares() || state.shows_reference) && self.session.reference().is_none() {
             let mut request = self.session.reference_request(self.size);
             let result = examine(&mut request, Workers::alone(self.level), &|| false)
                 .context("memory does not suffice for the reference")?;
@@ -105,11 +104,6 @@ impl Player {
         hud.draw(&self.picture, false, &mut self.shown);
         Ok(())
     }
-}
-
-/// Whether a view shows what the reference says.
-pub fn compares(view: ViewMode) -> bool {
-    matches!(view, ViewMode::MethodReference | ViewMode::ErrorMap)
 }
 
 /// Replays `log`: writes its last frame, or all of them where `animated`, and prints a hash of each where that is asked for:

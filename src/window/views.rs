@@ -56,6 +56,11 @@ impl ViewMode {
         ViewMode::ALL[index.rem_euclid(count) as usize]
     }
 
+    /// Whether the reference is shown, or how far the picture is from it.
+    pub fn compares(self) -> bool {
+        matches!(self, ViewMode::MethodReference | ViewMode::ErrorMap)
+    }
+
     /// Whether a divider parts two pictures.
     pub fn is_wipe(self) -> bool {
         matches!(self, ViewMode::GouraudPhong | ViewMode::MethodReference)

@@ -35,7 +35,7 @@ const PARTS: [Part; 6] = [
 pub(super) fn drawn(session: &mut Session, size: [usize; 2]) -> Hud {
     let picture = picture(session, size);
     let mut composition = Composition::new(Workers::alone(Level::new()));
-    let picture = [picture.width as usize, picture.height as usize];
+    let picture = picture.size();
     composition.draw(session, picture).expect("there is memory");
     Hud::new(session, size)
 }
@@ -84,7 +84,7 @@ pub(super) fn check_fit(hud: &Hud, size: [usize; 2]) {
 fn cuboid(session: &mut Session, hud: &Hud) -> Rect {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     let rect = hud.picture();
-    let size = [rect.width as usize, rect.height as usize];
+    let size = rect.size();
     session.draw(size, &mut frame).expect("there is memory");
     let ids = frame.triangles().iter().enumerate();
     let covered: Vec<usize> = ids

@@ -20,7 +20,7 @@ use super::{SIZE, default_session, does, press, session_of};
 /// The picture's size in pixels.
 fn picture_size(session: &Session) -> [usize; 2] {
     let rect = picture(session, SIZE);
-    [rect.width as usize, rect.height as usize]
+    rect.size()
 }
 
 fn update(session: &mut Session) {

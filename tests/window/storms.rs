@@ -22,7 +22,7 @@ use shadetrade::window::hud::{self, Hud, lines};
 use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::jobs::Progress;
 use shadetrade::window::recording::{Log, Recorder, Start};
-use shadetrade::window::replay::{Player, compares};
+use shadetrade::window::replay::Player;
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 use shadetrade::window::views::ViewMode;
@@ -282,7 +282,7 @@ impl Window {
     /// The picture's size in the window.
     fn picture(&self) -> [usize; 2] {
         let rect = hud::picture(&self.session, self.size);
-        [rect.width as usize, rect.height as usize]
+        rect.size()
     }
 
     fn draw(&mut self) {
@@ -398,7 +398,7 @@ proptest! {
         for happening in &happenings {
             // Views of the reference wait for it, which a recording does not.
             let state = window.session.state();
-            let waits = state.shows_reference || compares(state.mode);
+            let waits = state.shows_reference || state.mode.compares();
             if !waits || window.session.reference().is_some() {
                 seen.insert(window.now, window.picture.clone());
             }
