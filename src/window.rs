@@ -16,6 +16,7 @@ pub mod composition;
 pub mod display;
 pub mod examination;
 pub mod frame_times;
+mod full_screen;
 pub mod history;
 pub mod hud;
 pub mod input;
@@ -230,6 +231,11 @@ impl Window {
                     Request::LeaveOut(part) => {
                         let request = self.session.reference_request(picture);
                         self.jobs.submit(Job::LeaveOut(request, part));
+                    }
+                    Request::FullScreen => {
+                        if let Err(error) = self.display.toggle_full_screen() {
+                            self.session.say(format!("no full screen: {error}"));
+                        }
                     }
                     Request::Quit => return Ok(()),
                 }

@@ -70,6 +70,14 @@ pub enum Action {
     /// Saves the picture alone.
     #[serde(skip)]
     SavePicture,
+    /// Sets words in letters of this size of [`crate::canvas::FACES`], counted from 0.
+    Letters(usize),
+    /// The same in letters so many sizes larger than those that are seen.
+    #[serde(skip)]
+    LettersBy(i32),
+    /// Covers the whole screen, and ends that.
+    #[serde(skip)]
+    FullScreen,
     /// Closes what lies over the picture; see [`super::session::Session::resolved`].
     #[serde(skip)]
     Close,
@@ -178,9 +186,7 @@ pub enum Section {
     Lights,
     /// How surfaces are shaded.
     Shading,
-    /// How the picture is formed.
-    Projection,
-    /// Where it is seen from.
+    /// From where and how it is projected.
     Camera,
     /// What is shown of the scene.
     View,
@@ -196,10 +202,9 @@ pub enum Section {
 
 impl Section {
     /// Every section, in the order in which they are shown.
-    pub const ALL: [Section; 9] = [
+    pub const ALL: [Section; 8] = [
         Section::Lights,
         Section::Shading,
-        Section::Projection,
         Section::Camera,
         Section::View,
         Section::Motion,
@@ -213,7 +218,6 @@ impl Section {
         match self {
             Section::Lights => "lights",
             Section::Shading => "shading",
-            Section::Projection => "projection",
             Section::Camera => "camera",
             Section::View => "view",
             Section::Motion => "move",
@@ -361,7 +365,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Shading, &["F"], &[Key::F], &['f'], Action::SceneShading, "as the file says"),
     Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "tolerance").on_panel(),
     Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "tolerance").on_panel(),
-    Binding::new(Section::Projection, &["O"], &[Key::O], &['o'], Action::NextProjection, "projection").on_panel(),
+    Binding::new(Section::Camera, &["O"], &[Key::O], &['o'], Action::NextProjection, "projection").on_panel(),
     Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "camera").on_panel(),
     Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::View(1), "view").on_panel(),
     Binding::new(Section::View, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view").with_shift(),
@@ -372,6 +376,8 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::View, &["F6"], &[Key::F6], &[], Action::Show(ViewMode::Tiles), "each view"),
     Binding::new(Section::View, &["Z"], &[Key::Z], &['z'], Action::MagnifyBy(1), "magnify, or Ctrl wheel"),
     Binding::new(Section::View, &["X"], &[Key::X], &['x'], Action::MagnifyBy(-1), "magnify, or Ctrl wheel"),
+    Binding::new(Section::View, &["Ctrl +"], &[Key::Equal, Key::NumPadPlus], &[], Action::LettersBy(1), "size of letters").with_control(),
+    Binding::new(Section::View, &["-"], &[Key::Minus, Key::NumPadMinus], &[], Action::LettersBy(-1), "size of letters").with_control(),
     Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
     Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
     Binding::new(Section::View, &["N"], &[Key::N], &['n'], Action::Requires, "what is required"),
@@ -399,6 +405,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::Editor, &["Backspace"], &[Key::Backspace, Key::Delete], &[], Action::Erase, "erase a digit").repeats(),
     Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
     Binding::new(Section::Window, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
+    Binding::new(Section::Window, &["F11"], &[Key::F11], &[], Action::FullScreen, "full screen"),
     Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save the window"),
     Binding::new(Section::Window, &["Shift F12"], &[Key::F12], &[], Action::SavePicture, "save the picture").with_shift(),
     Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close a board"),

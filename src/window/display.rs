@@ -6,10 +6,12 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use anyhow::bail;
 use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
 use super::WindowError;
+use super::full_screen;
 use super::input::Event;
 use crate::canvas::Point;
 
@@ -93,6 +95,17 @@ impl Display {
     /// Whether keys come to this window.
     pub fn is_active(&self) -> bool {
         self.active
+    }
+
+    /// Lets the window cover the screen, or gives it its size again.
+    ///
+    /// # Errors
+    /// When the window system offers no such thing to this program.
+    pub fn toggle_full_screen(&self) -> anyhow::Result<()> {
+        match self.window.window_handle().map(|handle| handle.as_raw()) {
+            Ok(RawWindowHandle::Xlib(handle)) => full_screen::toggle(handle.window as u32),
+            _ => bail!("it is offered on X11 alone"),
+        }
     }
 
     /// Says something in the window's frame.

@@ -113,8 +113,10 @@ fn strips(session: &Session, size: [usize; 2]) -> (Option<Board>, Rect, Face) {
         let pitch = (room / rows).clamp(tight.pitch, face.height() * 5 / 4);
         fits.then_some(TextStyle { pitch, ..loose })
     };
-    let Some(style) = FACES.iter().rev().find_map(style) else {
-        return (None, window, FACES[0]);
+    let chosen = session.state().letters;
+    let faces = chosen.map_or(&FACES[..], |size| &FACES[size..=size]);
+    let Some(style) = faces.iter().rev().find_map(style) else {
+        return (None, window, faces[0]);
     };
     if !session.state().panel {
         return (None, window, style.face);
@@ -193,6 +195,7 @@ impl Hud {
                 .rev()
                 .filter(|it| it.height() <= face.height())
                 .collect(),
+            size_is_chosen: state.letters.is_some(),
             cuboids: moved.intersection(&picture),
             marks: cross.map(pixel::mark).into_iter().chain(discs).collect(),
             arrows: cross.map_or(Vec::new(), |from| {
@@ -313,6 +316,11 @@ impl Hud {
                 }
             }
         }
+    }
+
+    /// How large letters are at most, as [`FACES`] counts.
+    pub fn letters(&self) -> usize {
+        FACES.iter().take_while(|it| **it != self.face).count()
     }
 
     /// How large pixels are seen.

@@ -100,6 +100,9 @@ fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
     };
     action.map(|action| match action {
         Action::MagnifyBy(steps) => magnified(steps, hud.focus()),
+        Action::LettersBy(steps) => {
+            Action::Letters(hud.letters().saturating_add_signed(steps as isize))
+        }
         other => other,
     })
 }

@@ -104,6 +104,8 @@ pub enum Request {
     LeaveOut(Part),
     /// Writes the scene into a new file.
     Save,
+    /// Covers the screen with the window, and ends that.
+    FullScreen,
     /// Ends the program.
     Quit,
 }
@@ -403,7 +405,11 @@ impl Session {
         self.requests.retain(|request| {
             matches!(
                 request,
-                Request::Screenshot | Request::SavePicture | Request::Save | Request::Quit
+                Request::Screenshot
+                    | Request::SavePicture
+                    | Request::Save
+                    | Request::FullScreen
+                    | Request::Quit
             )
         });
         self.requires = self.requires.take().map(|_| Requires::default());

@@ -61,6 +61,8 @@ pub struct ViewState {
     /// The pixel of the picture that is probed.
     pub pixel: Option<[usize; 2]>,
     pub panel: bool,
+    /// How large letters are, as [`crate::canvas::FACES`] counts; the largest that fit where that was not chosen.
+    pub letters: Option<usize>,
     pub help: bool,
     /// The numbers of the scene, where they are shown.
     pub editor: Option<Editor>,
@@ -83,6 +85,7 @@ impl Default for ViewState {
             magnifier: Magnifier::default(),
             pixel: None,
             panel: true,
+            letters: None,
             help: false,
             editor: None,
             hovered: None,

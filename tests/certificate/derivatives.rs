@@ -17,7 +17,8 @@ use shadetrade::shading::field::{self, Field, MAX_RADIUS, Places};
 use shadetrade::shading::specular::Power;
 use shadetrade::simd::baseline;
 
-use crate::cases;
+use crate::SCENES;
+use crate::cases::cases;
 use crate::random::Random;
 
 /// The first four Taylor coefficients of a function of one variable.
@@ -252,7 +253,7 @@ fn largest_shares<S: Simd>(simd: S, cases: u64) -> (f64, [f64; SHININESS.len()])
 #[test]
 fn no_derivative_of_a_direction_or_a_mirror_is_above_its_bound() {
     let simd = baseline().expect("every machine has these lanes");
-    let shares = shares_of_directions(simd, 20 * cases());
+    let shares = shares_of_directions(simd, 20 * cases(SCENES) as u64);
     println!("of the bounds on directions and mirrors are proven at most {shares:.3?}");
     assert!(
         shares.as_flattened().iter().all(|share| *share > 0.9),
@@ -265,7 +266,7 @@ fn no_third_derivative_of_a_quotient_is_above_its_bound() {
     let simd = baseline().expect("every machine has these lanes");
     let mut random = Random(18);
     let mut largest = 0.0_f64;
-    for _ in 0..20 * cases() {
+    for _ in 0..20 * cases(SCENES) as u64 {
         let size = random.decade(-3.0, -0.35);
         let [e, g] = [0, 1].map(|_| random.within(-size, size));
         let [a, b, c] = [300.0, 99.0, 99.0].map(|size| random.within(-size, size));
@@ -322,7 +323,7 @@ fn the_product_of_two_turns_is_one_turn() {
 #[test]
 fn no_third_derivative_that_intervals_prove_is_above_its_bound() {
     let simd = baseline().expect("every machine has these lanes");
-    let (cosine, highlights) = largest_shares(simd, 20 * cases());
+    let (cosine, highlights) = largest_shares(simd, 20 * cases(SCENES) as u64);
     println!("of the bounds are proven at most {cosine:.3} for n.l, {highlights:.3?} for s^rho");
     assert!(
         cosine > 0.5 && highlights.iter().all(|share| *share > 0.5),

@@ -1,8 +1,10 @@
 //! The promise of the tolerance: whatever is drawn, no pixel errs by more against the exact evaluation of its mode.
 //!
-//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 150), and eighty times as many random squares; the
+//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 100), and eighty times as many random squares; the
 //! long run is 10000 in a release build, with `--nocapture` to see how much slack the certificates leave.
 
+#[path = "../support/cases.rs"]
+mod cases;
 mod choices;
 mod derivatives;
 #[path = "../support/random.rs"]
@@ -12,10 +14,5 @@ mod scene;
 mod scenes;
 mod squares;
 
-/// How many random scenes are drawn.
-fn cases() -> u64 {
-    std::env::var("SHADETRADE_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(150)
-}
+/// How many random scenes are drawn where that is not set.
+const SCENES: usize = 100;

@@ -5,7 +5,8 @@ use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 
-use crate::cases;
+use crate::SCENES;
+use crate::cases::cases;
 use crate::random::Random;
 use crate::scene::{draw, empty, shaded, spawn_cuboid, spawn_light, view};
 
@@ -81,7 +82,7 @@ fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
         .ok()
         .and_then(|seed| seed.parse().ok())
         .unwrap_or(0);
-    for seed in first..first + cases() {
+    for seed in first..first + cases(SCENES) as u64 {
         let mut random = Random(seed);
         let (mut world, view) = scene(&mut random);
         let mode = random.one_of(&[ShadingMode::Phong, ShadingMode::Phong, ShadingMode::Gouraud]);
@@ -116,7 +117,7 @@ fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
     }
     println!(
         "{} scenes, {covered} pixels, {cheap} polynomial tiles, worst error {worst_share:.4} of the tolerance, {most_excess:.6} levels from it",
-        cases()
+        cases(SCENES)
     );
     assert!(
         covered > 0 && cheap > 0,

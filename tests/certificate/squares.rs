@@ -16,7 +16,8 @@ use shadetrade::shading::square::{Region, Spans, Square};
 use shadetrade::shading::{EXACT, Scratch, Shader, Sink, Surface, TileKind};
 use shadetrade::simd::baseline;
 
-use crate::cases;
+use crate::SCENES;
+use crate::cases::cases;
 use crate::random::Random;
 
 /// The first pixel of the square: the picture's middle is somewhere near.
@@ -261,7 +262,7 @@ fn largest_error(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
 fn no_square_exceeds_its_tolerance() {
     // By kind: the share of the tolerance that was used up.
     let mut used: [Vec<f64>; TileKind::ALL.len()] = Default::default();
-    for seed in 0..80 * cases() {
+    for seed in 0..80 * cases(SCENES) as u64 {
         let random = &mut Random(seed.wrapping_mul(0x1000_0000_01b3));
         let subject = subject(random);
         if !subject.is_inside() {

@@ -2,6 +2,8 @@
 
 mod arithmetic;
 mod broken;
+#[path = "../support/cases.rs"]
+mod cases;
 mod judge;
 mod known;
 mod naive;
@@ -39,11 +41,4 @@ fn enclosures(world: &World, view: &View) -> Vec<Vec<Seen<Interval>>> {
         reference.row(y, |_, seen| pixels.push(seen.to_vec()));
     }
     pixels
-}
-
-/// How many cases a test is to try: `SHADETRADE_CASES`, or so many.
-fn cases(unset: usize) -> usize {
-    std::env::var("SHADETRADE_CASES").map_or(unset, |cases| {
-        cases.parse().expect("SHADETRADE_CASES is a number")
-    })
 }

@@ -8,8 +8,9 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use shadetrade::components::ShadingMode;
 use shadetrade::prove::Proof;
 
+use super::cases::cases;
+use super::proof;
 use super::random_scene::{Case, between, case};
-use super::{cases, proof};
 
 const SIZE: [usize; 2] = [48, 36];
 

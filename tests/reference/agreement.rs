@@ -1,6 +1,6 @@
 //! The renderer against the reference, on random scenes.
 //!
-//! `SHADETRADE_CASES` sets how many scenes (256 if unset); the first n are always the same.
+//! `SHADETRADE_CASES` sets how many scenes (96 if unset); the first n are always the same.
 
 use std::cell::RefCell;
 
@@ -14,6 +14,7 @@ use shadetrade::reference::at_pixel;
 use shadetrade::systems;
 use shadetrade::trade::metrics::{Picture, compare, pixel_error};
 
+use super::cases::cases;
 use super::invariance::mixed_scene;
 use super::random_scene::case;
 use super::scenes::{draw, shaded};
@@ -98,11 +99,8 @@ fn scenes_far_from_the_origin_or_at_the_ends_of_the_allowed_lengths_keep_the_pro
 /// exact, and no byte by more than half a level besides.
 fn check(mode: ShadingMode, tolerance: f64) {
     let promise = if tolerance > 0.0 { tolerance } else { EXACT };
-    let cases = std::env::var("SHADETRADE_CASES").map_or(256, |cases| {
-        cases.parse().expect("SHADETRADE_CASES is a number")
-    });
     let config = Config {
-        cases,
+        cases: cases(96) as u32,
         failure_persistence: None,
         ..Config::default()
     };

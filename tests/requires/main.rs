@@ -1,5 +1,7 @@
 //! What a scene requires: answers known on paper, against an evaluation in f64, and of the least scene.
 
+#[path = "../support/cases.rs"]
+mod cases;
 mod known;
 mod least;
 #[path = "../support/random_scene.rs"]
@@ -65,11 +67,4 @@ fn required(scene: &Scene, view: &View) -> Vec<String> {
     let parts = parts(scene).into_iter();
     let required = parts.filter(|(part, _)| !change(scene, view, *part).keeps(view.tolerance));
     required.map(|(_, name)| name).collect()
-}
-
-/// How many cases a test is to try: `SHADETRADE_CASES`, or so many.
-fn cases(unset: usize) -> usize {
-    std::env::var("SHADETRADE_CASES").map_or(unset, |cases| {
-        cases.parse().expect("SHADETRADE_CASES is a number")
-    })
 }

@@ -11,8 +11,9 @@ use shadetrade::reference::{Interval, Real, Reference, Rule, Seen};
 use shadetrade::requires::{Part, parts, without};
 use shadetrade::trade::metrics::displayed;
 
+use super::cases::cases;
 use super::random_scene::{Case, between, case};
-use super::{cases, change, scene_of};
+use super::{change, scene_of};
 
 const SIZE: [usize; 2] = [32, 24];
 
@@ -65,7 +66,7 @@ fn nothing_that_is_proven_of_random_scenes_is_contradicted_in_f64() {
     );
     let strategy = asked();
     let (mut all, mut required, mut false_alarms) = (0_u32, 0_u32, 0_u32);
-    for number in 0..cases(40) {
+    for number in 0..cases(24) {
         let tree = strategy.new_tree(&mut runner).expect("a scene is found");
         let (case, tolerance) = tree.current();
         let (world, view) = case.build(SIZE, tolerance);

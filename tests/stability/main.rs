@@ -1,6 +1,8 @@
 //! What must not change a picture by one bit, and what must not break it.
 
 mod bits;
+#[path = "../support/cases.rs"]
+mod cases;
 mod depth;
 mod extremes;
 mod found;

@@ -12,6 +12,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Trans
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE};
 use shadetrade::reference::picture;
 
+use crate::cases::cases;
 use crate::scene::{draw, empty, shaded, spawn_cuboid, spawn_light, view};
 
 const SIZE: [usize; 2] = [65, 48];
@@ -118,12 +119,9 @@ fn scene() -> impl Strategy<Value = Scene> {
 }
 
 fn config() -> ProptestConfig {
-    let cases = std::env::var("SHADETRADE_CASES").map_or(64, |cases| {
-        cases.parse().expect("SHADETRADE_CASES is a number")
-    });
     ProptestConfig {
         failure_persistence: None,
-        ..ProptestConfig::with_cases(cases)
+        ..ProptestConfig::with_cases(cases(64) as u32)
     }
 }
 

@@ -12,25 +12,23 @@ use tempfile::TempDir;
 /// How long anything may take before it counts as failed.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Width and height of a display, in pixels.
+pub const SCREEN: (u32, u32) = (3840, 2160);
+
 /// An X server without a screen to look at.
 struct Display {
     server: Child,
+    manager: Option<Child>,
     name: String,
 }
 
 impl Display {
     pub fn start() -> Self {
+        let (width, height) = SCREEN;
         let mut server = Command::new("Xvfb")
-            .args([
-                "-displayfd",
-                "1",
-                "-screen",
-                "0",
-                "3840x2160x24",
-                "-nolisten",
-                "tcp",
-                "-noreset",
-            ])
+            .args(["-displayfd", "1", "-screen", "0"])
+            .arg(format!("{width}x{height}x24"))
+            .args(["-nolisten", "tcp", "-noreset"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
@@ -42,6 +40,7 @@ impl Display {
             .expect("Xvfb says its number");
         Display {
             server,
+            manager: None,
             name: format!(":{}", number.trim()),
         }
     }
@@ -59,8 +58,10 @@ impl Display {
 
 impl Drop for Display {
     fn drop(&mut self) {
-        let _ = self.server.kill();
-        let _ = self.server.wait();
+        for child in self.manager.iter_mut().chain([&mut self.server]) {
+            let _ = child.kill();
+            let _ = child.wait();
+        }
     }
 }
 
@@ -172,6 +173,21 @@ impl Program {
             rests
         });
         last
+    }
+
+    /// Starts a window manager, and gives the keys to the window again.
+    pub fn start_window_manager(&mut self) {
+        let manager = Command::new("openbox")
+            .env("DISPLAY", &self.display.name)
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("openbox is installed");
+        self.display.manager = Some(manager);
+        until("the window manager is there", || {
+            let supported = self.display.run("xprop", &["-root", "_NET_SUPPORTED"]);
+            String::from_utf8_lossy(&supported).contains("_NET_WM_STATE_FULLSCREEN")
+        });
+        self.xdotool(&["windowactivate", "--sync", &self.window]);
     }
 
     /// Gives the keys to no window.

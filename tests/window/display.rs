@@ -15,7 +15,7 @@ use shadetrade::window::bindings::Action;
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Part, picture};
 
-use super::desktop::{Program, until};
+use super::desktop::{Program, SCREEN, until};
 use super::hud::{board, hud, place_of};
 use super::{SIZE, default_session};
 
@@ -478,4 +478,23 @@ fn what_is_recorded_is_replayed_as_it_was_seen() {
         image::imageops::crop_imm(picture, 0, height / 4, width, height / 2).to_image()
     };
     assert!(lower(&saved) == lower(&replayed));
+}
+
+#[test]
+#[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
+fn the_window_covers_the_screen_where_a_window_manager_lets_it() {
+    let mut program = Program::open(&[], &[]);
+    let start = program.picture();
+    program.press("F11");
+    let refused = program.next_picture(&start, "a message says that nothing can");
+    assert_eq!(refused.dimensions(), start.dimensions());
+    program.start_window_manager();
+    for size in [SCREEN, start.dimensions()] {
+        program.press("F11");
+        until("the window has its new size", || {
+            program.picture().dimensions() == size
+        });
+    }
+    program.press("q");
+    program.end();
 }

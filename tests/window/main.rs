@@ -1,6 +1,8 @@
 //! The window's state, tested without a display: what keys and clicks do to the scene and to what is seen.
 //! The real window is opened in `display.rs`.
 
+#[path = "../support/cases.rs"]
+mod cases;
 #[cfg(target_os = "linux")]
 mod desktop;
 #[cfg(target_os = "linux")]
@@ -13,6 +15,7 @@ mod fit;
 mod hud;
 mod input;
 mod jobs;
+mod letters;
 mod magnifier;
 mod orbit;
 mod pointing;

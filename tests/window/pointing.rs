@@ -67,7 +67,11 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
         assert_eq!(clicked.take_redraw(), changed, "{binding:?}");
         let quiet = matches!(
             binding.action,
-            Action::Screenshot | Action::SavePicture | Action::Save | Action::Quit
+            Action::Screenshot
+                | Action::SavePicture
+                | Action::Save
+                | Action::FullScreen
+                | Action::Quit
         );
         assert_eq!(changed == Redraw::Nothing, quiet, "{binding:?}");
         assert_eq!(state(&mut pressed), state(&mut clicked), "{binding:?}");

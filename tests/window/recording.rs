@@ -142,6 +142,7 @@ fn no_number_of_a_log_is_too_large() {
         }
     }
     actions.extend([Action::Light(usize::MAX), Action::ChooseRow(usize::MAX)]);
+    actions.push(Action::Letters(usize::MAX));
     actions.push(Action::Probe(Some([usize::MAX; 2])));
     actions.extend([Action::Type('\u{1f600}'), Action::Enter, Action::Erase]);
     let log = parse(&log_of(&actions)).unwrap_or_else(|error| panic!("{error}"));

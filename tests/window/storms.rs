@@ -1,6 +1,6 @@
 //! Whatever the user does, and in whatever order, the window stays one that can be drawn; and what is undone is as it was.
 //!
-//! `SHADETRADE_CASES` sets how many storms of a hundred happenings there are (40 if unset); 1000 of them are 10^5.
+//! `SHADETRADE_CASES` sets how many storms of a hundred happenings there are (16 if unset); 1000 of them are 10^5.
 
 use std::collections::HashMap;
 use std::fs;
@@ -27,6 +27,7 @@ use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
 use shadetrade::window::views::ViewMode;
 
+use super::cases::cases;
 use super::{MIXED, default_session, drawing, session_of};
 
 /// The window's size when it opens, in pixels.
@@ -90,6 +91,7 @@ fn any_action() -> impl Strategy<Value = Action> {
         any::<i8>().prop_map(|steps| Action::View(i32::from(steps))),
         Just(Action::Editor),
         (0..30_usize).prop_map(Action::ChooseRow),
+        (0..10_usize).prop_map(Action::Letters),
         (prop::option::of(0..12_usize), -300..300_i32).prop_map(|(row, steps)| Action::Step {
             row,
             steps,
@@ -319,6 +321,7 @@ impl Window {
                 | Request::Screenshot
                 | Request::SavePicture
                 | Request::Save
+                | Request::FullScreen
                 | Request::Quit => {}
             }
         }
@@ -355,12 +358,9 @@ impl Window {
 }
 
 fn storms() -> ProptestConfig {
-    let cases = std::env::var("SHADETRADE_CASES").map_or(40, |cases| {
-        cases.parse().expect("SHADETRADE_CASES is a number")
-    });
     ProptestConfig {
         failure_persistence: None,
-        ..ProptestConfig::with_cases(cases)
+        ..ProptestConfig::with_cases(cases(16) as u32)
     }
 }
 

@@ -14,6 +14,8 @@ pub struct Layout {
     pub window: Rect,
     /// The letters that may be used, the largest first.
     pub faces: Vec<Face>,
+    /// Smaller letters are then used only where larger ones have no room; else where they cover less, too.
+    pub size_is_chosen: bool,
     pub cuboids: Rect,
     /// What the probed pixel takes with its cross, and the lights with their names.
     pub marks: Vec<Rect>,
@@ -42,17 +44,24 @@ impl Layout {
     fn best(&self, versions: &[Vec<Line>], wish: Point) -> Option<(Covered, Board)> {
         let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
         let obstacles: [&[Rect]; 4] = [&self.marks, &placed, &self.arrows, &[self.cuboids]];
-        let faces = self.faces.iter().map(|face| TextStyle::new(*face));
         let versions = versions.iter().filter(|lines| !lines.is_empty());
-        let styles = faces.flat_map(|it| versions.clone().map(move |lines| (it, lines)));
-        let all = styles.filter_map(|(style, lines)| {
-            let size = style.size(lines);
-            let corner = [wish[0] - size[0] / 2, wish[1] - size[1]];
-            let (rect, covered) = place(size, self.window, corner, &obstacles)?;
-            Some((covered, rect, style, lines))
-        });
-        // Of several that cover as much the first has the largest letters.
-        let (covered, rect, style, lines) = all.min_by(|one, other| one.0.cmp(&other.0))?;
+        let best = |faces: &[Face]| {
+            let styles = faces.iter().map(|face| TextStyle::new(*face));
+            let styles = styles.flat_map(|it| versions.clone().map(move |lines| (it, lines)));
+            let all = styles.filter_map(|(style, lines)| {
+                let size = style.size(lines);
+                let corner = [wish[0] - size[0] / 2, wish[1] - size[1]];
+                let (rect, covered) = place(size, self.window, corner, &obstacles)?;
+                Some((covered, rect, style, lines))
+            });
+            // Of several that cover as much the first has the largest letters.
+            all.min_by(|one, other| one.0.cmp(&other.0))
+        };
+        let (covered, rect, style, lines) = if self.size_is_chosen {
+            self.faces.chunks(1).find_map(best)
+        } else {
+            best(&self.faces)
+        }?;
         Some((covered, Board::new(lines.clone(), style, rect)))
     }
 

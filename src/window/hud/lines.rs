@@ -89,7 +89,7 @@ pub fn panel(session: &Session) -> Vec<Line> {
 const PANEL_SECTIONS: [&[Section]; 4] = [
     &[Section::Lights],
     &[Section::Shading],
-    &[Section::View, Section::Projection, Section::Camera],
+    &[Section::View, Section::Camera],
     &[Section::Window, Section::Scene, Section::Motion],
 ];
 
@@ -101,7 +101,7 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
             .into_iter()
             .chain(commands(session, section, false))
     };
-    let (left, right) = Section::ALL.split_at(6);
+    let (left, right) = Section::ALL.split_at(5);
     let titles = [("help", ""), ("", "H or Esc closes it")];
     let mut lines = [(left, titles[0]), (right, titles[1])].map(|(sections, (name, detail))| {
         let mut lines = vec![Line::Title(name, detail.to_owned())];
@@ -114,7 +114,6 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
         ("drag the picture", "orbits"),
         ("drag divider or light", "moves it"),
         ("wheel", "zooms"),
-        ("Ctrl wheel", "magnifies at the cursor"),
         ("Ctrl drag", "moves what is magnified"),
     ];
     lines[1].push(Line::Heading("mouse"));

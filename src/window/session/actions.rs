@@ -3,6 +3,7 @@
 //! Rule: whatever was wanted shows: in the picture, over it, or as words that say why not.
 
 use super::{DEGREE_TIME, Measuring, Redraw, Request, Requires, Session};
+use crate::canvas::FACES;
 use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
 use crate::window::history::Change;
@@ -108,8 +109,13 @@ impl Session {
             }
             Action::Save => self.requests.push(Request::Save),
             Action::Probe(pixel) => self.probe(pixel),
-            // It needs the picture's size, and so is resolved in `response`.
-            Action::MagnifyBy(_) => {}
+            // They need what is seen, and so are resolved in `response`.
+            Action::MagnifyBy(_) | Action::LettersBy(_) => {}
+            Action::Letters(size) => {
+                let size = size.min(FACES.len() - 1);
+                self.state.letters = Some(size);
+                self.say(format!("letters of {} pixels", FACES[size].height()));
+            }
             Action::Magnify(magnifier) => self.magnify(magnifier),
             Action::DragDivider(by) => {
                 self.state.divider += by;
@@ -122,6 +128,7 @@ impl Session {
                 self.state.end_drag();
                 self.history.end_step();
             }
+            Action::FullScreen => self.requests.push(Request::FullScreen),
             Action::SavePicture => self.requests.push(Request::SavePicture),
             Action::Screenshot => self.requests.push(Request::Screenshot),
             action => self.edit_scene(action),

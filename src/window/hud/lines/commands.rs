@@ -55,6 +55,7 @@ fn row(session: &Session, action: Action) -> Option<Action> {
         Action::View(_) => Some(Action::View(1)),
         Action::Show(_) => Some(Action::Show(ViewMode::Picture)),
         Action::MagnifyBy(_) => Some(Action::MagnifyBy(1)),
+        Action::LettersBy(_) => Some(Action::LettersBy(1)),
         Action::Step { row, size, .. } => Some(Action::Step {
             row,
             size,
