@@ -124,17 +124,14 @@ impl Program {
         self.xdotool(&["key", key]);
     }
 
-    pub fn click(&self, [x, y]: Point) {
-        let [x, y] = [x, y].map(|place| place.to_string());
-        self.xdotool(&[
-            "mousemove",
-            "--window",
-            &self.window,
-            &x,
-            &y,
-            "mousedown",
-            "1",
-        ]);
+    pub fn point_at(&self, place: Point) {
+        let [x, y] = place.map(|place| place.to_string());
+        self.xdotool(&["mousemove", "--window", &self.window, &x, &y]);
+    }
+
+    pub fn click(&self, place: Point) {
+        self.point_at(place);
+        self.xdotool(&["mousedown", "1"]);
         // As long as the quickest of fingers.
         sleep(Duration::from_millis(30));
         self.xdotool(&["mouseup", "1"]);

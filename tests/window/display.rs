@@ -16,6 +16,7 @@ use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Part, picture};
 
 use super::desktop::{Program, SCREEN, until};
+use super::fit::COMMON;
 use super::hud::{board, hud, place_of};
 use super::{SIZE, default_session};
 
@@ -26,10 +27,15 @@ pub(super) fn right_part(window: &RgbImage) -> RgbImage {
     image::imageops::crop_imm(window, x, 0, width, 600).to_image()
 }
 
-/// The panel's commands in the same window: what is above the facts, which come when they are known.
+/// The panel's commands in the same window.
 fn left_part(window: &RgbImage) -> RgbImage {
+    panel_commands(window, SIZE)
+}
+
+/// The panel's commands in a window of `size`: what is above the facts, which come when they are known.
+fn panel_commands(window: &RgbImage, size: [usize; 2]) -> RgbImage {
     let session = default_session();
-    let hud = Hud::new(&session, SIZE);
+    let hud = Hud::new(&session, size);
     let panel = board(&hud, Part::Panel);
     let rows = panel.rows().iter();
     let facts = rows.clone().find(|(line, _)| *line == Line::Rule);
@@ -151,6 +157,60 @@ fn the_mouse_does_what_keys_do() {
     let [x, y] = quit.expect("a row");
     program.click([x + 40, y]);
     program.end();
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
+fn every_row_of_the_panel_does_something_in_every_common_window() {
+    for size @ [width, height] in COMMON {
+        let program = Program::open(&["view", "--size", &format!("{width}x{height}")], &[]);
+        let hud = Hud::new(&default_session(), size);
+        for (line, place) in board(&hud, Part::Panel).rows() {
+            let Line::Command(command) = line else {
+                continue;
+            };
+            let (_, action) = command.keys.last().expect("it has a key");
+            // What is so already is made otherwise before.
+            match action {
+                Action::Shading(ShadingMode::Gouraud) => program.press("p"),
+                Action::ResetView => program.press("Left"),
+                _ => {}
+            }
+            // A row that the mouse is over is brighter.
+            let middle = [place.x + place.width / 2, place.y + place.height / 2];
+            program.point_at(middle);
+            let mut before = program.picture();
+            until("the window rests", || {
+                std::mem::replace(&mut before, program.picture()) == before
+            });
+            let changed = || {
+                let now = program.picture();
+                let panels = [&now, &before].map(|it| panel_commands(it, size));
+                let x = hud.picture().x as u32;
+                let pictures = [&now, &before]
+                    .map(|it| image::imageops::crop_imm(it, x, 0, width as u32 - x, height as u32))
+                    .map(|it| it.to_image());
+                panels[0] != panels[1] || pictures[0] != pictures[1]
+            };
+            program.click(middle);
+            until(&format!("{line:?} at {size:?}"), changed);
+            match action {
+                Action::Panel => program.press("i"),
+                Action::Help => program.press("Escape"),
+                Action::Turning => {
+                    program.click(middle);
+                    program.press("Home");
+                }
+                Action::Measure | Action::Blink | Action::Editor => program.click(middle),
+                _ => continue,
+            }
+            until(&format!("{line:?} is undone at {size:?}"), || {
+                panel_commands(&program.picture(), size) == panel_commands(&before, size)
+            });
+        }
+        program.press("q");
+        program.end();
+    }
 }
 
 #[test]

@@ -20,7 +20,8 @@ use shadetrade::window::views::ViewMode;
 
 use super::{default_session, press, session_of};
 
-const COMMON: [[usize; 2]; 3] = [[640, 480], [960, 720], [1920, 1080]];
+/// The sizes of windows that are common, in pixels.
+pub(super) const COMMON: [[usize; 2]; 3] = [[640, 480], [960, 720], [1920, 1080]];
 
 const PARTS: [Part; 6] = [
     Part::Panel,
