@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use glam::DVec3;
 use shadetrade::components::{
-    Illumination, Lens, Material, Mesh, PointLight, Projection, Transform,
+    Illumination, Lens, Material, Mesh, PointLight, Projection, ShadingMode, Transform,
 };
 use shadetrade::shading::display::Rows;
 use shadetrade::shading::face::{Face, Rays, Solid};
@@ -327,4 +327,142 @@ fn a_sliver_is_never_interpolated() {
         assert_eq!(form, None, "seed {seed}");
     }
     assert!(slivers > 20, "{slivers} slivers");
+}
+
+/// How a square is shaded at a tolerance, and the share of it that is used up.
+fn used(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f64) {
+    let (surface, face, eye) = (subject.surface(), &subject.face(), subject.eye);
+    let normals = face.linear(&subject.solid.normals);
+    let gloss = Gloss::new(&surface, tolerance);
+    let points = subject.illumination.points.iter();
+    let lights: Vec<_> = points
+        .filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye))
+        .collect();
+    let shader = if mode == ShadingMode::Gouraud {
+        Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance))
+    } else {
+        let phong = Phong::new(face, normals, surface, eye, &gloss, &lights, tolerance);
+        Shader::Phong(phong)
+    };
+    let (kind, found) = shade(&shader, subject);
+    let limit = if tolerance > 0.0 { tolerance } else { EXACT };
+    let error = largest_error(&found, &defined(&shader, subject));
+    (kind, error / limit)
+}
+
+/// An unturned cuboid whose face +z is seen so; unlit.
+fn seen(half: DVec3, eye: DVec3, lens: Lens) -> Subject {
+    let mesh = Mesh::cuboid(half * 2.0);
+    Subject {
+        solid: Solid {
+            centre: -eye,
+            axes: Transform::default().axes(),
+            half,
+            normals: mesh.corners.map(|corner| (corner / half).normalize()),
+            colors: [DVec3::ZERO; 8],
+        },
+        rays: Rays::new(&lens),
+        eye,
+        material: Material {
+            ambient: DVec3::ONE,
+            diffuse: DVec3::ONE,
+            specular: DVec3::ONE,
+            shininess: 1.0,
+        },
+        illumination: Illumination {
+            ambient: DVec3::ZERO,
+            points: Vec::new(),
+        },
+        picture: PLACE.map(|first| first as f64 + 8.0),
+        side: 16,
+        listed: false,
+    }
+}
+
+#[test]
+fn no_square_exceeds_its_tolerance_where_the_bound_is_tight() {
+    // The normal turns along x alone, towards a light that is far away and almost in the face.
+    let lens = Lens {
+        axes: [DVec3::X, DVec3::Y, DVec3::NEG_Z],
+        pitch: 0.1 / 7.5,
+        projection: Projection::Orthographic,
+        ..Lens::default()
+    };
+    let mut subject = seen(DVec3::new(1.0, 1e3, 1.0), DVec3::Z * 10.0, lens);
+    subject.illumination.points.push(PointLight {
+        position: DVec3::new(1e6, 0.0, 1.5e5),
+        diffuse: DVec3::splat(255.0),
+        specular: DVec3::ZERO,
+    });
+    let mut most = 0.0_f64;
+    for step in 0..60 {
+        let tolerance = 1e-3 * 1.1_f64.powi(step);
+        let (kind, used) = used(&subject, ShadingMode::Phong, tolerance);
+        assert!(used <= 1.0, "{kind:?} uses {used} of {tolerance}");
+        if kind == TileKind::Quadratic {
+            most = most.max(used);
+        }
+    }
+    assert!(most > 0.6, "{most}: bounds so loose hide mistakes");
+}
+
+#[test]
+fn no_square_exceeds_its_tolerance_where_it_all_but_reaches_the_horizon() {
+    for seed in 0..200 {
+        let random = &mut Random(seed);
+        // Low over the whole length of the face, which ends in the square's first row.
+        let height = random.decade(-5.0, -4.0);
+        let eye = DVec3::new(0.0, -1.001, 1.0 + height);
+        let below = random.within(0.128, 0.16);
+        let lens = Lens {
+            axes: [DVec3::X, DVec3::Z, DVec3::Y],
+            pitch: height / 2.0 / below,
+            projection: Projection::Perspective,
+            ..Lens::default()
+        };
+        let mut subject = seen(DVec3::ONE, eye, lens);
+        // Bright where it is near; its far end is in the display's range.
+        let bright = random.decade(1.0, 4.0);
+        for (corner, color) in subject.solid.colors.iter_mut().enumerate() {
+            let size = if corner & 2 == 0 { bright } else { 10.0 };
+            *color = random.vector(0.0, 1.0) * size;
+        }
+        subject.side = random.one_of(&[16, 32]);
+        subject.picture = [
+            PLACE[0] as f64 + random.within(0.0, 32.0),
+            PLACE[1] as f64 + 0.499 - 2.0 / 1.99 * below,
+        ];
+        assert!(subject.is_inside(), "seed {seed}");
+        for tolerance in [0.0, 1e-4, 1e-3, 1e-2] {
+            let (kind, used) = used(&subject, ShadingMode::Gouraud, tolerance);
+            assert!(
+                used <= 1.0,
+                "seed {seed}: {kind:?} uses {used} of {tolerance}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_the_samples_err_by_is_taken_off_the_tolerance() {
+    // Of a highlight that is the same all over: sixteen roundings of its power and three of its sum, each up to 25/9 times
+    // as large in between, are 53. Its rows cost fourteen.
+    let lens = Lens {
+        axes: [DVec3::X, DVec3::Y, DVec3::NEG_Z],
+        pitch: 1e-8,
+        projection: Projection::Orthographic,
+        ..Lens::default()
+    };
+    let mut subject = seen(DVec3::ONE, DVec3::Z * 10.0, lens);
+    subject.illumination.points.push(PointLight {
+        position: DVec3::Z * 1e6,
+        diffuse: DVec3::ZERO,
+        specular: DVec3::splat(255.0),
+    });
+    for (roundings, expected) in [(50.0, false), (80.0, true)] {
+        let tolerance = roundings * 2.0_f64.powi(-24) * 255.0;
+        let (kind, used) = used(&subject, ShadingMode::Phong, tolerance);
+        assert!(used <= 1.0, "{kind:?} uses {used} of {tolerance}");
+        assert_eq!(kind == TileKind::Constant, expected, "{kind:?}");
+    }
 }

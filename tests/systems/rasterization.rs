@@ -3,10 +3,12 @@
 use glam::{DVec3, dvec3};
 use hecs::World;
 use shadetrade::components::{
-    FileOrder, LightKind, Material, Projection, ShadingMode, Transform, VertexColors, View,
+    FileOrder, LightKind, Material, Projected, Projection, ShadingMode, Transform, VertexColors,
+    View,
 };
 use shadetrade::frame::{Frame, NO_TRIANGLE, OUTLINE};
 use shadetrade::shading::TileKind;
+use shadetrade::systems::coverage::Scan;
 use shadetrade::systems::rasterization;
 use shadetrade::{reference, systems};
 
@@ -249,4 +251,129 @@ fn what_is_hidden_of_a_small_face_is_not_evaluated() {
     let seen = counts(1);
     assert_eq!(seen.model_evaluations, 100);
     assert_eq!(counts(2), seen);
+}
+
+#[test]
+fn small_faces_of_every_size_cover_all_of_their_pixels() {
+    // About what is drawn as one square of 16 x 16 pixels.
+    for width in 14..=20_u32 {
+        for height in 14..=20_u32 {
+            let mut world = World::new();
+            let size = dvec3(f64::from(width), f64::from(height), 2.0);
+            let mode = ShadingMode::Phong;
+            spawn_cuboid(&mut world, 0, at(DVec3::ZERO), size, MATERIAL, mode);
+            let mut view = ahead(Projection::Orthographic, [40, 40]);
+            view.viewpoint.camera.height = 40.0;
+            let frame = draw(&mut world, &view);
+            let covered = frame.counts().covered_pixels;
+            assert_eq!(covered, u64::from(width * height), "{width} x {height}");
+        }
+    }
+}
+
+#[test]
+fn of_faces_in_one_plane_the_cuboid_earlier_in_the_file_is_seen_whatever_rounding_makes_of_them() {
+    let turned = Transform {
+        rotation: dvec3(20.0, 30.0, 40.0),
+        ..at(DVec3::ZERO)
+    };
+    // Both have their face +z in the plane z = 4 of the turned axes; one covers the other's.
+    let spawn = |world: &mut World, order: usize, size: f64| {
+        let mut place = turned;
+        place.position = turned.axes() * (DVec3::Z * (4.0 - size / 2.0));
+        let mode = ShadingMode::Phong;
+        spawn_cuboid(world, order, place, DVec3::splat(size), MATERIAL, mode);
+    };
+    for projection in PROJECTIONS {
+        let seen = |sizes: &[f64], order: u32| {
+            let mut world = World::new();
+            for (order, size) in sizes.iter().enumerate() {
+                spawn(&mut world, order, *size);
+            }
+            let frame = draw(&mut world, &ahead(projection, [200, 200]));
+            let face = [12 * order + 8, 12 * order + 9];
+            let ids = frame.triangles().iter();
+            ids.filter(|id| face.contains(id)).count()
+        };
+        let alone = seen(&[3.0], 0);
+        assert!(alone > 100, "{projection:?}: {alone}");
+        assert_eq!(seen(&[3.0, 7.0], 0), alone, "{projection:?}");
+        assert_eq!(seen(&[7.0, 3.0], 1), 0, "{projection:?}");
+    }
+}
+
+#[test]
+fn of_a_bent_face_the_pixels_of_both_its_triangles_are_drawn_and_no_others() {
+    // The first corner is the notch between the second and the last: the upper rows have two spans.
+    let corners = [[6, 6], [1, 1], [6, 14], [11, 1]];
+    for scale in [1, 3] {
+        let view = ahead(Projection::Orthographic, [48, 48]);
+        let mut world = World::new();
+        flat_cube(&mut world, 0, DVec3::ZERO, 50.0);
+        let mut frame = draw(&mut world, &view);
+        let mut expected = vec![false; 48 * 48];
+        for projected in world.query_mut::<&mut Projected>() {
+            let [a, b, c, d] = corners.map(|corner| corner.map(|x| 256 * scale * x));
+            for (polygon, triangle) in projected.polygons[8..10]
+                .iter_mut()
+                .zip([[a, b, c], [a, c, d]])
+            {
+                polygon.vertices[..3].copy_from_slice(&triangle);
+                polygon.len = 3;
+                let mut scan = Scan::new(polygon, 0..48, 48);
+                while let Some((row, from, to)) = scan.next_span() {
+                    expected[48 * row + from..48 * row + to].fill(true);
+                }
+            }
+        }
+        rasterization::run(&mut world, &view, &mut frame);
+        let drawn: Vec<_> = frame
+            .triangles()
+            .iter()
+            .map(|id| *id != NO_TRIANGLE)
+            .collect();
+        assert!(drawn == expected, "{scale}");
+    }
+}
+
+#[test]
+fn beyond_its_corners_a_face_is_no_farther_than_the_farthest_of_them() {
+    // Two faces, from an edge at z = 1.4 to the sides at z = 0; behind them a wall whose front is at z = -0.05.
+    let seen = |walls: usize| {
+        let view = ahead(Projection::Orthographic, [200, 200]);
+        let mut world = World::new();
+        let turned = Transform {
+            rotation: DVec3::Y * 45.0,
+            ..at(DVec3::ZERO)
+        };
+        let (size, mode) = (DVec3::splat(2.0), ShadingMode::Phong);
+        spawn_cuboid(&mut world, 0, turned, size, MATERIAL, mode);
+        for wall in 1..=walls {
+            let place = at(DVec3::NEG_Z * 0.55);
+            spawn_cuboid(
+                &mut world,
+                wall,
+                place,
+                dvec3(10.0, 10.0, 1.0),
+                MATERIAL,
+                mode,
+            );
+        }
+        let mut frame = draw(&mut world, &view);
+        // A fifth wider than they are: as planes they would go on behind the wall.
+        for (order, projected) in world.query_mut::<(&FileOrder, &mut Projected)>() {
+            if order.0 == 0 {
+                let vertices = projected
+                    .polygons
+                    .iter_mut()
+                    .flat_map(|it| &mut it.vertices);
+                vertices.for_each(|[x, _]| *x += (*x - 256 * 100) / 5);
+            }
+        }
+        rasterization::run(&mut world, &view, &mut frame);
+        frame.triangles().iter().filter(|id| **id < 12).count()
+    };
+    let alone = seen(0);
+    assert!(alone > 600, "{alone}");
+    assert_eq!(seen(1), alone);
 }

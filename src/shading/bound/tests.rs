@@ -238,3 +238,27 @@ fn the_power_is_never_below_the_true_one() {
         }
     }
 }
+
+#[test]
+fn the_arc_covers_the_furthest_that_a_calm_vector_turns() {
+    let turn = MAX_RADIUS.asin();
+    assert!(turn <= MAX_RADIUS * ARC * (1.0 + f64::EPSILON), "{turn}");
+}
+
+#[test]
+fn a_light_that_is_passed_leaves_the_gate_open() {
+    // From the eye's side through the point to the other side.
+    let still = Affine {
+        centre: DVec3::Z,
+        ..Affine::default()
+    };
+    for pace in [0.5, 0.99, 1.5] {
+        let light = Affine {
+            dx: DVec3::NEG_Z * pace,
+            ..still
+        };
+        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        let [l, o] = [light, still].map(|vector| Field::new(&vector.into(), &places));
+        assert_eq!(one(gate(&l, &o)), 1.0, "{pace}");
+    }
+}

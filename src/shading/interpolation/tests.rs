@@ -243,3 +243,14 @@ fn steps_of_a_256th_cost_what_they_are_said_to() {
     assert!(worst <= FIXED, "{worst}");
     assert!(worst > 0.5 * FIXED, "{worst}: the count is loose");
 }
+
+#[test]
+fn samples_err_by_no_more_in_between_than_the_constant_says() {
+    // Errors of one that alternate weigh most, and in the corners.
+    let simd = token();
+    let signs = [1.0, -1.0, 1.0];
+    let samples = signs.map(|y: f64| signs.map(|x| Lanes::splat(simd, x * y)));
+    let terms = biquadratic(&samples).map(|row| row.map(|term| term.as_array()[0]));
+    let corner: f64 = terms.as_flattened().iter().sum();
+    assert!((corner - LEBESGUE).abs() < 1e-12, "{corner}");
+}
