@@ -1,6 +1,6 @@
 //! The renderer against the reference, on random scenes.
 //!
-//! `SHADETRADE_CASES` sets how many scenes (96 if unset); the first n are always the same.
+//! `SHADETRADE_CASES` sets how many scenes (64 if unset); the first n are always the same.
 
 use std::cell::RefCell;
 
@@ -100,7 +100,7 @@ fn scenes_far_from_the_origin_or_at_the_ends_of_the_allowed_lengths_keep_the_pro
 fn check(mode: ShadingMode, tolerance: f64) {
     let promise = if tolerance > 0.0 { tolerance } else { EXACT };
     let config = Config {
-        cases: cases(96) as u32,
+        cases: cases(64) as u32,
         failure_persistence: None,
         ..Config::default()
     };

@@ -66,7 +66,7 @@ fn nothing_that_is_proven_of_random_scenes_is_contradicted_in_f64() {
     );
     let strategy = asked();
     let (mut all, mut required, mut false_alarms) = (0_u32, 0_u32, 0_u32);
-    for number in 0..cases(24) {
+    for number in 0..cases(16) {
         let tree = strategy.new_tree(&mut runner).expect("a scene is found");
         let (case, tolerance) = tree.current();
         let (world, view) = case.build(SIZE, tolerance);

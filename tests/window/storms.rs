@@ -1,6 +1,6 @@
 //! Whatever the user does, and in whatever order, the window stays one that can be drawn; and what is undone is as it was.
 //!
-//! `SHADETRADE_CASES` sets how many storms of a hundred happenings there are (16 if unset); 1000 of them are 10^5.
+//! `SHADETRADE_CASES` sets how many storms of a hundred happenings there are (12 if unset); 1000 of them are 10^5.
 
 use std::collections::HashMap;
 use std::fs;
@@ -360,7 +360,7 @@ impl Window {
 fn storms() -> ProptestConfig {
     ProptestConfig {
         failure_persistence: None,
-        ..ProptestConfig::with_cases(cases(16) as u32)
+        ..ProptestConfig::with_cases(cases(12) as u32)
     }
 }
 
