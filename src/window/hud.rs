@@ -259,7 +259,13 @@ impl Hud {
         for (y, row) in rows.enumerate().take(self.picture.height as usize) {
             let [x, y] = self.magnifier.pixel([0, y as i32]);
             let drawn = &picture[y * (width - left)..][x..width - left];
-            let squares = row[left..].chunks_mut(self.magnifier.scale);
+            let row = &mut row[left..];
+            if self.magnifier.scale == 1 {
+                // Squares of one pixel are slow to fill.
+                row.copy_from_slice(drawn);
+                continue;
+            }
+            let squares = row.chunks_mut(self.magnifier.scale);
             squares
                 .zip(drawn)
                 .for_each(|(square, pixel)| square.fill(*pixel));
