@@ -8,7 +8,7 @@
 //!
 //! Actions --recording--> a log --replay--> the same session, composition and hud without a display
 //! ```
-//! Only [`display`], [`jobs`] and [`run`] need a display or threads; all else is tested without. Rule: nothing is drawn while
+//! Only [`display`] with `full_screen`, [`jobs`] and [`run`] need a display or threads; all else is tested without. Rule: nothing is drawn while
 //! nothing changes, and what the user does shows within a sixtieth of a second.
 
 pub mod bindings;

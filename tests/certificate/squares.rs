@@ -258,6 +258,27 @@ fn largest_error(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
         .fold(0.0, f64::max)
 }
 
+/// How a square is shaded at a tolerance, its largest error, and how large that may be, both in levels.
+fn shaded(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f64, f64) {
+    let (surface, face, eye) = (subject.surface(), &subject.face(), subject.eye);
+    let normals = face.linear(&subject.solid.normals);
+    let gloss = Gloss::new(&surface, tolerance);
+    let points = subject.illumination.points.iter();
+    let lights: Vec<_> = points
+        .filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye))
+        .collect();
+    let shader = if mode == ShadingMode::Gouraud {
+        Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance))
+    } else {
+        let phong = Phong::new(face, normals, surface, eye, &gloss, &lights, tolerance);
+        Shader::Phong(phong)
+    };
+    let (kind, found) = shade(&shader, subject);
+    let limit = if tolerance > 0.0 { tolerance } else { EXACT };
+    let error = largest_error(&found, &defined(&shader, subject));
+    (kind, error, limit)
+}
+
 #[test]
 fn no_square_exceeds_its_tolerance() {
     // By kind: the share of the tolerance that was used up.
@@ -269,22 +290,8 @@ fn no_square_exceeds_its_tolerance() {
             continue;
         }
         let tolerance = random.one_of(&[0.0, 1.0, 1.0, 1.0]) * random.decade(-2.0, 0.9);
-        let surface = subject.surface();
-        let (face, eye) = (&subject.face(), subject.eye);
-        let normals = face.linear(&subject.solid.normals);
-        let gloss = Gloss::new(&surface, tolerance);
-        let points = subject.illumination.points.iter();
-        let lights: Vec<_> = points
-            .filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye))
-            .collect();
-        let phong = Phong::new(face, normals, surface, eye, &gloss, &lights, tolerance);
-        for shader in [
-            Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance)),
-            Shader::Phong(phong),
-        ] {
-            let (kind, found) = shade(&shader, &subject);
-            let error = largest_error(&found, &defined(&shader, &subject));
-            let limit = if tolerance > 0.0 { tolerance } else { EXACT };
+        for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+            let (kind, error, limit) = shaded(&subject, mode, tolerance);
             assert!(
                 error <= limit,
                 "seed {seed}: {kind:?} errs {error} of {limit}"
@@ -327,27 +334,6 @@ fn a_sliver_is_never_interpolated() {
         assert_eq!(form, None, "seed {seed}");
     }
     assert!(slivers > 20, "{slivers} slivers");
-}
-
-/// How a square is shaded at a tolerance, and the share of it that is used up.
-fn used(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f64) {
-    let (surface, face, eye) = (subject.surface(), &subject.face(), subject.eye);
-    let normals = face.linear(&subject.solid.normals);
-    let gloss = Gloss::new(&surface, tolerance);
-    let points = subject.illumination.points.iter();
-    let lights: Vec<_> = points
-        .filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye))
-        .collect();
-    let shader = if mode == ShadingMode::Gouraud {
-        Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance))
-    } else {
-        let phong = Phong::new(face, normals, surface, eye, &gloss, &lights, tolerance);
-        Shader::Phong(phong)
-    };
-    let (kind, found) = shade(&shader, subject);
-    let limit = if tolerance > 0.0 { tolerance } else { EXACT };
-    let error = largest_error(&found, &defined(&shader, subject));
-    (kind, error / limit)
 }
 
 /// An unturned cuboid whose face +z is seen so; unlit.
@@ -397,10 +383,10 @@ fn no_square_exceeds_its_tolerance_where_the_bound_is_tight() {
     let mut most = 0.0_f64;
     for step in 0..60 {
         let tolerance = 1e-3 * 1.1_f64.powi(step);
-        let (kind, used) = used(&subject, ShadingMode::Phong, tolerance);
-        assert!(used <= 1.0, "{kind:?} uses {used} of {tolerance}");
+        let (kind, error, limit) = shaded(&subject, ShadingMode::Phong, tolerance);
+        assert!(error <= limit, "{kind:?} errs {error} of {limit}");
         if kind == TileKind::Quadratic {
-            most = most.max(used);
+            most = most.max(error / limit);
         }
     }
     assert!(most > 0.6, "{most}: bounds so loose hide mistakes");
@@ -434,10 +420,10 @@ fn no_square_exceeds_its_tolerance_where_it_all_but_reaches_the_horizon() {
         ];
         assert!(subject.is_inside(), "seed {seed}");
         for tolerance in [0.0, 1e-4, 1e-3, 1e-2] {
-            let (kind, used) = used(&subject, ShadingMode::Gouraud, tolerance);
+            let (kind, error, limit) = shaded(&subject, ShadingMode::Gouraud, tolerance);
             assert!(
-                used <= 1.0,
-                "seed {seed}: {kind:?} uses {used} of {tolerance}"
+                error <= limit,
+                "seed {seed}: {kind:?} errs {error} of {limit}"
             );
         }
     }
@@ -461,8 +447,8 @@ fn what_the_samples_err_by_is_taken_off_the_tolerance() {
     });
     for (roundings, expected) in [(50.0, false), (80.0, true)] {
         let tolerance = roundings * 2.0_f64.powi(-24) * 255.0;
-        let (kind, used) = used(&subject, ShadingMode::Phong, tolerance);
-        assert!(used <= 1.0, "{kind:?} uses {used} of {tolerance}");
+        let (kind, error, limit) = shaded(&subject, ShadingMode::Phong, tolerance);
+        assert!(error <= limit, "{kind:?} errs {error} of {limit}");
         assert_eq!(kind == TileKind::Constant, expected, "{kind:?}");
     }
 }
