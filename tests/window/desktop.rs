@@ -132,8 +132,8 @@ impl Program {
     pub fn click(&self, place: Point) {
         self.point_at(place);
         self.xdotool(&["mousedown", "1"]);
-        // As long as the quickest of fingers.
-        sleep(Duration::from_millis(30));
+        // As long as a finger, and longer than a slow frame of a busy machine.
+        sleep(Duration::from_millis(100));
         self.xdotool(&["mouseup", "1"]);
     }
 

@@ -8,6 +8,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use image::RgbImage;
+use shadetrade::canvas::Rect;
 use shadetrade::components::ShadingMode;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::trade::error_map;
@@ -17,7 +18,7 @@ use shadetrade::window::hud::{Hud, Part, picture};
 
 use super::desktop::{Program, SCREEN, until};
 use super::fit::COMMON;
-use super::hud::{board, hud, place_of};
+use super::hud::{board, commands, hud, place_of};
 use super::{SIZE, default_session};
 
 /// The picture in a window of 960 x 720, short of where a message stands.
@@ -165,10 +166,15 @@ fn every_row_of_the_panel_does_something_in_every_common_window() {
     for size @ [width, height] in COMMON {
         let program = Program::open(&["view", "--size", &format!("{width}x{height}")], &[]);
         let hud = Hud::new(&default_session(), size);
-        for (line, place) in board(&hud, Part::Panel).rows() {
-            let Line::Command(command) = line else {
-                continue;
-            };
+        let parts = |window: &RgbImage| {
+            let Rect {
+                x, width, height, ..
+            } = hud.picture();
+            let [x, width, height] = [x, width, height].map(|it| it as u32);
+            let picture = image::imageops::crop_imm(window, x, 0, width, height);
+            (panel_commands(window, size), picture.to_image())
+        };
+        for (command, place) in commands(&hud, Part::Panel) {
             let (_, action) = command.keys.last().expect("it has a key");
             // What is so already is made otherwise before.
             match action {
@@ -183,17 +189,10 @@ fn every_row_of_the_panel_does_something_in_every_common_window() {
             until("the window rests", || {
                 std::mem::replace(&mut before, program.picture()) == before
             });
-            let changed = || {
-                let now = program.picture();
-                let panels = [&now, &before].map(|it| panel_commands(it, size));
-                let x = hud.picture().x as u32;
-                let pictures = [&now, &before]
-                    .map(|it| image::imageops::crop_imm(it, x, 0, width as u32 - x, height as u32))
-                    .map(|it| it.to_image());
-                panels[0] != panels[1] || pictures[0] != pictures[1]
-            };
             program.click(middle);
-            until(&format!("{line:?} at {size:?}"), changed);
+            until(&format!("{command:?} at {size:?}"), || {
+                parts(&program.picture()) != parts(&before)
+            });
             match action {
                 Action::Panel => program.press("i"),
                 Action::Help => program.press("Escape"),
@@ -204,7 +203,7 @@ fn every_row_of_the_panel_does_something_in_every_common_window() {
                 Action::Measure | Action::Blink | Action::Editor => program.click(middle),
                 _ => continue,
             }
-            until(&format!("{line:?} is undone at {size:?}"), || {
+            until(&format!("{command:?} is undone at {size:?}"), || {
                 panel_commands(&program.picture(), size) == panel_commands(&before, size)
             });
         }
