@@ -256,16 +256,8 @@ impl Shader<'_> {
             return None;
         }
         match self {
-            Shader::Gouraud(gouraud) => outlined(
-                simd,
-                #[inline(always)]
-                || gouraud.interpolate(simd, places),
-            ),
-            Shader::Phong(phong) => outlined(
-                simd,
-                #[inline(always)]
-                || phong.interpolate(simd, places),
-            ),
+            Shader::Gouraud(gouraud) => outlined!(simd, gouraud.interpolate(simd, places)),
+            Shader::Phong(phong) => outlined!(simd, phong.interpolate(simd, places)),
             Shader::UnitVectors(_) => None,
         }
     }

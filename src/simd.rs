@@ -54,34 +54,61 @@ pub(crate) fn token() -> Baseline {
 
 /// Does `work` at a SIMD level, in a function of its own.
 #[inline(never)]
-pub(crate) fn outlined<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
+pub(crate) fn outline<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
     simd.vectorize(work)
 }
 
-/// One of `make` for each of 0, 1, 2. Unlike [`array::map`](array#method.map), which is a function of its own, it becomes
-/// part of the loop it is called from and so has its SIMD level.
-#[inline(always)]
-pub(crate) fn three<T>(mut make: impl FnMut(usize) -> T) -> [T; 3] {
-    [make(0), make(1), make(2)]
+/// [`outline`] for a closure, all of whose code is part of that function.
+macro_rules! outlined {
+    ($simd:expr, $work:expr) => {
+        $crate::simd::outline(
+            $simd,
+            #[inline(always)]
+            || $work,
+        )
+    };
 }
 
-/// The same for 0, 1, 2 and 3.
-#[inline(always)]
-pub(crate) fn four<T>(mut make: impl FnMut(usize) -> T) -> [T; 4] {
-    [make(0), make(1), make(2), make(3)]
+/// A closure whose code is part of the function that calls it; only one that is handed to a function can be told so.
+macro_rules! inlined {
+    ($closure:expr) => {
+        std::convert::identity(
+            #[inline(always)]
+            $closure,
+        )
+    };
 }
 
-/// The same for 0 and 1.
-#[inline(always)]
-pub(crate) fn two<T>(mut make: impl FnMut(usize) -> T) -> [T; 2] {
-    [make(0), make(1)]
+/// The value of an expression for each index. Unlike [`array::map`](array#method.map), which is a function of its own, it is
+/// part of the loop where it stands and so has its SIMD level.
+macro_rules! each {
+    ([$($number:literal),*], |$index:ident| $value:expr) => {
+        [$({ let $index: usize = $number; $value }),*]
+    };
 }
 
-/// A closure as it is: only one that is handed to a function can be told to become part of its caller.
-#[inline(always)]
-pub(crate) fn inlined<F>(closure: F) -> F {
-    closure
+/// [`each`] for 0 and 1.
+macro_rules! two {
+    (|$index:ident| $value:expr) => {
+        $crate::simd::each!([0, 1], |$index| $value)
+    };
 }
+
+/// [`each`] for 0, 1 and 2.
+macro_rules! three {
+    (|$index:ident| $value:expr) => {
+        $crate::simd::each!([0, 1, 2], |$index| $value)
+    };
+}
+
+/// [`each`] for 0, 1, 2 and 3.
+macro_rules! four {
+    (|$index:ident| $value:expr) => {
+        $crate::simd::each!([0, 1, 2, 3], |$index| $value)
+    };
+}
+
+pub(crate) use {each, four, inlined, outlined, three, two};
 
 /// What `level` is called.
 pub fn name(level: Level) -> &'static str {

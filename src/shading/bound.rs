@@ -92,10 +92,10 @@ pub fn interpolation_error<S: Simd>(third: [Lanes<S>; 2]) -> Lanes<S> {
 /// A bound on the interpolation error of n.l.
 #[inline(always)]
 pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Lanes<S> {
-    interpolation_error(two(
-        #[inline(always)]
-        |axis| product(direction(normal.rates[axis]), direction(light.rates[axis]))[2],
-    ))
+    interpolation_error(two!(|axis| product(
+        direction(normal.rates[axis]),
+        direction(light.rates[axis])
+    )[2]))
 }
 
 /// Where n.l is: its value at the middle, and where it keeps its sign all over.
@@ -141,10 +141,7 @@ pub fn reflection<S: Simd>(
 ) -> Reflection<S> {
     let simd = cosine.token();
     let (n, l, o) = (&normal.middle, &light.middle, &eye.middle);
-    let r = three(
-        #[inline(always)]
-        |axis| n[axis] * cosine * 2.0 - l[axis],
-    );
+    let r = three!(|axis| n[axis] * cosine * 2.0 - l[axis]);
     let s = dot(o, &r);
     // |o x r|: the sine, where s is so near 1 that 1 - s^2 would lose it.
     let cross = [
@@ -232,10 +229,7 @@ impl Highlight {
         // s^(rho-k) <= most^rho / s^k, with the largest s for positive exponents and the least for all.
         let base = if self.bounded { most } else { least };
         let over = 1.0 / base;
-        let [one, other] = two(
-            #[inline(always)]
-            |index| Lanes::splat(simd, self.peaks[index]),
-        );
+        let [one, other] = two!(|index| Lanes::splat(simd, self.peaks[index]));
         let falls = power * over;
         let falls_sine = (falls * over * sine).min(one);
         let falls_sine3 = (falls * over * over * sine * sine * sine).min(other);
@@ -247,18 +241,12 @@ impl Highlight {
             falls_sine3 * third,
         ];
         let cubes = if self.alike { b.max(d) } else { b + d };
-        let errors = interpolation_error(two(
-            #[inline(always)]
-            |axis| {
-                let o = direction(eye.rates[axis]);
-                let r = product(direction(light.rates[axis]), mirror(normal.rates[axis]));
-                let [e1, e2, e3] = three(
-                    #[inline(always)]
-                    |order| o[order] + r[order],
-                );
-                a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
-            },
-        ));
+        let errors = interpolation_error(two!(|axis| {
+            let o = direction(eye.rates[axis]);
+            let r = product(direction(light.rates[axis]), mirror(normal.rates[axis]));
+            let [e1, e2, e3] = three!(|order| o[order] + r[order]);
+            a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
+        }));
         let bounded = base.simd_gt(0.0);
         bounded.select(errors, Lanes::splat(simd, f64::INFINITY))
     }

@@ -9,7 +9,7 @@ use fearless_simd::{Simd, f32x16, u32x16};
 use glam::DVec3;
 
 use super::square::{MAX_SIDE, MIN_SIDE, Region};
-use crate::simd::three;
+use crate::simd::{three, two};
 
 /// The colours of a square, sixteen columns at a time.
 pub trait Rows<S: Simd> {
@@ -23,10 +23,7 @@ pub trait Rows<S: Simd> {
     #[inline(always)]
     fn pixels(&self, row: usize) -> u32x16<S> {
         let levels = self.levels(row);
-        pack(three(
-            #[inline(always)]
-            |channel| display_bits(levels[channel]),
-        ))
+        pack(three!(|channel| display_bits(levels[channel])))
     }
 }
 
@@ -100,11 +97,8 @@ impl Listed {
         wanted: impl Fn([f64; 2]) -> bool,
     ) {
         for first in (0..self.len).step_by(16) {
-            let [x, y] = &self.places;
-            let [x, y] = [x, y].map(
-                #[inline(always)]
-                |places| f32x16::from_slice(simd, &places[first..first + 16]),
-            );
+            let [x, y] =
+                two!(|axis| f32x16::from_slice(simd, &self.places[axis][first..first + 16]));
             let levels = pixels.at([x, y]);
             for lane in 0..16 {
                 if wanted([x[lane], y[lane]].map(f64::from)) {
@@ -118,7 +112,7 @@ impl Listed {
 
     /// Where they stand in the band, and their levels.
     pub fn levels(&self) -> impl Iterator<Item = (usize, [f32; 3])> {
-        let levels = |pixel: usize| three(|channel| self.levels[channel][pixel]);
+        let levels = |pixel: usize| three!(|channel| self.levels[channel][pixel]);
         (0..self.len).map(move |pixel| (self.indices[pixel], levels(pixel)))
     }
 
@@ -126,13 +120,10 @@ impl Listed {
     #[inline(always)]
     pub fn draw<S: Simd>(&self, simd: S, mut draw: impl FnMut(usize, u32)) {
         for first in (0..self.len).step_by(16) {
-            let pixels = pack(three(
-                #[inline(always)]
-                |channel| {
-                    let levels = &self.levels[channel][first..first + 16];
-                    display_bits(f32x16::from_slice(simd, levels))
-                },
-            ));
+            let pixels = pack(three!(|channel| {
+                let levels = &self.levels[channel][first..first + 16];
+                display_bits(f32x16::from_slice(simd, levels))
+            }));
             let indices = &self.indices[first..self.len.min(first + 16)];
             for (index, pixel) in indices.iter().zip(pixels.as_array()) {
                 draw(*index, *pixel);
@@ -292,10 +283,10 @@ impl<S: Simd> Rows<S> for Evaluated<'_, S> {
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let first = 16 * self.part;
-        three(
-            #[inline(always)]
-            |channel| f32x16::from_slice(self.simd, &self.levels.rows[row][channel][first..][..16]),
-        )
+        three!(|channel| f32x16::from_slice(
+            self.simd,
+            &self.levels.rows[row][channel][first..][..16]
+        ))
     }
 }
 

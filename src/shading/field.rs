@@ -36,23 +36,14 @@ impl<S: Simd> Places<S> {
     /// Those of four squares; their middles from `origin`, in pixels from the picture's corner.
     #[inline(always)]
     pub fn new(simd: S, [a, b, c, d]: &[Square; 4], origin: [f64; 2]) -> Self {
-        let lanes = inlined(
-            #[inline(always)]
-            |[a, b, c, d]: [[f64; 2]; 4], axis: usize| {
-                Lanes::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]])
-            },
-        );
+        let lanes = inlined!(|[a, b, c, d]: [[f64; 2]; 4], axis: usize| {
+            Lanes::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]])
+        });
         let middles = [a.middle(), b.middle(), c.middle(), d.middle()];
         let halves = [a.half(), b.half(), c.half(), d.half()];
         Places {
-            middle: two(
-                #[inline(always)]
-                |axis| lanes(middles, axis) - origin[axis],
-            ),
-            half: two(
-                #[inline(always)]
-                |axis| lanes(halves, axis),
-            ),
+            middle: two!(|axis| lanes(middles, axis) - origin[axis]),
+            half: two!(|axis| lanes(halves, axis)),
         }
     }
 
@@ -60,14 +51,8 @@ impl<S: Simd> Places<S> {
     #[inline(always)]
     pub fn single(simd: S, middle: [f64; 2], half: [f64; 2]) -> Self {
         Places {
-            middle: two(
-                #[inline(always)]
-                |axis| Lanes::splat(simd, middle[axis]),
-            ),
-            half: two(
-                #[inline(always)]
-                |axis| Lanes::splat(simd, half[axis]),
-            ),
+            middle: two!(|axis| Lanes::splat(simd, middle[axis])),
+            half: two!(|axis| Lanes::splat(simd, half[axis])),
         }
     }
 }
@@ -116,49 +101,28 @@ impl<S: Simd> Field<S> {
             area,
         } = moving;
         let [x, y] = places.middle;
-        let middle = three(
-            #[inline(always)]
-            |axis| x * vector.dx[axis] + y * vector.dy[axis] + vector.centre[axis],
-        );
+        let middle = three!(|axis| x * vector.dx[axis] + y * vector.dy[axis] + vector.centre[axis]);
         let inverse = 1.0 / dot(&middle, &middle).sqrt();
-        let steps = two(
-            #[inline(always)]
-            |axis| places.half[axis] * inverse,
-        );
+        let steps = two!(|axis| places.half[axis] * inverse);
         let [right, down] = [vector.dx, vector.dy];
-        let [right_length, down_length] = two(
-            #[inline(always)]
-            |axis| steps[axis] * lengths[axis],
-        );
+        let [right_length, down_length] = two!(|axis| steps[axis] * lengths[axis]);
         let radius = right_length + down_length;
         // One over the least length of the vector.
         let most = 1.0 / (1.0 - radius);
         let parallelogram = steps[0] * steps[1] * *area;
-        let middle = three(
-            #[inline(always)]
-            |axis| middle[axis] * inverse,
-        );
+        let middle = three!(|axis| middle[axis] * inverse);
         let [right, down] = [
-            three(
-                #[inline(always)]
-                |axis| steps[0] * right[axis],
-            ),
-            three(
-                #[inline(always)]
-                |axis| steps[1] * down[axis],
-            ),
+            three!(|axis| steps[0] * right[axis]),
+            three!(|axis| steps[1] * down[axis]),
         ];
         let along = [dot(&middle, &right), dot(&middle, &down)];
         // |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
-        let rates = inlined(
-            #[inline(always)]
-            |along: Lanes<S>, length: Lanes<S>| {
-                let cross = positive(length * length - along * along).sqrt() + parallelogram;
-                let q = length * most;
-                let p = (cross + length * CROSS_ERROR) * most * most;
-                [p.min(q), q]
-            },
-        );
+        let rates = inlined!(|along: Lanes<S>, length: Lanes<S>| {
+            let cross = positive(length * length - along * along).sqrt() + parallelogram;
+            let q = length * most;
+            let p = (cross + length * CROSS_ERROR) * most * most;
+            [p.min(q), q]
+        });
         Field {
             middle,
             right,
@@ -181,14 +145,8 @@ impl<S: Simd> Field<S> {
     /// At one of the nine nodes, by row and column.
     #[inline(always)]
     pub fn node(&self, row: usize, column: usize) -> Vectors<S> {
-        let [x, y] = two(
-            #[inline(always)]
-            |axis| NODE * ([column, row][axis] as f64 - 1.0),
-        );
-        three(
-            #[inline(always)]
-            |axis| self.middle[axis] + self.right[axis] * x + self.down[axis] * y,
-        )
+        let [x, y] = two!(|axis| NODE * ([column, row][axis] as f64 - 1.0));
+        three!(|axis| self.middle[axis] + self.right[axis] * x + self.down[axis] * y)
     }
 }
 

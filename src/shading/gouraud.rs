@@ -67,62 +67,41 @@ impl<'a> Gouraud<'a> {
         let [middle, e, g] = field::relative(w, places);
         let inverse = 1.0 / middle;
         // All three relative to w at the middle.
-        let scaled = inlined(
-            #[inline(always)]
-            |centre: f64, dx: f64, dy: f64| {
-                let [x, y] = places.middle;
-                [
-                    (x * dx + y * dy + centre) * inverse,
-                    places.half[0] * inverse * dx,
-                    places.half[1] * inverse * dy,
-                ]
-            },
-        );
+        let scaled = inlined!(|centre: f64, dx: f64, dy: f64| {
+            let [x, y] = places.middle;
+            [
+                (x * dx + y * dy + centre) * inverse,
+                places.half[0] * inverse * dx,
+                places.half[1] * inverse * dy,
+            ]
+        });
         let across = scaled(diagonal.centre, diagonal.dx, diagonal.dy);
         let sway = across[1].abs() + across[2].abs();
         let (first, second) = (across[0].simd_ge(sway), across[0].simd_le(-sway));
         let zero = Lanes::splat(simd, 0.0);
         let node = |index: usize| NODE * (index as f64 - 1.0);
-        let inverses: Nine<S> = three(
-            #[inline(always)]
-            |row| {
-                three(
-                    #[inline(always)]
-                    |column| 1.0 / (e * node(column) + g * node(row) + 1.0),
-                )
-            },
-        );
+        let inverses: Nine<S> =
+            three!(|row| three!(|column| 1.0 / (e * node(column) + g * node(row) + 1.0)));
         let mut error = zero;
-        let colors = three(
-            #[inline(always)]
-            |channel| {
-                let plain = scaled(
-                    colors.centre[channel],
-                    colors.dx[channel],
-                    colors.dy[channel],
-                );
-                let color = three(
-                    #[inline(always)]
-                    |term| plain[term] - second.select(across[term] * fold[channel], zero),
-                );
-                let bound = bound::quotient_error(color, [e, g]);
-                let size = color[0].abs() + color[1].abs() + color[2].abs();
-                error = error.max(bound + size * SAMPLING);
-                let samples = three(
-                    #[inline(always)]
-                    |row| {
-                        three(
-                            #[inline(always)]
-                            |column| {
-                                let moved = color[1] * node(column) + color[2] * node(row);
-                                (color[0] + moved) * inverses[row][column]
-                            },
-                        )
-                    },
-                );
-                biquadratic(&samples)
-            },
-        );
+        let colors = three!(|channel| {
+            let plain = scaled(
+                colors.centre[channel],
+                colors.dx[channel],
+                colors.dy[channel],
+            );
+            let color =
+                three!(|term| plain[term] - second.select(across[term] * fold[channel], zero));
+            let bound = bound::quotient_error(color, [e, g]);
+            let size = color[0].abs() + color[1].abs() + color[2].abs();
+            error = error.max(bound + size * SAMPLING);
+            let samples = three!(|row| {
+                three!(|column| {
+                    let moved = color[1] * node(column) + color[2] * node(row);
+                    (color[0] + moved) * inverses[row][column]
+                })
+            });
+            biquadratic(&samples)
+        });
         // What pixels show of a sliver is held on the face, one by one.
         let least = middle * (1.0 - e.abs() - g.abs());
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
@@ -183,13 +162,7 @@ impl<'a> Gouraud<'a> {
             first: region.square.first().map(|first| first as f32),
             x: f32x16::splat(simd, 0.0),
         };
-        outlined(
-            simd,
-            #[inline(always)]
-            || {
-                scratch.levels.fill(simd, region, &mut quotient);
-            },
-        );
+        outlined!(simd, scratch.levels.fill(simd, region, &mut quotient));
         Some(Evaluations {
             kind: TileKind::Exact,
             model: 0,
@@ -229,20 +202,18 @@ impl<S: Simd> Rows<S> for Quotient<S> {
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let y = self.first[1] + row as i32 as f32;
-        self.divided(
-            #[inline(always)]
-            |[middle, right, down]| self.x * right + (middle + down * y),
-        )
+        self.divided(inlined!(|[middle, right, down]: [f32; 3]| {
+            self.x * right + (middle + down * y)
+        }))
     }
 }
 
 impl<S: Simd> Pixels<S> for Quotient<S> {
     #[inline(always)]
     fn at(&self, [x, y]: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        self.divided(
-            #[inline(always)]
-            |[middle, right, down]| x * right + (y * down + middle),
-        )
+        self.divided(inlined!(|[middle, right, down]: [f32; 3]| {
+            x * right + (y * down + middle)
+        }))
     }
 }
 
@@ -251,20 +222,14 @@ impl<S: Simd> Quotient<S> {
     #[inline(always)]
     fn divided(&self, at: impl Fn([f32; 3]) -> f32x16<S>) -> [f32x16<S>; 3] {
         let inverse = 1.0 / at(self.w);
-        let mut levels = three(
-            #[inline(always)]
-            |channel| at(self.colors[channel]),
-        );
+        let mut levels = three!(|channel| at(self.colors[channel]));
         if self.folded {
             let beyond = at(self.beyond).max(f32x16::splat(self.simd, 0.0));
             for channel in 0..3 {
                 levels[channel] += beyond * self.fold[channel];
             }
         }
-        three(
-            #[inline(always)]
-            |channel| levels[channel] * inverse,
-        )
+        three!(|channel| levels[channel] * inverse)
     }
 }
 

@@ -42,14 +42,8 @@ fn quadratic<S: Simd>([left, middle, right]: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
 /// The coefficients of the biquadratic through nine samples.
 #[inline(always)]
 pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
-    let rows = three(
-        #[inline(always)]
-        |j| quadratic(samples[j]),
-    );
-    let columns = three(
-        #[inline(always)]
-        |i| quadratic([rows[0][i], rows[1][i], rows[2][i]]),
-    );
+    let rows = three!(|j| quadratic(samples[j]));
+    let columns = three!(|i| quadratic([rows[0][i], rows[1][i], rows[2][i]]));
     transposed(&columns)
 }
 
@@ -129,28 +123,22 @@ impl<S: Simd> Interpolant<S> {
         let crosses = colors.crosses.to_bitmask();
         let curved = curve.simd_gt(rest).to_bitmask();
         let sloped = slope.simd_gt(rest).to_bitmask();
-        let forms = four(
-            #[inline(always)]
-            |index| {
-                let is = |set: u64| set >> index & 1 == 1;
-                let kind = if is(crosses) {
-                    TileKind::Terminator
-                } else if is(curved) {
-                    TileKind::Quadratic
-                } else if is(sloped) {
-                    TileKind::Linear
-                } else {
-                    TileKind::Constant
-                };
-                let fixed = is(steps);
-                is(possible).then_some(Form { kind, fixed })
-            },
-        );
+        let forms = four!(|index| {
+            let is = |set: u64| set >> index & 1 == 1;
+            let kind = if is(crosses) {
+                TileKind::Terminator
+            } else if is(curved) {
+                TileKind::Quadratic
+            } else if is(sloped) {
+                TileKind::Linear
+            } else {
+                TileKind::Constant
+            };
+            let fixed = is(steps);
+            is(possible).then_some(Form { kind, fixed })
+        });
         Interpolant {
-            linear: three(
-                #[inline(always)]
-                |channel| economized(&colors.terms[channel]),
-            ),
+            linear: three!(|channel| economized(&colors.terms[channel])),
             forms,
             colors,
         }
@@ -166,39 +154,22 @@ impl<S: Simd> Interpolant<S> {
             budget,
         } = &self.colors;
         let simd = budget.token();
-        let splat = inlined(
-            #[inline(always)]
-            |lanes: Lanes<S>| Lanes::splat(simd, lanes.as_array()[index]),
-        );
+        let splat = inlined!(|lanes: Lanes<S>| Lanes::splat(simd, lanes.as_array()[index]));
         let Places { middle, half } = Places::new(simd, quarters, square.middle());
         let scales = square.half().map(|half| 1.0 / half);
         let [starts, scales] = [middle, half].map(|[x, y]| [x * scales[0], y * scales[1]]);
-        let terms = four(
-            #[inline(always)]
-            |channel| {
-                let rows = three(
-                    #[inline(always)]
-                    |j| {
-                        let terms = three(
-                            #[inline(always)]
-                            |i| splat(terms[channel][j][i]),
-                        );
-                        moved(terms, starts[0], scales[0])
-                    },
-                );
-                let columns = three(
-                    #[inline(always)]
-                    |i| moved([rows[0][i], rows[1][i], rows[2][i]], starts[1], scales[1]),
-                );
-                transposed(&columns)
-            },
-        );
+        let terms = four!(|channel| {
+            let rows = three!(|j| {
+                let terms = three!(|i| splat(terms[channel][j][i]));
+                moved(terms, starts[0], scales[0])
+            });
+            let columns =
+                three!(|i| moved([rows[0][i], rows[1][i], rows[2][i]], starts[1], scales[1]));
+            transposed(&columns)
+        });
         Interpolant::new(Colors {
             terms,
-            crossing: three(
-                #[inline(always)]
-                |channel| splat(crossing[channel]),
-            ),
+            crossing: three!(|channel| splat(crossing[channel])),
             crosses: mask64x4::splat(simd, crosses.test(index)),
             budget: splat(*budget),
         })
@@ -234,15 +205,7 @@ fn moved<S: Simd>(c: [Lanes<S>; 3], start: Lanes<S>, scale: Lanes<S>) -> [Lanes<
 
 #[inline(always)]
 fn transposed<S: Simd>(nine: &Nine<S>) -> Nine<S> {
-    three(
-        #[inline(always)]
-        |j| {
-            three(
-                #[inline(always)]
-                |i| nine[i][j],
-            )
-        },
-    )
+    three!(|j| three!(|i| nine[i][j]))
 }
 
 /// How one square is drawn.
@@ -277,16 +240,11 @@ pub fn draw<S: Simd>(
     let first = square.first();
     let [width, height] = square.half();
     let [x, y] = [1.0 / width, 1.0 / height];
-    let linear = three(
-        #[inline(always)]
-        |channel| {
-            let [middle, right, down] = three(
-                #[inline(always)]
-                |term| interpolant.linear[channel][term].as_array()[index],
-            );
-            [middle, right * x, down * y]
-        },
-    );
+    let linear = three!(|channel| {
+        let [middle, right, down] =
+            three!(|term| interpolant.linear[channel][term].as_array()[index]);
+        [middle, right * x, down * y]
+    });
     if form.kind == TileKind::Constant {
         let levels = linear.map(|[middle, ..]| middle);
         let [red, green, blue] = levels.map(display_step);
@@ -310,9 +268,8 @@ pub fn draw<S: Simd>(
     if form.kind == TileKind::Terminator {
         sink.draw(&mut Terminator {
             curve: Curve::new(simd, &color, first, 0.0),
-            crossing: three(
-                #[inline(always)]
-                |channel| interpolant.colors.crossing[channel].as_array()[index] as f32,
+            crossing: three!(
+                |channel| interpolant.colors.crossing[channel].as_array()[index] as f32
             ),
         });
     } else if form.fixed {

@@ -18,7 +18,7 @@ use super::affine::Affine;
 use super::display::{Levels, Pixels, Rows};
 use super::specular::{self, Power};
 use super::square::Region;
-use crate::simd::{inlined, outlined, three};
+use crate::simd::{inlined, outlined, three, two};
 
 /// Unit round-off of f64.
 pub const DOUBLE: f64 = f64::EPSILON / 2.0;
@@ -145,10 +145,7 @@ impl<S: Simd> Reals<S> for f64x4<S> {
                 }
             }
         }
-        levels.map(
-            #[inline(always)]
-            |levels| f32x16::simd_from(simd, levels),
-        )
+        three!(|channel| f32x16::simd_from(simd, levels[channel]))
     }
 }
 
@@ -179,10 +176,7 @@ pub fn highlight<S: Simd, V: Reals<S>>(
     let inverse = V::all(simd, 1.0) / dot(light, light).sqrt();
     let cosine = dot(normal, light) * inverse;
     let twice = cosine + cosine;
-    let difference = three(
-        #[inline(always)]
-        |axis| normal[axis] * twice - light[axis] * inverse - eye[axis],
-    );
+    let difference = three!(|axis| normal[axis] * twice - light[axis] * inverse - eye[axis]);
     let one_minus_cos = dot(&difference, &difference) * V::all(simd, 0.5);
     [cosine, one_minus_cos.powers(power)]
 }
@@ -191,10 +185,7 @@ pub fn highlight<S: Simd, V: Reals<S>>(
 #[inline(always)]
 pub fn unit<S: Simd, V: Reals<S>>(simd: S, vector: Lanes3<V>) -> Lanes3<V> {
     let inverse = V::all(simd, 1.0) / dot(&vector, &vector).sqrt();
-    three(
-        #[inline(always)]
-        |axis| vector[axis] * inverse,
-    )
+    three!(|axis| vector[axis] * inverse)
 }
 
 /// `number` where `gate` is positive, zero elsewhere.
@@ -218,15 +209,7 @@ impl<T: Copy + Default + Add<Output = T> + Mul<Output = T>> Vector<T> {
     /// A vector that is anchored at the square's middle, times `scale`.
     #[inline(always)]
     pub fn new<S: Simd, V: Reals<S, Element = T>>(vector: &Affine, scale: f64) -> Self {
-        let all = inlined(
-            #[inline(always)]
-            |v: DVec3| {
-                three(
-                    #[inline(always)]
-                    |axis| V::element(v[axis] * scale),
-                )
-            },
-        );
+        let all = inlined!(|v: DVec3| three!(|axis| V::element(v[axis] * scale)));
         Vector {
             middle: all(vector.centre),
             right: all(vector.dx),
@@ -248,22 +231,16 @@ impl<T: Copy + Default + Add<Output = T> + Mul<Output = T>> Vector<T> {
     /// In those columns, `y` pixels below the middle.
     #[inline(always)]
     fn at<S: Simd, V: Reals<S, Element = T>>(&self, simd: S, lane: usize, y: T) -> Lanes3<V> {
-        three(
-            #[inline(always)]
-            |axis| {
-                V::from_slice(simd, &self.columns[axis][lane..lane + V::LEN])
-                    + V::splat(simd, self.down[axis] * y)
-            },
-        )
+        three!(|axis| {
+            V::from_slice(simd, &self.columns[axis][lane..lane + V::LEN])
+                + V::splat(simd, self.down[axis] * y)
+        })
     }
 
     /// At any places from the middle, in pixels right and down.
     #[inline(always)]
     fn at_each<S: Simd, V: Reals<S, Element = T>>(&self, [x, y]: [V; 2]) -> Lanes3<V> {
-        three(
-            #[inline(always)]
-            |axis| x * self.right[axis] + self.middle[axis] + y * self.down[axis],
-        )
+        three!(|axis| x * self.right[axis] + self.middle[axis] + y * self.down[axis])
     }
 }
 
@@ -301,20 +278,15 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
         levels: &mut Levels,
         wanted: impl Fn([f64; 2]) -> bool,
     ) {
-        outlined(
+        outlined!(
             self.simd,
-            #[inline(always)]
-            || levels.fill_where(self.simd, region, self, wanted),
+            levels.fill_where(self.simd, region, self, wanted)
         );
     }
 
     /// Evaluates all that is covered of a region.
     pub fn fill(&mut self, region: &Region, levels: &mut Levels) {
-        outlined(
-            self.simd,
-            #[inline(always)]
-            || levels.fill(self.simd, region, self),
-        );
+        outlined!(self.simd, levels.fill(self.simd, region, self));
     }
 
     /// Its levels, where `at` evaluates a vector.
@@ -330,10 +302,7 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
             }
         }
         let n2 = dot(&n, &n);
-        let mut levels = three(
-            #[inline(always)]
-            |channel| V::splat(simd, self.ambient[channel]),
-        );
+        let mut levels = three!(|channel| V::splat(simd, self.ambient[channel]));
         for light in &*self.lights {
             let l = at(&light.vector);
             let [cosine, power] = if UNIT {
@@ -383,33 +352,22 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Rows<S> for Model<'_, S, V, UNIT> {
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let y = V::element(f64::from(row as i32)) + self.y;
-        V::sixteen(
-            self.simd,
-            #[inline(always)]
-            |lane| {
-                self.sum(
-                    #[inline(always)]
-                    |vector| vector.at(self.simd, lane, y),
-                )
-            },
-        )
+        let at = inlined!(|lane| {
+            self.sum(inlined!(
+                |vector: &Vector<V::Element>| vector.at(self.simd, lane, y)
+            ))
+        });
+        V::sixteen(self.simd, at)
     }
 }
 
 impl<S: Simd, V: Reals<S>, const UNIT: bool> Pixels<S> for Model<'_, S, V, UNIT> {
     #[inline(always)]
     fn at(&self, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        V::sixteen(
-            self.simd,
-            #[inline(always)]
-            |lane| {
-                let [x, y] = place;
-                let place = [V::some(x, lane), V::some(y, lane)];
-                self.sum(
-                    #[inline(always)]
-                    |vector| vector.at_each(place),
-                )
-            },
-        )
+        let at = inlined!(|lane| {
+            let place = two!(|axis| V::some(place[axis], lane));
+            self.sum(inlined!(|vector: &Vector<V::Element>| vector.at_each(place)))
+        });
+        V::sixteen(self.simd, at)
     }
 }

@@ -183,10 +183,7 @@ impl<'a> Phong<'a> {
             let [mut cosines, mut powers]: [Nine<S>; 2] = [[[zero; 3]; 3]; 2];
             for row in 0..3 {
                 for column in 0..3 {
-                    let [n, l] = [&normal, &to_light].map(
-                        #[inline(always)]
-                        |field| field.node(row, column),
-                    );
+                    let (n, l) = (normal.node(row, column), to_light.node(row, column));
                     if any_shines {
                         let (n, o) = (
                             kernel::unit(simd, n),
@@ -243,10 +240,9 @@ impl<'a> Phong<'a> {
             double,
             ..
         } = scratch;
-        let found = outlined(
+        let found = outlined!(
             simd,
-            #[inline(always)]
-            || self.survey(&places, region.square.pixels as u64, active),
+            self.survey(&places, region.square.pixels as u64, active)
         )?;
         let shines = found.specular > 0;
         if found.kind == TileKind::Exact {
@@ -272,10 +268,8 @@ impl<'a> Phong<'a> {
         let eye = Field::new(&self.face.rays.to_eye, places);
         let extents = [(&normal).into(), (&eye).into()];
         let ambient = self.surface.ambient().max_element();
-        let mut roundings = two(
-            #[inline(always)]
-            |index| Rounding::new([U, kernel::DOUBLE][index], extents, ambient),
-        );
+        let mut roundings =
+            two!(|index| Rounding::new([U, kernel::DOUBLE][index], extents, ambient));
         // The specular term jumps where n.l = 0. f32 may put a pixel on the wrong side, so squares where it jumps by more than
         // what is faint take f64.
         let (mut dropped, mut gated) = (0.0, false);
@@ -339,22 +333,11 @@ impl<'a> Phong<'a> {
         lights: &'b mut Vec<Light<V::Element>>,
     ) -> Model<'b, S, V, false> {
         let [x, y] = region.middle();
-        let vector = inlined(
-            #[inline(always)]
-            |vector: &Affine| {
-                let centre = vector.at(x, y);
-                Vector::new::<S, V>(&Affine { centre, ..*vector }, 1.0 / length(centre))
-            },
-        );
-        let all = inlined(
-            #[inline(always)]
-            |color: DVec3| {
-                three(
-                    #[inline(always)]
-                    |channel| V::element(color[channel]),
-                )
-            },
-        );
+        let vector = inlined!(|vector: &Affine| {
+            let centre = vector.at(x, y);
+            Vector::new::<S, V>(&Affine { centre, ..*vector }, 1.0 / length(centre))
+        });
+        let all = inlined!(|color: DVec3| three!(|channel| V::element(color[channel])));
         lights.clear();
         for &Active { light, terms } in active {
             let light = &self.lights[light];

@@ -58,13 +58,10 @@ impl<'a, S: Simd> Ramp<'a, S> {
         for part in 0..square.side / 16 {
             let y = f32x16::count(simd, 16 * part) + top as f32;
             // A half is added here once: then the byte is the whole part.
-            let pairs = paired(three(
-                #[inline(always)]
-                |channel| {
-                    let [middle, _, down] = colors[channel];
-                    y * down as f32 + (middle + 0.5) as f32
-                },
-            ));
+            let pairs = paired(three!(|channel| {
+                let [middle, _, down] = colors[channel];
+                y * down as f32 + (middle + 0.5) as f32
+            }));
             for pair in 0..2 {
                 starts[pair][16 * part..16 * part + 16].copy_from_slice(pairs[pair].as_slice());
             }
@@ -80,20 +77,15 @@ impl<'a, S: Simd> Ramp<'a, S> {
     /// Red and blue, and green.
     #[inline(always)]
     fn at(&self, row: usize) -> [u32x16<S>; 2] {
-        two(
-            #[inline(always)]
-            |pair| self.columns[pair] + self.starts[pair][row % MAX_SIDE],
-        )
+        two!(|pair| self.columns[pair] + self.starts[pair][row % MAX_SIDE])
     }
 }
 
 /// Three channels in multiples of 1/256 level, as a [`Ramp`] has them.
 #[inline(always)]
 fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
-    let [red, green, blue] = three(
-        #[inline(always)]
-        |channel| (levels[channel] + PLACES).to_bits() - PLACES.to_bits(),
-    );
+    let [red, green, blue] =
+        three!(|channel| (levels[channel] + PLACES).to_bits() - PLACES.to_bits());
     [(red << 16) + blue, green]
 }
 
@@ -101,20 +93,14 @@ impl<S: Simd> Rows<S> for Ramp<'_, S> {
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
         let x = f32x16::count(self.columns[0].token(), 16 * part) + self.left;
-        self.columns = paired(three(
-            #[inline(always)]
-            |channel| x * self.colors[channel][1] as f32,
-        ));
+        self.columns = paired(three!(|channel| x * self.colors[channel][1] as f32));
     }
 
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let [red_blue, green] = self.at(row);
         let places = [red_blue >> 16, green & 0xffff, red_blue & 0xffff];
-        three(
-            #[inline(always)]
-            |channel| places[channel].to_float::<f32x16<S>>() * (1.0 / 256.0) - 0.5,
-        )
+        three!(|channel| places[channel].to_float::<f32x16<S>>() * (1.0 / 256.0) - 0.5)
     }
 
     #[inline(always)]
@@ -206,10 +192,7 @@ impl<S: Simd> Rows<S> for Terminator<S> {
         let [red, green, blue, lit] = self.curve.at(row);
         let lit = lit.max(f32x16::splat(lit.token(), 0.0));
         let levels = [red, green, blue];
-        three(
-            #[inline(always)]
-            |channel| levels[channel] + lit * self.crossing[channel],
-        )
+        three!(|channel| levels[channel] + lit * self.crossing[channel])
     }
 }
 
@@ -233,19 +216,13 @@ impl<S: Simd> Rows<S> for FixedCurve<S> {
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let levels = self.0.at(row);
-        three(
-            #[inline(always)]
-            |channel| levels[channel] - PLACES - 0.5,
-        )
+        three!(|channel| levels[channel] - PLACES - 0.5)
     }
 
     #[inline(always)]
     fn pixels(&self, row: usize) -> u32x16<S> {
         let levels = self.0.at(row);
-        let [red, green, blue] = three(
-            #[inline(always)]
-            |channel| levels[channel].to_bits(),
-        );
+        let [red, green, blue] = three!(|channel| levels[channel].to_bits());
         ((red << 8) & 0x00ff_0000) | (green & 0xff00) | ((blue >> 8) & 0xff)
     }
 }

@@ -101,17 +101,14 @@ pub fn covered<S: Simd>(
     let lanes = i32x16::simd_from(simd, LANES);
     // Twice the area of a pixel's centre and an edge: not negative inside, and positive if the edge is right or below. From
     // the centre of the first pixel no number exceeds 2^26.
-    let edge = inlined(
-        #[inline(always)]
-        |from: usize, to: usize| {
-            let at = |corner: usize, axis: usize| corners[corner][axis] - 256 * first[axis] - 128;
-            let [x, y] = [at(from, 0), at(from, 1)];
-            let [run, rise] = [at(to, 0) - x, at(to, 1) - y];
-            let open = rise < 0 || rise == 0 && run >= 0;
-            let start = y * run - x * rise - i32::from(open);
-            (lanes * (256 * rise) + start, -256 * run)
-        },
-    );
+    let edge = inlined!(|from: usize, to: usize| {
+        let at = |corner: usize, axis: usize| corners[corner][axis] - 256 * first[axis] - 128;
+        let [x, y] = [at(from, 0), at(from, 1)];
+        let [run, rise] = [at(to, 0) - x, at(to, 1) - y];
+        let open = rise < 0 || rise == 0 && run >= 0;
+        let start = y * run - x * rise - i32::from(open);
+        (lanes * (256 * rise) + start, -256 * run)
+    });
     let [mut a, mut b, mut c] = [edge(0, 1), edge(1, 2), edge(2, 0)];
     let mut bits = [0; SMALL];
     for row in bits.iter_mut().take(rows) {

@@ -343,11 +343,7 @@ impl Drawing<'_, '_> {
     ) {
         if form.kind == TileKind::Quadratic && square.side > MIN_SIDE {
             let quarters = square.quarters(&self.spans);
-            let interpolant = outlined(
-                simd,
-                #[inline(always)]
-                || interpolant.on_quarters(index, square, &quarters),
-            );
+            let interpolant = outlined!(simd, interpolant.on_quarters(index, square, &quarters));
             for (index, quarter) in quarters.iter().enumerate() {
                 if !self.is_seen(quarter) {
                     continue;
@@ -360,10 +356,9 @@ impl Drawing<'_, '_> {
             return;
         }
         let mut store = Store::new(self.band, &self.spans, square, self.id);
-        outlined(
+        outlined!(
             simd,
-            #[inline(always)]
-            || interpolation::draw(simd, interpolant, index, form, square, &mut store),
+            interpolation::draw(simd, interpolant, index, form, square, &mut store)
         );
         self.counts.covered_pixels += store.finish(form.kind, &self.shader, self.picture);
         self.counts.tiles[form.kind as usize] += 1;
@@ -395,17 +390,13 @@ impl Drawing<'_, '_> {
         };
         let mut store = Store::new(self.band, &self.spans, square, self.id);
         let levels = &self.scratch.levels;
-        outlined(
-            simd,
-            #[inline(always)]
-            || {
-                if listed {
-                    store.draw_listed(simd, &levels.listed);
-                } else {
-                    store.draw(&mut Evaluated::new(simd, levels));
-                }
-            },
-        );
+        outlined!(simd, {
+            if listed {
+                store.draw_listed(simd, &levels.listed);
+            } else {
+                store.draw(&mut Evaluated::new(simd, levels));
+            }
+        });
         self.counts.covered_pixels += store.finish(evaluations.kind, &self.shader, self.picture);
         self.counts.model_evaluations += evaluations.model;
         self.counts.specular_evaluations += evaluations.specular;

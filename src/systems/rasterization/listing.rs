@@ -14,7 +14,7 @@ use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
 use crate::shading::face::{Plane, Rays};
 use crate::shading::gloss::Gloss;
-use crate::simd::outlined;
+use crate::simd::{outlined, two};
 use crate::systems::coverage::{SMALL, Scan, covered};
 
 /// What is listed alike for all cuboids.
@@ -96,11 +96,7 @@ fn cover<S: Simd>(
     if polygons.iter().all(|polygon| polygon.len == 0) {
         return [(0, 0..0), (0, 0..0)];
     }
-    let small = outlined(
-        simd,
-        #[inline(always)]
-        || cover_small(simd, list, polygons, size),
-    );
+    let small = outlined!(simd, cover_small(simd, list, polygons, size));
     if let Some(covered) = small {
         return [covered, (0, 0..0)];
     }
@@ -167,13 +163,10 @@ fn cover_small<S: Simd>(
         return None;
     }
     let rows = (last[1] - first[1] + 1) as usize;
-    let [one, other] = polygons.map(
-        #[inline(always)]
-        |polygon| {
-            let [a, b, c, ..] = polygon.vertices;
-            covered(simd, [a, b, c], first, rows)
-        },
-    );
+    let [one, other] = two!(|polygon| {
+        let [a, b, c, ..] = polygons[polygon].vertices;
+        covered(simd, [a, b, c], first, rows)
+    });
     let start = list.from.len();
     for (one, other) in one.into_iter().zip(other).take(rows) {
         let row = one | other;

@@ -172,7 +172,7 @@ impl<'a, 'b> Store<'a, 'b> {
                     if let Some(pixels) = &pixels {
                         self.band.pixels[pixel] = pixels[lane];
                     } else if let Some(levels) = &levels {
-                        self.band.levels[pixel] = three(|channel| levels[channel][lane]);
+                        self.band.levels[pixel] = three!(|channel| levels[channel][lane]);
                     }
                 }
             }
