@@ -27,12 +27,6 @@ pub trait Rows<S: Simd> {
     }
 }
 
-/// The colours of any pixels, sixteen at a time.
-pub trait Pixels<S: Simd> {
-    /// Their levels, from their places: right and down from a square's middle, in pixels.
-    fn at(&self, place: [f32x16<S>; 2]) -> [f32x16<S>; 3];
-}
-
 /// The most pixels that are listed: those of one of the smallest squares.
 const MAX_LISTED: usize = MIN_SIDE * MIN_SIDE;
 
@@ -88,18 +82,18 @@ impl Listed {
         self.len
     }
 
-    /// Evaluates all, and takes those that are `wanted`.
+    /// Evaluates all, and takes those that are `wanted`; both are told places from the square's middle.
     #[inline(always)]
     fn fill<S: Simd>(
         &mut self,
         simd: S,
-        pixels: &impl Pixels<S>,
+        evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
         wanted: impl Fn([f64; 2]) -> bool,
     ) {
         for first in (0..self.len).step_by(16) {
             let [x, y] =
                 two!(|axis| f32x16::from_slice(simd, &self.places[axis][first..first + 16]));
-            let levels = pixels.at([x, y]);
+            let levels = evaluate([x, y]);
             for lane in 0..16 {
                 if wanted([x[lane], y[lane]].map(f64::from)) {
                     for channel in 0..3 {
@@ -156,60 +150,40 @@ impl Levels {
         self.rows[row].map(|channel| channel[column])
     }
 
-    /// Takes what is covered of a region.
+    /// Evaluates what is covered of a region, sixteen pixels at a time, and takes the pixels that are `wanted`. Places are
+    /// in pixels: `evaluate` is told them from the square's middle, `wanted` from the picture's.
     #[inline(always)]
     pub fn fill<S: Simd>(
         &mut self,
         simd: S,
         region: &Region,
-        rows: &mut (impl Rows<S> + Pixels<S>),
-    ) {
-        if region.listed {
-            return self.listed.fill(simd, rows, |_| true);
-        }
-        for_parts(
-            region,
-            rows,
-            #[inline(always)]
-            |row, part, levels| {
-                for channel in 0..3 {
-                    self.rows[row][channel][16 * part..16 * part + 16]
-                        .copy_from_slice(levels[channel].as_slice());
-                }
-            },
-        );
-    }
-
-    /// The same where `wanted`, which is told a pixel's centre from the picture's middle.
-    #[inline(always)]
-    pub fn fill_where<S: Simd>(
-        &mut self,
-        simd: S,
-        region: &Region,
-        rows: &mut (impl Rows<S> + Pixels<S>),
+        evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
         wanted: impl Fn([f64; 2]) -> bool,
     ) {
         if region.listed {
             let [right, down] = region.middle();
-            return self
-                .listed
-                .fill(simd, rows, |[x, y]| wanted([x + right, y + down]));
+            let wanted = |[x, y]: [f64; 2]| wanted([x + right, y + down]);
+            return self.listed.fill(simd, evaluate, wanted);
         }
-        for_parts(
-            region,
-            rows,
-            #[inline(always)]
-            |row, part, levels| {
+        let [left, top] = region.square.first().map(|first| first as f32);
+        for part in region.square.parts() {
+            let first = 16 * part;
+            let x = counted(simd, first) + left;
+            for (row, span) in region.covered() {
+                if span.end <= first || first + 16 <= span.start {
+                    continue;
+                }
+                let y = f32x16::splat(simd, row as i32 as f32 + top);
+                let levels = evaluate([x, y]);
                 for lane in 0..16 {
-                    let column = 16 * part + lane;
-                    if wanted(region.centre(column, row)) {
+                    if wanted(region.centre(first + lane, row)) {
                         for channel in 0..3 {
-                            self.rows[row][channel][column] = levels[channel][lane];
+                            self.rows[row][channel][first + lane] = levels[channel][lane];
                         }
                     }
                 }
-            },
-        );
+            }
+        }
     }
 
     /// Takes what is covered of a region, one pixel at a time; `evaluate` is told its centre from the picture's middle.
@@ -242,21 +216,13 @@ impl Levels {
     }
 }
 
-/// Evaluates the parts of rows in which anything is covered.
+/// `from`, `from` + 1, ...
 #[inline(always)]
-fn for_parts<S: Simd, R: Rows<S>>(
-    region: &Region,
-    rows: &mut R,
-    mut take: impl FnMut(usize, usize, [f32x16<S>; 3]),
-) {
-    for part in region.square.parts() {
-        rows.go_to(part);
-        for (row, span) in region.covered() {
-            if span.start < 16 * part + 16 && 16 * part < span.end {
-                take(row, part, rows.levels(row));
-            }
-        }
-    }
+pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {
+    const LANES: [f32; 16] = [
+        0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
+    ];
+    f32x16::simd_from(simd, LANES) + from as i32 as f32
 }
 
 /// Levels that were evaluated before.

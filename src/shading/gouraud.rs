@@ -10,11 +10,9 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::bound;
-use super::display::{Pixels, Rows};
 use super::face::{Face, Linear, Plane};
 use super::field::{self, Lanes, Places};
 use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
-use super::kernel::Reals;
 use super::square::Region;
 use super::{Evaluations, Scratch, TileKind, U, limit};
 use crate::components::FACES;
@@ -151,7 +149,7 @@ impl<'a> Gouraud<'a> {
         }
         let affine =
             |centre: f64, dx: f64, dy: f64| [centre, dx, dy].map(|term| (term * scale) as f32);
-        let mut quotient = Quotient {
+        let quotient = Quotient {
             simd,
             colors: [0, 1, 2]
                 .map(|channel| affine(middle[channel], colors.dx[channel], colors.dy[channel])),
@@ -159,10 +157,9 @@ impl<'a> Gouraud<'a> {
             fold: fold.as_vec3().to_array(),
             folded: beyond < reach(diagonal.dx, diagonal.dy),
             w: affine(w.at(x, y), w.dx, w.dy),
-            first: region.square.first().map(|first| first as f32),
-            x: f32x16::splat(simd, 0.0),
         };
-        outlined!(simd, scratch.levels.fill(simd, region, &mut quotient));
+        let evaluate = inlined!(|place: [f32x16<S>; 2]| quotient.at(place));
+        outlined!(simd, scratch.levels.fill(simd, region, evaluate, |_| true));
         Some(Evaluations {
             kind: TileKind::Exact,
             model: 0,
@@ -187,40 +184,13 @@ struct Quotient<S: Simd> {
     fold: [f32; 3],
     folded: bool,
     w: [f32; 3],
-    /// The square's first pixel from the middle, in pixels.
-    first: [f32; 2],
-    /// The columns, from the middle.
-    x: f32x16<S>,
-}
-
-impl<S: Simd> Rows<S> for Quotient<S> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        self.x = f32x16::count(self.simd, 16 * part) + self.first[0];
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let y = self.first[1] + row as i32 as f32;
-        self.divided(inlined!(|[middle, right, down]: [f32; 3]| {
-            self.x * right + (middle + down * y)
-        }))
-    }
-}
-
-impl<S: Simd> Pixels<S> for Quotient<S> {
-    #[inline(always)]
-    fn at(&self, [x, y]: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        self.divided(inlined!(|[middle, right, down]: [f32; 3]| {
-            x * right + (y * down + middle)
-        }))
-    }
 }
 
 impl<S: Simd> Quotient<S> {
-    /// w C / w, where `at` evaluates an affine function.
+    /// w C / w at places from the square's middle, in pixels.
     #[inline(always)]
-    fn divided(&self, at: impl Fn([f32; 3]) -> f32x16<S>) -> [f32x16<S>; 3] {
+    fn at(&self, [x, y]: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        let at = inlined!(|[middle, right, down]: [f32; 3]| x * right + (y * down + middle));
         let inverse = 1.0 / at(self.w);
         let mut levels = three!(|channel| at(self.colors[channel]));
         if self.folded {

@@ -8,37 +8,23 @@
 //!
 //! Rule: what rounding these lines cost is counted in [`super::rounding`], line by line.
 
-use std::ops::{Add, Mul};
-
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
-use super::display::{Levels, Pixels, Rows};
+use super::display::Levels;
 use super::specular::{self, Power};
 use super::square::Region;
-use crate::simd::{inlined, outlined, three, two};
+use crate::simd::{inlined, outlined, three};
 
 /// Unit round-off of f64.
 pub const DOUBLE: f64 = f64::EPSILON / 2.0;
 
 /// Numbers side by side of one precision.
-pub trait Reals<S: Simd>:
-    SimdFloat<
-        S,
-        Element: Copy
-                     + Default
-                     + Add<Output = <Self as SimdBase<S>>::Element>
-                     + Mul<Output = <Self as SimdBase<S>>::Element>,
-        Mask: Select<Self>,
-    >
-{
+pub trait Reals<S: Simd>: SimdFloat<S, Element: Copy, Mask: Select<Self>> {
     /// One number everywhere.
     fn all(simd: S, number: f64) -> Self;
-
-    /// `from`, `from` + 1, ...
-    fn count(simd: S, from: usize) -> Self;
 
     /// Some of sixteen, from `lane` on.
     fn some(of: f32x16<S>, lane: usize) -> Self;
@@ -57,14 +43,6 @@ impl<S: Simd> Reals<S> for f32x16<S> {
     #[inline(always)]
     fn all(simd: S, number: f64) -> Self {
         Self::splat(simd, number as f32)
-    }
-
-    #[inline(always)]
-    fn count(simd: S, from: usize) -> Self {
-        const LANES: [f32; 16] = [
-            0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
-        ];
-        Self::simd_from(simd, LANES) + from as i32 as f32
     }
 
     #[inline(always)]
@@ -98,11 +76,6 @@ impl<S: Simd> Reals<S> for f64x4<S> {
     #[inline(always)]
     fn all(simd: S, number: f64) -> Self {
         Self::splat(simd, number)
-    }
-
-    #[inline(always)]
-    fn count(simd: S, from: usize) -> Self {
-        Self::simd_from(simd, [0.0, 1.0, 2.0, 3.0]) + f64::from(from as i32)
     }
 
     #[inline(always)]
@@ -151,6 +124,11 @@ impl<S: Simd> Reals<S> for f64x4<S> {
 
 /// A vector in each lane.
 pub type Lanes3<V> = [V; 3];
+
+/// Three numbers, each for all lanes.
+pub fn elements<S: Simd, V: Reals<S>>(numbers: DVec3) -> [V::Element; 3] {
+    numbers.to_array().map(V::element)
+}
 
 /// The scalar product.
 #[inline(always)]
@@ -201,46 +179,22 @@ pub struct Vector<T> {
     middle: [T; 3],
     right: [T; 3],
     down: [T; 3],
-    /// `middle + right x` in sixteen columns.
-    columns: [[T; 16]; 3],
 }
 
-impl<T: Copy + Default + Add<Output = T> + Mul<Output = T>> Vector<T> {
-    /// A vector that is anchored at the square's middle, times `scale`.
-    #[inline(always)]
-    pub fn new<S: Simd, V: Reals<S, Element = T>>(vector: &Affine, scale: f64) -> Self {
-        let all = inlined!(|v: DVec3| three!(|axis| V::element(v[axis] * scale)));
+impl<T: Copy> Vector<T> {
+    /// A vector that is anchored at the square's middle.
+    pub fn new<S: Simd, V: Reals<S, Element = T>>(vector: &Affine) -> Self {
         Vector {
-            middle: all(vector.centre),
-            right: all(vector.dx),
-            down: all(vector.dy),
-            columns: [[T::default(); 16]; 3],
+            middle: elements::<S, V>(vector.centre),
+            right: elements::<S, V>(vector.dx),
+            down: elements::<S, V>(vector.dy),
         }
     }
 
-    /// Goes to columns, some of the sixteen from `lane` on.
+    /// At places from the middle, in pixels right and down.
     #[inline(always)]
-    fn go_to<S: Simd, V: Reals<S, Element = T>>(&mut self, lane: usize, x: V) {
-        let simd = x.token();
-        for axis in 0..3 {
-            let column = V::splat(simd, self.right[axis]) * x + V::splat(simd, self.middle[axis]);
-            self.columns[axis][lane..lane + V::LEN].copy_from_slice(column.as_slice());
-        }
-    }
-
-    /// In those columns, `y` pixels below the middle.
-    #[inline(always)]
-    fn at<S: Simd, V: Reals<S, Element = T>>(&self, simd: S, lane: usize, y: T) -> Lanes3<V> {
-        three!(|axis| {
-            V::from_slice(simd, &self.columns[axis][lane..lane + V::LEN])
-                + V::splat(simd, self.down[axis] * y)
-        })
-    }
-
-    /// At any places from the middle, in pixels right and down.
-    #[inline(always)]
-    fn at_each<S: Simd, V: Reals<S, Element = T>>(&self, [x, y]: [V; 2]) -> Lanes3<V> {
-        three!(|axis| x * self.right[axis] + self.middle[axis] + y * self.down[axis])
+    fn at<S: Simd, V: Reals<S, Element = T>>(&self, [x, y]: [V; 2]) -> Lanes3<V> {
+        three!(|axis| x * self.right[axis] + (y * self.down[axis] + self.middle[axis]))
     }
 }
 
@@ -260,51 +214,41 @@ pub struct Model<'a, S: Simd, V: Reals<S>, const UNIT: bool> {
     pub simd: S,
     pub normal: Vector<V::Element>,
     pub eye: Vector<V::Element>,
-    pub lights: &'a mut [Light<V::Element>],
+    pub lights: &'a [Light<V::Element>],
     pub ambient: [V::Element; 3],
     pub power: &'a Power,
-    /// The square's first pixel from its middle, in pixels.
-    pub x: V::Element,
-    pub y: V::Element,
-    /// Whether any light has a specular term.
-    pub shines: bool,
+    /// How many of the lights have a specular term.
+    pub highlights: usize,
 }
 
 impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
-    /// Evaluates what is covered of a region, where `wanted`: see [`Levels::fill_where`].
-    pub fn fill_where(
-        &mut self,
-        region: &Region,
-        levels: &mut Levels,
-        wanted: impl Fn([f64; 2]) -> bool,
-    ) {
-        outlined!(
-            self.simd,
-            levels.fill_where(self.simd, region, self, wanted)
-        );
+    /// Evaluates what is covered of a region, where `wanted`: see [`Levels::fill`].
+    pub fn fill(&self, region: &Region, levels: &mut Levels, wanted: impl Fn([f64; 2]) -> bool) {
+        let evaluate = inlined!(|[x, y]: [f32x16<S>; 2]| {
+            V::sixteen(
+                self.simd,
+                inlined!(|lane| self.sum([V::some(x, lane), V::some(y, lane)])),
+            )
+        });
+        outlined!(self.simd, levels.fill(self.simd, region, evaluate, wanted));
     }
 
-    /// Evaluates all that is covered of a region.
-    pub fn fill(&mut self, region: &Region, levels: &mut Levels) {
-        outlined!(self.simd, levels.fill(self.simd, region, self));
-    }
-
-    /// Its levels, where `at` evaluates a vector.
+    /// Its levels at places from the square's middle, in pixels.
     #[inline(always)]
-    fn sum(&self, at: impl Fn(&Vector<V::Element>) -> Lanes3<V>) -> [V; 3] {
+    fn sum(&self, place: [V; 2]) -> [V; 3] {
         let simd = self.simd;
-        let mut n: Lanes3<V> = at(&self.normal);
+        let mut n = self.normal.at(place);
         let mut o = n;
-        if self.shines {
-            o = at(&self.eye);
+        if self.highlights > 0 {
+            o = self.eye.at(place);
             if !UNIT {
                 (n, o) = (unit(simd, n), unit(simd, o));
             }
         }
         let n2 = dot(&n, &n);
         let mut levels = three!(|channel| V::splat(simd, self.ambient[channel]));
-        for light in &*self.lights {
-            let l = at(&light.vector);
+        for light in self.lights {
+            let l = light.vector.at(place);
             let [cosine, power] = if UNIT {
                 let cosine = dot(&n, &l);
                 if light.is[1] {
@@ -333,41 +277,5 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
             }
         }
         levels
-    }
-}
-
-impl<S: Simd, V: Reals<S>, const UNIT: bool> Rows<S> for Model<'_, S, V, UNIT> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        for lane in (0..16).step_by(V::LEN) {
-            let x = V::count(self.simd, 16 * part + lane) + V::splat(self.simd, self.x);
-            self.normal.go_to(lane, x);
-            self.eye.go_to(lane, x);
-            for light in &mut *self.lights {
-                light.vector.go_to(lane, x);
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let y = V::element(f64::from(row as i32)) + self.y;
-        let at = inlined!(|lane| {
-            self.sum(inlined!(
-                |vector: &Vector<V::Element>| vector.at(self.simd, lane, y)
-            ))
-        });
-        V::sixteen(self.simd, at)
-    }
-}
-
-impl<S: Simd, V: Reals<S>, const UNIT: bool> Pixels<S> for Model<'_, S, V, UNIT> {
-    #[inline(always)]
-    fn at(&self, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        let at = inlined!(|lane| {
-            let place = two!(|axis| V::some(place[axis], lane));
-            self.sum(inlined!(|vector: &Vector<V::Element>| vector.at_each(place)))
-        });
-        V::sixteen(self.simd, at)
     }
 }

@@ -13,16 +13,17 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::bound;
+use super::display::Levels;
 use super::face::{Face, Linear};
 use super::field::{self, Field, Lanes, Moving, Places};
 use super::gloss::Gloss;
 use super::interpolation::{Colors, Interpolant, LEBESGUE, Nine, biquadratic};
-use super::kernel::{self, Light, Model, Reals, Vector};
+use super::kernel::{self, Light, Model, Reals, Vector, elements};
 use super::rounding::{Extent, Rounding};
 use super::square::Region;
 use super::{Evaluations, Scratch, Surface, TileKind, U, limit};
 use crate::components::{PointLight, length, unit};
-use crate::simd::{inlined, outlined, three, two};
+use crate::simd::{outlined, two};
 
 /// A point light as a face sees it.
 #[derive(Clone, Copy, Debug)]
@@ -240,30 +241,23 @@ impl<'a> Phong<'a> {
             double,
             ..
         } = scratch;
-        let found = outlined!(
-            simd,
-            self.survey(&places, region.square.pixels as u64, active)
-        )?;
-        let shines = found.specular > 0;
-        if found.kind == TileKind::Exact {
-            let mut model = self.model::<S, f32x16<S>>(simd, region, active, shines, single);
-            model.fill(region, levels);
+        let kind = outlined!(simd, self.survey(&places, active))?;
+        let highlights = if kind == TileKind::Exact {
+            self.fill::<S, f32x16<S>>(simd, region, active, single, levels)
         } else {
-            let mut model = self.model::<S, f64x4<S>>(simd, region, active, shines, double);
-            model.fill(region, levels);
-        }
-        Some(found)
+            self.fill::<S, f64x4<S>>(simd, region, active, double, levels)
+        };
+        let pixels = region.square.pixels;
+        Some(Evaluations {
+            kind,
+            model: pixels as u64,
+            specular: (pixels * highlights) as u64,
+        })
     }
 
-    /// Finds the lights that are evaluated on a square of so many pixels, and in which arithmetic; none where neither keeps
-    /// the tolerance.
+    /// Finds the lights that are evaluated on a square, and in which arithmetic; none where neither keeps the tolerance.
     #[inline(always)]
-    fn survey<S: Simd>(
-        &self,
-        places: &Places<S>,
-        pixels: u64,
-        active: &mut Vec<Active>,
-    ) -> Option<Evaluations> {
+    fn survey<S: Simd>(&self, places: &Places<S>, active: &mut Vec<Active>) -> Option<TileKind> {
         let normal = Field::new(&self.normal, places);
         let eye = Field::new(&self.face.rays.to_eye, places);
         let extents = [(&normal).into(), (&eye).into()];
@@ -274,7 +268,6 @@ impl<'a> Phong<'a> {
         // what is faint take f64.
         let (mut dropped, mut gated) = (0.0, false);
         active.clear();
-        let mut highlights = 0;
         for (index, light) in self.lights.iter().enumerate() {
             let to_light = Field::new(&light.towards, places);
             let extent = Extent::from(&to_light);
@@ -289,7 +282,6 @@ impl<'a> Phong<'a> {
                 // Where it is drawn, a cheaper power may still leave out what is as faint.
                 dropped += self.gloss.faint;
                 if specular {
-                    highlights += 1;
                     let least = self.gloss.least - 2.0 * roundings[0].cosine(extent);
                     let faint = bound::gate(&to_light, &eye).simd_lt(least);
                     gated |= !(light.lit || side.lit.test(0) || faint.test(0));
@@ -308,57 +300,48 @@ impl<'a> Phong<'a> {
         }
         let budget = limit(self.tolerance) - dropped;
         let [single, double] = roundings.map(|rounding| rounding.levels());
-        let kind = if single <= budget && !gated {
-            TileKind::Exact
-        } else if double <= budget {
-            TileKind::Double
+        if single <= budget && !gated {
+            Some(TileKind::Exact)
         } else {
-            return None;
-        };
-        Some(Evaluations {
-            kind,
-            model: pixels,
-            specular: pixels * highlights,
-        })
+            (double <= budget).then_some(TileKind::Double)
+        }
     }
 
-    /// The model on a square.
-    #[inline(always)]
-    fn model<'b, S: Simd, V: Reals<S>>(
-        &'b self,
+    /// Evaluates the active lights on a square; how many of them have a highlight.
+    fn fill<S: Simd, V: Reals<S>>(
+        &self,
         simd: S,
         region: &Region,
         active: &[Active],
-        shines: bool,
-        lights: &'b mut Vec<Light<V::Element>>,
-    ) -> Model<'b, S, V, false> {
+        lights: &mut Vec<Light<V::Element>>,
+        levels: &mut Levels,
+    ) -> usize {
         let [x, y] = region.middle();
-        let vector = inlined!(|vector: &Affine| {
+        let unit = |vector: &Affine| {
             let centre = vector.at(x, y);
-            Vector::new::<S, V>(&Affine { centre, ..*vector }, 1.0 / length(centre))
-        });
-        let all = inlined!(|color: DVec3| three!(|channel| V::element(color[channel])));
+            let scale = 1.0 / length(centre);
+            Vector::new::<S, V>(&Affine { centre, ..*vector }.map(|v| v * scale))
+        };
         lights.clear();
         for &Active { light, terms } in active {
             let light = &self.lights[light];
             lights.push(Light {
-                vector: vector(&light.towards.vector),
-                levels: [all(light.diffuse), all(light.specular)],
+                vector: unit(&light.towards.vector),
+                levels: [light.diffuse, light.specular].map(elements::<S, V>),
                 is: terms,
             });
         }
-        let [x, y] = region.square.first().map(V::element);
-        Model {
+        let model = Model::<S, V, false> {
             simd,
-            normal: vector(&self.normal.vector),
-            eye: vector(&self.face.rays.to_eye.vector),
+            normal: unit(&self.normal.vector),
+            eye: unit(&self.face.rays.to_eye.vector),
+            highlights: lights.iter().filter(|light| light.is[1]).count(),
             lights,
-            ambient: all(self.surface.ambient()),
+            ambient: elements::<S, V>(self.surface.ambient()),
             power: &self.gloss.bright,
-            x,
-            y,
-            shines,
-        }
+        };
+        model.fill(region, levels, |_| true);
+        model.highlights
     }
 
     /// See [`super::Shader::define`].

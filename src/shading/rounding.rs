@@ -11,7 +11,7 @@ use super::specular::Power;
 
 /// What rounding costs the model at one pixel, in levels. Rows of polynomials are counted in [`super::interpolation`].
 ///
-/// A vector of length one at the middle is formed as (c + a x) + b y: c, a and b are rounded, then both products and both
+/// A vector of length one at the middle is formed as a x + (b y + c): c, a and b are rounded, then both products and both
 /// sums, each by at most u times its size. So its direction errs by
 ///
 /// ```text
@@ -154,7 +154,7 @@ mod tests {
     fn formed([middle, right, down]: &Moving) -> Vector {
         [0, 1, 2].map(|axis| {
             let [middle, right, down] = [middle, right, down].map(|v| Rounded::stored(v[axis]));
-            right * Rounded::exact(1.0) + middle + down * Rounded::exact(1.0)
+            right * Rounded::exact(1.0) + (down * Rounded::exact(1.0) + middle)
         })
     }
 

@@ -5,9 +5,8 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
-use super::display::Rows;
+use super::display::{Rows, counted};
 use super::interpolation::Color;
-use super::kernel::Reals;
 use super::square::{MAX_SIDE, Square};
 use crate::simd::{three, two};
 
@@ -56,7 +55,7 @@ impl<'a, S: Simd> Ramp<'a, S> {
         let [left, top] = square.first();
         let mut starts = [[0; MAX_SIDE]; 2];
         for part in 0..square.side / 16 {
-            let y = f32x16::count(simd, 16 * part) + top as f32;
+            let y = counted(simd, 16 * part) + top as f32;
             // A half is added here once: then the byte is the whole part.
             let pairs = paired(three!(|channel| {
                 let [middle, _, down] = colors[channel];
@@ -92,7 +91,7 @@ fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
 impl<S: Simd> Rows<S> for Ramp<'_, S> {
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
-        let x = f32x16::count(self.columns[0].token(), 16 * part) + self.left;
+        let x = counted(self.columns[0].token(), 16 * part) + self.left;
         self.columns = paired(three!(|channel| x * self.colors[channel][1] as f32));
     }
 
@@ -142,7 +141,7 @@ impl<S: Simd, const CHANNELS: usize> Curve<S, CHANNELS> {
 
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
-        let x = f32x16::count(self.terms[0][0].token(), 16 * part) + self.first[0];
+        let x = counted(self.terms[0][0].token(), 16 * part) + self.first[0];
         for channel in 0..CHANNELS {
             for j in 0..3 {
                 let [middle, slope, bend] = self.color[channel][j];

@@ -11,9 +11,10 @@ use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
+use super::display::Levels;
 use super::face::{Face, Linear, places};
 use super::gloss::Gloss;
-use super::kernel::{DOUBLE, Light, Model, Reals, Vector};
+use super::kernel::{DOUBLE, Light, Model, Reals, Vector, elements};
 use super::specular::{Power, power_exact};
 use super::square::Region;
 use super::{EXACT, Evaluations, Scratch, Surface, TileKind, U};
@@ -80,11 +81,6 @@ impl Triangle {
         }
         .map(|weights| weights / total)
     }
-}
-
-/// How many of a model's lights have a highlight.
-fn shining<S: Simd, V: Reals<S>>(model: &Model<'_, S, V, true>) -> usize {
-    model.lights.iter().filter(|light| light.is[1]).count()
 }
 
 fn blend(weights: DVec3, values: &[DVec3; 3]) -> DVec3 {
@@ -206,15 +202,12 @@ impl UnitVectors<'_> {
                 double,
                 ..
             } = scratch;
-            if kind == TileKind::Exact {
-                let mut model = self.model::<S, f32x16<S>>(simd, triangle, weights, region, single);
-                highlights = highlights.max(shining(&model));
-                model.fill_where(region, levels, wanted);
+            let shining = if kind == TileKind::Exact {
+                self.fill::<S, f32x16<S>>(simd, triangle, weights, region, single, levels, wanted)
             } else {
-                let mut model = self.model::<S, f64x4<S>>(simd, triangle, weights, region, double);
-                highlights = highlights.max(shining(&model));
-                model.fill_where(region, levels, wanted);
-            }
+                self.fill::<S, f64x4<S>>(simd, triangle, weights, region, double, levels, wanted)
+            };
+            highlights = highlights.max(shining);
         }
         Some(Evaluations {
             kind,
@@ -223,18 +216,18 @@ impl UnitVectors<'_> {
         })
     }
 
-    /// The model with a triangle's vectors on a square.
-    fn model<'b, S: Simd, V: Reals<S>>(
-        &'b self,
+    /// Evaluates a square with a triangle's vectors, where `wanted`; how many lights have a highlight there.
+    fn fill<S: Simd, V: Reals<S>>(
+        &self,
         simd: S,
         triangle: &Triangle,
         weights: &Affine,
         region: &Region,
-        lights: &'b mut Vec<Light<V::Element>>,
-    ) -> Model<'b, S, V, true> {
+        lights: &mut Vec<Light<V::Element>>,
+        levels: &mut Levels,
+        wanted: impl Fn([f64; 2]) -> bool,
+    ) -> usize {
         let interpolated = |values: &[DVec3; 3]| weights.map(|weights| blend(weights, values));
-        let vector = |vector: &Affine| Vector::new::<S, V>(vector, 1.0);
-        let all = |levels: DVec3| levels.to_array().map(V::element);
         let normal = interpolated(&triangle.normals);
         let eye = interpolated(&self.to_eye(triangle));
         lights.clear();
@@ -244,8 +237,8 @@ impl UnitVectors<'_> {
             let [cosine, along] = most(&normal, &to_light, &eye, region.square.half());
             if cosine > 0.0 {
                 lights.push(Light {
-                    vector: vector(&to_light),
-                    levels: terms.map(all),
+                    vector: Vector::new::<S, V>(&to_light),
+                    levels: terms.map(elements::<S, V>),
                     is: [
                         terms[0] != DVec3::ZERO,
                         terms[1] != DVec3::ZERO && along > self.gloss.least,
@@ -253,19 +246,17 @@ impl UnitVectors<'_> {
                 });
             }
         }
-        let shines = lights.iter().any(|light| light.is[1]);
-        let [x, y] = region.square.first().map(V::element);
-        Model {
+        let model = Model::<S, V, true> {
             simd,
-            normal: vector(&normal),
-            eye: vector(&eye),
+            normal: Vector::new::<S, V>(&normal),
+            eye: Vector::new::<S, V>(&eye),
+            highlights: lights.iter().filter(|light| light.is[1]).count(),
             lights,
-            ambient: all(self.surface.ambient()),
+            ambient: elements::<S, V>(self.surface.ambient()),
             power: &self.power,
-            x,
-            y,
-            shines,
-        }
+        };
+        model.fill(region, levels, wanted);
+        model.highlights
     }
 
     /// See [`super::Shader::define`].
