@@ -113,7 +113,7 @@ impl Plane {
 
 /// Overshoot, as a share of the face, from which a point is held on the face: coverage is decided on vertices moved by up
 /// to 1/512 pixel, which is nothing to a face of some pixels and everything to a sliver.
-const OVERSHOOT: f64 = 1.0 / 128.0;
+pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// A face that is seen. Its functions are anchored at the picture's middle.
 #[derive(Clone, Copy, Debug)]
@@ -127,8 +127,9 @@ pub struct Face<'a> {
     /// w times the weight of the corner across the diagonal: positive on the first triangle, minus the other's weight on
     /// the second.
     pub diagonal: Affine<f64>,
-    /// How much of the face a pixel is at most, times w.
-    pub pace: f64,
+    /// What u and v change by from an edge to the next pixel at most, times w there: the changes of u w and of w times an u of
+    /// at most 1.
+    pace: f64,
     /// The plane's distance from the cuboid's centre.
     half_height: f64,
     /// The face's middle from the eye, and half its edges.
@@ -180,7 +181,8 @@ impl<'a> Face<'a> {
             dx: DVec3::new(u.dx, v.dx, w.dx),
             dy: DVec3::new(u.dy, v.dy, w.dy),
         };
-        face.pace = u.dx.abs().max(v.dx.abs()) + u.dy.abs().max(v.dy.abs());
+        let moved = |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + w.abs();
+        face.pace = moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy);
         face.diagonal = face
             .place
             .map(|place| face.across[0] * place.x + face.across[1] * place.y);

@@ -7,6 +7,7 @@
 mod cases;
 mod choices;
 mod derivatives;
+mod overshoot;
 #[path = "../support/random.rs"]
 mod random;
 #[path = "../support/scene.rs"]

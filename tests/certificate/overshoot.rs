@@ -1,0 +1,59 @@
+//! Pixels that snapping adds beyond an edge: how far beyond the face they lie where the face is said to be steady.
+
+use glam::{DMat3, DVec3};
+use proptest::prelude::*;
+use shadetrade::components::{Lens, Projection};
+use shadetrade::shading::face::{Face, OVERSHOOT, Rays, Solid};
+
+/// Numbers of every size from one power of ten to another.
+fn sized(from: i32, to: i32) -> impl Strategy<Value = f64> {
+    (f64::from(from)..f64::from(to)).prop_map(|exponent| 10_f64.powf(exponent))
+}
+
+/// A cuboid whose upper face lies `below` the eye, which looks along the face, tilted a little.
+fn solid() -> impl Strategy<Value = Solid> {
+    let half = [sized(-2, 6), sized(-2, 6), sized(-2, 6)].prop_map(DVec3::from_array);
+    let place = [-2.0..2.0, -2.0..2.0_f64];
+    (half, place, sized(-3, 2)).prop_map(|(half, [aside, ahead], below)| Solid {
+        centre: DVec3::new(half.x * aside, -half.y - below, half.z * ahead),
+        axes: DMat3::IDENTITY,
+        half,
+        normals: [DVec3::Y; 8],
+        colors: [DVec3::ONE; 8],
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_pixel_next_to_a_steady_face_overshoots_it_by_no_more_than_lights_are_culled_for(
+        solid in solid(),
+        orthographic in any::<bool>(),
+        tilt in -0.2..0.2_f64,
+        pitch in sized(-4, -2),
+        along in -1.0..=1.0_f64,
+        side in 0..4_usize,
+        aside in [-1.0..=1.0, -1.0..=1.0_f64],
+    ) {
+        let (sine, cosine) = tilt.sin_cos();
+        let lens = Lens {
+            axes: [DVec3::X, DVec3::new(0.0, cosine, sine), DVec3::new(0.0, sine, -cosine)],
+            projection: if orthographic { Projection::Orthographic } else { Projection::Perspective },
+            near: 1e-3,
+            pitch,
+            ..Lens::default()
+        };
+        let rays = Rays::new(&lens);
+        let face = Face::new(2, &solid, &rays);
+        let edge = [[along, 1.0], [along, -1.0], [1.0, along], [-1.0, along]][side];
+        let seen = lens.seen(face.from_eye(edge));
+        let [x, y] = lens.pixel(lens.homogeneous(seen));
+        // Snapping moves a vertex, and so an edge, by at most half of 1/256 pixel.
+        let place = face.place.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
+        if seen.z > lens.near && face.is_steady(place.z) {
+            let beyond = (place.x.abs().max(place.y.abs()) / place.z) - 1.0;
+            prop_assert!(beyond <= 2.0 * OVERSHOOT + 1e-6, "{beyond}");
+        }
+    }
+}
