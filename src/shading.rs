@@ -5,6 +5,9 @@
 //!                             |         where a bound on third derivatives keeps the tolerance
 //!                             '-- elsewhere: four squares; on 16 x 16 pixels the model at each
 //! ```
+//! A terminator is a line in which n.l of a light is 0. A face is steady where no pixel that snapping adds lies far beyond it, as
+//! a share of the face; where it is not, it is a sliver, and what its pixels show is held on it.
+//!
 //! Rule: a face is set up in f64 from unsnapped corners; what is done in f32 is done only where its rounding error is
 //! bounded below the tolerance, and in f64 elsewhere.
 
@@ -201,9 +204,9 @@ pub enum TileKind {
     Quadratic,
     /// The same, and n.l of one light that is cut off at zero at every pixel.
     Terminator,
-    /// The definition at every pixel, in f32.
+    /// The model at every pixel within the tolerance, in f32.
     Exact,
-    /// The definition at every pixel, in f64.
+    /// The same with vectors in f64; powers of a shininess from 1 on stay in f32.
     Double,
 }
 

@@ -8,7 +8,9 @@
 //! ```
 //! In one direction a quadratic through three Chebyshev nodes errs by M / (3! 2^2), and interpolating in the other direction
 //! enlarges an error by at most the Lebesgue constant 5/3 of three nodes (Trefethen, "Approximation Theory and
-//! Approximation Practice", chapters 6 and 15). Which direction comes first is free: the interpolant is the same.
+//! Approximation Practice", chapters 6 and 15). With I_x and I_y the interpolations in one direction,
+//! f - I_x I_y f = (f - I_x f) + I_x (f - I_y f), so the error is at most (M_x + 5/3 M_y) / 24; and as I_x I_y = I_y I_x, x and
+//! y may be exchanged.
 //!
 //! **Third derivatives.** N, L and O are affine up to a positive factor, which no direction depends on. Along x such a
 //! vector moves from any point on in the plane of V and V_x as V(t) = |V| (1 + z t) with z complex, so its angle is
@@ -18,8 +20,9 @@
 //! ```text
 //!   |v'| = |Im z| <= p      |v''| <= min(2 p q, 2/sqrt(3) q^2)      |v'''| = 3 |Im z| sqrt(4 Re^4 + Im^4) <= min(6 p q^2, 3 q^3)
 //! ```
-//! and the mirror R = 2 n n^T - 1 turns by twice the angle: at most 2 p, 4 p q and 12 p q^2. Of a product the derivatives
-//! are bounded by Leibniz' rule, each factor having length one: so n.l and r = R l.
+//! and the half-turn about n, R = 2 n n^T - 1, turns by twice the angle of n, so its derivatives are at most 2 |Im z|,
+//! 4 |Im z| |z| and 12 |Im z| |z|^2: 2 p, 4 p q and 12 p q^2. Of a product the derivatives are bounded by Leibniz' rule, each
+//! factor having length one: so n.l and r = R l.
 //!
 //! **The highlight.** Let theta be the angle between o and r, s = cos(theta), and e = r - o, whose length is
 //! c = 2 sin(theta/2). Then s = 1 - |e|^2 / 2, and
@@ -38,7 +41,10 @@
 //! ```
 //! s^(rho-k) is bounded at the largest s if rho >= 3, else by s_max^rho / s_min^k. The sine moves no more than theta does,
 //! so it is at most the sine at the middle plus the turn; c is the sine over cos(theta/2). Each product of a power and a
-//! sine is also bounded by its largest value at any angle. All of it vanishes where s <= 0.
+//! sine is also bounded by its largest value at any angle.
+//!
+//! Where s <= 0 the highlight is zero, and so are its derivatives. From rho = 3 on its second derivative is Lipschitz at
+//! s = 0, which is all that the error of a quadratic asks for. Below that a square where s may reach 0 has no bound.
 //!
 //! Rule: four squares are bounded side by side, each as it would be alone; whatever is not a number bounds nothing.
 
@@ -66,9 +72,9 @@ pub fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
     [p, second, third]
 }
 
-/// Those of the mirror at a unit vector.
+/// Those of the half-turn about a unit vector.
 #[inline(always)]
-pub fn mirror<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
+pub fn half_turn<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
     [p * 2.0, p * q * 4.0, p * q * q * 12.0]
 }
 
@@ -107,11 +113,14 @@ pub struct Side<S: Simd> {
     pub dark: mask64x4<S>,
 }
 
+/// What f64 makes of the product of two unit vectors: less than this.
+const ROUNDING: f64 = 1e-15;
+
 /// n.l moves by no more than n and l do, and a unit vector by no more than the arc asin(radius).
 #[inline(always)]
 pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Side<S> {
     let cosine = dot(&normal.middle, &light.middle);
-    let most = (normal.radius + light.radius) * ARC;
+    let most = (normal.radius + light.radius) * ARC + ROUNDING;
     let calm = normal.is_calm() & light.is_calm();
     Side {
         cosine,
@@ -127,7 +136,7 @@ pub struct Reflection<S: Simd> {
     pub most: Lanes<S>,
     /// At least this.
     pub least: Lanes<S>,
-    /// The sine of the angle between o and r, at most.
+    /// The sine of the angle between o and r, at most, where all fields are calm.
     sine: Lanes<S>,
 }
 
@@ -152,7 +161,8 @@ pub fn reflection<S: Simd>(
     let sine = dot(&cross, &cross).sqrt();
     let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
     // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. Where the angle to
-    // go is more than t, the sine is so large that t instead of sin(t) makes up for t^4 / 24.
+    // go is more than t, the sine is so large that t instead of sin(t) makes up for t^4 / 24. Where s <= 0, s cos(t) is at
+    // most s (1 - t^2 / 2). Where the angle and t pass pi together, |s| makes the least at most -1.
     let turn2 = turn * turn;
     let drop = s.abs() * turn2;
     let one = Lanes::splat(simd, 1.0);
@@ -169,7 +179,7 @@ pub fn reflection<S: Simd>(
     }
 }
 
-/// The largest s = 2 (n.l) (n.o) - o.l where n.l = 0; at most 1.
+/// The largest s = 2 (n.l) (n.o) - o.l where n.l = 0, or more.
 #[inline(always)]
 pub fn gate<S: Simd>(light: &Field<S>, eye: &Field<S>) -> Lanes<S> {
     let most = (light.radius + eye.radius) * ARC - dot(&light.middle, &eye.middle);
@@ -186,8 +196,8 @@ pub struct Highlight {
     peaks: [f64; 2],
     /// Whether no exponent is negative.
     bounded: bool,
-    /// Whether the second and the third factor have the same sign.
-    alike: bool,
+    /// Whether the terms with the second and the third factor have opposite signs.
+    opposed: bool,
 }
 
 impl Highlight {
@@ -209,7 +219,7 @@ impl Highlight {
             factors: [rho, second.abs(), (second * (rho - 2.0)).abs()],
             peaks: [peak(rho - 2.0, 1.0), peak(rho - 3.0, 3.0)],
             bounded: rho >= 3.0,
-            alike: rho >= 2.0,
+            opposed: rho >= 2.0,
         }
     }
 
@@ -240,10 +250,10 @@ impl Highlight {
             falls_sine * (3.0 * second),
             falls_sine3 * third,
         ];
-        let cubes = if self.alike { b.max(d) } else { b + d };
+        let cubes = if self.opposed { b.max(d) } else { b + d };
         let errors = interpolation_error(two!(|axis| {
             let o = direction(eye.rates[axis]);
-            let r = product(direction(light.rates[axis]), mirror(normal.rates[axis]));
+            let r = product(direction(light.rates[axis]), half_turn(normal.rates[axis]));
             let [e1, e2, e3] = three!(|order| o[order] + r[order]);
             a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
         }));
@@ -263,8 +273,9 @@ pub fn power<S: Simd>(power: &Power, most: Lanes<S>) -> Lanes<S> {
 
 /// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.
 ///
-/// Along x the quotient is const + k / (w + e x) with k = (b w - a e) / e up to its sign, so its third derivative is
-/// 6 |b w - a e| e^2 / w^4; b w - a e does not change along x. Along y alike.
+/// Let A be the numerator at any place. Along x the quotient is const + k / (w + e t) with k = (b w - A e) / e up to its sign,
+/// so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x. Along y
+/// alike.
 #[inline(always)]
 pub fn quotient_error<S: Simd>([a, b, c]: [Lanes<S>; 3], [e, g]: [Lanes<S>; 2]) -> Lanes<S> {
     let least = 1.0 - e.abs() - g.abs();

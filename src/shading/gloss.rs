@@ -17,6 +17,8 @@ const POWERED: f64 = 0.125;
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss {
     pub material: Material,
+    /// What it was made for, in levels.
+    pub tolerance: f64,
     /// For any s.
     pub every: Power,
     /// Perhaps cheaper, and nothing where s is below `least`.
@@ -51,6 +53,7 @@ impl Gloss {
         };
         Gloss {
             material: *surface.material,
+            tolerance,
             every: Power::new(shininess, 0.0, 0.0),
             bright: Power::new(shininess, least, POWERED * share / brightest),
             bound: Highlight::new(shininess),

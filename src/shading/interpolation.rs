@@ -3,8 +3,8 @@
 //! ```text
 //!   f at x, y in {-r, 0, r}, r = sqrt(3) / 2  -->  sum c[j][i] x^i y^j, i, j <= 2  -->  constant, linear or quadratic rows
 //! ```
-//! x and y run from -1 to 1 over the square. Terms that the rest of the tolerance allows to be left out are: x^2 is then
-//! replaced by its mean 1/2, which leaves 1/2 (economization; Lanczos 1938).
+//! x and y run from -1 to 1 over the square. Terms are left out where the rest of the tolerance allows it. x^2 is then replaced
+//! by 1/2, the middle of its range, which errs by at most 1/2 (economization; Lanczos 1938).
 //!
 //! Rule: f32 rounds a value at most fourteen times at the size of the sum of its terms. Where the tolerance has `FIXED` to spare
 //! and no channel leaves the display's range, values are formed in multiples of 1/256 level, so that nothing is left
@@ -89,40 +89,40 @@ impl<S: Simd> Interpolant<S> {
     pub fn new(colors: Colors<S>) -> Self {
         let budget = colors.budget;
         let zero = Lanes::splat(budget.token(), 0.0);
-        let [mut size, mut curve, mut slope] = [zero; 3];
+        let [mut size, mut error, mut flat_error] = [zero; 3];
         let mut inside = budget.simd_gt(0.0);
         // What is not a number is smaller than nothing, and the larger of two may hide it.
         let mut finite = inside;
-        let mut lit = zero;
+        let mut cosine = zero;
         for terms in colors.terms[3] {
-            lit = lit + terms[0].abs() + terms[1].abs() + terms[2].abs();
+            cosine = cosine + terms[0].abs() + terms[1].abs() + terms[2].abs();
         }
         for channel in 0..3 {
             let c = &colors.terms[channel];
-            // Of the terms beyond linear ones: all, and what stays when x^2 and y^2 are replaced by their means.
+            // Of the terms beyond linear ones: all, and what stays when x^2 and y^2 are replaced by 1/2.
             let [cubic, square] = [c[1][2].abs() + c[2][1].abs(), c[0][2].abs() + c[2][0].abs()];
             let quartic = c[2][2].abs();
-            let all = square + c[1][1].abs() + cubic + quartic;
-            let rest = (square + cubic) * 0.5 + c[1][1].abs() + quartic * 0.75;
+            let beyond = square + c[1][1].abs() + cubic + quartic;
+            let linear_error = (square + cubic) * 0.5 + c[1][1].abs() + quartic * 0.75;
             let linear = c[0][1].abs() + c[1][0].abs();
-            let radius = linear + all;
+            let radius = linear + beyond;
             inside = inside
                 & (c[0][0] - radius).simd_ge(FIXED_RANGE[0])
                 & (c[0][0] + radius).simd_le(FIXED_RANGE[1]);
-            let all = c[0][0].abs() + radius + lit * colors.crossing[channel];
+            let all = c[0][0].abs() + radius + cosine * colors.crossing[channel];
             finite &= all.simd_lt(f64::INFINITY);
             size = size.max(all);
-            curve = curve.max(rest);
-            slope = slope.max(linear + cubic * 0.5 + rest);
+            error = error.max(linear_error);
+            flat_error = flat_error.max(linear + cubic * 0.5 + linear_error);
         }
         let left = budget - size * ROUNDING;
         let fixed = inside & left.simd_gt(FIXED);
-        let rest = fixed.select(left - FIXED, left);
+        let allowed = fixed.select(left - FIXED, left);
         let possible = (finite & left.simd_gt(0.0)).to_bitmask();
         let steps = fixed.to_bitmask();
         let crosses = colors.crosses.to_bitmask();
-        let curved = curve.simd_gt(rest).to_bitmask();
-        let sloped = slope.simd_gt(rest).to_bitmask();
+        let curved = error.simd_gt(allowed).to_bitmask();
+        let sloped = flat_error.simd_gt(allowed).to_bitmask();
         let forms = four!(|index| {
             let is = |set: u64| set >> index & 1 == 1;
             let kind = if is(crosses) {
@@ -217,7 +217,7 @@ pub struct Form {
     fixed: bool,
 }
 
-/// The best linear colour: the means of the squares take the place of what is left out.
+/// The best linear colour: the middles of the squares' ranges take the place of what is left out.
 #[inline(always)]
 fn economized<S: Simd>(c: &Nine<S>) -> [Lanes<S>; 3] {
     [

@@ -1,10 +1,11 @@
-//! The illumination model in lanes, and what its rounding costs: vectors in, n.l and s^rho out.
+//! The illumination model in lanes: vectors in, n.l and s^rho out.
 //!
 //! ```text
 //!   N, L, O --> n.l = N.L / sqrt(N.N L.L)        |r - o|^2 / 2 = 1 - s --> s^rho
 //! ```
-//! The same lines evaluate sixteen pixels in f32, four in f64, and a node of each of four squares in f64. Where s is near 1
-//! it is formed as 1 - |r - o|^2 / 2, which holds for unit vectors and cancels nothing (Lyon 1993).
+//! The same lines evaluate sixteen pixels in f32, four in f64, and a node of each of four squares in f64. 1 - s
+//! is formed as |r - o|^2 / 2, which holds for unit vectors and cancels nothing (Lyon 1993); vectors that are not normalised
+//! have 1 - o.r.
 //!
 //! Rule: what rounding these lines cost is counted in [`super::rounding`], line by line.
 

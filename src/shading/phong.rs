@@ -82,7 +82,8 @@ pub struct Phong<'a> {
     /// The interpolated normal, and the same times w.
     normals: Linear,
     normal: Moving,
-    /// What f64 makes of the samples, in levels.
+    /// What samples err by, in levels, times what interpolation makes of it: powers are in f32, all else in f64. Samples go to
+    /// no display, so what is counted for that covers the rounding of middles and coefficients in f64.
     sampling: f64,
 }
 
@@ -170,7 +171,7 @@ impl<'a> Phong<'a> {
                 }
                 error += highlight * light.specular.max_element();
             }
-            // One light of a square may be cut off, if its highlight is too faint to be cut off with it.
+            // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
             let idle = mask64x4::splat(simd, light.diffuse == DVec3::ZERO) & !shines;
             let cut = !(side.lit | side.dark | idle | shines | crosses);
             crosses |= cut;

@@ -17,14 +17,14 @@ use super::specular::Power;
 /// ```text
 ///   delta = u (3 + 4 radius) / shortest
 /// ```
-/// A vector is brought to length one by five roundings: half of three for its square, a root, a quotient, a product. n.l
-/// errs by the delta of n and of l, and by twelve roundings: those of n, three of the product, three of the length of l,
-/// one more. |r - o| errs by twice the delta of n, those of l and o, and 50 roundings: 2 n.l n, of size two, by twice
-/// those of n.l, n and a product; l and o by five each; and two differences of size at most three. s^rho errs by what that
-/// and four roundings of 1 - s make of it, and by the power's own error.
+/// A vector is brought to length one by 4.5 roundings: half of three for its square, a root, a quotient, a product. n.l
+/// errs by the delta of n and of l, and by twelve roundings: 4.5 of n, three of the product, 3.5 of the length of l, one more.
+/// |r - o| errs by twice the delta of n, those of l and o, and fewer than 50 roundings: 2 n.l n, of size two, by twice
+/// those of n.l, n and a product, 35; l and o by 4.5 each; two differences, of lengths one and two, by three. s^rho errs by
+/// what that and the roundings of 1 - s make of it, of which there are three and one is spare, and by the power's own error.
 ///
 /// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, so that no row and no
-/// column sees another vector.
+/// column sees another vector, and they err by what the definition's own vectors err by.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounding {
     /// Unit round-off.

@@ -76,11 +76,11 @@ pub struct Squarings {
 }
 
 impl Squarings {
-    /// For s in `least`..=1; none where rho is below 1, or the error above `most`.
+    /// For s in `least`..=1; none where rho is below 1 or from 1e4 on, or the error above `most`.
     ///
     /// The quadratic interpolates g = (1 - x)^e on 0..=h at Chebyshev's nodes, so it errs by |g^(3)| / 3 (h / 4)^3 at
-    /// most; m = 2^j such factors make m times that (times what m errors in a row can add, which the exponential bounds),
-    /// and rounding five units for each of them.
+    /// most; m = 2^j such factors make m times that (times what m errors in a row can add, which the exponential bounds).
+    /// Rounding makes fewer than five units for each of them: those of the quadratic, and one for all squarings together.
     pub fn new(shininess: f64, least: f64, most: f64) -> Option<Self> {
         if !((1.0..1e4).contains(&shininess) && least > 0.0 && least < 1.0) {
             return None;
@@ -136,7 +136,7 @@ pub struct Power {
     pub error: f64,
 }
 
-/// A bound on what the power errs by, with 1 - s rounded to f32 first: [`power`] errs by less than half of it.
+/// A bound on what the power errs by, with 1 - s and rho rounded to f32 first: [`power`] errs by less than half of it.
 const POWER_ERROR: f64 = 16.0 * U;
 
 impl Power {

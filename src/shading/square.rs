@@ -1,6 +1,7 @@
 //! Squares of pixels, and what of one a face covers: the spans of a face's rows in, squares of a quadtree out.
 //!
-//! Rule: squares hang on the picture's own grid, so neither threads nor parts of a picture change a bit.
+//! Rule: squares hang on the picture's own grid, or on the first pixel of a face that fits into one, so neither threads nor
+//! parts of a picture change a bit.
 
 use std::ops::Range;
 

@@ -155,7 +155,7 @@ fn lengths(vector: &[Taylor; 3]) -> [f64; 3] {
     })
 }
 
-/// Holds the derivatives of a direction and of the mirror at it to their bounds; the largest shares, by order.
+/// Holds the derivatives of a direction and of the half-turn about it to their bounds; the largest shares, by order.
 fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
     let mut shares = [[0.0_f64; 3]; 2];
     let mut random = Random(17);
@@ -177,7 +177,7 @@ fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
             assert!(moved.length() >= shortest * (1.0 - 1e-9));
             for axis in [0, 1] {
                 let direction = unit(&vector, place, axis);
-                // In the plane in which the vector turns, the mirror turns every other one alike.
+                // In the plane in which the vector turns, the half-turn turns every other one alike.
                 let still = direction.map(|component| {
                     let zero = Interval::from(0.0);
                     Taylor([component.0[0], zero, zero, zero])
@@ -186,7 +186,7 @@ fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
                 let mirrored = direction.map(|component| component * twice);
                 let bounds = [
                     bound::direction(field.rates[axis]),
-                    bound::mirror(field.rates[axis]),
+                    bound::half_turn(field.rates[axis]),
                 ];
                 let found = [lengths(&direction), lengths(&mirrored)];
                 for kind in [0, 1] {
@@ -196,7 +196,7 @@ fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
                         assert!(
                             share <= 1.0 + 1e-6,
                             "{}: {share}",
-                            ["direction", "mirror"][kind]
+                            ["direction", "half-turn"][kind]
                         );
                         shares[kind][order] = shares[kind][order].max(share);
                     }
@@ -251,10 +251,10 @@ fn largest_shares<S: Simd>(simd: S, cases: u64) -> (f64, [f64; SHININESS.len()])
 }
 
 #[test]
-fn no_derivative_of_a_direction_or_a_mirror_is_above_its_bound() {
+fn no_derivative_of_a_direction_or_a_half_turn_is_above_its_bound() {
     let simd = baseline().expect("every machine has these lanes");
     let shares = shares_of_directions(simd, 20 * cases(SCENES) as u64);
-    println!("of the bounds on directions and mirrors are proven at most {shares:.3?}");
+    println!("of the bounds on directions and half-turns are proven at most {shares:.3?}");
     assert!(
         shares.as_flattened().iter().all(|share| *share > 0.9),
         "so loose a bound would hide a mistake: {shares:?}"

@@ -19,6 +19,7 @@ use shadetrade::frame::{Keep, NO_TRIANGLE};
 use shadetrade::scene::Scene;
 
 use crate::scene::{at, draw, empty, shaded, spawn_cuboid, spawn_light, view};
+use crate::truth::Setting;
 
 const MATERIAL: Material = Material {
     ambient: DVec3::new(0.1, 0.2, 0.3),
@@ -308,4 +309,21 @@ fn lights_add_up() {
             assert_eq!(none.levels()[pixel], [0.0; 3], "no light, no colour");
         }
     }
+}
+
+#[test]
+fn the_shortcut_is_drawn_alike_at_any_tolerance() {
+    let setting = Setting {
+        mode: ShadingMode::UnitVectors,
+        ..Setting::default_scene(0)
+    };
+    let [exact, loose] = [0.0, 4.0].map(|tolerance| {
+        let view = View {
+            tolerance,
+            ..setting.view()
+        };
+        let frame = draw(&mut setting.world(), &view, Keep::Display);
+        (frame.counts(), frame.pixels().to_vec())
+    });
+    assert!(exact == loose, "{:?}, not {:?}", loose.0, exact.0);
 }

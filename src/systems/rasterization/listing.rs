@@ -71,14 +71,20 @@ impl Listing<'_> {
 
     /// Which of the list's highlights an object has.
     fn gloss(&self, list: &mut DrawList, object: &Object) -> usize {
-        let last = list.glosses.last();
-        if last.is_none_or(|gloss| gloss.material != object.material) {
+        // The shortcut has no tolerance to keep.
+        let tolerance = match object.mode {
+            ShadingMode::UnitVectors => 0.0,
+            _ => self.view.tolerance,
+        };
+        let fits =
+            |gloss: &Gloss| gloss.material == object.material && gloss.tolerance == tolerance;
+        if !list.glosses.last().is_some_and(fits) {
             let surface = Surface {
                 material: &object.material,
                 illumination: self.illumination,
                 centre: object.centre,
             };
-            list.glosses.push(Gloss::new(&surface, self.view.tolerance));
+            list.glosses.push(Gloss::new(&surface, tolerance));
         }
         list.glosses.len() - 1
     }
