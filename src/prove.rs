@@ -19,7 +19,7 @@ use serde::Serialize;
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
 use crate::memory::{self, OutOfMemory};
-use crate::reference::{Interval, Reference, Seen};
+use crate::reference::{Interval, Real, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::displayed;
@@ -133,7 +133,7 @@ pub fn nearest(
     levels: [f64; 3],
     seen: &[Seen<Interval>],
 ) -> Option<Distance> {
-    let same = seen.iter().filter(|seen| seen.face == shown);
+    let same = seen.iter().filter(|seen| seen.face() == shown);
     same.map(|seen| distance(levels, ends(seen)))
         .reduce(|left, right| Distance {
             nearest: left.nearest.min(right.nearest),
@@ -164,7 +164,7 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
             (_, true) => Verdict::Refuted,
             _ => Verdict::Undecided,
         },
-        is_outline: seen.iter().any(|other| other.face != seen[0].face),
+        is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
         is_covered: shown.face.is_some(),
     };
     (mark, levels.map_or(255.0, |levels| levels.farthest))
@@ -205,7 +205,7 @@ impl Proof {
             .map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
         if mark.verdict != Verdict::Proven && self.examples.len() < EXAMPLES {
-            let same = seen.iter().find(|seen| seen.face == shown.face);
+            let same = seen.iter().find(|seen| seen.face() == shown.face);
             self.examples.push(Example {
                 pixel,
                 verdict: mark.verdict,

@@ -30,7 +30,7 @@ use hecs::World;
 use rayon::prelude::*;
 
 use crate::components::{
-    FACES, FileOrder, Light, Material, Mesh, ShadingMode, Spin, TRIANGLES, Transform, View,
+    FileOrder, Light, Material, Mesh, ShadingMode, Spin, TRIANGLES, Transform, View,
 };
 use crate::frame::NO_TRIANGLE;
 use illumination::{Lit, Open, Surface, TIES, blend};
@@ -89,10 +89,18 @@ fn in_file_order<T>(entities: impl Iterator<Item = (FileOrder, T)>) -> Vec<T> {
 /// What a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
-    /// Cuboid * 6 + face; `None` is the background.
-    pub face: Option<usize>,
+    /// Cuboid * 12 + triangle; `None` is the background. Phong's triangles of a face are one: it is the first where both
+    /// may be seen.
+    pub triangle: Option<usize>,
     /// Unclamped.
     pub levels: [R; 3],
+}
+
+impl<R> Seen<R> {
+    /// Cuboid * 6 + face; `None` is the background.
+    pub fn face(&self) -> Option<usize> {
+        self.triangle.map(|triangle| triangle / 2)
+    }
 }
 
 impl<R: Real> Reference<R> {
@@ -184,8 +192,9 @@ impl<R: Real> Reference<R> {
                     for &is_first in cuboid.triangles(face, line, &place) {
                         let mut see = |open| {
                             let lit = cuboid.lit(face, is_first, line, &place, open);
+                            let triangle = 2 * face + usize::from(!is_first);
                             seen.push(Seen {
-                                face: Some(cuboid.number * FACES.len() + face),
+                                triangle: Some(cuboid.number * TRIANGLES.len() + triangle),
                                 levels: lit.levels.0,
                             });
                             lit.is_tied
@@ -201,7 +210,7 @@ impl<R: Real> Reference<R> {
         }
         if !met.iter().any(|met| met.meeting.is_certain) {
             seen.push(Seen {
-                face: None,
+                triangle: None,
                 levels: self.background.0,
             });
         }
@@ -377,19 +386,14 @@ impl Reference<f64> {
                 if cancelled() {
                     return None;
                 }
-                let here = |cuboid: &&Cuboid<f64>| cuboid.solid.rows.contains(&y);
-                let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
-                let mut met = Vec::new();
-                for x in 0..width {
-                    self.meet([x, y], &cuboids, &mut met);
-                    if let Some((met, face, triangle)) = first(&met) {
-                        let is_first = triangle % 2 == 0;
-                        let place = met.cuboid.solid.place(face, &met.line);
-                        let lit = met.cuboid.lit(face, is_first, &met.line, &place, 0);
-                        levels[x] = lit.levels.0;
-                        triangles[x] = (met.cuboid.number * TRIANGLES.len() + triangle) as u32;
+                self.row(y, |x, seen| {
+                    if let [first, ..] = seen
+                        && let Some(triangle) = first.triangle
+                    {
+                        levels[x] = first.levels;
+                        triangles[x] = triangle as u32;
                     }
-                }
+                });
                 progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);
                 Some(())
             })?;
@@ -400,12 +404,4 @@ impl Reference<f64> {
             triangles,
         })
     }
-}
-
-/// The cuboid seen, its face and its triangle: in f64 there is one of each, or nothing.
-fn first<'a, 'b>(met: &'b [Met<'a, f64>]) -> Option<(&'b Met<'a, f64>, usize, usize)> {
-    let met = met.first()?;
-    let face = met.meeting.faces().next()?;
-    let is_first = met.cuboid.solid.is_on_first(face, &met.line)?;
-    Some((met, face, 2 * face + usize::from(!is_first)))
 }

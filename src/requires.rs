@@ -296,7 +296,7 @@ fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64, is_enclosed:
 
 fn shown<R: Real>(seen: &[Seen<R>]) -> Vec<Shown> {
     let ends = |seen: &Seen<R>| seen.levels.map(|level| level.endpoints().map(displayed));
-    seen.iter().map(|seen| (seen.face, ends(seen))).collect()
+    seen.iter().map(|seen| (seen.face(), ends(seen))).collect()
 }
 
 /// The least and the largest error of a pixel by what it may show in full and without a part.

@@ -234,7 +234,7 @@ pub fn difference(
         let may_show = || reference.at([pixel % width, pixel / width]);
         if faces[0] == faces[1] {
             worst = worst.max(pixel_error(drawn.levels[pixel], expected.levels[pixel]));
-        } else if !may_show().iter().any(|seen| seen.face == faces[0]) {
+        } else if !may_show().iter().any(|seen| seen.face() == faces[0]) {
             let what = format!("shows {}, not {}", name(*ids.0), name(*ids.1));
             return Err(wrong_pixel(&drawn.view, pixel, &what));
         }

@@ -125,7 +125,7 @@ fn largest(renderer: &mut Renderer) -> Result<String, CaseError> {
         let all = reference.at(place);
         let judged = all.iter().map(|seen| {
             let shown = Shown {
-                face: seen.face,
+                face: seen.face(),
                 levels: bytes.map(f64::from),
                 bytes: None,
             };

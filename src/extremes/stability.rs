@@ -168,7 +168,7 @@ fn errors(spec: &SceneSpec, level: Level) -> Result<Errors, CaseError> {
     let mut errors = Errors::default();
     for (pixel, seen) in enclosures(&scene, &view).iter().enumerate() {
         let place = [pixel % view.size[0], pixel / view.size[0]];
-        let met = seen.iter().find_map(|seen| seen.face);
+        let met = seen.iter().find_map(|seen| seen.face());
         let levels = |levels: [f32; 3]| levels.map(f64::from);
         let shown = [
             met.map(|face| (Some(face), levels(textbook.levels(face, place)))),
