@@ -40,7 +40,7 @@ impl RenderConfig {
     };
 
     /// Every projection and mode, exactly and within half a level.
-    pub fn all() -> impl Iterator<Item = RenderConfig> {
+    pub fn all() -> impl Iterator<Item = RenderConfig> + Clone {
         (0..8).map(|index| RenderConfig {
             projection: Projection::ALL[index / 4],
             mode: MODES[index / 2 % 2],
@@ -72,6 +72,11 @@ pub fn cuboid(size: impl Into<DVec3>, position: impl Into<DVec3>) -> CuboidRecor
 /// A white light that sends so many levels.
 pub fn light(kind: LightKind, levels: f64, position: impl Into<DVec3>) -> LightRecord {
     LightRecord::new("", kind, levels, position)
+}
+
+/// A number, and an ulp to either side of it.
+pub fn around(number: f64) -> [f64; 3] {
+    [number.next_down(), number, number.next_up()]
 }
 
 /// A light of every kind at one place.

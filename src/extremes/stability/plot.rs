@@ -62,10 +62,10 @@ pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
 /// Which colour is which evaluation.
 fn key(area: &Area) -> anyhow::Result<()> {
     let mut x = 24;
-    for (evaluation, color) in EVALUATIONS.iter().zip(COLORS) {
+    for ((id, limit), color) in EVALUATIONS.into_iter().zip(COLORS) {
         let line = vec![(x, 70), (x + 22, 70)];
         area.draw(&PathElement::new(line, color.stroke_width(3)))?;
-        let text = format!("{}, limit {}", evaluation.id, evaluation.limit);
+        let text = format!("{id}, limit {limit}");
         area.draw_text(&text, &text_style(12.0, color), (x + 28, 63))?;
         x += 200;
     }
