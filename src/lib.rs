@@ -134,9 +134,7 @@
 //! # systems::draw(&mut scene.world, &view, &mut frame)?;
 //! // `view` as above: Phong within half a level; `frame` keeps its levels.
 //! let truth = reference::picture(&scene.world, &view, 0..240, &|| false, &|_| ()).expect("not cancelled");
-//! let drawn = Picture { width: 320, levels: frame.levels(), triangles: frame.triangles() };
-//! let exact = Picture { width: 320, levels: &truth.levels, triangles: &truth.triangles };
-//! let error = compare(drawn, exact).error.expect("a cuboid is there");
+//! let error = compare(Picture::from(&frame), Picture::from(&truth)).error.expect("a cuboid is there");
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
 //! # use shadetrade::prove::prove;
 //!

@@ -112,22 +112,12 @@ pub enum TradeError {
     Cancelled,
 }
 
-/// Measures the methods of `request`; `on_progress` is told from any thread how far it is.
+/// Measures the methods of `request`. `cancelled` is asked before every frame and every row of the reference, and a yes ends
+/// it; `on_progress` is told from any thread how far it is.
 ///
 /// # Errors
-/// When memory or threads do not suffice.
+/// When memory or threads do not suffice, or it is cancelled.
 pub fn measure(
-    request: Request,
-    on_progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Report, TradeError> {
-    measure_unless(request, &|| false, on_progress)
-}
-
-/// The same; `cancelled` is asked before every frame and every row of the reference, and a yes ends it.
-///
-/// # Errors
-/// As [`measure`], and [`TradeError::Cancelled`].
-pub fn measure_unless(
     mut request: Request,
     cancelled: &(dyn Fn() -> bool + Sync),
     on_progress: &(dyn Fn(Progress) + Sync),
@@ -256,7 +246,7 @@ pub fn run(request: Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
         make_writable(folder)?;
     }
-    let report = progress::with_bar(|on_progress| measure(request, on_progress))?;
+    let report = progress::with_bar(|on_progress| measure(request, &|| false, on_progress))?;
     Output::Stdout.write(|writer| writer.write_all(export::table(&report).as_bytes()))?;
     if let Some(folder) = out {
         write_files(&report, folder)?;

@@ -166,18 +166,13 @@ impl ErrorMap {
 
     /// The map as pixels, 0x00RRGGBB, row by row from the top.
     pub fn pixels(&self) -> Vec<u32> {
-        let mut palette = [NOTHING; 256];
-        palette[usize::from(ErrorMap::EDGE)] = EDGE;
-        for (step, color) in palette[..usize::from(ErrorMap::STEPS)]
-            .iter_mut()
-            .enumerate()
-        {
-            *color = color_at(step as f64 / f64::from(ErrorMap::STEPS - 1));
-        }
-        self.steps
-            .iter()
-            .map(|step| palette[usize::from(*step)])
-            .collect()
+        let palette: [u32; 256] = std::array::from_fn(|step| match step as u8 {
+            ErrorMap::EDGE => EDGE,
+            ErrorMap::NOTHING => NOTHING,
+            step => color_at(f64::from(step) / f64::from(ErrorMap::STEPS - 1)),
+        });
+        let steps = self.steps.iter();
+        steps.map(|step| palette[usize::from(*step)]).collect()
     }
 
     /// The map with `title` and its scale below: pixels and size. A narrow map gets room for them beside it.

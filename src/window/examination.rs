@@ -6,7 +6,7 @@ use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
 use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
-use crate::reference::{self, Truth};
+use crate::reference;
 use crate::scene::Scene;
 use crate::systems;
 use crate::trade::error_map::{self, Scale};
@@ -56,7 +56,7 @@ pub fn examine(
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<ReferenceResult> {
     let view = request.view.clone();
-    let [width, height] = view.size;
+    let [_, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
     let phong = View {
         shading: Some(ShadingMode::Phong),
@@ -75,13 +75,8 @@ pub fn examine(
         };
         let exact = truth(&phong)?;
         let own = if is_phong { None } else { Some(truth(&view)?) };
-        let drawn = Picture {
-            width,
-            levels: frame.levels(),
-            triangles: frame.triangles(),
-        };
-        let compared = picture_of(&exact);
-        let own = own.as_ref().map_or(compared, picture_of);
+        let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
+        let own = own.as_ref().map_or(compared, Picture::from);
         errors.add(&metrics::compare(drawn, compared));
         own_errors.add(&metrics::compare(drawn, own));
         pixels.extend(error_map::compared(drawn, compared));
@@ -114,14 +109,6 @@ impl ReferenceResult {
             }
         }
         self.proof = Some(proof);
-    }
-}
-
-fn picture_of(truth: &Truth) -> Picture<'_, f64> {
-    Picture {
-        width: truth.width,
-        levels: &truth.levels,
-        triangles: &truth.triangles,
     }
 }
 

@@ -151,7 +151,7 @@ fn work(
             Job::Measure(request) => pool.install(|| {
                 let on_progress = |progress| tell(Progress::Measuring(progress));
                 tell(
-                    match trade::measure_unless(request, &is_cancelled, &on_progress) {
+                    match trade::measure(request, &is_cancelled, &on_progress) {
                         Ok(report) => Progress::Measured(Box::new(report)),
                         Err(error) => Progress::NotMeasured(error.to_string()),
                     },

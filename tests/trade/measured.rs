@@ -20,7 +20,7 @@ use crate::requests::{CENTRE, GREEN, request, scene};
 /// Measures, and holds every report against what holds for all.
 fn measured(request: Request) -> Report {
     let methods = request.methods.clone();
-    let report = trade::measure(request, &|_| ()).expect("it is measured");
+    let report = trade::measure(request, &|| false, &|_| ()).expect("it is measured");
     let text = export::json(&report).expect("it is written");
     contract::assert_holds(&text);
     let measured: Vec<_> = report.methods.iter().map(|one| one.method).collect();
@@ -207,7 +207,7 @@ fn progress_goes_from_nothing_to_all_in_two_steps() {
     let told: Mutex<Vec<Progress>> = Mutex::default();
     let on_progress = |progress| told.lock().expect("no thread has panicked").push(progress);
     let request = request(scene(GREEN, CENTRE, true), [16, 12], 1);
-    trade::measure(request, &on_progress).expect("it is measured");
+    trade::measure(request, &|| false, &on_progress).expect("it is measured");
     let told = told.into_inner().expect("no thread has panicked");
     let mut shares = told.iter().map(|progress| progress.share);
     assert!(shares.all(|share| (0.0..=1.0).contains(&share)));

@@ -40,7 +40,7 @@ fn measured() -> Session {
         time: Duration::ZERO,
         ..session.measurement([32, 24])
     };
-    let report = trade::measure(request, &|_| ()).expect("there is memory");
+    let report = trade::measure(request, &|| false, &|_| ()).expect("there is memory");
     session.on_progress(Progress::Measured(Box::new(report)));
     session
 }
@@ -165,6 +165,6 @@ fn a_measurement_ends_with_a_report_and_stops_when_it_is_cancelled() {
         Progress::Measuring(_) => false,
         other => panic!("{other:?}"),
     });
-    let cancelled = trade::measure_unless(request(), &|| true, &|_| ());
+    let cancelled = trade::measure(request(), &|| true, &|_| ());
     assert!(matches!(cancelled, Err(TradeError::Cancelled)));
 }

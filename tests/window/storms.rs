@@ -233,7 +233,7 @@ impl Window {
                     time: Duration::ZERO,
                     ..self.session.measurement([8, 6])
                 };
-                let report = trade::measure(request, &|_| ()).expect("there is memory");
+                let report = trade::measure(request, &|| false, &|_| ()).expect("there is memory");
                 Progress::Measured(Box::new(report))
             } else {
                 Progress::Measuring(trade::Progress {
