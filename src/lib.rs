@@ -78,7 +78,6 @@
 //!
 //! ```
 //! # use shadetrade::components::{Projection, View};
-//! # use shadetrade::frame::Workers;
 //! # use shadetrade::{probe, scene::Scene};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View {
@@ -90,8 +89,8 @@
 //! #     tolerance: 0.0,
 //! # };
 //! // In the middle of the highlight that Gouraud misses, no vertex being in it.
-//! let workers = Workers::alone(fearless_simd::Level::new());
-//! let found = probe::at(&mut scene, &view, [565, 327], workers)?.surface.expect("a cuboid is there");
+//! let level = fearless_simd::Level::new();
+//! let found = probe::at(&mut scene, &view, [565, 327], level)?.surface.expect("a cuboid is there");
 //! assert_eq!(found.gouraud.bytes[2], 46);
 //! assert!(found.phong.bytes[2] > 190);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -139,8 +138,8 @@
 //! # use shadetrade::prove::prove;
 //!
 //! // The same as a fact: no value of any pixel's enclosure is farther away than half a level.
-//! let workers = [(); 2].map(|()| Workers::alone(fearless_simd::Level::new()));
-//! let proof = prove(&mut scene.world, &view, workers, &|| false, &|_| ())?.expect("not cancelled");
+//! let level = fearless_simd::Level::new();
+//! let proof = prove(&mut scene.world, &view, level, &|| false, &|_| ())?.expect("not cancelled");
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -103,9 +103,9 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
             height - 1
         )));
     }
-    let (view, workers) = (drawing.view(), drawing.workers()?);
+    let (view, level) = (drawing.view(), drawing.level);
     let probe =
-        probe::at(&mut drawing.scene, &view, [x, y], workers).map_err(anyhow::Error::from)?;
+        probe::at(&mut drawing.scene, &view, [x, y], level).map_err(anyhow::Error::from)?;
     let text = if options.json {
         serde_json::to_string_pretty(&probe).map_err(anyhow::Error::from)?
     } else {

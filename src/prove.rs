@@ -12,6 +12,7 @@
 
 mod command;
 
+use fearless_simd::Level;
 use hecs::World;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -66,7 +67,7 @@ pub struct Example {
 }
 
 /// A picture's proof, or what it lacks. Errors and widths are between displayed levels.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
     pub proven: u64,
     pub refuted: u64,
@@ -83,6 +84,7 @@ pub struct Proof {
     /// The first pixels that are not proven.
     pub examples: Vec<Example>,
     /// Row by row from the top.
+    #[serde(skip)]
     pub marks: Vec<Mark>,
 }
 
@@ -223,7 +225,8 @@ impl Proof {
     }
 }
 
-/// Draws the picture that `view` asks for and proves what can be proven of it, on rayon's current threads.
+/// Draws the picture that `view` asks for with the instructions of `level`, and proves what can be proven of it on rayon's
+/// current threads.
 ///
 /// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told how many rows are done.
 ///
@@ -232,18 +235,13 @@ impl Proof {
 pub fn prove(
     world: &mut World,
     view: &View,
-    workers: [Workers; 2],
+    level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Option<Proof>, OutOfMemory> {
     let [width, height] = view.size;
-    let [mut drawn, mut displayed] = {
-        let [levels, display] = workers;
-        [
-            Frame::new(Keep::Levels, levels),
-            Frame::new(Keep::Display, display),
-        ]
-    };
+    let [mut drawn, mut displayed] =
+        [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level)));
     let enclosures = Reference::<Interval>::new(world, view);
     let reference = Reference::<f64>::new(world, view);
     let mut proof = Proof {

@@ -129,7 +129,7 @@ impl Change {
 }
 
 /// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `row_done` is called
-/// once for each row.
+/// once for each row of [`AT_ONCE`] pictures.
 ///
 /// The view leaves each cuboid its own shading.
 pub fn changes(
@@ -154,19 +154,28 @@ fn try_changes<E: Send>(
     row_done: &(dyn Fn() -> Result<(), E> + Sync),
 ) -> Result<Vec<Change>, E> {
     let full = Reference::<Interval>::new(&scene.world, view);
-    let picture = |parts: &Vec<Part>| compare(scene, view, parts);
-    let pictures: Vec<Compare> = left_out.iter().map(picture).collect();
-    let row = |y: usize| {
-        let mut pixels = Vec::with_capacity(view.size[0]);
-        full.row(y, |_, seen| pixels.push(shown(seen)));
-        let changes = pictures.iter().map(|compare| compare(y, &pixels)).collect();
-        row_done()?;
-        Ok(changes)
-    };
-    let rows = (0..view.size[1]).into_par_iter().map(row);
-    let rows: Vec<Vec<Change>> = rows.collect::<Result<_, E>>()?;
-    let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
-    Ok((0..pictures.len()).map(of_picture).collect())
+    let mut changes = Vec::with_capacity(left_out.len());
+    for some in left_out.chunks(AT_ONCE) {
+        let picture = |parts: &Vec<Part>| compare(scene, view, parts);
+        let pictures: Vec<Compare> = some.iter().map(picture).collect();
+        let row = |y: usize| {
+            let mut pixels = Vec::with_capacity(view.size[0]);
+            full.row(y, |_, seen| pixels.push(shown(seen)));
+            let changes = pictures.iter().map(|compare| compare(y, &pixels)).collect();
+            row_done()?;
+            Ok(changes)
+        };
+        let rows = (0..view.size[1]).into_par_iter().map(row);
+        let rows: Vec<Vec<Change>> = rows.collect::<Result<_, E>>()?;
+        let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
+        changes.extend((0..pictures.len()).map(of_picture));
+    }
+    Ok(changes)
+}
+
+/// How often [`changes`] calls `row_done`.
+fn rows_done(view: &View, left_out: &[Vec<Part>]) -> usize {
+    left_out.len().div_ceil(AT_ONCE) * view.size[1]
 }
 
 /// A part, what it is called, and what the picture errs without it.
@@ -186,26 +195,16 @@ pub fn ranked(
     progress: &(dyn Fn(f64) + Sync),
 ) -> Option<Vec<PartChange>> {
     let parts = parts(scene);
-    let all = parts.len().div_ceil(AT_ONCE) * view.size[1];
+    let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
+    let all = rows_done(view, &left_out);
     let done = AtomicUsize::new(0);
     let row_done = || {
         progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64);
         if cancelled() { Err(()) } else { Ok(()) }
     };
-    let mut ranked = Vec::new();
-    for some in parts.chunks(AT_ONCE) {
-        let left_out: Vec<_> = some.iter().map(|(part, _)| vec![*part]).collect();
-        let changes = try_changes(scene, view, &left_out, &row_done).ok()?;
-        ranked.extend(
-            some.iter()
-                .zip(changes)
-                .map(|((part, name), change)| PartChange {
-                    part: *part,
-                    name: name.clone(),
-                    change,
-                }),
-        );
-    }
+    let changes = try_changes(scene, view, &left_out, &row_done).ok()?;
+    let part_change = |((part, name), change)| PartChange { part, name, change };
+    let mut ranked: Vec<_> = parts.into_iter().zip(changes).map(part_change).collect();
     ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
     Some(ranked)
 }

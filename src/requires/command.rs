@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::share::time_share;
-use super::{AT_ONCE, Change, Part, changes, least, parts, without};
+use super::{Change, Part, changes, least, parts, rows_done, without};
 use crate::components::{Orbit, View};
 use crate::drawing::Drawing;
 use crate::output::{Output, printable, say};
@@ -136,13 +136,9 @@ fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<
         parts.iter().map(of_part).collect()
     })?;
     let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let all = views.len() * left_out.len().div_ceil(AT_ONCE) * drawing.size[1];
+    let all = views.iter().map(|view| rows_done(view, &left_out)).sum();
     let by_view: Vec<Vec<Change>> = with_counter("leaving out", all, |row_done| {
-        let of_view = |view| {
-            let some = left_out.chunks(AT_ONCE);
-            some.flat_map(|some| changes(scene, view, some, row_done))
-                .collect()
-        };
+        let of_view = |view| changes(scene, view, &left_out, row_done);
         Ok(views.iter().map(of_view).collect())
     })?;
     let row = |(index, ((left_out, part), time_share)): (usize, ((Part, String), _))| {

@@ -150,12 +150,10 @@ fn work(
             }),
             Job::Measure(request) => pool.install(|| {
                 let on_progress = |progress| tell(Progress::Measuring(progress));
-                tell(
-                    match trade::measure(request, &is_cancelled, &on_progress) {
-                        Ok(report) => Progress::Measured(Box::new(report)),
-                        Err(error) => Progress::NotMeasured(error.to_string()),
-                    },
-                );
+                tell(match trade::measure(request, &is_cancelled, &on_progress) {
+                    Ok(report) => Progress::Measured(Box::new(report)),
+                    Err(error) => Progress::NotMeasured(error.to_string()),
+                });
             }),
         }
     }
@@ -173,8 +171,7 @@ fn examine_and_prove(
     let revision = result.revision;
     tell(Progress::Examined(result));
     let (world, view) = (&mut request.scene.world, &request.view);
-    let workers = [Workers::alone(level), Workers::alone(level)];
-    if let Ok(Some(proof)) = prove(world, view, workers, cancelled, &|_| ()) {
+    if let Ok(Some(proof)) = prove(world, view, level, cancelled, &|_| ()) {
         tell(Progress::Proven(revision, proof));
     }
 }

@@ -21,7 +21,7 @@ use super::jobs::Progress;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
 use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Workers, display_step};
+use crate::frame::{Frame, display_step};
 use crate::memory::OutOfMemory;
 use crate::probe::{self, Probe, Profile};
 use crate::requires::{Part, PartChange};
@@ -196,11 +196,10 @@ impl Session {
         let outside = |pixel: &mut [usize; 2]| pixel[0] >= size[0] || pixel[1] >= size[1];
         self.state.pixel.take_if(outside);
         let view = self.view(size);
-        let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, Workers::alone(level));
+        let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, level);
         self.probe = self.state.pixel.map(&mut probe).transpose()?;
-        let mut profile = |pixel: [usize; 2]| {
-            probe::profile(&mut self.scene, &view, pixel[1], Workers::alone(level))
-        };
+        let mut profile =
+            |pixel: [usize; 2]| probe::profile(&mut self.scene, &view, pixel[1], level);
         self.profile = self.state.pixel.map(&mut profile).transpose()?;
         Ok(())
     }
