@@ -33,8 +33,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::View(options)) => view(&options),
         Some(Command::Replay(options)) => replay(&options),
         Some(Command::Render(options)) => {
-            options.drawing.check_output(&options.output)?;
-            let mut drawing = options.drawing.open()?;
+            let mut drawing = options.drawing.open_for(Some(&options.output))?;
             let draw = if options.reference {
                 pictures::render_reference
             } else {
@@ -51,22 +50,13 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Prove(options)) => {
-            if let Some(map) = &options.output {
-                options.drawing.check_output(map)?;
-            }
-            let mut drawing = options.drawing.open()?;
-            Ok(prove::run(
-                &mut drawing,
-                options.output.as_ref(),
-                options.json,
-            )?)
+            let map = options.output.as_ref();
+            let mut drawing = options.drawing.open_for(map)?;
+            Ok(prove::run(&mut drawing, map, options.json)?)
         }
         Some(Command::Requires(options)) => {
-            if let Some(file) = &options.output {
-                options.drawing.check_output(file)?;
-            }
-            let drawing = options.drawing.open()?;
             let least = options.output.as_ref();
+            let drawing = options.drawing.open_for(least)?;
             Ok(requires::run(&drawing, options.orbit, least, options.json)?)
         }
         Some(Command::Extremes(options)) => extremes(&options),
@@ -104,8 +94,7 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
         )));
     }
     let (view, level) = (drawing.view(), drawing.level);
-    let probe =
-        probe::at(&mut drawing.scene, &view, [x, y], level).map_err(anyhow::Error::from)?;
+    let probe = probe::at(&mut drawing.scene, &view, [x, y], level).map_err(anyhow::Error::from)?;
     let text = if options.json {
         serde_json::to_string_pretty(&probe).map_err(anyhow::Error::from)?
     } else {
