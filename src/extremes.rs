@@ -29,9 +29,8 @@ use serde::Serialize;
 
 use crate::memory;
 use crate::output::Output;
-use crate::trade::Progress;
 use crate::trade::export::json;
-use crate::trade::progress::with_bar;
+use crate::trade::progress::{OnProgress, with_bar};
 use judge::{Fact, KnownPixel, levels_text};
 use renderer::Renderer;
 use scene_spec::{RenderConfig, SceneSpec};
@@ -156,14 +155,14 @@ pub struct Options {
     pub full: bool,
 }
 
-/// Examines the cases; `progress` is told how many are done.
+/// Examines the cases.
 ///
 /// # Errors
 /// When the system gives no threads, or not the memory.
 pub fn examine(
     cases: &[Case],
     options: Options,
-    progress: &dyn Fn(Progress),
+    on_progress: OnProgress,
 ) -> anyhow::Result<Vec<Outcome>> {
     if options.full {
         memory::check_for(|| "the table of extremes".to_owned(), MEMORY)?;
@@ -171,10 +170,7 @@ pub fn examine(
     let mut renderer = Renderer::new(options.level, options.threads, options.full)
         .context("cannot start the threads that draw")?;
     let outcomes = cases.iter().enumerate().map(|(index, case)| {
-        progress(Progress {
-            step: "examining extremes",
-            share: index as f64 / cases.len() as f64,
-        });
+        on_progress("examining extremes", index as f64 / cases.len() as f64);
         let observed = (case.examine)(&mut renderer);
         Outcome {
             name: case.name,

@@ -266,11 +266,7 @@ struct Met<'a, R> {
 impl<R: Real> Cuboid<R> {
     /// Which triangles of a face the line may see: both where the diagonal is near, and Phong's are one.
     fn triangles(&self, face: usize, line: &Line<R>, place: &Place<R>) -> &'static [bool] {
-        let is_on_first = match place.point {
-            Some(_) => Solid::is_held_on_first(face, place),
-            None => self.solid.is_on_first(face, line),
-        };
-        match is_on_first {
+        match self.solid.is_on_first(face, line, place) {
             None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
                 &[true, false]
             }
@@ -291,8 +287,7 @@ impl<R: Real> Cuboid<R> {
         if self.mode == ShadingMode::Phong && self.is_perspective_correct {
             return self.phong(place, line, open);
         }
-        let weights = Solid::weights(face, is_first, place);
-        let (corners, weights) = arrange(face, is_first, weights);
+        let (corners, weights) = Solid::weights(face, is_first, place);
         let depths = self.solid.depths(corners, &self.mesh);
         let depths = depths.filter(|depths| match self.mode {
             ShadingMode::UnitVectors => self.solid.are_beyond_near(depths),
@@ -328,19 +323,6 @@ impl<R: Real> Cuboid<R> {
             ..*place
         }
     }
-}
-
-/// The corners of one of a face's two triangles, and the weights of a, c and the third corner in their order.
-fn arrange<R: Copy>(face: usize, is_first: bool, [a, c, third]: [R; 3]) -> ([usize; 3], [R; 3]) {
-    let corners = TRIANGLES[2 * face + usize::from(!is_first)].map(usize::from);
-    (
-        corners,
-        if is_first {
-            [a, third, c]
-        } else {
-            [a, c, third]
-        },
-    )
 }
 
 /// Weights in linear interpolation on the screen instead of on the triangle.

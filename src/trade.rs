@@ -43,7 +43,7 @@ use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::systems;
 use front::Candidate;
-pub use progress::Progress;
+use progress::OnProgress;
 use record::Subject;
 pub use record::{Measurement, Report};
 use timing::Timing;
@@ -113,17 +113,17 @@ pub enum TradeError {
 }
 
 /// Measures the methods of `request`. `cancelled` is asked before every frame and every row of the reference, and a yes ends
-/// it; `on_progress` is told from any thread how far it is.
+/// it.
 ///
 /// # Errors
 /// When memory or threads do not suffice, or it is cancelled.
 pub fn measure(
     mut request: Request,
     cancelled: &(dyn Fn() -> bool + Sync),
-    on_progress: &(dyn Fn(Progress) + Sync),
+    on_progress: OnProgress,
 ) -> Result<Report, TradeError> {
     accuracy::check_memory(request.view.size)?;
-    let step = |step| move |share| on_progress(Progress { step, share });
+    let step = |step| move |share| on_progress(step, share);
     let timings = time_frames(&request, cancelled, step("timing frames"))?;
     let stages = time_stages(&request, cancelled)?;
     let subject = Subject::of(&request);

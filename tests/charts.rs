@@ -9,7 +9,7 @@ use shadetrade::prove::Verdict;
 use shadetrade::trade::export::json;
 
 static CURVES: LazyLock<Vec<Curve>> =
-    LazyLock::new(|| measure(SWEEPS, Level::new(), &|_| ()).expect("every value makes a scene"));
+    LazyLock::new(|| measure(SWEEPS, Level::new(), &|_, _| ()).expect("every value makes a scene"));
 
 fn of(evaluation: &str) -> impl Iterator<Item = &'static Curve> {
     CURVES

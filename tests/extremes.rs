@@ -27,9 +27,9 @@ fn every_extreme_passes() {
         let cases = table();
         assert!(cases.len() > 80, "the table is whole");
         // Most of a case keeps one core busy.
-        let examined = cases
-            .par_chunks(4)
-            .flat_map(|cases| examine(cases, options, &|_| ()).expect("the system gives threads"));
+        let examined = cases.par_chunks(4).flat_map(|cases| {
+            examine(cases, options, &|_, _| ()).expect("the system gives threads")
+        });
         let failed: Vec<Outcome> = examined.filter(|outcome| !outcome.pass).collect();
         assert!(
             failed.is_empty(),

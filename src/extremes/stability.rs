@@ -33,7 +33,7 @@ use crate::reference;
 use crate::shading::EXACT;
 use crate::trade::export::json;
 use crate::trade::make_writable;
-use crate::trade::progress::{Progress, with_bar};
+use crate::trade::progress::{OnProgress, with_bar};
 pub use report::{csv, table};
 pub use sweeps::{SWEEPS, Sweep};
 use textbook::Textbook;
@@ -114,17 +114,14 @@ impl Curve {
 pub fn measure(
     sweeps: &[Sweep],
     level: Level,
-    progress: &(dyn Fn(Progress) + Sync),
+    on_progress: OnProgress,
 ) -> anyhow::Result<Vec<Curve>> {
     let total: usize = sweeps.iter().map(|sweep| sweep.values().len()).sum();
     let done = AtomicUsize::new(0);
     let at = |sweep: &Sweep, value: f64| -> anyhow::Result<(f64, Errors)> {
         let errors = errors(&(sweep.scene)(value), level)?;
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        progress(Progress {
-            step: "sweeping numbers",
-            share: done as f64 / total as f64,
-        });
+        on_progress("sweeping numbers", done as f64 / total as f64);
         Ok((value, errors))
     };
     let curves = sweeps.par_iter().map(|sweep| {

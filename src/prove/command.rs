@@ -14,7 +14,7 @@ use crate::frame::{Frame, Keep};
 use crate::output::Output;
 use crate::shading::limit;
 use crate::systems;
-use crate::trade::progress::{self, Progress};
+use crate::trade::progress;
 
 /// The colour of pixels that are proven to show one side of an edge.
 const OUTLINE: u32 = 0x0026_5a78;
@@ -78,12 +78,7 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
 fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
     let (world, level) = (&mut drawing.scene.world, drawing.level);
     let proof = progress::with_bar(|on_progress| {
-        let done = |rows: usize| {
-            on_progress(Progress {
-                step: "proving",
-                share: rows as f64 / view.size[1] as f64,
-            });
-        };
+        let done = |rows| on_progress("proving", rows as f64 / view.size[1] as f64);
         prove(world, view, level, &|| false, &done)
     })?;
     proof.context("the proof was cancelled")

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::illumination::{Incidence, blend, reflection};
 use super::sight::Solid;
 use super::vector::Vector;
-use super::{Cuboid, Reference, arrange, in_file_order};
+use super::{Cuboid, Reference, in_file_order};
 use crate::components::{FileOrder, Light, LightKind, Name, View};
 
 /// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
@@ -66,9 +66,8 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
     let Cuboid { solid, surface, .. } = met.cuboid;
     let (line, face) = (&met.line, met.meeting.faces().next()?);
     let place = solid.place(face, line);
-    let is_first = solid.is_on_first(face, line)?;
-    let weights = Solid::weights(face, is_first, &place);
-    let (corners, weights) = arrange(face, is_first, weights);
+    let is_first = solid.is_on_first(face, line, &place)?;
+    let (corners, weights) = Solid::weights(face, is_first, &place);
     let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
     let to_world = |v: Vector<f64>| {
         let [x, y, z] = v.0;

@@ -27,7 +27,7 @@ use self::edge::Edge;
 use super::real::Real;
 use super::rule::Rule;
 use super::vector::Vector;
-use crate::components::{Mesh, Projection, Transform, View};
+use crate::components::{Mesh, Projection, TRIANGLES, Transform, View};
 use glam::DVec3;
 
 /// How near to an edge, in pixels, a pixel's centre may show either side: snapping moves corners by up to 0.003 pixel.
@@ -89,7 +89,6 @@ struct Face<R> {
 pub struct Line<R> {
     /// How far the line starts from the eye; zero in perspective.
     pub offset: Vector<R>,
-    from: Vector<R>,
     pub along: Vector<R>,
     pixel: [f64; 2],
 }
@@ -346,7 +345,6 @@ impl<R: Real> Solid<R> {
         };
         Line {
             offset,
-            from: self.eye + offset,
             along,
             pixel,
         }
@@ -413,7 +411,8 @@ impl<R: Real> Solid<R> {
             if i == axis {
                 R::of(0.5 * outwards)
             } else {
-                (line.from.0[i] + line.along.0[i] * depth) * self.per_edge[i]
+                let from = self.eye.0[i] + line.offset.0[i];
+                (from + line.along.0[i] * depth) * self.per_edge[i]
             }
         });
         Place {
@@ -449,20 +448,19 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// Whether a place that is held inside a face lies on its first triangle.
-    pub fn is_held_on_first(face: usize, place: &Place<R>) -> Option<bool> {
+    /// Whether the line sees a place on the first triangle of a face, not on the second; an interval that holds the diagonal is
+    /// undecided.
+    pub fn is_on_first(&self, face: usize, line: &Line<R>, place: &Place<R>) -> Option<bool> {
+        if place.point.is_none() {
+            return self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0);
+        }
         let (axis, outwards) = across(face);
         let [u, v] = along(axis).map(|axis| place.share.0[axis]);
         let order = signed(outwards, u - v).sign(0.0)?;
         Some(order != Ordering::Less)
     }
 
-    /// Whether the line passes the first triangle of a face; an interval that holds the diagonal is undecided.
-    pub fn is_on_first(&self, face: usize, line: &Line<R>) -> Option<bool> {
-        self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0)
-    }
-
-    /// The weights of the corners a, c and of the third one of a triangle: together 1, each 0..=1 within it.
+    /// The corners of one of a face's two triangles, and their weights at a place: together 1, each 0..=1 within it.
     ///
     /// ```text
     ///     d (-, +)-----------c (+, +)      u, v: the share along the two axes of the face
@@ -471,7 +469,7 @@ impl<R: Real> Solid<R> {
     ///        |      .'        |
     ///     a (-, -)-----------(+, -)
     /// ```
-    pub fn weights(face: usize, is_first: bool, place: &Place<R>) -> [R; 3] {
+    pub fn weights(face: usize, is_first: bool, place: &Place<R>) -> ([usize; 3], [R; 3]) {
         let (axis, outwards) = across(face);
         let [u, v] = along(axis).map(|axis| place.share.0[axis]);
         let half = R::of(0.5);
@@ -480,7 +478,16 @@ impl<R: Real> Solid<R> {
         } else {
             (v, u)
         };
-        [half - larger, half + smaller, larger - smaller]
+        let [a, c, third] = [half - larger, half + smaller, larger - smaller];
+        let corners = TRIANGLES[2 * face + usize::from(!is_first)].map(usize::from);
+        (
+            corners,
+            if is_first {
+                [a, third, c]
+            } else {
+                [a, c, third]
+            },
+        )
     }
 
     /// Distances of corners along the view direction, where they matter: in perspective.

@@ -13,7 +13,7 @@ use crate::components::{Orbit, View};
 use crate::drawing::Drawing;
 use crate::output::{Output, printable, say};
 use crate::scene::Scene;
-use crate::trade::progress::{Progress, with_bar};
+use crate::trade::progress::with_bar;
 use crate::trade::tables::{aligned, wrapped};
 use crate::trade::words::short;
 
@@ -120,7 +120,7 @@ fn with_counter<T>(
     with_bar(|on_progress| {
         work(&|| {
             let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64;
-            on_progress(Progress { step, share });
+            on_progress(step, share);
         })
     })
 }

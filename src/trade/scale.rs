@@ -17,7 +17,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::progress::{self, Progress};
+use super::progress::{self, OnProgress};
 use super::record::Subject;
 use super::timing::{self, Timing};
 use super::{Request, TradeError, accuracy, export, make_writable};
@@ -159,18 +159,15 @@ impl Series {
     }
 }
 
-/// Measures every [`Quantity`]; `request.threads` is where the threads end. `on_progress` is told how far it is.
+/// Measures every [`Quantity`]; `request.threads` is where the threads end.
 ///
 /// # Errors
 /// When memory or threads do not suffice.
-pub fn measure(
-    request: &Request,
-    on_progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Scaling, TradeError> {
+pub fn measure(request: &Request, on_progress: OnProgress) -> Result<Scaling, TradeError> {
     let time = request.time / Quantity::ALL.len() as u32;
     let series = Quantity::ALL.map(|quantity| {
         let [_, _, step] = quantity.words();
-        let on_progress = |share| on_progress(Progress { step, share });
+        let on_progress = |share| on_progress(step, share);
         let points = time_settings(quantity, request, time, on_progress)?;
         Ok::<_, TradeError>(Series::new(quantity, points))
     });

@@ -45,8 +45,8 @@ pub enum Measuring {
     /// None is shown.
     #[default]
     Off,
-    /// How far it is; nothing is known before it has told.
-    Running(Option<trade::Progress>),
+    /// What is being done, and the share of it that is done.
+    Running(&'static str, f64),
     /// What came of it.
     Done(Box<Report>),
 }
@@ -206,7 +206,7 @@ impl Session {
 
     /// Takes what a job has come to, unless it is about a picture that has changed since, or is no longer wanted.
     pub fn on_progress(&mut self, progress: Progress) {
-        let measures = matches!(self.measuring, Measuring::Running(_));
+        let measures = matches!(self.measuring, Measuring::Running(..));
         match progress {
             Progress::Examined(result) if result.revision == self.revision => {
                 self.reference = Some(result);
@@ -216,8 +216,8 @@ impl Session {
                     result.add_proof(proof);
                 }
             }
-            Progress::Measuring(progress) if measures => {
-                self.measuring = Measuring::Running(Some(progress));
+            Progress::Measuring(step, share) if measures => {
+                self.measuring = Measuring::Running(step, share);
                 if self.now < self.next_progress {
                     return;
                 }
@@ -260,7 +260,7 @@ impl Session {
             self.wants(Redraw::Overlay);
         }
         self.spin_on();
-        if matches!(self.measuring, Measuring::Running(_)) {
+        if matches!(self.measuring, Measuring::Running(..)) {
             return;
         }
         let rested = |since: &mut Duration| now >= *since + REST;
