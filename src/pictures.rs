@@ -10,7 +10,7 @@ pub use figures::figures;
 use std::time::{Duration, Instant};
 
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, NO_TRIANGLE, display_step};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
 use crate::memory::{self, OutOfMemory};
 use crate::output::{Output, say};
 use crate::trade::progress::with_bar;
@@ -70,10 +70,7 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
                 .iter()
                 .filter(|&&triangle| triangle != NO_TRIANGLE)
                 .count();
-            pixels.extend(truth.levels.iter().map(|levels| {
-                let [red, green, blue] = levels.map(display_step);
-                u32::from_be_bytes([0, red, green, blue])
-            }));
+            pixels.extend(truth.levels.iter().copied().map(display_pixel));
         }
         Ok(())
     })?;

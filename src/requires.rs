@@ -25,7 +25,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::{ShadingMode, View};
-use crate::frame::display_step;
+use crate::frame::display_pixel;
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
@@ -245,9 +245,7 @@ fn pixels<R: Real>(
             let levels = seen
                 .first()
                 .map(|seen| seen.levels.map(|level| level.endpoints()[0]));
-            let levels = levels.unwrap_or(view.background.to_array());
-            let [red, green, blue] = levels.map(display_step);
-            row.push(u32::from_be_bytes([0, red, green, blue]));
+            row.push(display_pixel(levels.unwrap_or(view.background.to_array())));
         });
         (!cancelled()).then_some(row)
     };

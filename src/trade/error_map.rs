@@ -9,7 +9,7 @@ mod legend;
 use std::ops::RangeInclusive;
 
 use super::metrics::{Picture, pixel_error};
-use crate::frame::{NO_TRIANGLE, display_step};
+use crate::frame::{NO_TRIANGLE, display_pixel};
 
 /// The colour of a pixel where neither picture shows anything.
 pub const NOTHING: u32 = 0x005c_6166;
@@ -120,14 +120,10 @@ where
 }
 
 fn color_at(position: f64) -> u32 {
-    let [red, green, blue] = MAGMA.map(|coefficients| {
-        let value = coefficients
-            .iter()
-            .rev()
-            .fold(0.0, |sum, c| sum * position + c);
-        display_step(255.0 * value)
-    });
-    u32::from_be_bytes([0, red, green, blue])
+    display_pixel(MAGMA.map(|coefficients| {
+        let powers = coefficients.iter().rev();
+        255.0 * powers.fold(0.0, |sum, c| sum * position + c)
+    }))
 }
 
 /// The errors of a picture, each as one of 254 steps of the widest scale.

@@ -3,7 +3,7 @@
 //! Rule: the best picture of the scene is exact Phong, whatever mode draws it; a mode's own truth gives its own error only.
 
 use crate::components::{ShadingMode, View};
-use crate::frame::{Frame, Keep, Workers, display_step};
+use crate::frame::{Frame, Keep, Workers, display_pixel};
 use crate::memory;
 use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
 use crate::reference;
@@ -80,10 +80,7 @@ pub fn examine(
         errors.add(&metrics::compare(drawn, compared));
         own_errors.add(&metrics::compare(drawn, own));
         pixels.extend(error_map::compared(drawn, compared));
-        reference.extend(exact.levels.iter().map(|levels| {
-            let [red, green, blue] = levels.map(display_step);
-            u32::from_be_bytes([0, red, green, blue])
-        }));
+        reference.extend(exact.levels.iter().copied().map(display_pixel));
     }
     let errors = errors.statistics();
     let scale = Scale::holding(errors.map_or(0.0, |errors| errors.max));

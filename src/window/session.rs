@@ -21,7 +21,7 @@ use super::jobs::Progress;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
 use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, display_step};
+use crate::frame::{Frame, display_pixel};
 use crate::memory::OutOfMemory;
 use crate::probe::{self, Probe, Profile};
 use crate::requires::{Part, PartChange};
@@ -366,8 +366,7 @@ impl Session {
 
     /// Notes what the picture of these pixels took when it was drawn first.
     pub fn drawn(&mut self, times: FrameTimes, pixels: &[u32]) {
-        let [red, green, blue] = self.scene.background.to_array().map(display_step);
-        let background = u32::from_be_bytes([0, red, green, blue]);
+        let background = display_pixel(self.scene.background.to_array());
         let mut covered = pixels.iter().filter(|pixel| **pixel != background);
         let first = covered.next();
         self.flat = first.is_some_and(|first| covered.all(|pixel| pixel == first));
