@@ -33,18 +33,14 @@
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
-//! use shadetrade::components::{Projection, ShadingMode, View};
+//! use shadetrade::components::{ShadingMode, View};
 //! use shadetrade::frame::{Frame, Keep, Workers};
 //! use shadetrade::{scene::Scene, systems};
 //!
 //! let mut scene = Scene::load(None)?; // the built-in cuboid
 //! let view = View {
-//!     size: [320, 240],
-//!     viewpoint: scene.viewpoint(0),
-//!     projection: Projection::Perspective,
-//!     background: scene.background,
-//!     shading: Some(ShadingMode::Phong),
 //!     tolerance: 0.5, // levels of 255
+//!     ..scene.view(0, [320, 240]).shaded(ShadingMode::Phong)
 //! };
 //! let mut frame = Frame::new(Keep::Display, Workers::new(1, fearless_simd::Level::new())?);
 //! systems::draw(&mut scene.world, &view, &mut frame)?;
@@ -77,17 +73,9 @@
 //! Ask one pixel what happened there: [`probe`] evaluates every light's term, and both modes beside the reference.
 //!
 //! ```
-//! # use shadetrade::components::{Projection, View};
 //! # use shadetrade::{probe, scene::Scene};
 //! # let mut scene = Scene::load(None)?;
-//! # let view = View {
-//! #     size: [960, 720],
-//! #     viewpoint: scene.viewpoint(0),
-//! #     projection: Projection::Perspective,
-//! #     background: scene.background,
-//! #     shading: None,
-//! #     tolerance: 0.0,
-//! # };
+//! # let view = scene.view(0, [960, 720]);
 //! // In the middle of the highlight that Gouraud misses, no vertex being in it.
 //! let level = fearless_simd::Level::new();
 //! let found = probe::at(&mut scene, &view, [565, 327], level)?.surface.expect("a cuboid is there");
@@ -115,19 +103,15 @@
 //! exact level of every pixel, from the scene's numbers on: [`mod@prove`] holds what is drawn against that.
 //!
 //! ```
-//! # use shadetrade::components::{Projection, ShadingMode, View};
+//! # use shadetrade::components::{ShadingMode, View};
 //! # use shadetrade::frame::{Frame, Keep, Workers};
 //! # use shadetrade::{scene::Scene, systems};
 //! use shadetrade::reference;
 //! use shadetrade::trade::metrics::{Picture, compare};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View {
-//! #     size: [320, 240],
-//! #     viewpoint: scene.viewpoint(0),
-//! #     projection: Projection::Perspective,
-//! #     background: scene.background,
-//! #     shading: Some(ShadingMode::Phong),
 //! #     tolerance: 0.5,
+//! #     ..scene.view(0, [320, 240]).shaded(ShadingMode::Phong)
 //! # };
 //! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
 //! # systems::draw(&mut scene.world, &view, &mut frame)?;

@@ -96,7 +96,7 @@ pub fn at(
 ) -> Result<Probe, OutOfMemory> {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
     let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &in_mode(view, mode), y..y + 1, &mut frame)?;
+        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
         Ok((frame.triangles()[x], frame.levels()[x].map(f64::from)))
     };
     let (id, gouraud) = drawn(ShadingMode::Gouraud)?;
@@ -165,14 +165,6 @@ pub fn at(
     })
 }
 
-/// The view with every cuboid shaded so.
-fn in_mode(view: &View, mode: ShadingMode) -> View {
-    View {
-        shading: Some(mode),
-        ..view.clone()
-    }
-}
-
 /// The levels along a row of the picture, unclamped, by column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
@@ -196,13 +188,13 @@ pub fn profile(
 ) -> Result<Profile, OutOfMemory> {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
     let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &in_mode(view, mode), y..y + 1, &mut frame)?;
+        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
         let levels = frame.levels().iter();
         Ok(levels.map(|levels| levels.map(f64::from)).collect())
     };
     let (gouraud, phong) = (drawn(ShadingMode::Gouraud)?, drawn(ShadingMode::Phong)?);
     let mut reference = vec![scene.background.to_array(); view.size[0]];
-    let exact = reference::Reference::<f64>::new(&scene.world, &in_mode(view, ShadingMode::Phong));
+    let exact = reference::Reference::<f64>::new(&scene.world, &view.shaded(ShadingMode::Phong));
     exact.row(y, |x, seen| {
         if let Some(first) = seen.first() {
             reference[x] = first.levels;

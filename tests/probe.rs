@@ -5,7 +5,7 @@ use std::process::Command;
 use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
-use shadetrade::components::{LightKind, Mesh, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::probe::{self, Levels, Probe, Reference, Shaded, Surface};
 use shadetrade::reference::{self, LightSample};
@@ -105,14 +105,7 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 #[test]
 fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() {
     let mut scene = Scene::load(None).expect("it is built in");
-    let view = View {
-        size: [96, 72],
-        viewpoint: scene.viewpoint(0),
-        projection: Projection::Perspective,
-        background: scene.background,
-        shading: None,
-        tolerance: 0.0,
-    };
+    let view = scene.view(0, [96, 72]);
     let mut lit = 0;
     for pixel in (0..96 * 72).step_by(7).map(|at| [at % 96, at / 96]) {
         let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
@@ -150,12 +143,8 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
             transform.rotation.x = 15.0 * f64::from(turn);
         }
         let view = View {
-            size: [480, 360],
-            viewpoint: scene.viewpoint(0),
-            projection: Projection::Perspective,
-            background: scene.background,
-            shading: Some(ShadingMode::Phong),
             tolerance: 0.5,
+            ..scene.view(0, [480, 360]).shaded(ShadingMode::Phong)
         };
         let truth = reference::picture(&scene.world, &view, 0..360, &|| false, &|_| ())
             .expect("it is not cancelled");

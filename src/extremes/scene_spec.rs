@@ -219,12 +219,9 @@ impl SceneSpec {
     /// The view that draws the parsed scene.
     pub fn view(&self, scene: &Scene, config: RenderConfig) -> View {
         View {
-            size: self.size,
-            viewpoint: scene.viewpoint(0),
             projection: config.projection,
-            background: scene.background,
-            shading: Some(config.mode),
             tolerance: config.tolerance,
+            ..scene.view(0, self.size).shaded(config.mode)
         }
     }
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use super::sheet::{Cell, Picture, half, sheet};
-use crate::components::{Projection, ShadingMode, View};
+use crate::components::ShadingMode;
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
@@ -115,14 +115,7 @@ fn draw(
         .find_camera(camera)
         .context("the built-in scene lacks a camera")?;
     scene.switch_lights(&lights.parse::<LightChoice>()?)?;
-    let view = View {
-        size: SIZE,
-        viewpoint: scene.viewpoint(camera),
-        projection: Projection::Perspective,
-        background: scene.background,
-        shading: Some(mode),
-        tolerance: 0.0,
-    };
+    let view = scene.view(camera, SIZE).shaded(mode);
     systems::draw(&mut scene.world, &view, frame)?;
     Ok(Picture {
         size: SIZE,

@@ -162,9 +162,8 @@ fn accuracy(
 /// `view` as `method` draws it.
 pub(super) fn drawn_by(method: &Method, view: &View) -> View {
     View {
-        shading: Some(method.mode),
         tolerance: method.tolerance,
-        ..view.clone()
+        ..view.shaded(method.mode)
     }
 }
 
@@ -175,10 +174,7 @@ fn truth(
     cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize) + Sync),
 ) -> Option<Truth> {
-    let view = View {
-        shading: Some(mode),
-        ..view.clone()
-    };
+    let view = view.shaded(mode);
     reference::picture(&scene.world, &view, 0..view.size[1], cancelled, progress)
 }
 

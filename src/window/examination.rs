@@ -58,10 +58,7 @@ pub fn examine(
     let view = request.view.clone();
     let [_, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
-    let phong = View {
-        shading: Some(ShadingMode::Phong),
-        ..view.clone()
-    };
+    let phong = view.shaded(ShadingMode::Phong);
     let is_phong = view.shading == phong.shading;
     let mut reference = memory::reserve_pixels(view.size).ok()?;
     let mut pixels = memory::reserve_pixels(view.size).ok()?;

@@ -19,12 +19,8 @@ fn check(each: impl Fn(&naive::Scene<f64>, ShadingMode, Projection, &[Vec<Seen<I
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
         for projection in Projection::ALL {
             let view = View {
-                size: SIZE,
-                viewpoint: scene.viewpoint(0),
                 projection,
-                background: scene.background,
-                shading: Some(mode),
-                tolerance: 0.0,
+                ..scene.view(0, SIZE).shaded(mode)
             };
             let seen = enclosures(&scene.world, &view);
             let naive = naive::Scene::new(&scene.world, &view);

@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use shadetrade::components::{Projection, View};
+use shadetrade::components::View;
 use shadetrade::reference::Rule;
 use shadetrade::requires::{Part, changes};
 use shadetrade::scene::Scene;
@@ -50,12 +50,8 @@ fn every_answer_of_the_page_is_found_again() {
     for case in cases {
         let scene = scene(&case);
         let view = View {
-            size: [64, 48],
-            viewpoint: scene.viewpoint(0),
-            projection: Projection::Perspective,
-            background: scene.background,
-            shading: None,
             tolerance: 0.5,
+            ..scene.view(0, [64, 48])
         };
         let parts = [
             Part::EveryPixel(0),
