@@ -28,8 +28,7 @@ use fearless_simd::Level;
 use serde::Serialize;
 
 use crate::memory;
-use crate::output::Output;
-use crate::trade::export::json;
+use crate::output::print;
 use crate::trade::progress::{OnProgress, with_bar};
 use judge::{Fact, KnownPixel, levels_text};
 use renderer::Renderer;
@@ -188,12 +187,7 @@ pub fn examine(
 /// When the cases could not be examined or the result not be printed.
 pub fn run(options: Options, as_json: bool) -> anyhow::Result<usize> {
     let outcomes = with_bar(|progress| examine(&table(), options, progress))?;
-    let text = if as_json {
-        json(&outcomes)?
-    } else {
-        text(&outcomes) + "\n"
-    };
-    Output::Stdout.write(|writer| writer.write_all(text.as_bytes()))?;
+    print(&outcomes, as_json, || text(&outcomes))?;
     Ok(outcomes.iter().filter(|outcome| !outcome.pass).count())
 }
 

@@ -9,7 +9,6 @@ use anyhow::{Context, anyhow};
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
 };
-use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::recording::Log;
 use shadetrade::window::{self, WindowError};
@@ -95,12 +94,9 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     }
     let (view, level) = (drawing.view(), drawing.level);
     let probe = probe::at(&mut drawing.scene, &view, [x, y], level).map_err(anyhow::Error::from)?;
-    let text = if options.json {
-        serde_json::to_string_pretty(&probe).map_err(anyhow::Error::from)?
-    } else {
-        output::printable(&probe.lines().join("\n"))
-    };
-    Ok(Output::Stdout.write(|writer| writeln!(writer, "{text}"))?)
+    Ok(output::print(&probe, options.json, || {
+        probe.lines().join("\n")
+    })?)
 }
 
 /// Opens the window; where there is no display, the built-in scene's figures are drawn instead.

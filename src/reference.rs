@@ -50,8 +50,6 @@ pub const DEPTH_TIE: f64 = 1e-11;
 pub struct Truth {
     /// Pixels in a row.
     pub width: usize,
-    /// The rows of the picture that are here.
-    pub rows: Range<usize>,
     /// Unclamped levels, row by row from the top; the background's where nothing is hit.
     pub levels: Vec<[f64; 3]>,
     /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`].
@@ -363,7 +361,7 @@ impl Reference<f64> {
         levels
             .par_chunks_mut(width)
             .zip(triangles.par_chunks_mut(width))
-            .zip(rows.clone())
+            .zip(rows)
             .try_for_each(|((levels, triangles), y)| {
                 if cancelled() {
                     return None;
@@ -381,7 +379,6 @@ impl Reference<f64> {
             })?;
         Some(Truth {
             width,
-            rows,
             levels,
             triangles,
         })

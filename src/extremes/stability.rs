@@ -27,7 +27,7 @@ use super::Options;
 use super::judge::enclosures;
 use super::renderer::Renderer;
 use super::scene_spec::{RenderConfig, SceneSpec};
-use crate::output::{self, Output};
+use crate::output::{Output, print, say};
 use crate::prove::{Verdict, nearest, shown_face};
 use crate::reference;
 use crate::shading::EXACT;
@@ -189,12 +189,7 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
         make_writable(folder)?;
     }
     let curves = with_bar(|progress| measure(SWEEPS, options.level, progress))?;
-    let text = if as_json {
-        json(&curves)?
-    } else {
-        table(&curves)
-    };
-    Output::Stdout.write(|writer| writer.write_all(text.as_bytes()))?;
+    print(&curves, as_json, || table(&curves))?;
     if let Some(folder) = out {
         for (name, content) in [
             ("stability.json", json(&curves)?),
@@ -203,7 +198,7 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
         ] {
             Output::File(folder.join(name)).write(|writer| writer.write_all(content.as_bytes()))?;
         }
-        output::say(&format!(
+        say(&format!(
             "wrote stability.json, stability.csv and stability.svg into {}",
             folder.display()
         ));

@@ -11,7 +11,7 @@ use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
 use crate::components::View;
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep};
-use crate::output::Output;
+use crate::output::{Output, print};
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::progress;
@@ -63,12 +63,7 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
         pixels: proof.marks.len(),
         proof: &proof,
     };
-    let text = if as_json {
-        serde_json::to_string_pretty(&record)?
-    } else {
-        lines(&record).join("\n")
-    };
-    Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
+    print(&record, as_json, || lines(&record).join("\n"))?;
     if proof.refuted > 0 {
         bail!("{} of {} pixels are refuted", proof.refuted, record.pixels);
     }

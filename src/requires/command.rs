@@ -11,7 +11,7 @@ use super::share::time_share;
 use super::{Change, Part, changes, least, parts, rows_done, without};
 use crate::components::{Orbit, View};
 use crate::drawing::Drawing;
-use crate::output::{Output, printable, say};
+use crate::output::{Output, print, say};
 use crate::scene::Scene;
 use crate::trade::progress::with_bar;
 use crate::trade::tables::{aligned, wrapped};
@@ -49,16 +49,16 @@ pub fn run(
     let (scene, views) = (scene(drawing), views(drawing, orbit));
     let subject = subject(drawing, &scene, &views);
     let rows = rows(drawing, &scene, &views)?;
-    let text = if as_json {
-        let (scene, tolerance, views) = (&scene.name, drawing.tolerance, views.len());
-        serde_json::to_string_pretty(
-            &json!({ "scene": scene, "tolerance": tolerance, "views": views, "parts": rows }),
-        )?
-    } else {
+    let record = json!({
+        "scene": scene.name,
+        "tolerance": drawing.tolerance,
+        "views": views.len(),
+        "parts": rows,
+    });
+    print(&record, as_json, || {
         let texts = [subject.clone(), table(&rows, views.len()), wrapped(LEGEND)];
-        printable(&texts.join("\n\n"))
-    };
-    Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
+        texts.join("\n\n")
+    })?;
     match least_scene {
         Some(output) => write_least(&subject, &scene, &views, rows, output),
         None => Ok(()),

@@ -87,11 +87,6 @@ impl Scale {
         ((error / self.top() * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
     }
 
-    /// The error in levels that stands so far up the scale, 0..=1.
-    pub fn error_at(self, position: f64) -> f64 {
-        self.top() / Scale::RANGE * (position * Scale::RANGE.ln_1p()).exp_m1()
-    }
-
     /// The colour of a pixel, 0x00RRGGBB.
     pub fn color(self, pixel: Pixel) -> u32 {
         match pixel {
@@ -213,7 +208,6 @@ mod tests {
         assert_eq!(scale.position(0.0), 0.0);
         assert_eq!(scale.position(255.0), 1.0);
         // ln(1 + 1020 0.5 / 255) / ln(1 + 1020) = ln 3 / ln 1021.
-        assert!((scale.error_at(scale.position(0.5)) - 0.5).abs() < 1e-12);
         assert!((scale.position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
         let sum = |error| {
             channels(scale.color(Pixel::Error(error)))

@@ -19,7 +19,7 @@ pub fn table(curves: &[Curve]) -> String {
         start.into_iter().chain(curves.iter().map(kept)).collect()
     });
     let rows: Vec<Vec<String>> = rows.collect();
-    format!("{}\n\n{}\n", aligned(&head, &rows), wrapped(LEGEND))
+    format!("{}\n\n{}", aligned(&head, &rows), wrapped(LEGEND))
 }
 
 const LEGEND: &str = "The range in which the largest error of a picture is proven to be within 0.05 level of the exact \
