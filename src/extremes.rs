@@ -40,14 +40,16 @@ const MEMORY: usize = 512 << 20;
 /// Columns of the terminal.
 const WIDTH: u16 = 120;
 
+/// Says what was observed, or what is wrong.
+type Examine = Box<dyn Fn(&mut Renderer) -> anyhow::Result<String> + Send + Sync>;
+
 /// One extreme.
 pub struct Case {
     /// What is extreme.
     pub name: &'static str,
     /// What is right, and what decides it.
     pub expected: String,
-    /// Says what was observed, or what is wrong.
-    examine: Box<dyn Fn(&mut Renderer) -> anyhow::Result<String> + Send + Sync>,
+    examine: Examine,
 }
 
 /// How a case went.

@@ -219,7 +219,7 @@ fn nothing_around(name: &'static str, places: [[f64; 3]; 3]) -> Case {
     })
 }
 
-fn perspective() -> impl Iterator<Item = RenderConfig> + Clone {
+fn perspective() -> impl Iterator<Item = RenderConfig> {
     RenderConfig::all().filter(|config| config.projection == Projection::Perspective)
 }
 

@@ -216,12 +216,12 @@ pub fn difference(
 pub fn known(
     renderer: &mut Renderer,
     fact: Fact,
-    configs: impl Iterator<Item = RenderConfig> + Clone,
+    configs: impl Iterator<Item = RenderConfig>,
     scenes: &[SceneSpec],
 ) -> Result<String> {
     let mut covered = 0;
-    for scene in scenes {
-        for config in configs.clone() {
+    for config in configs {
+        for scene in scenes {
             let picture = renderer.picture(scene, config)?;
             fact.expect_of(&picture, scene)?;
             covered += picture.covered();

@@ -40,7 +40,7 @@ impl RenderConfig {
     };
 
     /// Every projection and mode, exactly and within half a level.
-    pub fn all() -> impl Iterator<Item = RenderConfig> + Clone {
+    pub fn all() -> impl Iterator<Item = RenderConfig> {
         (0..8).map(|index| RenderConfig {
             projection: Projection::ALL[index / 4],
             mode: MODES[index / 2 % 2],

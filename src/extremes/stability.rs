@@ -29,7 +29,7 @@ use super::renderer::Renderer;
 use super::scene_spec::{RenderConfig, SceneSpec};
 use crate::output::{Output, print, say};
 use crate::prove::{Verdict, nearest, shown_face};
-use crate::reference;
+use crate::reference::{self, Seen};
 use crate::shading::EXACT;
 use crate::trade::export::json;
 use crate::trade::make_writable;
@@ -154,7 +154,7 @@ fn errors(spec: &SceneSpec, level: Level) -> anyhow::Result<Errors> {
     let mut errors = Errors::default();
     for (pixel, seen) in enclosures(&scene, &view).iter().enumerate() {
         let place = [pixel % view.size[0], pixel / view.size[0]];
-        let met = seen.iter().find_map(|seen| seen.face());
+        let met = seen.iter().find_map(Seen::face);
         let levels = |levels: [f32; 3]| levels.map(f64::from);
         let shown = [
             met.map(|face| (Some(face), levels(textbook.levels(face, place)))),
