@@ -36,13 +36,26 @@ const EXAMPLES: usize = 10;
 pub const UNDECIDED: u32 = 0x00ff_d500;
 pub const REFUTED: u32 = 0x00ff_2020;
 
-/// How a pixel was judged.
+/// How a pixel was judged, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     Proven,
     Undecided,
     Refuted,
+}
+
+impl Verdict {
+    /// Whether an error that lies between these is within the limit.
+    pub fn of([least, most]: [f64; 2], limit: f64) -> Self {
+        if most <= limit {
+            Verdict::Proven
+        } else if least > limit {
+            Verdict::Refuted
+        } else {
+            Verdict::Undecided
+        }
+    }
 }
 
 /// One pixel's judgement.
@@ -98,12 +111,16 @@ pub struct Shown {
     pub bytes: Option<[u8; 3]>,
 }
 
-/// How far a pixel is from a face that it may show.
-#[derive(Clone, Copy, Debug)]
-pub struct Distance {
-    /// From the nearest value of the enclosure, and from the farthest.
-    pub nearest: f64,
-    pub farthest: f64,
+impl Shown {
+    /// What two frames of one picture show at a pixel, one of levels and one as a window gets it.
+    pub fn at(pixel: usize, levels: &Frame, display: &Frame) -> Self {
+        let [_, bytes @ ..] = display.pixels()[pixel].to_be_bytes();
+        Shown {
+            face: shown_face(levels.triangles()[pixel]),
+            levels: levels.levels()[pixel].map(f64::from),
+            bytes: Some(bytes),
+        }
+    }
 }
 
 /// The face that a triangle's id shows.
@@ -116,31 +133,26 @@ fn ends(seen: &Seen<Interval>) -> [[f64; 2]; 3] {
     seen.levels.map(|level| level.endpoints().map(displayed))
 }
 
-fn distance(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> Distance {
-    let mut distance = Distance {
-        nearest: 0.0,
-        farthest: 0.0,
-    };
+/// The error of a pixel against the nearest value of an enclosure, and against the farthest.
+fn error(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> [f64; 2] {
+    let mut error = [0.0_f64; 2];
     for (level, [least, largest]) in levels.map(displayed).into_iter().zip(enclosure) {
-        distance.nearest = distance.nearest.max(least - level).max(level - largest);
-        distance.farthest = distance.farthest.max(largest - level).max(level - least);
+        error[0] = error[0].max(least - level).max(level - largest);
+        error[1] = error[1].max(largest - level).max(level - least);
     }
-    distance
+    error
 }
 
-/// How far `levels` is from what `seen` has of the face shown; of several, each bound from the nearest. `None` if the pixel
-/// may not show it.
+/// The least and the largest error that `levels` may have against what `seen` has of the face shown; of several, each end of
+/// the nearest. `None` if the pixel may not show it.
 pub fn nearest(
     shown: Option<usize>,
     levels: [f64; 3],
     seen: &[Seen<Interval>],
-) -> Option<Distance> {
+) -> Option<[f64; 2]> {
     let same = seen.iter().filter(|seen| seen.face() == shown);
-    same.map(|seen| distance(levels, ends(seen)))
-        .reduce(|left, right| Distance {
-            nearest: left.nearest.min(right.nearest),
-            farthest: left.farthest.min(right.farthest),
-        })
+    same.map(|seen| error(levels, ends(seen)))
+        .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
 }
 
 /// Judges a pixel by what it may show; also the largest error that is possible.
@@ -148,28 +160,14 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
     let levels = nearest(shown.face, shown.levels, seen);
     let bytes = shown.bytes.map(|bytes| bytes.map(f64::from));
     let bytes = bytes.and_then(|bytes| nearest(shown.face, bytes, seen));
-    let all = [(levels, limit), (bytes, limit + 0.5)];
-    let known = all
-        .iter()
-        .filter_map(|(distance, limit)| Some(((*distance)?, *limit)));
-    let is_refuted = levels.is_none()
-        || known
-            .clone()
-            .any(|(distance, limit)| distance.nearest > limit);
-    let is_proven = !is_refuted
-        && known
-            .clone()
-            .all(|(distance, limit)| distance.farthest <= limit);
+    let of_levels = levels.map_or(Verdict::Refuted, |error| Verdict::of(error, limit));
+    let of_bytes = bytes.map_or(of_levels, |error| Verdict::of(error, limit + 0.5));
     let mark = Mark {
-        verdict: match (is_proven, is_refuted) {
-            (true, _) => Verdict::Proven,
-            (_, true) => Verdict::Refuted,
-            _ => Verdict::Undecided,
-        },
+        verdict: of_levels.max(of_bytes),
         is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
         is_covered: shown.face.is_some(),
     };
-    (mark, levels.map_or(255.0, |levels| levels.farthest))
+    (mark, levels.map_or(255.0, |[_, most]| most))
 }
 
 impl Proof {
@@ -220,7 +218,7 @@ impl Proof {
 
     /// Notes what the f64 reference makes of a pixel.
     fn add_reference(&mut self, face: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) {
-        let error = nearest(face, levels, seen).map_or(255.0, |distance| distance.farthest);
+        let error = nearest(face, levels, seen).map_or(255.0, |[_, most]| most);
         self.reference_error = self.reference_error.max(error);
     }
 }
@@ -262,12 +260,7 @@ pub fn prove(
             let mut row = Proof::default();
             enclosures.row(y, |x, seen| {
                 let pixel = (y - start) * width + x;
-                let [_, bytes @ ..] = displayed.pixels()[pixel].to_be_bytes();
-                let shown = Shown {
-                    face: shown_face(drawn.triangles()[pixel]),
-                    levels: drawn.levels()[pixel].map(f64::from),
-                    bytes: Some(bytes),
-                };
+                let shown = Shown::at(pixel, &drawn, &displayed);
                 row.add([x, y], shown, seen, limit(view.tolerance));
                 row.add_reference(
                     shown_face(truth.triangles[pixel]),

@@ -120,12 +120,7 @@ fn prove_picture(
     systems::draw(&mut scene.world, view, &mut renderer.levels)?;
     systems::draw(&mut scene.world, view, &mut renderer.display)?;
     for (pixel, seen) in enclosures.iter().enumerate() {
-        let [_, bytes @ ..] = renderer.display.pixels()[pixel].to_be_bytes();
-        let shown = Shown {
-            face: shown_face(renderer.levels.triangles()[pixel]),
-            levels: renderer.levels.levels()[pixel].map(f64::from),
-            bytes: Some(bytes),
-        };
+        let shown = Shown::at(pixel, &renderer.levels, &renderer.display);
         let (mark, error) = prove::judge(shown, seen, limit(view.tolerance));
         if mark.verdict != Verdict::Proven {
             let what = format!("is {:?}: {shown:?}, not {seen:?}", mark.verdict);

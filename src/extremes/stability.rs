@@ -85,11 +85,7 @@ impl Curve {
             Point {
                 value: *value,
                 error,
-                verdict: match error {
-                    [_, most] if most <= limit => Verdict::Proven,
-                    [least, _] if least > limit => Verdict::Refuted,
-                    _ => Verdict::Undecided,
-                },
+                verdict: Verdict::of(error, limit),
             }
         });
         let points: Vec<Point> = points.collect();
@@ -172,8 +168,7 @@ fn errors(spec: &SceneSpec, level: Level) -> anyhow::Result<Errors> {
             let Some((face, levels)) = shown else {
                 continue;
             };
-            let error = nearest(face, levels, seen)
-                .map_or([255.0; 2], |distance| [distance.nearest, distance.farthest]);
+            let error = nearest(face, levels, seen).unwrap_or([255.0; 2]);
             *worst = [worst[0].max(error[0]), worst[1].max(error[1])];
         }
     }
