@@ -42,7 +42,6 @@ use crate::output::{self, Output};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::systems;
-use front::Candidate;
 use progress::OnProgress;
 use record::Subject;
 pub use record::{Measurement, Report};
@@ -155,11 +154,7 @@ pub fn measure(
             }
         })
         .collect();
-    let candidate = |one| Candidate {
-        error: Measurement::max_error(one),
-        timing: &one.timing,
-    };
-    let on_front = front::on_front(&methods.iter().map(candidate).collect::<Vec<_>>());
+    let on_front = front::on_front(&methods);
     for (one, on_front) in methods.iter_mut().zip(on_front) {
         one.on_front = on_front;
     }

@@ -80,6 +80,8 @@ fn cell(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
         Value::String(text) => text.clone(),
+        // As the CSV library writes it.
+        Value::Number(number) => number.to_string().replace("e+", "e"),
         _ => value.to_string(),
     }
 }
