@@ -128,32 +128,34 @@ impl Change {
     }
 }
 
-/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `row_done` is called
-/// once for each row of [`AT_ONCE`] pictures.
+/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `progress` is told which
+/// share of it is done.
 ///
 /// The view leaves each cuboid its own shading.
 pub fn changes(
     scene: &Scene,
     view: &View,
     left_out: &[Vec<Part>],
-    row_done: &(dyn Fn() + Sync),
+    progress: &(dyn Fn(f64) + Sync),
 ) -> Vec<Change> {
-    let row_done = || {
-        row_done();
+    let progress = |share| {
+        progress(share);
         Ok::<_, Infallible>(())
     };
-    let Ok(changes) = try_changes(scene, view, left_out, &row_done);
+    let Ok(changes) = try_changes(scene, view, left_out, &progress);
     changes
 }
 
-/// The same, as long as `row_done` allows.
+/// The same, as long as `progress` allows.
 fn try_changes<E: Send>(
     scene: &Scene,
     view: &View,
     left_out: &[Vec<Part>],
-    row_done: &(dyn Fn() -> Result<(), E> + Sync),
+    progress: &(dyn Fn(f64) -> Result<(), E> + Sync),
 ) -> Result<Vec<Change>, E> {
     let full = Reference::<Interval>::new(&scene.world, view);
+    let all = left_out.len().div_ceil(AT_ONCE) * view.size[1];
+    let done = AtomicUsize::new(0);
     let mut changes = Vec::with_capacity(left_out.len());
     for some in left_out.chunks(AT_ONCE) {
         let picture = |parts: &Vec<Part>| compare(scene, view, parts);
@@ -162,7 +164,7 @@ fn try_changes<E: Send>(
             let mut pixels = Vec::with_capacity(view.size[0]);
             full.row(y, |_, seen| pixels.push(shown(seen)));
             let changes = pictures.iter().map(|compare| compare(y, &pixels)).collect();
-            row_done()?;
+            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64)?;
             Ok(changes)
         };
         let rows = (0..view.size[1]).into_par_iter().map(row);
@@ -171,11 +173,6 @@ fn try_changes<E: Send>(
         changes.extend((0..pictures.len()).map(of_picture));
     }
     Ok(changes)
-}
-
-/// How often [`changes`] calls `row_done`.
-fn rows_done(view: &View, left_out: &[Vec<Part>]) -> usize {
-    left_out.len().div_ceil(AT_ONCE) * view.size[1]
 }
 
 /// A part, what it is called, and what the picture errs without it.
@@ -196,13 +193,11 @@ pub fn ranked(
 ) -> Option<Vec<PartChange>> {
     let parts = parts(scene);
     let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let all = rows_done(view, &left_out);
-    let done = AtomicUsize::new(0);
-    let row_done = || {
-        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64);
+    let progress = |share| {
+        progress(share);
         if cancelled() { Err(()) } else { Ok(()) }
     };
-    let changes = try_changes(scene, view, &left_out, &row_done).ok()?;
+    let changes = try_changes(scene, view, &left_out, &progress).ok()?;
     let part_change = |((part, name), change)| PartChange { part, name, change };
     let mut ranked: Vec<_> = parts.into_iter().zip(changes).map(part_change).collect();
     ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));

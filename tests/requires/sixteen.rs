@@ -62,7 +62,7 @@ fn every_answer_of_the_page_is_found_again() {
             Part::Rule(Rule::NearPlane),
         ];
         let left_out = parts.map(|part| vec![part]);
-        let found = changes(&scene, &view, &left_out, &|| ());
+        let found = changes(&scene, &view, &left_out, &|_| ());
         let answers = case[4..].iter().chain(&["no"; 3]);
         for ((part, change), answer) in parts.iter().zip(&found).zip(answers) {
             let [least, most] = change.largest_error;
@@ -80,7 +80,7 @@ fn every_answer_of_the_page_is_found_again() {
             &scene,
             &view,
             slice::from_ref(&vec![Part::Light(0)]),
-            &|| (),
+            &|_| (),
         );
         assert!(light[0].largest_error[0] > 100.0, "{case:?} is lit");
     }
