@@ -170,7 +170,7 @@ fn table(rows: &[Row], views: usize) -> String {
             },
         ]
     };
-    let head = ["part", "largest error", "pixels", "time", "required"].map(str::to_owned);
+    let head = ["part", "largest error", "pixels", "time", "required"];
     aligned(&head, &sorted.iter().map(cells).collect::<Vec<_>>())
 }
 

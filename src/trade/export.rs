@@ -134,8 +134,8 @@ pub fn markdown(report: &Report) -> String {
     )
 }
 
-fn head() -> Vec<String> {
-    COLUMNS.map(|(head, _)| head.to_owned()).to_vec()
+fn head() -> [&'static str; COLUMNS.len()] {
+    COLUMNS.map(|(head, _)| head)
 }
 
 fn rows(report: &Report) -> Vec<Vec<String>> {

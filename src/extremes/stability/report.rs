@@ -12,8 +12,7 @@ use crate::trade::tables::{aligned, wrapped};
 /// What a terminal shows: for each number, the range in which each evaluation keeps its limit.
 pub fn table(curves: &[Curve]) -> String {
     let ids = EVALUATIONS.map(|(id, _)| id);
-    let head = ["number", "swept"].into_iter().chain(ids);
-    let head: Vec<String> = head.map(str::to_owned).collect();
+    let head = [&["number", "swept"][..], &ids].concat();
     let rows = curves.chunks(EVALUATIONS.len()).map(|curves| {
         let start = [curves[0].number.to_owned(), span(curves[0].range())];
         start.into_iter().chain(curves.iter().map(kept)).collect()
