@@ -226,7 +226,8 @@ impl Proof {
 /// Draws the picture that `view` asks for with the instructions of `level`, and proves what can be proven of it on rayon's
 /// current threads.
 ///
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told how many rows are done.
+/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told which share of
+/// the rows is done.
 ///
 /// # Errors
 /// When the picture does not fit in memory.
@@ -235,7 +236,7 @@ pub fn prove(
     view: &View,
     level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &(dyn Fn(f64) + Sync),
 ) -> Result<Option<Proof>, OutOfMemory> {
     let [width, height] = view.size;
     let [mut drawn, mut displayed] =
@@ -277,7 +278,7 @@ pub fn prove(
         for row in proven {
             proof.append(row);
         }
-        progress(rows.end);
+        progress(rows.end as f64 / height as f64);
     }
     Ok(Some(proof))
 }

@@ -8,13 +8,12 @@ use anyhow::{Context, bail};
 use serde::Serialize;
 
 use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
-use crate::components::View;
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep};
 use crate::output::{Output, print};
 use crate::shading::limit;
 use crate::systems;
-use crate::trade::progress;
+use crate::trade::progress::with_bar;
 
 /// The colour of pixels that are proven to show one side of an edge.
 const OUTLINE: u32 = 0x0026_5a78;
@@ -42,7 +41,12 @@ struct Record<'a> {
 pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let view = drawing.view();
     let begin = Instant::now();
-    let proof = with_bar(drawing, &view)?;
+    let (world, level) = (&mut drawing.scene.world, drawing.level);
+    let proof = with_bar(|on_progress| {
+        let progress = |share| on_progress("proving", share);
+        prove(world, &view, level, &|| false, &progress)
+    })?
+    .context("the proof was cancelled")?;
     if let Some(output) = map {
         let mut frame = Frame::new(Keep::Display, drawing.workers()?);
         systems::draw(&mut drawing.scene.world, &view, &mut frame)?;
@@ -68,15 +72,6 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
         bail!("{} of {} pixels are refuted", proof.refuted, record.pixels);
     }
     Ok(())
-}
-
-fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
-    let (world, level) = (&mut drawing.scene.world, drawing.level);
-    let proof = progress::with_bar(|on_progress| {
-        let done = |rows| on_progress("proving", rows as f64 / view.size[1] as f64);
-        prove(world, view, level, &|| false, &done)
-    })?;
-    proof.context("the proof was cancelled")
 }
 
 /// A proven pixel is dimmed, so that the others stand out.

@@ -71,7 +71,7 @@ impl Interval {
     }
 
     /// A function of crate maryada's.
-    pub fn map(self, of: impl Fn(maryada::Interval) -> maryada::Interval) -> Self {
+    fn map(self, of: impl Fn(maryada::Interval) -> maryada::Interval) -> Self {
         let result = of(maryada::Interval::new(self.least, self.largest));
         // An empty interval has endpoints in the wrong order.
         Interval::new(result.inf(), result.sup())
