@@ -75,7 +75,7 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
         let revision = result.revision;
         session.on_progress(Progress::Examined(result));
         let (world, view) = (&mut request.scene.world, &request.view);
-        if let Some(proof) = prove(world, view, [workers()?, workers()?], &|| false, &|_| ())? {
+        if let Some(proof) = prove(world, view, Level::new(), &|| false, &|_| ())? {
             session.on_progress(Progress::Proven(revision, proof));
         }
     }

@@ -1,30 +1,27 @@
 //! The commands there are, each with its options and its help.
 //!
 //! ```text
-//! words --parsing--> Command with checked values (options) --main--> done, or a Failure --failure--> exit status
+//! words --parsing--> Command with checked values (commands, options) --main--> done, or a Failure --failure--> exit status
 //! ```
 //! Rule: every command and option is declared here, in the words that `--help` prints.
 
+mod commands;
 mod failure;
 pub mod options;
 mod parsing;
 
-use std::path::PathBuf;
-use std::time::Duration;
-
-use anyhow::{Context, anyhow};
-use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use anyhow::Context;
+use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
-use image::ImageFormat;
 use rayon::ThreadPoolBuilder;
 
-use crate::drawing::{MAX_SIDE, all_cores};
-use crate::output::{Output, quoted};
-use crate::shading::{METHODS, Method};
-use crate::trade;
+use crate::drawing::all_cores;
+use crate::output::Output;
+pub use commands::{
+    DEFAULT_FIGURES, ExtremesOptions, FiguresOptions, ProbeOptions, ProveOptions, RenderOptions,
+    ReplayOptions, RequiresOptions, TradeOptions, ViewOptions,
+};
 pub use failure::Failure;
-use options::{DrawingOptions, WorkerOptions};
 pub use parsing::parse;
 
 /// The command line: a command, or the options of `view` without its name.
@@ -213,270 +210,6 @@ impl Command {
             .use_current_thread()
             .build_global()
             .context("cannot start the threads that draw; --threads asks for fewer")
-    }
-}
-
-/// The options of `view`.
-#[derive(Args, Clone, Debug)]
-pub struct ViewOptions {
-    /// What to show, and how.
-    #[command(flatten)]
-    pub drawing: DrawingOptions,
-    /// Writes what happens to a new file, for `replay`
-    #[arg(long, value_name = "LOG")]
-    pub record: Option<PathBuf>,
-}
-
-/// The options of `replay`.
-#[derive(Args, Debug)]
-pub struct ReplayOptions {
-    /// The recording
-    #[arg(value_name = "LOG")]
-    pub log: PathBuf,
-    /// Where the last frame goes as PNG, `-` is standard output; a file that ends in .apng takes all frames, as animated PNG
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
-    pub output: Option<Output>,
-    /// Prints the time and a hash of every frame
-    #[arg(long)]
-    pub hash: bool,
-    /// Who draws.
-    #[command(flatten)]
-    pub workers: WorkerOptions,
-}
-
-impl ReplayOptions {
-    /// Whether the frames may go where they are to go.
-    ///
-    /// # Errors
-    /// [`Failure::Usage`] when that is the recording, or standard output takes hashes.
-    pub fn check_output(&self) -> Result<(), Failure> {
-        match &self.output {
-            Some(Output::Stdout) if self.hash => Err(Failure::Usage(anyhow!(
-                "standard output takes the hashes; give -o a file, ./- is one of that name"
-            ))),
-            Some(output) => options::keep(&self.log, "recording", output),
-            None => Ok(()),
-        }
-    }
-
-    /// Whether all frames are written.
-    pub fn animated(&self) -> bool {
-        let Some(Output::File(path)) = &self.output else {
-            return false;
-        };
-        path.extension()
-            .is_some_and(|it| it.eq_ignore_ascii_case("apng"))
-    }
-}
-
-/// The options of `render`.
-#[derive(Args, Debug)]
-pub struct RenderOptions {
-    /// What to draw, and how.
-    #[command(flatten)]
-    pub drawing: DrawingOptions,
-    /// Where the PNG goes; `-` is standard output
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
-    pub output: Output,
-    /// Draws with the f64 reference instead of the renderer; --tolerance and --simd are not used then
-    #[arg(long)]
-    pub reference: bool,
-}
-
-/// The options of `trade`.
-#[derive(Args, Debug)]
-pub struct TradeOptions {
-    /// What is measured; each method has its own shading and tolerance.
-    #[command(flatten)]
-    pub drawing: DrawingOptions,
-    /// The folder for the reports, made if absent
-    #[arg(short, long, value_name = "DIR", value_parser = PathBufValueParser::new().try_map(folder))]
-    pub output: Option<PathBuf>,
-    /// As few samples as a median needs; the same as --seconds 0
-    #[arg(long, conflicts_with = "seconds")]
-    pub quick: bool,
-    /// How long to time frames in all, the reference apart; no less than 30 of each method, with --scale 8 [default: 20]
-    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
-    pub seconds: Option<Duration>,
-    /// Measures only these [default: all, with --scale gouraud-0.5, phong-0.5 and phong-0]
-    #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(METHODS.iter().map(|method| method.id)))]
-    pub methods: Option<Vec<String>>,
-    /// Measures time against pixels, lights, cuboids and threads instead
-    #[arg(long)]
-    pub scale: bool,
-}
-
-impl TradeOptions {
-    /// What is to be measured.
-    ///
-    /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, a shading or tolerance is asked for, or a size too large to
-    /// scale.
-    pub fn request(&self) -> Result<trade::Request, Failure> {
-        let given = [
-            ("--shading", self.drawing.shading.is_some()),
-            ("--tolerance", self.drawing.tolerance.is_some()),
-        ];
-        if let Some((option, _)) = given.iter().find(|(_, given)| *given) {
-            return Err(Failure::Usage(anyhow!(
-                "{option} does not go with `trade`, which measures every shading at its own tolerance"
-            )));
-        }
-        let mut drawing = self.drawing.open()?;
-        if self.scale {
-            let most = MAX_SIDE / trade::scale::LARGEST;
-            if drawing.size.iter().any(|side| *side > most) {
-                return Err(Failure::Usage(anyhow!(
-                    "--scale draws pictures up to {} times as wide and high as --size, which is {most}x{most} at most then",
-                    trade::scale::LARGEST
-                )));
-            }
-        } else if self.drawing.workers.threads.is_none() {
-            drawing.threads = 1;
-        }
-        let time = if self.quick {
-            trade::QUICK_TIME
-        } else {
-            self.seconds.unwrap_or(trade::USUAL_TIME)
-        };
-        let words = std::env::args_os().skip(1);
-        let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
-        let command = format!("shadetrade {}", words.join(" "));
-        let mut request = trade::Request::new(drawing, time, command);
-        let measured = |method: &Method| match &self.methods {
-            Some(ids) => ids.iter().any(|id| id == method.id),
-            None => !self.scale || trade::scale::METHODS.contains(&method.id),
-        };
-        request.methods.retain(measured);
-        Ok(request)
-    }
-}
-
-fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds = text
-        .parse()
-        .ok()
-        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    seconds
-        .filter(|time| time.as_secs() <= 86_400)
-        .ok_or_else(|| "it is a number of seconds from 0 to 86400".to_owned())
-}
-
-/// The options of `probe`.
-#[derive(Args, Debug)]
-pub struct ProbeOptions {
-    /// What is drawn, and how.
-    #[command(flatten)]
-    pub drawing: DrawingOptions,
-    /// The pixel: x to the right and y down from the top left corner, from 0
-    #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
-    pub pixel: [usize; 2],
-    /// Prints one JSON object instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-fn pixel(text: &str) -> Result<[usize; 2], String> {
-    let coordinate = |text: &str| {
-        text.parse()
-            .map_err(|_| "it is X,Y in whole pixels from 0, such as 480,300".to_owned())
-    };
-    let (x, y) = text.split_once(',').unwrap_or((text, ""));
-    Ok([coordinate(x)?, coordinate(y)?])
-}
-
-/// The options of `prove`.
-#[derive(Args, Debug)]
-pub struct ProveOptions {
-    /// What is drawn, and how.
-    #[command(flatten)]
-    pub drawing: DrawingOptions,
-    /// Where a PNG of the verdicts goes
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(map_file))]
-    pub output: Option<Output>,
-    /// Prints one JSON object instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// The options of `requires`.
-#[derive(Args, Debug)]
-pub struct RequiresOptions {
-    /// What is drawn, and how.
-    #[command(flatten)]
-    pub drawing: DrawingOptions,
-    /// Looks from N places, 1 to 360, evenly round the camera's target at its height
-    #[arg(long, value_name = "N", default_value = "1", hide_default_value = true, value_parser = views, allow_negative_numbers = true)]
-    pub orbit: usize,
-    /// Where the least scene goes that still keeps the tolerance
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(file))]
-    pub output: Option<Output>,
-    /// Prints one JSON object instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-fn views(text: &str) -> Result<usize, &'static str> {
-    options::whole_number(text, 360).ok_or("it is a whole number from 1 to 360")
-}
-
-/// The options of `extremes`.
-#[derive(Args, Debug)]
-pub struct ExtremesOptions {
-    /// Sweeps one number of a scene at a time over its whole range instead, and shows how far f32, f64 and the renderer err
-    #[arg(long)]
-    pub chart: bool,
-    /// The folder for what --chart finds, made if absent
-    #[arg(short, long, value_name = "DIR", requires = "chart",
-          value_parser = PathBufValueParser::new().try_map(folder))]
-    pub output: Option<PathBuf>,
-    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each case; with --chart, the curves
-    #[arg(long)]
-    pub json: bool,
-    /// Who draws.
-    #[command(flatten)]
-    pub workers: WorkerOptions,
-}
-
-/// The options of `figures`.
-#[derive(Args, Debug)]
-pub struct FiguresOptions {
-    /// The folder the figures go to, made if absent
-    #[arg(short, long, value_name = "DIR", default_value = DEFAULT_FIGURES,
-          value_parser = PathBufValueParser::new().try_map(folder))]
-    pub output: PathBuf,
-}
-
-/// The folder for figures when none is named.
-pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
-
-/// Pictures are PNG; a name that promises another format is refused.
-fn picture_file(path: PathBuf) -> Result<Output, &'static str> {
-    match ImageFormat::from_path(&path) {
-        Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
-        Ok(_) => Err("pictures are written as PNG; give a name that ends in .png"),
-    }
-}
-
-fn map_file(path: PathBuf) -> Result<Output, &'static str> {
-    picture_file(path.clone()).and_then(|_| file(path))
-}
-
-/// Standard output takes what is found.
-fn file(path: PathBuf) -> Result<Output, &'static str> {
-    match Output::from(path) {
-        Output::Stdout => {
-            Err("it is a file: standard output takes what is found; ./- is a file of that name")
-        }
-        file @ Output::File(_) => Ok(file),
-    }
-}
-
-/// Several files need a folder.
-fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
-    match Output::from(path.clone()) {
-        Output::File(_) => Ok(path),
-        Output::Stdout => Err("it is a folder, not standard output; ./- is a folder of that name"),
     }
 }
 

@@ -48,12 +48,10 @@ impl Drawing {
     /// How a frame of it is drawn.
     pub fn view(&self) -> View {
         View {
-            size: self.size,
-            viewpoint: self.scene.viewpoint(self.camera),
             projection: self.projection,
-            background: self.scene.background,
             shading: self.shading,
             tolerance: self.tolerance,
+            ..self.scene.view(self.camera, self.size)
         }
     }
 

@@ -1,8 +1,8 @@
 //! The table of extreme cases: every number a scene can hold, at the ends of what it can be.
 //!
 //! ```text
-//!   Case { name, expected, judge }
-//!      | examine
+//!   Case { name, expected, examine }
+//!      |
 //!      v
 //!   Outcome { name, expected, observed, pass }  -->  a table, JSON, the exit status;  tests/extremes.rs
 //! ```
@@ -28,12 +28,10 @@ use fearless_simd::Level;
 use serde::Serialize;
 
 use crate::memory;
-use crate::output::Output;
-use crate::trade::Progress;
-use crate::trade::export::json;
-use crate::trade::progress::with_bar;
-use judge::{Fact, Judge, Known, levels_text};
-use renderer::{CaseError, Renderer};
+use crate::output::print;
+use crate::trade::progress::{OnProgress, with_bar};
+use judge::{Fact, KnownPixel, levels_text};
+use renderer::Renderer;
 use scene_spec::{RenderConfig, SceneSpec};
 
 /// Bytes that the cases take, without the largest picture, which asks for its own.
@@ -42,13 +40,16 @@ const MEMORY: usize = 512 << 20;
 /// Columns of the terminal.
 const WIDTH: u16 = 120;
 
+/// Says what was observed, or what is wrong.
+type Examine = Box<dyn Fn(&mut Renderer) -> anyhow::Result<String> + Send + Sync>;
+
 /// One extreme.
 pub struct Case {
     /// What is extreme.
     pub name: &'static str,
     /// What is right, and what decides it.
     pub expected: String,
-    judge: Judge,
+    examine: Examine,
 }
 
 /// How a case went.
@@ -79,22 +80,33 @@ pub fn table() -> Vec<Case> {
     .collect()
 }
 
-/// A case whose every pixel is proven in every projection and mode, at every tolerance.
-fn proven(name: &'static str, scenes: impl IntoIterator<Item = SceneSpec>) -> Case {
+/// A case that a function decides, which says what it observed.
+fn case(
+    name: &'static str,
+    expected: impl Into<String>,
+    examine: impl Fn(&mut Renderer) -> anyhow::Result<String> + Send + Sync + 'static,
+) -> Case {
     Case {
         name,
-        expected: "every pixel proven".to_owned(),
-        judge: Judge::Proven(scenes.into_iter().collect()),
+        expected: expected.into(),
+        examine: Box::new(examine),
     }
+}
+
+/// A case whose every pixel is proven in every projection and mode, at every tolerance.
+fn proven(name: &'static str, scenes: impl IntoIterator<Item = SceneSpec>) -> Case {
+    let scenes = Vec::from_iter(scenes);
+    case(name, "every pixel proven", move |renderer| {
+        judge::proven(renderer, &scenes)
+    })
 }
 
 /// A case whose scenes have the same bits as the first one, which is not extreme.
 fn same_bits(name: &'static str, scenes: impl IntoIterator<Item = SceneSpec>) -> Case {
-    Case {
-        name,
-        expected: "the same bits as without it".to_owned(),
-        judge: Judge::SameBits(scenes.into_iter().collect()),
-    }
+    let scenes = Vec::from_iter(scenes);
+    case(name, "the same bits as without it", move |renderer| {
+        judge::same_bits(renderer, &scenes)
+    })
 }
 
 /// A case whose scenes are within so many levels of the first one, which is not extreme.
@@ -103,11 +115,11 @@ fn same_picture(
     levels: f64,
     scenes: impl IntoIterator<Item = SceneSpec>,
 ) -> Case {
-    Case {
-        name,
-        expected: format!("within {levels} level of the picture without it"),
-        judge: Judge::SamePicture(levels, scenes.into_iter().collect()),
-    }
+    let scenes = Vec::from_iter(scenes);
+    let expected = format!("within {levels} level of the picture without it");
+    case(name, expected, move |renderer| {
+        judge::same_picture(renderer, levels, &scenes)
+    })
 }
 
 /// A case of which one fact is known about every scene, however it is drawn.
@@ -117,46 +129,20 @@ fn known(
     fact: Fact,
     scenes: impl IntoIterator<Item = SceneSpec>,
 ) -> Case {
-    let known = |scene: SceneSpec| {
-        RenderConfig::all().map(move |config| Known {
-            scene: scene.clone(),
-            config,
-            fact,
-        })
-    };
-    Case {
-        name,
-        expected: expected.to_owned(),
-        judge: Judge::Known(scenes.into_iter().flat_map(known).collect()),
-    }
+    let scenes = Vec::from_iter(scenes);
+    case(name, expected, move |renderer| {
+        judge::known(renderer, fact, RenderConfig::all(), &scenes)
+    })
 }
 
 /// A case of pictures of each of which the levels of one pixel are known.
-fn known_pixels(name: &'static str, pictures: impl IntoIterator<Item = Known>) -> Case {
-    let pictures: Vec<Known> = pictures.into_iter().collect();
-    let levels = pictures.iter().filter_map(|known| match known.fact {
-        Fact::Pixel(_, levels) => Some(levels_text(levels)),
-        _ => None,
-    });
-    let levels: Vec<String> = levels.collect();
-    Case {
-        name,
-        expected: format!("on paper {}", levels.join(", ")),
-        judge: Judge::Known(pictures),
-    }
-}
-
-/// A case that is decided by a function of its own.
-fn own(
-    name: &'static str,
-    expected: &str,
-    examine: fn(&mut Renderer) -> Result<String, CaseError>,
-) -> Case {
-    Case {
-        name,
-        expected: expected.to_owned(),
-        judge: Judge::Own(examine),
-    }
+fn known_pixels(name: &'static str, pixels: impl IntoIterator<Item = KnownPixel>) -> Case {
+    let pixels = Vec::from_iter(pixels);
+    let levels: Vec<String> = pixels.iter().map(|it| levels_text(it.levels)).collect();
+    let expected = format!("on paper {}", levels.join(", "));
+    case(name, expected, move |renderer| {
+        judge::known_pixels(renderer, &pixels)
+    })
 }
 
 /// Who draws.
@@ -170,23 +156,23 @@ pub struct Options {
     pub full: bool,
 }
 
-/// Examines every case; `progress` is told how many are done.
+/// Examines the cases.
 ///
 /// # Errors
 /// When the system gives no threads, or not the memory.
-pub fn examine(options: Options, progress: &dyn Fn(Progress)) -> anyhow::Result<Vec<Outcome>> {
+pub fn examine(
+    cases: &[Case],
+    options: Options,
+    on_progress: OnProgress,
+) -> anyhow::Result<Vec<Outcome>> {
     if options.full {
         memory::check_for(|| "the table of extremes".to_owned(), MEMORY)?;
     }
     let mut renderer = Renderer::new(options.level, options.threads, options.full)
         .context("cannot start the threads that draw")?;
-    let cases = table();
     let outcomes = cases.iter().enumerate().map(|(index, case)| {
-        progress(Progress {
-            step: "examining extremes",
-            share: index as f64 / cases.len() as f64,
-        });
-        let observed = case.judge.examine(&mut renderer);
+        on_progress("examining extremes", index as f64 / cases.len() as f64);
+        let observed = (case.examine)(&mut renderer);
         Outcome {
             name: case.name,
             expected: case.expected.clone(),
@@ -202,13 +188,8 @@ pub fn examine(options: Options, progress: &dyn Fn(Progress)) -> anyhow::Result<
 /// # Errors
 /// When the cases could not be examined or the result not be printed.
 pub fn run(options: Options, as_json: bool) -> anyhow::Result<usize> {
-    let outcomes = with_bar(|progress| examine(options, progress))?;
-    let text = if as_json {
-        json(&outcomes)?
-    } else {
-        text(&outcomes) + "\n"
-    };
-    Output::Stdout.write(|writer| writer.write_all(text.as_bytes()))?;
+    let outcomes = with_bar(|progress| examine(&table(), options, progress))?;
+    print(&outcomes, as_json, || text(&outcomes))?;
     Ok(outcomes.iter().filter(|outcome| !outcome.pass).count())
 }
 

@@ -17,7 +17,7 @@ pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::components::{Illumination, Lens};
 use crate::memory::{self, OutOfMemory};
-pub use crate::shading::display::display_step;
+pub use crate::shading::display::{display_pixel, display_step};
 use crate::shading::{Scratch, TileKind};
 
 /// Who draws: the SIMD level and the threads.

@@ -33,18 +33,14 @@
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
-//! use shadetrade::components::{Projection, ShadingMode, View};
+//! use shadetrade::components::{ShadingMode, View};
 //! use shadetrade::frame::{Frame, Keep, Workers};
 //! use shadetrade::{scene::Scene, systems};
 //!
 //! let mut scene = Scene::load(None)?; // the built-in cuboid
 //! let view = View {
-//!     size: [320, 240],
-//!     viewpoint: scene.viewpoint(0),
-//!     projection: Projection::Perspective,
-//!     background: scene.background,
-//!     shading: Some(ShadingMode::Phong),
 //!     tolerance: 0.5, // levels of 255
+//!     ..scene.view(0, [320, 240]).shaded(ShadingMode::Phong)
 //! };
 //! let mut frame = Frame::new(Keep::Display, Workers::new(1, fearless_simd::Level::new())?);
 //! systems::draw(&mut scene.world, &view, &mut frame)?;
@@ -77,21 +73,12 @@
 //! Ask one pixel what happened there: [`probe`] evaluates every light's term, and both modes beside the reference.
 //!
 //! ```
-//! # use shadetrade::components::{Projection, View};
-//! # use shadetrade::frame::Workers;
 //! # use shadetrade::{probe, scene::Scene};
 //! # let mut scene = Scene::load(None)?;
-//! # let view = View {
-//! #     size: [960, 720],
-//! #     viewpoint: scene.viewpoint(0),
-//! #     projection: Projection::Perspective,
-//! #     background: scene.background,
-//! #     shading: None,
-//! #     tolerance: 0.0,
-//! # };
+//! # let view = scene.view(0, [960, 720]);
 //! // In the middle of the highlight that Gouraud misses, no vertex being in it.
-//! let workers = Workers::alone(fearless_simd::Level::new());
-//! let found = probe::at(&mut scene, &view, [565, 327], workers)?.surface.expect("a cuboid is there");
+//! let level = fearless_simd::Level::new();
+//! let found = probe::at(&mut scene, &view, [565, 327], level)?.surface.expect("a cuboid is there");
 //! assert_eq!(found.gouraud.bytes[2], 46);
 //! assert!(found.phong.bytes[2] > 190);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -116,33 +103,27 @@
 //! exact level of every pixel, from the scene's numbers on: [`mod@prove`] holds what is drawn against that.
 //!
 //! ```
-//! # use shadetrade::components::{Projection, ShadingMode, View};
+//! # use shadetrade::components::{ShadingMode, View};
 //! # use shadetrade::frame::{Frame, Keep, Workers};
 //! # use shadetrade::{scene::Scene, systems};
 //! use shadetrade::reference;
 //! use shadetrade::trade::metrics::{Picture, compare};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View {
-//! #     size: [320, 240],
-//! #     viewpoint: scene.viewpoint(0),
-//! #     projection: Projection::Perspective,
-//! #     background: scene.background,
-//! #     shading: Some(ShadingMode::Phong),
 //! #     tolerance: 0.5,
+//! #     ..scene.view(0, [320, 240]).shaded(ShadingMode::Phong)
 //! # };
 //! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
 //! # systems::draw(&mut scene.world, &view, &mut frame)?;
 //! // `view` as above: Phong within half a level; `frame` keeps its levels.
 //! let truth = reference::picture(&scene.world, &view, 0..240, &|| false, &|_| ()).expect("not cancelled");
-//! let drawn = Picture { width: 320, levels: frame.levels(), triangles: frame.triangles() };
-//! let exact = Picture { width: 320, levels: &truth.levels, triangles: &truth.triangles };
-//! let error = compare(drawn, exact).error.expect("a cuboid is there");
+//! let error = compare(Picture::from(&frame), Picture::from(&truth)).error.expect("a cuboid is there");
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
 //! # use shadetrade::prove::prove;
 //!
 //! // The same as a fact: no value of any pixel's enclosure is farther away than half a level.
-//! let workers = [(); 2].map(|()| Workers::alone(fearless_simd::Level::new()));
-//! let proof = prove(&mut scene.world, &view, workers, &|| false, &|_| ())?.expect("not cancelled");
+//! let level = fearless_simd::Level::new();
+//! let proof = prove(&mut scene.world, &view, level, &|| false, &|_| ())?.expect("not cancelled");
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -9,7 +9,6 @@ use anyhow::{Context, anyhow};
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
 };
-use shadetrade::output::Output;
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::recording::Log;
 use shadetrade::window::{self, WindowError};
@@ -33,8 +32,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::View(options)) => view(&options),
         Some(Command::Replay(options)) => replay(&options),
         Some(Command::Render(options)) => {
-            options.drawing.check_output(&options.output)?;
-            let mut drawing = options.drawing.open()?;
+            let mut drawing = options.drawing.open_for(Some(&options.output))?;
             let draw = if options.reference {
                 pictures::render_reference
             } else {
@@ -51,22 +49,13 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Prove(options)) => {
-            if let Some(map) = &options.output {
-                options.drawing.check_output(map)?;
-            }
-            let mut drawing = options.drawing.open()?;
-            Ok(prove::run(
-                &mut drawing,
-                options.output.as_ref(),
-                options.json,
-            )?)
+            let map = options.output.as_ref();
+            let mut drawing = options.drawing.open_for(map)?;
+            Ok(prove::run(&mut drawing, map, options.json)?)
         }
         Some(Command::Requires(options)) => {
-            if let Some(file) = &options.output {
-                options.drawing.check_output(file)?;
-            }
-            let drawing = options.drawing.open()?;
             let least = options.output.as_ref();
+            let drawing = options.drawing.open_for(least)?;
             Ok(requires::run(&drawing, options.orbit, least, options.json)?)
         }
         Some(Command::Extremes(options)) => extremes(&options),
@@ -103,15 +92,11 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
             height - 1
         )));
     }
-    let (view, workers) = (drawing.view(), drawing.workers()?);
-    let probe =
-        probe::at(&mut drawing.scene, &view, [x, y], workers).map_err(anyhow::Error::from)?;
-    let text = if options.json {
-        serde_json::to_string_pretty(&probe).map_err(anyhow::Error::from)?
-    } else {
-        output::printable(&probe.lines().join("\n"))
-    };
-    Ok(Output::Stdout.write(|writer| writeln!(writer, "{text}"))?)
+    let (view, level) = (drawing.view(), drawing.level);
+    let probe = probe::at(&mut drawing.scene, &view, [x, y], level).map_err(anyhow::Error::from)?;
+    Ok(output::print(&probe, options.json, || {
+        probe.lines().join("\n")
+    })?)
 }
 
 /// Opens the window; where there is no display, the built-in scene's figures are drawn instead.

@@ -4,7 +4,6 @@
 //! than there is and kills the program once that is written to (overcommit). Elsewhere the allocation alone decides.
 
 use std::collections::TryReserveError;
-use std::fmt;
 #[cfg(target_os = "linux")]
 use std::path::Path;
 
@@ -15,7 +14,7 @@ const SPARE: usize = 32 << 20;
 
 /// Something large does not fit in memory.
 #[derive(Debug, thiserror::Error)]
-#[error("{what} does not fit in memory: it takes {}, {}", Bytes(*.needed), Left(*.left))]
+#[error("{what} does not fit in memory: it takes {}, {}", megabytes(*.needed), left_text(*.left))]
 pub struct OutOfMemory {
     /// What was to be allocated.
     pub what: String,
@@ -171,24 +170,16 @@ fn kibibytes(table: &str, key: &str) -> Option<usize> {
 }
 
 /// A number of bytes as people read it.
-struct Bytes(usize);
-
-impl fmt::Display for Bytes {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        write!(formatter, "{:.0} MB", self.0 as f64 / 1e6)
-    }
+fn megabytes(bytes: usize) -> String {
+    format!("{:.0} MB", bytes as f64 / 1e6)
 }
 
 /// How a message about too little memory ends.
-struct Left(Option<usize>);
-
-impl fmt::Display for Left {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        match self.0 {
-            Some(bytes) => write!(formatter, "and {} are left", Bytes(bytes)),
-            None => write!(formatter, "more than the system grants"),
-        }
-    }
+fn left_text(left: Option<usize>) -> String {
+    left.map_or_else(
+        || "more than the system grants".to_owned(),
+        |bytes| format!("and {} are left", megabytes(bytes)),
+    )
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, bail, ensure};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
+use serde::Serialize;
 
 use crate::memory;
 
@@ -110,6 +111,23 @@ pub fn survive_file_limits() -> anyhow::Result<()> {
     signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default())
         .context("cannot handle the signal of a full disk")?;
     Ok(())
+}
+
+/// Prints a record to standard output: as JSON, or as `text` tells it to a person.
+///
+/// # Errors
+/// As [`Output::write`].
+pub fn print<T: Serialize>(
+    record: &T,
+    as_json: bool,
+    text: impl FnOnce() -> String,
+) -> anyhow::Result<()> {
+    let text = if as_json {
+        serde_json::to_string_pretty(record)?
+    } else {
+        printable(&text())
+    };
+    Output::Stdout.write(|writer| writeln!(writer, "{text}"))
 }
 
 /// One line for the user, on standard error so that standard output holds only what was asked for.

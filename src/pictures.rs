@@ -10,10 +10,10 @@ pub use figures::figures;
 use std::time::{Duration, Instant};
 
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, NO_TRIANGLE, display_step};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
 use crate::memory::{self, OutOfMemory};
 use crate::output::{Output, say};
-use crate::trade::progress::{Progress, with_bar};
+use crate::trade::progress::with_bar;
 use crate::trade::words::counted;
 use crate::{reference, simd, systems};
 
@@ -57,10 +57,8 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
         for first in (0..height).step_by(rows_at_once) {
             let rows = first..height.min(first + rows_at_once);
             let done = |rows: usize| {
-                on_progress(Progress {
-                    step: "drawing the reference",
-                    share: (first + rows) as f64 / height as f64,
-                });
+                let share = (first + rows) as f64 / height as f64;
+                on_progress("drawing the reference", share);
             };
             let Some(truth) =
                 reference::picture(&drawing.scene.world, &view, rows, &|| false, &done)
@@ -72,10 +70,7 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
                 .iter()
                 .filter(|&&triangle| triangle != NO_TRIANGLE)
                 .count();
-            pixels.extend(truth.levels.iter().map(|levels| {
-                let [red, green, blue] = levels.map(display_step);
-                u32::from_be_bytes([0, red, green, blue])
-            }));
+            pixels.extend(truth.levels.iter().copied().map(display_pixel));
         }
         Ok(())
     })?;

@@ -3,14 +3,14 @@
 //! Rule: `levels` are the renderer's own, at the tolerance it was asked to keep; vectors and terms are evaluated exactly,
 //! by the reference. A quantity that does not exist, or that no f64 holds, is null.
 
+use fearless_simd::Level;
 use glam::DVec3;
-use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::components::{LightKind, Material, Name, ShadingMode, View};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
-use crate::reference;
+use crate::reference::{self, LightSample};
 use crate::scene::Scene;
 use crate::systems;
 
@@ -41,32 +41,13 @@ pub struct Surface {
     #[serde(skip)]
     pub shininess: f64,
     /// Every light that is on, in file order.
-    pub lights: Vec<Light>,
+    pub lights: Vec<LightSample>,
     /// As Gouraud has it.
     pub gouraud: Shaded,
     /// As Phong has it.
     pub phong: Shaded,
     /// By the reference.
     pub reference: Reference,
-}
-
-/// A light as the point sees it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Light {
-    /// Its name.
-    pub name: String,
-    /// Its term: ambient, diffuse or specular.
-    pub kind: &'static str,
-    /// l; none for an ambient light, and for one at the very point.
-    pub to_light: Option<DVec3>,
-    /// r; exists where l does.
-    pub reflected: Option<DVec3>,
-    /// See [`reference::LightSample`].
-    #[serde(skip)]
-    pub factor: f64,
-    /// The light's term under exact Phong where the factor is 1, in levels.
-    #[serde(skip)]
-    pub strength: [f64; 3],
 }
 
 /// What a mode makes of the pixel.
@@ -100,11 +81,7 @@ pub struct Levels {
 }
 
 fn as_map<S: Serializer>(terms: &[(String, [f64; 3])], serializer: S) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(terms.len()))?;
-    for (name, levels) in terms {
-        map.serialize_entry(name, levels)?;
-    }
-    map.end()
+    serializer.collect_map(terms.iter().map(|(name, levels)| (name, levels)))
 }
 
 /// Looks at pixel (`x`, `y`) of the picture that `view` asks for; it must lie inside.
@@ -115,11 +92,11 @@ pub fn at(
     scene: &mut Scene,
     view: &View,
     [x, y]: [usize; 2],
-    workers: Workers,
+    level: Level,
 ) -> Result<Probe, OutOfMemory> {
-    let mut frame = Frame::new(Keep::Levels, workers);
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
     let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &in_mode(view, mode), y..y + 1, &mut frame)?;
+        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
         Ok((frame.triangles()[x], frame.levels()[x].map(f64::from)))
     };
     let (id, gouraud) = drawn(ShadingMode::Gouraud)?;
@@ -167,17 +144,8 @@ pub fn at(
         to_eye: sample.as_ref().map(|sample| sample.to_eye),
         shininess: material.map_or(0.0, |material| material.shininess),
         lights: sample
-            .iter()
-            .flat_map(|sample| &sample.lights)
-            .map(|light| Light {
-                name: light.name.clone(),
-                kind: light.kind.name(),
-                to_light: light.to_light,
-                reflected: light.reflected,
-                factor: light.factor,
-                strength: light.strength.to_array(),
-            })
-            .collect(),
+            .as_ref()
+            .map_or(Vec::new(), |sample| sample.lights.clone()),
         gouraud: shaded(gouraud, |light| light.gouraud),
         phong: shaded(phong, |light| light.phong),
         reference: Reference {
@@ -195,14 +163,6 @@ pub fn at(
         object: Some(name),
         surface: Some(surface),
     })
-}
-
-/// The view with every cuboid shaded so.
-fn in_mode(view: &View, mode: ShadingMode) -> View {
-    View {
-        shading: Some(mode),
-        ..view.clone()
-    }
 }
 
 /// The levels along a row of the picture, unclamped, by column.
@@ -224,17 +184,17 @@ pub fn profile(
     scene: &mut Scene,
     view: &View,
     y: usize,
-    workers: Workers,
+    level: Level,
 ) -> Result<Profile, OutOfMemory> {
-    let mut frame = Frame::new(Keep::Levels, workers);
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
     let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &in_mode(view, mode), y..y + 1, &mut frame)?;
+        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
         let levels = frame.levels().iter();
         Ok(levels.map(|levels| levels.map(f64::from)).collect())
     };
     let (gouraud, phong) = (drawn(ShadingMode::Gouraud)?, drawn(ShadingMode::Phong)?);
     let mut reference = vec![scene.background.to_array(); view.size[0]];
-    let exact = reference::Reference::<f64>::new(&scene.world, &in_mode(view, ShadingMode::Phong));
+    let exact = reference::Reference::<f64>::new(&scene.world, &view.shaded(ShadingMode::Phong));
     exact.row(y, |x, seen| {
         if let Some(first) = seen.first() {
             reference[x] = first.levels;
@@ -288,13 +248,13 @@ impl Surface {
             cosine.map_or_else(|| "-".to_owned(), |it| format!("{it:.5}"))
         };
         let lights = self.lights.iter().map(|light| {
-            let is_specular = light.kind == LightKind::Specular.name();
+            let is_specular = light.kind == LightKind::Specular;
             let factors = [
                 cosine(self.normal, light.to_light),
                 cosine(self.to_eye, light.reflected.filter(|_| is_specular)),
                 format!("{:.5}", light.factor),
             ];
-            let strength = numbers(light.strength, NEGLIGIBLE);
+            let strength = numbers(light.strength.to_array(), NEGLIGIBLE);
             (light.name.clone(), [factors, strength])
         });
         lights.collect()
@@ -332,9 +292,9 @@ impl Probe {
         for light in surface
             .lights
             .iter()
-            .filter(|light| light.kind != "ambient")
+            .filter(|light| light.kind != LightKind::Ambient)
         {
-            lines.push(format!("  {} ({})", light.name, light.kind));
+            lines.push(format!("  {} ({})", light.name, light.kind.name()));
             lines.push(format!("    to light  l {}", vector(light.to_light)));
             lines.push(format!("    reflected r {}", vector(light.reflected)));
         }

@@ -12,6 +12,7 @@
 
 mod command;
 
+use fearless_simd::Level;
 use hecs::World;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -19,7 +20,7 @@ use serde::Serialize;
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
 use crate::memory::{self, OutOfMemory};
-use crate::reference::{Interval, Reference, Seen};
+use crate::reference::{Interval, Real, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::displayed;
@@ -35,13 +36,26 @@ const EXAMPLES: usize = 10;
 pub const UNDECIDED: u32 = 0x00ff_d500;
 pub const REFUTED: u32 = 0x00ff_2020;
 
-/// How a pixel was judged.
+/// How a pixel was judged, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     Proven,
     Undecided,
     Refuted,
+}
+
+impl Verdict {
+    /// Whether an error that lies between these is within the limit.
+    pub fn of([least, most]: [f64; 2], limit: f64) -> Self {
+        if most <= limit {
+            Verdict::Proven
+        } else if least > limit {
+            Verdict::Refuted
+        } else {
+            Verdict::Undecided
+        }
+    }
 }
 
 /// One pixel's judgement.
@@ -66,7 +80,7 @@ pub struct Example {
 }
 
 /// A picture's proof, or what it lacks. Errors and widths are between displayed levels.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
     pub proven: u64,
     pub refuted: u64,
@@ -83,6 +97,7 @@ pub struct Proof {
     /// The first pixels that are not proven.
     pub examples: Vec<Example>,
     /// Row by row from the top.
+    #[serde(skip)]
     pub marks: Vec<Mark>,
 }
 
@@ -96,12 +111,16 @@ pub struct Shown {
     pub bytes: Option<[u8; 3]>,
 }
 
-/// How far a pixel is from a face that it may show.
-#[derive(Clone, Copy, Debug)]
-pub struct Distance {
-    /// From the nearest value of the enclosure, and from the farthest.
-    pub nearest: f64,
-    pub farthest: f64,
+impl Shown {
+    /// What two frames of one picture show at a pixel, one of levels and one as a window gets it.
+    pub fn at(pixel: usize, levels: &Frame, display: &Frame) -> Self {
+        let [_, bytes @ ..] = display.pixels()[pixel].to_be_bytes();
+        Shown {
+            face: shown_face(levels.triangles()[pixel]),
+            levels: levels.levels()[pixel].map(f64::from),
+            bytes: Some(bytes),
+        }
+    }
 }
 
 /// The face that a triangle's id shows.
@@ -114,31 +133,26 @@ fn ends(seen: &Seen<Interval>) -> [[f64; 2]; 3] {
     seen.levels.map(|level| level.endpoints().map(displayed))
 }
 
-fn distance(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> Distance {
-    let mut distance = Distance {
-        nearest: 0.0,
-        farthest: 0.0,
-    };
+/// The error of a pixel against the nearest value of an enclosure, and against the farthest.
+fn error(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> [f64; 2] {
+    let mut error = [0.0_f64; 2];
     for (level, [least, largest]) in levels.map(displayed).into_iter().zip(enclosure) {
-        distance.nearest = distance.nearest.max(least - level).max(level - largest);
-        distance.farthest = distance.farthest.max(largest - level).max(level - least);
+        error[0] = error[0].max(least - level).max(level - largest);
+        error[1] = error[1].max(largest - level).max(level - least);
     }
-    distance
+    error
 }
 
-/// How far `levels` is from what `seen` has of the face shown; of several, each bound from the nearest. `None` if the pixel
-/// may not show it.
+/// The least and the largest error that `levels` may have against what `seen` has of the face shown; of several, each end of
+/// the nearest. `None` if the pixel may not show it.
 pub fn nearest(
     shown: Option<usize>,
     levels: [f64; 3],
     seen: &[Seen<Interval>],
-) -> Option<Distance> {
-    let same = seen.iter().filter(|seen| seen.face == shown);
-    same.map(|seen| distance(levels, ends(seen)))
-        .reduce(|left, right| Distance {
-            nearest: left.nearest.min(right.nearest),
-            farthest: left.farthest.min(right.farthest),
-        })
+) -> Option<[f64; 2]> {
+    let same = seen.iter().filter(|seen| seen.face() == shown);
+    same.map(|seen| error(levels, ends(seen)))
+        .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
 }
 
 /// Judges a pixel by what it may show; also the largest error that is possible.
@@ -146,28 +160,14 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
     let levels = nearest(shown.face, shown.levels, seen);
     let bytes = shown.bytes.map(|bytes| bytes.map(f64::from));
     let bytes = bytes.and_then(|bytes| nearest(shown.face, bytes, seen));
-    let all = [(levels, limit), (bytes, limit + 0.5)];
-    let known = all
-        .iter()
-        .filter_map(|(distance, limit)| Some(((*distance)?, *limit)));
-    let is_refuted = levels.is_none()
-        || known
-            .clone()
-            .any(|(distance, limit)| distance.nearest > limit);
-    let is_proven = !is_refuted
-        && known
-            .clone()
-            .all(|(distance, limit)| distance.farthest <= limit);
+    let of_levels = levels.map_or(Verdict::Refuted, |error| Verdict::of(error, limit));
+    let of_bytes = bytes.map_or(of_levels, |error| Verdict::of(error, limit + 0.5));
     let mark = Mark {
-        verdict: match (is_proven, is_refuted) {
-            (true, _) => Verdict::Proven,
-            (_, true) => Verdict::Refuted,
-            _ => Verdict::Undecided,
-        },
-        is_outline: seen.iter().any(|other| other.face != seen[0].face),
+        verdict: of_levels.max(of_bytes),
+        is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
         is_covered: shown.face.is_some(),
     };
-    (mark, levels.map_or(255.0, |levels| levels.farthest))
+    (mark, levels.map_or(255.0, |[_, most]| most))
 }
 
 impl Proof {
@@ -205,7 +205,7 @@ impl Proof {
             .map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
         if mark.verdict != Verdict::Proven && self.examples.len() < EXAMPLES {
-            let same = seen.iter().find(|seen| seen.face == shown.face);
+            let same = seen.iter().find(|seen| seen.face() == shown.face);
             self.examples.push(Example {
                 pixel,
                 verdict: mark.verdict,
@@ -218,32 +218,29 @@ impl Proof {
 
     /// Notes what the f64 reference makes of a pixel.
     fn add_reference(&mut self, face: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) {
-        let error = nearest(face, levels, seen).map_or(255.0, |distance| distance.farthest);
+        let error = nearest(face, levels, seen).map_or(255.0, |[_, most]| most);
         self.reference_error = self.reference_error.max(error);
     }
 }
 
-/// Draws the picture that `view` asks for and proves what can be proven of it, on rayon's current threads.
+/// Draws the picture that `view` asks for with the instructions of `level`, and proves what can be proven of it on rayon's
+/// current threads.
 ///
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told how many rows are done.
+/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told which share of
+/// the rows is done.
 ///
 /// # Errors
 /// When the picture does not fit in memory.
 pub fn prove(
     world: &mut World,
     view: &View,
-    workers: [Workers; 2],
+    level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &(dyn Fn(f64) + Sync),
 ) -> Result<Option<Proof>, OutOfMemory> {
     let [width, height] = view.size;
-    let [mut drawn, mut displayed] = {
-        let [levels, display] = workers;
-        [
-            Frame::new(Keep::Levels, levels),
-            Frame::new(Keep::Display, display),
-        ]
-    };
+    let [mut drawn, mut displayed] =
+        [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level)));
     let enclosures = Reference::<Interval>::new(world, view);
     let reference = Reference::<f64>::new(world, view);
     let mut proof = Proof {
@@ -264,12 +261,7 @@ pub fn prove(
             let mut row = Proof::default();
             enclosures.row(y, |x, seen| {
                 let pixel = (y - start) * width + x;
-                let [_, bytes @ ..] = displayed.pixels()[pixel].to_be_bytes();
-                let shown = Shown {
-                    face: shown_face(drawn.triangles()[pixel]),
-                    levels: drawn.levels()[pixel].map(f64::from),
-                    bytes: Some(bytes),
-                };
+                let shown = Shown::at(pixel, &drawn, &displayed);
                 row.add([x, y], shown, seen, limit(view.tolerance));
                 row.add_reference(
                     shown_face(truth.triangles[pixel]),
@@ -286,7 +278,7 @@ pub fn prove(
         for row in proven {
             proof.append(row);
         }
-        progress(rows.end);
+        progress(rows.end as f64 / height as f64);
     }
     Ok(Some(proof))
 }

@@ -30,7 +30,7 @@ use hecs::World;
 use rayon::prelude::*;
 
 use crate::components::{
-    FACES, FileOrder, Light, Material, Mesh, ShadingMode, Spin, TRIANGLES, Transform, View,
+    FileOrder, Light, Material, Mesh, ShadingMode, Spin, TRIANGLES, Transform, View,
 };
 use crate::frame::NO_TRIANGLE;
 use illumination::{Lit, Open, Surface, TIES, blend};
@@ -50,8 +50,6 @@ pub const DEPTH_TIE: f64 = 1e-11;
 pub struct Truth {
     /// Pixels in a row.
     pub width: usize,
-    /// The rows of the picture that are here.
-    pub rows: Range<usize>,
     /// Unclamped levels, row by row from the top; the background's where nothing is hit.
     pub levels: Vec<[f64; 3]>,
     /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`].
@@ -89,10 +87,18 @@ fn in_file_order<T>(entities: impl Iterator<Item = (FileOrder, T)>) -> Vec<T> {
 /// What a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
-    /// Cuboid * 6 + face; `None` is the background.
-    pub face: Option<usize>,
+    /// Cuboid * 12 + triangle; `None` is the background. Phong's triangles of a face are one: it is the first where both
+    /// may be seen.
+    pub triangle: Option<usize>,
     /// Unclamped.
     pub levels: [R; 3],
+}
+
+impl<R> Seen<R> {
+    /// Cuboid * 6 + face; `None` is the background.
+    pub fn face(&self) -> Option<usize> {
+        self.triangle.map(|triangle| triangle / 2)
+    }
 }
 
 impl<R: Real> Reference<R> {
@@ -184,8 +190,9 @@ impl<R: Real> Reference<R> {
                     for &is_first in cuboid.triangles(face, line, &place) {
                         let mut see = |open| {
                             let lit = cuboid.lit(face, is_first, line, &place, open);
+                            let triangle = 2 * face + usize::from(!is_first);
                             seen.push(Seen {
-                                face: Some(cuboid.number * FACES.len() + face),
+                                triangle: Some(cuboid.number * TRIANGLES.len() + triangle),
                                 levels: lit.levels.0,
                             });
                             lit.is_tied
@@ -201,7 +208,7 @@ impl<R: Real> Reference<R> {
         }
         if !met.iter().any(|met| met.meeting.is_certain) {
             seen.push(Seen {
-                face: None,
+                triangle: None,
                 levels: self.background.0,
             });
         }
@@ -257,11 +264,7 @@ struct Met<'a, R> {
 impl<R: Real> Cuboid<R> {
     /// Which triangles of a face the line may see: both where the diagonal is near, and Phong's are one.
     fn triangles(&self, face: usize, line: &Line<R>, place: &Place<R>) -> &'static [bool] {
-        let is_on_first = match place.point {
-            Some(_) => Solid::is_held_on_first(face, place),
-            None => self.solid.is_on_first(face, line),
-        };
-        match is_on_first {
+        match self.solid.is_on_first(face, line, place) {
             None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
                 &[true, false]
             }
@@ -282,8 +285,7 @@ impl<R: Real> Cuboid<R> {
         if self.mode == ShadingMode::Phong && self.is_perspective_correct {
             return self.phong(place, line, open);
         }
-        let weights = Solid::weights(face, is_first, place);
-        let (corners, weights) = arrange(face, is_first, weights);
+        let (corners, weights) = Solid::weights(face, is_first, place);
         let depths = self.solid.depths(corners, &self.mesh);
         let depths = depths.filter(|depths| match self.mode {
             ShadingMode::UnitVectors => self.solid.are_beyond_near(depths),
@@ -319,19 +321,6 @@ impl<R: Real> Cuboid<R> {
             ..*place
         }
     }
-}
-
-/// The corners of one of a face's two triangles, and the weights of a, c and the third corner in their order.
-fn arrange<R: Copy>(face: usize, is_first: bool, [a, c, third]: [R; 3]) -> ([usize; 3], [R; 3]) {
-    let corners = TRIANGLES[2 * face + usize::from(!is_first)].map(usize::from);
-    (
-        corners,
-        if is_first {
-            [a, third, c]
-        } else {
-            [a, c, third]
-        },
-    )
 }
 
 /// Weights in linear interpolation on the screen instead of on the triangle.
@@ -372,40 +361,26 @@ impl Reference<f64> {
         levels
             .par_chunks_mut(width)
             .zip(triangles.par_chunks_mut(width))
-            .zip(rows.clone())
+            .zip(rows)
             .try_for_each(|((levels, triangles), y)| {
                 if cancelled() {
                     return None;
                 }
-                let here = |cuboid: &&Cuboid<f64>| cuboid.solid.rows.contains(&y);
-                let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
-                let mut met = Vec::new();
-                for x in 0..width {
-                    self.meet([x, y], &cuboids, &mut met);
-                    if let Some((met, face, triangle)) = first(&met) {
-                        let is_first = triangle % 2 == 0;
-                        let place = met.cuboid.solid.place(face, &met.line);
-                        let lit = met.cuboid.lit(face, is_first, &met.line, &place, 0);
-                        levels[x] = lit.levels.0;
-                        triangles[x] = (met.cuboid.number * TRIANGLES.len() + triangle) as u32;
+                self.row(y, |x, seen| {
+                    if let [first, ..] = seen
+                        && let Some(triangle) = first.triangle
+                    {
+                        levels[x] = first.levels;
+                        triangles[x] = triangle as u32;
                     }
-                }
+                });
                 progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);
                 Some(())
             })?;
         Some(Truth {
             width,
-            rows,
             levels,
             triangles,
         })
     }
-}
-
-/// The cuboid seen, its face and its triangle: in f64 there is one of each, or nothing.
-fn first<'a, 'b>(met: &'b [Met<'a, f64>]) -> Option<(&'b Met<'a, f64>, usize, usize)> {
-    let met = met.first()?;
-    let face = met.meeting.faces().next()?;
-    let is_first = met.cuboid.solid.is_on_first(face, &met.line)?;
-    Some((met, face, 2 * face + usize::from(!is_first)))
 }

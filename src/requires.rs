@@ -25,7 +25,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::{ShadingMode, View};
-use crate::frame::display_step;
+use crate::frame::display_pixel;
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
@@ -128,45 +128,51 @@ impl Change {
     }
 }
 
-/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `row_done` is called
-/// once for each row.
+/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `progress` is told which
+/// share of it is done.
 ///
 /// The view leaves each cuboid its own shading.
 pub fn changes(
     scene: &Scene,
     view: &View,
     left_out: &[Vec<Part>],
-    row_done: &(dyn Fn() + Sync),
+    progress: &(dyn Fn(f64) + Sync),
 ) -> Vec<Change> {
-    let row_done = || {
-        row_done();
+    let progress = |share| {
+        progress(share);
         Ok::<_, Infallible>(())
     };
-    let Ok(changes) = try_changes(scene, view, left_out, &row_done);
+    let Ok(changes) = try_changes(scene, view, left_out, &progress);
     changes
 }
 
-/// The same, as long as `row_done` allows.
+/// The same, as long as `progress` allows.
 fn try_changes<E: Send>(
     scene: &Scene,
     view: &View,
     left_out: &[Vec<Part>],
-    row_done: &(dyn Fn() -> Result<(), E> + Sync),
+    progress: &(dyn Fn(f64) -> Result<(), E> + Sync),
 ) -> Result<Vec<Change>, E> {
     let full = Reference::<Interval>::new(&scene.world, view);
-    let picture = |parts: &Vec<Part>| compare(scene, view, parts);
-    let pictures: Vec<Compare> = left_out.iter().map(picture).collect();
-    let row = |y: usize| {
-        let mut pixels = Vec::with_capacity(view.size[0]);
-        full.row(y, |_, seen| pixels.push(shown(seen)));
-        let changes = pictures.iter().map(|compare| compare(y, &pixels)).collect();
-        row_done()?;
-        Ok(changes)
-    };
-    let rows = (0..view.size[1]).into_par_iter().map(row);
-    let rows: Vec<Vec<Change>> = rows.collect::<Result<_, E>>()?;
-    let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
-    Ok((0..pictures.len()).map(of_picture).collect())
+    let all = left_out.len().div_ceil(AT_ONCE) * view.size[1];
+    let done = AtomicUsize::new(0);
+    let mut changes = Vec::with_capacity(left_out.len());
+    for some in left_out.chunks(AT_ONCE) {
+        let picture = |parts: &Vec<Part>| compare(scene, view, parts);
+        let pictures: Vec<Compare> = some.iter().map(picture).collect();
+        let row = |y: usize| {
+            let mut pixels = Vec::with_capacity(view.size[0]);
+            full.row(y, |_, seen| pixels.push(shown(seen)));
+            let changes = pictures.iter().map(|compare| compare(y, &pixels)).collect();
+            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64)?;
+            Ok(changes)
+        };
+        let rows = (0..view.size[1]).into_par_iter().map(row);
+        let rows: Vec<Vec<Change>> = rows.collect::<Result<_, E>>()?;
+        let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
+        changes.extend((0..pictures.len()).map(of_picture));
+    }
+    Ok(changes)
 }
 
 /// A part, what it is called, and what the picture errs without it.
@@ -186,26 +192,14 @@ pub fn ranked(
     progress: &(dyn Fn(f64) + Sync),
 ) -> Option<Vec<PartChange>> {
     let parts = parts(scene);
-    let all = parts.len().div_ceil(AT_ONCE) * view.size[1];
-    let done = AtomicUsize::new(0);
-    let row_done = || {
-        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64);
+    let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
+    let progress = |share| {
+        progress(share);
         if cancelled() { Err(()) } else { Ok(()) }
     };
-    let mut ranked = Vec::new();
-    for some in parts.chunks(AT_ONCE) {
-        let left_out: Vec<_> = some.iter().map(|(part, _)| vec![*part]).collect();
-        let changes = try_changes(scene, view, &left_out, &row_done).ok()?;
-        ranked.extend(
-            some.iter()
-                .zip(changes)
-                .map(|((part, name), change)| PartChange {
-                    part: *part,
-                    name: name.clone(),
-                    change,
-                }),
-        );
-    }
+    let changes = try_changes(scene, view, &left_out, &progress).ok()?;
+    let part_change = |((part, name), change)| PartChange { part, name, change };
+    let mut ranked: Vec<_> = parts.into_iter().zip(changes).map(part_change).collect();
     ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
     Some(ranked)
 }
@@ -246,9 +240,7 @@ fn pixels<R: Real>(
             let levels = seen
                 .first()
                 .map(|seen| seen.levels.map(|level| level.endpoints()[0]));
-            let levels = levels.unwrap_or(view.background.to_array());
-            let [red, green, blue] = levels.map(display_step);
-            row.push(u32::from_be_bytes([0, red, green, blue]));
+            row.push(display_pixel(levels.unwrap_or(view.background.to_array())));
         });
         (!cancelled()).then_some(row)
     };
@@ -296,7 +288,7 @@ fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64, is_enclosed:
 
 fn shown<R: Real>(seen: &[Seen<R>]) -> Vec<Shown> {
     let ends = |seen: &Seen<R>| seen.levels.map(|level| level.endpoints().map(displayed));
-    seen.iter().map(|seen| (seen.face, ends(seen))).collect()
+    seen.iter().map(|seen| (seen.face(), ends(seen))).collect()
 }
 
 /// The least and the largest error of a pixel by what it may show in full and without a part.

@@ -25,8 +25,8 @@ pub use self::error::SceneError;
 pub(crate) use self::keys::key;
 pub(crate) use self::records::{CameraRecord, CuboidRecord, EMERALD, LightRecord, SceneRecord};
 use crate::components::{
-    ActiveCamera, Camera, FileOrder, Light, Material, Mesh, Name, Orbit, SceneShading, ShadingMode,
-    Spin, Transform, Viewpoint, cuboid,
+    ActiveCamera, Camera, FileOrder, Light, Material, Mesh, Name, Orbit, Projection, SceneShading,
+    ShadingMode, Spin, Transform, View, Viewpoint, cuboid,
 };
 use crate::memory;
 
@@ -249,6 +249,21 @@ impl Scene {
     pub fn viewpoint(&self, index: usize) -> Viewpoint {
         let (own, orbit) = self.camera(index);
         own.orbited(&orbit)
+    }
+
+    /// What camera number `index` of the file sees in perspective, each cuboid shaded as the scene says, exactly.
+    ///
+    /// # Panics
+    /// When there are no more than `index` cameras.
+    pub fn view(&self, index: usize, size: [usize; 2]) -> View {
+        View {
+            size,
+            viewpoint: self.viewpoint(index),
+            projection: Projection::Perspective,
+            background: self.background,
+            shading: None,
+            tolerance: 0.0,
+        }
     }
 
     /// Camera number `index` of the file at its own place, and how far it has been moved from there.

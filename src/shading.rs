@@ -31,6 +31,7 @@ pub mod unit_vectors;
 
 use fearless_simd::Simd;
 use glam::DVec3;
+use serde::Serialize;
 
 use self::display::{Levels, Rows};
 use self::face::Face;
@@ -45,7 +46,7 @@ use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
 use crate::simd::outlined;
 
 /// A way to draw: what the picture means, and how far it may err from that.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Method {
     /// What reports call it.
     pub id: &'static str,
@@ -54,6 +55,7 @@ pub struct Method {
     /// In levels, against the exact evaluation of the same mode.
     pub tolerance: f64,
     /// One line for a person.
+    #[serde(skip)]
     pub help: &'static str,
 }
 

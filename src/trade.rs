@@ -42,8 +42,7 @@ use crate::output::{self, Output};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::systems;
-use front::Candidate;
-pub use progress::Progress;
+use progress::OnProgress;
 use record::Subject;
 pub use record::{Measurement, Report};
 use timing::Timing;
@@ -112,28 +111,18 @@ pub enum TradeError {
     Cancelled,
 }
 
-/// Measures the methods of `request`; `on_progress` is told from any thread how far it is.
+/// Measures the methods of `request`. `cancelled` is asked before every frame and every row of the reference, and a yes ends
+/// it.
 ///
 /// # Errors
-/// When memory or threads do not suffice.
+/// When memory or threads do not suffice, or it is cancelled.
 pub fn measure(
-    request: Request,
-    on_progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Report, TradeError> {
-    measure_unless(request, &|| false, on_progress)
-}
-
-/// The same; `cancelled` is asked before every frame and every row of the reference, and a yes ends it.
-///
-/// # Errors
-/// As [`measure`], and [`TradeError::Cancelled`].
-pub fn measure_unless(
     mut request: Request,
     cancelled: &(dyn Fn() -> bool + Sync),
-    on_progress: &(dyn Fn(Progress) + Sync),
+    on_progress: OnProgress,
 ) -> Result<Report, TradeError> {
     accuracy::check_memory(request.view.size)?;
-    let step = |step| move |share| on_progress(Progress { step, share });
+    let step = |step| move |share| on_progress(step, share);
     let timings = time_frames(&request, cancelled, step("timing frames"))?;
     let stages = time_stages(&request, cancelled)?;
     let subject = Subject::of(&request);
@@ -165,11 +154,7 @@ pub fn measure_unless(
             }
         })
         .collect();
-    let candidate = |one| Candidate {
-        error: Measurement::max_error(one),
-        timing: &one.timing,
-    };
-    let on_front = front::on_front(&methods.iter().map(candidate).collect::<Vec<_>>());
+    let on_front = front::on_front(&methods);
     for (one, on_front) in methods.iter_mut().zip(on_front) {
         one.on_front = on_front;
     }
@@ -256,7 +241,7 @@ pub fn run(request: Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
         make_writable(folder)?;
     }
-    let report = progress::with_bar(|on_progress| measure(request, on_progress))?;
+    let report = progress::with_bar(|on_progress| measure(request, &|| false, on_progress))?;
     Output::Stdout.write(|writer| writer.write_all(export::table(&report).as_bytes()))?;
     if let Some(folder) = out {
         write_files(&report, folder)?;

@@ -190,7 +190,7 @@ impl Window {
                     redraw = redraw.max(self.session.take_redraw());
                 }
             }
-            let measures = matches!(self.session.measuring(), Measuring::Running(_));
+            let measures = matches!(self.session.measuring(), Measuring::Running(..));
             let requires = self.session.requires().is_some();
             let wanted = (self.session.revision(), measures, requires);
             if std::mem::replace(&mut job_is_for, wanted) != wanted {

@@ -4,8 +4,9 @@
 //! has 16384 x 16384 pixels, which take a gigabyte, and a release build.
 
 use fearless_simd::Level;
+use rayon::prelude::*;
 use serde_json::{Value, json as value};
-use shadetrade::extremes::{Options, Outcome, examine, text};
+use shadetrade::extremes::{Options, Outcome, examine, table, text};
 use shadetrade::simd;
 use shadetrade::trade::export::json;
 
@@ -23,12 +24,13 @@ fn every_extreme_passes() {
             threads: 2,
             full,
         };
-        let outcomes = examine(options, &|_| ()).expect("the system gives threads");
-        assert!(outcomes.len() > 80, "the table is whole");
-        let failed: Vec<Outcome> = outcomes
-            .into_iter()
-            .filter(|outcome| !outcome.pass)
-            .collect();
+        let cases = table();
+        assert!(cases.len() > 80, "the table is whole");
+        // Most of a case keeps one core busy.
+        let examined = cases.par_chunks(4).flat_map(|cases| {
+            examine(cases, options, &|_, _| ()).expect("the system gives threads")
+        });
+        let failed: Vec<Outcome> = examined.filter(|outcome| !outcome.pass).collect();
         assert!(
             failed.is_empty(),
             "{}\n{}",

@@ -5,12 +5,13 @@ use std::process::Command;
 use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
-use shadetrade::components::{Mesh, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::probe::{self, Levels, Light, Probe, Reference, Shaded, Surface};
+use shadetrade::probe::{self, Levels, Probe, Reference, Shaded, Surface};
+use shadetrade::reference::{self, LightSample};
 use shadetrade::scene::Scene;
+use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
-use shadetrade::{reference, systems};
 
 fn probe(arguments: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
@@ -104,24 +105,16 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 #[test]
 fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() {
     let mut scene = Scene::load(None).expect("it is built in");
-    let view = View {
-        size: [96, 72],
-        viewpoint: scene.viewpoint(0),
-        projection: Projection::Perspective,
-        background: scene.background,
-        shading: None,
-        tolerance: 0.0,
-    };
+    let view = scene.view(0, [96, 72]);
     let mut lit = 0;
     for pixel in (0..96 * 72).step_by(7).map(|at| [at % 96, at / 96]) {
-        let workers = Workers::alone(Level::new());
-        let probe = probe::at(&mut scene, &view, pixel, workers).expect("a row fits");
+        let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
         let Some(surface) = probe.surface else {
             continue;
         };
         let [normal, to_eye] = [surface.normal, surface.to_eye].map(|it| it.expect("no edge"));
         for (light, (_, term)) in surface.lights.iter().zip(&surface.phong.terms) {
-            for (strength, term) in light.strength.iter().zip(term) {
+            for (strength, term) in light.strength.to_array().iter().zip(term) {
                 assert!((light.factor * strength - term).abs() <= 1e-12 * term.abs());
             }
             let Some((to_light, reflected)) = light.to_light.zip(light.reflected) else {
@@ -130,7 +123,7 @@ fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() 
             };
             let cosine = normal.dot(to_light);
             let expected = match light.kind {
-                "diffuse" => cosine.max(0.0),
+                LightKind::Diffuse => cosine.max(0.0),
                 _ if cosine > 0.0 => to_eye.dot(reflected).max(0.0).powf(76.8),
                 _ => 0.0,
             };
@@ -150,17 +143,12 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
             transform.rotation.x = 15.0 * f64::from(turn);
         }
         let view = View {
-            size: [480, 360],
-            viewpoint: scene.viewpoint(0),
-            projection: Projection::Perspective,
-            background: scene.background,
-            shading: Some(ShadingMode::Phong),
             tolerance: 0.5,
+            ..scene.view(0, [480, 360]).shaded(ShadingMode::Phong)
         };
         let truth = reference::picture(&scene.world, &view, 0..360, &|| false, &|_| ())
             .expect("it is not cancelled");
-        let workers = || Workers::alone(Level::new());
-        let mut frame = Frame::new(Keep::Levels, workers());
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
         let triangles = frame.triangles();
         for (pixel, (&own, &other)) in triangles.iter().zip(&truth.triangles).enumerate() {
@@ -177,7 +165,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
             }
             on_diagonals += 1;
             let place = [pixel % 480, pixel / 480];
-            let probe = probe::at(&mut scene, &view, place, workers()).expect("a row fits");
+            let probe = probe::at(&mut scene, &view, place, Level::new()).expect("a row fits");
             let surface = probe.surface.expect("a face is seen");
             assert_eq!(surface.triangle, own);
             assert_eq!(surface.reference.triangle, Some(other));
@@ -253,13 +241,15 @@ fn levels_too_large_for_the_renderer_are_said_as_the_model_has_them() {
 
 /// A pixel of a cube under an ambient and a diffuse light, in numbers of every size.
 fn made_up() -> Probe {
-    let light = |name: &str, kind, vector: Option<DVec3>| Light {
+    let light = |name: &str, kind, vector: Option<DVec3>| LightSample {
         name: name.to_owned(),
         kind,
         to_light: vector,
         reflected: vector.map(|to_light| -to_light),
         factor: if vector.is_some() { 0.25 } else { 1.0 },
-        strength: [401.0, 3.9504e-3, 4e5],
+        strength: DVec3::new(401.0, 3.9504e-3, 4e5),
+        gouraud: DVec3::ZERO,
+        phong: DVec3::ZERO,
     };
     let shaded = |level: f64, byte| Shaded {
         levels: [level, 0.0, -1.0],
@@ -282,8 +272,8 @@ fn made_up() -> Probe {
             to_eye: None,
             shininess: 7.5,
             lights: vec![
-                light("sky", "ambient", None),
-                light("lamp", "diffuse", Some(DVec3::new(0.6, 0.8, 0.0))),
+                light("sky", LightKind::Ambient, None),
+                light("lamp", LightKind::Diffuse, Some(DVec3::new(0.6, 0.8, 0.0))),
             ],
             gouraud: shaded(12.5, 13),
             phong: shaded(100.25, 100),

@@ -70,6 +70,19 @@ impl WorkerOptions {
 }
 
 impl DrawingOptions {
+    /// As [`DrawingOptions::open`], for what is written to `output`.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] also when that is the file of the scene.
+    pub fn open_for(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
+        if let (Some(scene), Some(output)) = (&self.scene, output)
+            && !scene::is_built_in(scene)
+        {
+            keep(scene, "scene", output)?;
+        }
+        self.open()
+    }
+
     /// Loads the scene and looks up in it what the options name.
     ///
     /// # Errors
@@ -110,19 +123,6 @@ impl DrawingOptions {
             threads: self.workers.threads(),
             level: self.workers.simd,
         })
-    }
-}
-
-impl DrawingOptions {
-    /// Whether a picture may go to `output`.
-    ///
-    /// # Errors
-    /// [`Failure::Usage`] when that is the file of the scene.
-    pub fn check_output(&self, output: &Output) -> Result<(), Failure> {
-        match &self.scene {
-            Some(scene) if !scene::is_built_in(scene) => keep(scene, "scene", output),
-            _ => Ok(()),
-        }
     }
 }
 

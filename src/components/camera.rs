@@ -174,6 +174,16 @@ pub struct View {
     pub tolerance: f64,
 }
 
+impl View {
+    /// The same with all cuboids shaded so.
+    pub fn shaded(&self, mode: ShadingMode) -> View {
+        View {
+            shading: Some(mode),
+            ..self.clone()
+        }
+    }
+}
+
 /// A [`View`]'s camera, ready to project: what every stage of one frame sees through.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lens {

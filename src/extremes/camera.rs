@@ -4,10 +4,12 @@ use std::array::from_fn;
 
 use glam::DVec3;
 
-use super::judge::{Fact, Judge, Known, are_near, difference, expect_covered};
-use super::renderer::{CaseError, Renderer};
-use super::scene_spec::{RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene};
-use super::{Case, known, own, proven, same_bits, same_picture};
+use super::judge::{self, Fact, are_near, difference, expect_covered};
+use super::renderer::Renderer;
+use super::scene_spec::{
+    RenderConfig, SceneSpec, around, cuboid, default_cuboid, lights_at, scene,
+};
+use super::{Case, case, known, proven, same_bits, same_picture};
 use crate::components::{Mesh, Projection, Transform, View};
 use crate::scene::Scene;
 
@@ -21,7 +23,6 @@ fn near_plane() -> Vec<Case> {
     // Beyond the sixth corner no more than a tip is left.
     let depths: [f64; 6] = from_fn(|corner| corner_depths()[corner]);
     let between: [f64; 5] = from_fn(|index| f64::midpoint(depths[index], depths[index + 1]));
-    let around = depths.map(|depth| [depth.next_down(), depth, depth.next_up()]);
     vec![
         proven(
             "near plane through one, two or three corners of triangles",
@@ -29,7 +30,7 @@ fn near_plane() -> Vec<Case> {
         ),
         proven(
             "near plane through each corner, and an ulp to either side",
-            around.into_iter().flatten().map(cut_at),
+            depths.into_iter().flat_map(around).map(cut_at),
         ),
         same_bits(
             "near plane in a face's own plane",
@@ -50,7 +51,7 @@ fn near_plane() -> Vec<Case> {
 
 fn eye() -> Vec<Case> {
     vec![
-        own(
+        case(
             "the assignment's own placement",
             "ambient light alone: 30 levels, from both cameras",
             assignment,
@@ -76,7 +77,7 @@ fn eye() -> Vec<Case> {
         ),
         proven(
             "eye in the plane of a face, and an ulp to either side",
-            [2.0_f64.next_down(), 2.0, 2.0_f64.next_up()].map(|x| scene().eye([x, 3.0, 9.0])),
+            around(2.0).map(|x| scene().eye([x, 3.0, 9.0])),
         ),
         proven(
             "eye at the lights",
@@ -111,7 +112,7 @@ fn lens() -> Vec<Case> {
             "a cuboid as large as the picture from 1e4 to 1e9 units away",
             [1e3, 1e5, 1e8].map(from_afar),
         ),
-        own(
+        case(
             "perspective from 1e4 times as far against orthographic",
             "within 1 level, the same faces off their edges",
             far_perspective,
@@ -212,18 +213,10 @@ fn nothing_around(name: &'static str, places: [[f64; 3]; 3]) -> Case {
             scene.near(1e-6).fov(90.0)
         })
     });
-    let known = scenes.flat_map(|scene| {
-        perspective().map(move |config| Known {
-            scene: scene.clone(),
-            config,
-            fact: Fact::Background,
-        })
-    });
-    Case {
-        name,
-        expected: "nothing is seen".to_owned(),
-        judge: Judge::Known(known.collect()),
-    }
+    let scenes: Vec<SceneSpec> = scenes.collect();
+    case(name, "nothing is seen", move |renderer| {
+        judge::known(renderer, Fact::Background, perspective(), &scenes)
+    })
 }
 
 fn perspective() -> impl Iterator<Item = RenderConfig> {
@@ -242,7 +235,7 @@ fn from_afar(times: f64) -> SceneSpec {
 }
 
 /// Orthographic pictures from where the perspective ones are taken.
-fn far_perspective(renderer: &mut Renderer) -> Result<String, CaseError> {
+fn far_perspective(renderer: &mut Renderer) -> anyhow::Result<String> {
     let scene = from_afar(1e4);
     let mut worst = 0.0_f64;
     for config in perspective() {
@@ -257,7 +250,7 @@ fn far_perspective(renderer: &mut Renderer) -> Result<String, CaseError> {
 }
 
 /// The built-in scene, whose lights lie on the cuboid: n.l is negative wherever either camera looks.
-fn assignment(renderer: &mut Renderer) -> Result<String, CaseError> {
+fn assignment(renderer: &mut Renderer) -> anyhow::Result<String> {
     let mut assignment = Scene::load(Some("assignment"))?;
     let mut covered = 0;
     for camera in 0..2 {

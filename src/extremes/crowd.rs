@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::judge::{self, Fact};
-use super::renderer::{CaseError, Renderer};
+use super::renderer::Renderer;
 use super::scene_spec::{SceneSpec, cuboid, default_cuboid, light, lights_at, scene};
-use super::{Case, known, own, proven, same_bits, same_picture};
+use super::{Case, case, known, proven, same_bits, same_picture};
 use crate::components::LightKind;
 
 /// The cases.
@@ -23,7 +23,7 @@ pub fn cases() -> Vec<Case> {
             crate::shading::EXACT,
             [1, 1000].map(|count| under_many_lights(count, |_| DVec3::splat(10.0))),
         ),
-        own(
+        case(
             "ten thousand cuboids",
             "every pixel proven",
             many_cuboids_are_proven,
@@ -100,7 +100,7 @@ pub fn spread(index: u32) -> DVec3 {
 }
 
 /// A block of 25 x 20 x 20 cuboids, all rotated differently; unless everything is to be drawn, its two last layers.
-fn many_cuboids_are_proven(renderer: &mut Renderer) -> Result<String, CaseError> {
+fn many_cuboids_are_proven(renderer: &mut Renderer) -> anyhow::Result<String> {
     let first = if renderer.full { 0 } else { 9_000 };
     let cuboids = (first..10_000).map(|index| {
         let [x, y, z] = [index % 25, index / 25 % 20, index / 500].map(f64::from);

@@ -1,17 +1,17 @@
 //! Scenes in; whether their pictures are right out.
 //!
 //! ```text
-//! scenes --Renderer--> pictures --+-- Proven: enclosures of every pixel's exact levels
-//!                                 +-- SameBits, SamePicture: the first scene, which is without the extreme
-//!                                 +-- Known: facts on paper
-//!                                 '-- Own: a function of the case
+//! scenes --Renderer--> pictures --+-- proven: enclosures of every pixel's exact levels
+//!                                 +-- same_bits, same_picture: the first scene, which is without the extreme
+//!                                 '-- known, known_pixels: facts on paper
 //! ```
 //!
 //! Rule: what is right never comes from what is tried. A picture that shows too little proves nothing, and fails.
 
+use anyhow::{Result, ensure};
 use rayon::prelude::*;
 
-use super::renderer::{CaseError, Picture, Renderer, name, wrong_pixel};
+use super::renderer::{Picture, Renderer, name, wrong_pixel};
 use super::scene_spec::{MODES, RenderConfig, SceneSpec};
 use crate::components::{LightKind, Projection, View};
 use crate::prove::{self, Shown, Verdict, shown_face};
@@ -24,27 +24,7 @@ use crate::trade::metrics::pixel_error;
 /// The least number of pixels that must show a cuboid for a comparison to mean something.
 const MIN_COVERED: u64 = 100;
 
-/// What decides whether a case is right.
-pub enum Judge {
-    /// Enclosures: every pixel of each scene is proven in every projection and mode, at every tolerance.
-    Proven(Vec<SceneSpec>),
-    /// The first scene, which is without the extreme: the others have the same bits.
-    SameBits(Vec<SceneSpec>),
-    /// The first scene, which is without the extreme: the others are within so many levels of it.
-    SamePicture(f64, Vec<SceneSpec>),
-    /// Facts known on paper.
-    Known(Vec<Known>),
-    /// A function of the case, which says what it observed.
-    Own(fn(&mut Renderer) -> Result<String, CaseError>),
-}
-
-/// What is known of a picture without drawing it.
-pub struct Known {
-    pub scene: SceneSpec,
-    pub config: RenderConfig,
-    pub fact: Fact,
-}
-
+/// What is known of every picture of a scene without drawing it.
 #[derive(Clone, Copy)]
 pub enum Fact {
     /// No cuboid is seen.
@@ -53,24 +33,14 @@ pub enum Fact {
     Cuboid(u32),
     /// Wherever a cuboid is seen, each channel has this level. Lights that send nothing cost nothing.
     Everywhere(f64),
-    /// One pixel's levels.
-    Pixel([usize; 2], [f64; 3]),
 }
 
-impl Judge {
-    /// Draws the scenes and says what was observed.
-    ///
-    /// # Errors
-    /// When a picture is not as expected.
-    pub fn examine(&self, renderer: &mut Renderer) -> Result<String, CaseError> {
-        match self {
-            Judge::Proven(scenes) => proven(renderer, scenes),
-            Judge::SameBits(scenes) => same_bits(renderer, scenes),
-            Judge::SamePicture(levels, scenes) => same_picture(renderer, *levels, scenes),
-            Judge::Known(all) => known(renderer, all),
-            Judge::Own(examine) => examine(renderer),
-        }
-    }
+/// A picture of which the levels of one pixel are known.
+pub struct KnownPixel {
+    pub scene: SceneSpec,
+    pub config: RenderConfig,
+    pub pixel: [usize; 2],
+    pub levels: [f64; 3],
 }
 
 /// How far proven pictures are from their enclosures, at most.
@@ -86,7 +56,7 @@ struct Distance {
     outline: u64,
 }
 
-pub fn proven(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String, CaseError> {
+pub fn proven(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String> {
     let mut distance = Distance::default();
     for (index, spec) in scenes.iter().enumerate() {
         let covered = distance.covered;
@@ -109,7 +79,7 @@ fn prove_scene(
     spec: &SceneSpec,
     index: usize,
     distance: &mut Distance,
-) -> Result<(), CaseError> {
+) -> Result<()> {
     let tolerances: &[f64] = if renderer.full {
         &[0.0, 0.25, 0.5, 1.0, 2.0, 4.0]
     } else {
@@ -146,16 +116,11 @@ fn prove_picture(
     view: &View,
     enclosures: &[Vec<Seen<Interval>>],
     distance: &mut Distance,
-) -> Result<(), CaseError> {
+) -> Result<()> {
     systems::draw(&mut scene.world, view, &mut renderer.levels)?;
     systems::draw(&mut scene.world, view, &mut renderer.display)?;
     for (pixel, seen) in enclosures.iter().enumerate() {
-        let [_, bytes @ ..] = renderer.display.pixels()[pixel].to_be_bytes();
-        let shown = Shown {
-            face: shown_face(renderer.levels.triangles()[pixel]),
-            levels: renderer.levels.levels()[pixel].map(f64::from),
-            bytes: Some(bytes),
-        };
+        let shown = Shown::at(pixel, &renderer.levels, &renderer.display);
         let (mark, error) = prove::judge(shown, seen, limit(view.tolerance));
         if mark.verdict != Verdict::Proven {
             let what = format!("is {:?}: {shown:?}, not {seen:?}", mark.verdict);
@@ -183,7 +148,7 @@ pub fn enclosures(scene: &Scene, view: &View) -> Vec<Vec<Seen<Interval>>> {
     rows.collect::<Vec<_>>().concat()
 }
 
-fn same_bits(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String, CaseError> {
+pub fn same_bits(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String> {
     let mut covered = 0;
     for config in RenderConfig::all() {
         let plain = renderer.picture(&scenes[0], config)?;
@@ -199,11 +164,7 @@ fn same_bits(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String, Ca
     ))
 }
 
-fn same_picture(
-    renderer: &mut Renderer,
-    levels: f64,
-    scenes: &[SceneSpec],
-) -> Result<String, CaseError> {
+pub fn same_picture(renderer: &mut Renderer, levels: f64, scenes: &[SceneSpec]) -> Result<String> {
     let mut worst = 0.0_f64;
     for config in RenderConfig::all() {
         for spec in &scenes[1..] {
@@ -222,7 +183,7 @@ pub fn difference(
     renderer: &mut Renderer,
     [plain, extreme]: [(&SceneSpec, RenderConfig); 2],
     most: f64,
-) -> Result<f64, CaseError> {
+) -> Result<f64> {
     let expected = renderer.picture(plain.0, plain.1)?;
     expect_covered(expected.covered())?;
     let drawn = renderer.picture(extreme.0, extreme.1)?;
@@ -234,44 +195,42 @@ pub fn difference(
         let may_show = || reference.at([pixel % width, pixel / width]);
         if faces[0] == faces[1] {
             worst = worst.max(pixel_error(drawn.levels[pixel], expected.levels[pixel]));
-        } else if !may_show().iter().any(|seen| seen.face == faces[0]) {
+        } else if !may_show().iter().any(|seen| seen.face() == faces[0]) {
             let what = format!("shows {}, not {}", name(*ids.0), name(*ids.1));
             return Err(wrong_pixel(&drawn.view, pixel, &what));
         }
     }
-    if worst > most {
-        let what = format!("{worst} levels, {:?}", extreme.1);
-        return Err(CaseError::Wrong(what));
-    }
+    ensure!(worst <= most, "{worst} levels, {:?}", extreme.1);
     Ok(worst)
 }
 
-fn known(renderer: &mut Renderer, all: &[Known]) -> Result<String, CaseError> {
-    let (mut covered, mut observed) = (0, Vec::new());
-    for Known {
-        scene,
-        config,
-        fact,
-    } in all
-    {
-        let picture = renderer.picture(scene, *config)?;
-        fact.expect_of(&picture, scene)?;
-        covered += picture.covered();
-        if let Fact::Pixel([x, y], _) = fact {
-            let levels = picture.levels[y * scene.size[0] + x];
-            observed.push(levels_text(levels.map(f64::from)));
+/// Draws every scene in every way, and says what the fact is about.
+///
+/// # Errors
+/// When a picture is not as the fact has it.
+pub fn known(
+    renderer: &mut Renderer,
+    fact: Fact,
+    configs: impl Iterator<Item = RenderConfig>,
+    scenes: &[SceneSpec],
+) -> Result<String> {
+    let mut covered = 0;
+    for config in configs {
+        for scene in scenes {
+            let picture = renderer.picture(scene, config)?;
+            fact.expect_of(&picture, scene)?;
+            covered += picture.covered();
         }
     }
-    Ok(match all.first().map(|known| known.fact) {
-        None | Some(Fact::Background) => "nothing".to_owned(),
-        Some(Fact::Cuboid(cuboid)) => format!("cuboid {cuboid} at all of {covered} pixels"),
-        Some(Fact::Everywhere(level)) => format!("{level} levels at all of {covered} pixels"),
-        Some(Fact::Pixel(..)) => observed.join(", "),
+    Ok(match fact {
+        Fact::Background => "nothing".to_owned(),
+        Fact::Cuboid(cuboid) => format!("cuboid {cuboid} at all of {covered} pixels"),
+        Fact::Everywhere(level) => format!("{level} levels at all of {covered} pixels"),
     })
 }
 
 impl Fact {
-    fn expect_of(self, picture: &Picture, spec: &SceneSpec) -> Result<(), CaseError> {
+    fn expect_of(self, picture: &Picture, spec: &SceneSpec) -> Result<()> {
         match self {
             Fact::Background => picture.expect(|_, _| false),
             Fact::Cuboid(cuboid) => {
@@ -284,22 +243,34 @@ impl Fact {
                     .lights
                     .iter()
                     .all(|light| *light.kind == LightKind::Ambient || *light.intensity == 0.0);
-                if sends_nothing && picture.specular_evaluations > 0 {
-                    return Err(CaseError::Wrong("powers are evaluated".to_owned()));
-                }
+                ensure!(
+                    !sends_nothing || picture.specular_evaluations == 0,
+                    "powers are evaluated"
+                );
                 picture.expect(|_, levels| are_near(levels, [level; 3], 1e-4))
-            }
-            Fact::Pixel([x, y], expected) => {
-                let pixel = y * spec.size[0] + x;
-                let levels = picture.levels[pixel];
-                if are_near(levels, expected, EXACT) {
-                    return Ok(());
-                }
-                let what = format!("has levels {levels:?}");
-                Err(wrong_pixel(&picture.view, pixel, &what))
             }
         }
     }
+}
+
+/// Draws the pictures, and gives the levels found.
+///
+/// # Errors
+/// When a pixel is not as known.
+pub fn known_pixels(renderer: &mut Renderer, pixels: &[KnownPixel]) -> Result<String> {
+    let mut observed = Vec::new();
+    for known in pixels {
+        let picture = renderer.picture(&known.scene, known.config)?;
+        let [x, y] = known.pixel;
+        let pixel = y * known.scene.size[0] + x;
+        let levels = picture.levels[pixel];
+        if !are_near(levels, known.levels, EXACT) {
+            let what = format!("has levels {levels:?}");
+            return Err(wrong_pixel(&picture.view, pixel, &what));
+        }
+        observed.push(levels_text(levels.map(f64::from)));
+    }
+    Ok(observed.join(", "))
 }
 
 /// Whether levels are within `limit` of the expected ones; NaN is not.
@@ -312,11 +283,11 @@ pub fn are_near(levels: [f32; 3], expected: [f64; 3], limit: f64) -> bool {
 ///
 /// # Errors
 /// When there are too few.
-pub fn expect_covered(pixels: u64) -> Result<(), CaseError> {
-    if pixels < MIN_COVERED {
-        let what = format!("no more than {pixels} pixels show a cuboid");
-        return Err(CaseError::Wrong(what));
-    }
+pub fn expect_covered(pixels: u64) -> Result<()> {
+    ensure!(
+        pixels >= MIN_COVERED,
+        "no more than {pixels} pixels show a cuboid"
+    );
     Ok(())
 }
 

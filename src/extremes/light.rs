@@ -5,29 +5,20 @@
 
 use glam::DVec3;
 
-use super::judge::{Fact, Known};
-use super::scene_spec::{RenderConfig, SceneSpec, cuboid, light, lights_at, scene};
+use super::judge::KnownPixel;
+use super::scene_spec::{RenderConfig, SceneSpec, around, cuboid, light, lights_at, scene};
 use super::{Case, known_pixels, proven, same_picture};
 use crate::components::{LightKind, Material, Projection};
 use crate::scene::EMERALD;
-
-const ULP_ABOVE_1: f64 = 1.0_f64.next_up();
-const ULP_BELOW_1: f64 = 1.0_f64.next_down();
-const ULP_ABOVE_2: f64 = 2.0_f64.next_up();
-const ULP_BELOW_2: f64 = 2.0_f64.next_down();
 
 /// The cases.
 pub fn cases() -> Vec<Case> {
     vec![
         proven(
             "light on a face, and an ulp to either side",
-            [
-                [0.3, 0.4, 1.0],
-                [0.3, 0.4, ULP_ABOVE_1],
-                [0.3, 0.4, ULP_BELOW_1],
-                [2.0, 0.1, 0.3],
-            ]
-            .map(close_to),
+            (around(1.0).map(|z| [0.3, 0.4, z]).into_iter())
+                .chain([[2.0, 0.1, 0.3]])
+                .map(close_to),
         ),
         proven(
             "light 1e-3, 1e-6 and 1e-9 above a face",
@@ -47,14 +38,9 @@ pub fn cases() -> Vec<Case> {
         ),
         proven(
             "light in the plane of a face, and an ulp to either side",
-            [
-                [6.0, 1.2, 1.0],
-                [6.0, 1.2, ULP_ABOVE_1],
-                [6.0, 1.2, ULP_BELOW_1],
-                [30.0, 1.5, 20.0],
-                [2.0, 9.0, 7.0],
-            ]
-            .map(lit_from),
+            (around(1.0).map(|z| [6.0, 1.2, z]).into_iter())
+                .chain([[30.0, 1.5, 20.0], [2.0, 9.0, 7.0]])
+                .map(lit_from),
         ),
         known_pixels(
             "light at the very point seen adds nothing",
@@ -63,14 +49,15 @@ pub fn cases() -> Vec<Case> {
         // l = o = (0, 0, 1) and n = (2, 1, 4) / sqrt 21, so o.r = 2 n_z^2 - 1 = 11 / 21.
         known_pixels(
             "light an ulp, and 1e-6, above the point seen",
-            [ULP_ABOVE_2, 2.0 + 1e-6].map(|z| {
+            [2.0_f64.next_up(), 2.0 + 1e-6].map(|z| {
                 let levels = 30.0 + 100.0 * (4.0 / 21.0_f64.sqrt() + 121.0 / 441.0);
                 straight_down([1.0, 0.5], [1.0, 0.5, z], 2.0, levels)
             }),
         ),
         known_pixels(
             "light an ulp, and 1e-6, below the point seen adds nothing",
-            [ULP_BELOW_2, 2.0 - 1e-6].map(|z| straight_down([1.0, 0.5], [1.0, 0.5, z], 0.0, 30.0)),
+            [2.0_f64.next_down(), 2.0 - 1e-6]
+                .map(|z| straight_down([1.0, 0.5], [1.0, 0.5, z], 0.0, 30.0)),
         ),
         known_pixels(
             "n.l = 0 exactly: neither term, not even with 0^0",
@@ -122,7 +109,7 @@ fn lit_from(place: [f64; 3]) -> SceneSpec {
 
 /// A cube from -2 to 2 with kA 0.3, kD 1 and kE 1 from straight above, its lights of 100 levels at `place`: the levels of
 /// the point (`x`, `y`, 2), which is a multiple of half a unit.
-fn straight_down([x, y]: [f64; 2], place: [f64; 3], shininess: f64, levels: f64) -> Known {
+fn straight_down([x, y]: [f64; 2], place: [f64; 3], shininess: f64, levels: f64) -> KnownPixel {
     let kinds = [LightKind::Ambient, LightKind::Diffuse, LightKind::Specular];
     let material = Material {
         diffuse: DVec3::ONE,
@@ -136,13 +123,13 @@ fn straight_down([x, y]: [f64; 2], place: [f64; 3], shininess: f64, levels: f64)
         .eye(DVec3::Z * 10.0)
         .height(5.5)
         .size([11, 11]);
-    let pixel = [(5.0 + 2.0 * x) as usize, (5.0 - 2.0 * y) as usize];
-    Known {
+    KnownPixel {
         scene,
         config: RenderConfig {
             projection: Projection::Orthographic,
             ..RenderConfig::EXACT_PHONG
         },
-        fact: Fact::Pixel(pixel, [levels; 3]),
+        pixel: [(5.0 + 2.0 * x) as usize, (5.0 - 2.0 * y) as usize],
+        levels: [levels; 3],
     }
 }

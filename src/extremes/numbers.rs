@@ -1,17 +1,17 @@
 //! Single numbers: what the display step makes of any level, and what a scene file may not hold.
 
+use anyhow::{Result, bail, ensure};
 use glam::DVec3;
 
-use super::renderer::CaseError;
 use super::scene_spec::scene;
-use super::{Case, own};
+use super::{Case, case};
 use crate::frame::display_step;
 use crate::scene::Scene;
 
 /// The cases.
 pub fn cases() -> Vec<Case> {
     vec![
-        own(
+        case(
             "levels NaN, infinite, negative, halves, and beside halves",
             "0 0 255 0 0 0 1 1 255 255",
             |_| {
@@ -25,7 +25,7 @@ pub fn cases() -> Vec<Case> {
                 expect(bytes.join(" "), "0 0 255 0 0 0 1 1 255 255")
             },
         ),
-        own(
+        case(
             "all floats from 0 to 255 in order",
             "never a smaller byte, all 256, each within half a level",
             |_| {
@@ -35,7 +35,7 @@ pub fn cases() -> Vec<Case> {
                     let level = f64::from(f32::from_bits(bits));
                     let byte = display_step(level);
                     if byte < last || (f64::from(byte) - level).abs() > 0.5 || byte - last > 1 {
-                        return Err(CaseError::Wrong(format!("{level} is shown as {byte}")));
+                        bail!("{level} is shown as {byte}");
                     }
                     steps += u32::from(byte != last);
                     last = byte;
@@ -43,7 +43,7 @@ pub fn cases() -> Vec<Case> {
                 expect(format!("{steps} steps up"), "255 steps up")
             },
         ),
-        own(
+        case(
             "numbers in a scene that are no numbers, infinite or out of range",
             "each is refused, and its key named",
             |_| refused(),
@@ -68,7 +68,7 @@ const REFUSED: [(&str, &str, &[&str]); 9] = [
     ("intensity", "170.0", &["1e31", "-1e-300"]),
 ];
 
-fn refused() -> Result<String, CaseError> {
+fn refused() -> Result<String> {
     let text = scene().up(DVec3::Y).text();
     let mut count = 0;
     for (key, right, all) in REFUSED {
@@ -77,18 +77,15 @@ fn refused() -> Result<String, CaseError> {
                 text.replacen(&format!("{key} = {right}"), &format!("{key} = {wrong}"), 1);
             match Scene::parse("extreme", &changed) {
                 Err(error) if changed != text && error.to_string().contains(key) => count += 1,
-                Err(error) => return Err(CaseError::Wrong(format!("{key} = {wrong}: {error}"))),
-                Ok(_) => return Err(CaseError::Wrong(format!("{key} = {wrong} is taken"))),
+                Err(error) => bail!("{key} = {wrong}: {error}"),
+                Ok(_) => bail!("{key} = {wrong} is taken"),
             }
         }
     }
     Ok(format!("{count} are refused"))
 }
 
-fn expect(found: String, expected: &str) -> Result<String, CaseError> {
-    if found == expected {
-        Ok(found)
-    } else {
-        Err(CaseError::Wrong(found))
-    }
+fn expect(found: String, expected: &str) -> Result<String> {
+    ensure!(found == expected, found);
+    Ok(found)
 }

@@ -2,13 +2,14 @@
 
 use std::hint::black_box;
 
+use anyhow::{Result, bail, ensure};
 use fearless_simd::Level;
 use glam::DVec3;
 
-use super::judge::{Fact, Known, expect_covered};
-use super::renderer::{CaseError, Renderer, wrong_pixel};
+use super::judge::{KnownPixel, expect_covered};
+use super::renderer::{Renderer, wrong_pixel};
 use super::scene_spec::{MODES, RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene};
-use super::{Case, known_pixels, own, proven};
+use super::{Case, case, known_pixels, proven};
 use crate::components::{Projection, ShadingMode};
 use crate::frame::NO_TRIANGLE;
 use crate::prove::{self, Shown, Verdict};
@@ -30,10 +31,11 @@ pub fn cases() -> Vec<Case> {
             "a picture of 1x1",
             phong.map(|config| {
                 let levels = 30.0 + 170.0 * EMERALD.diffuse + 255.0 * EMERALD.specular;
-                Known {
+                KnownPixel {
                     scene: one_pixel(),
                     config,
-                    fact: Fact::Pixel([0, 0], levels.to_array()),
+                    pixel: [0, 0],
+                    levels: levels.to_array(),
                 }
             }),
         ),
@@ -43,22 +45,22 @@ pub fn cases() -> Vec<Case> {
             "a picture of 16384x1",
             [scene().size([16_384, 1]).fov(1e-2).height(2e-3)],
         ),
-        own(
+        case(
             "a picture of 16384x16384",
             "sampled bytes proven within half a level and their rounding",
             largest,
         ),
-        own(
+        case(
             "corners on pixel centres: the top and the left are covered",
             "12 pixels of a face 4 wide and 3 high",
             |renderer| count_halves(renderer, [4.0, 3.0], 0.0, [3, 9]),
         ),
-        own(
+        case(
             "corners on pixel corners",
             "25 pixels of a face of 5 x 5, 15 of them right of the diagonal",
             |renderer| count_halves(renderer, [5.0, 5.0], 0.5, [15, 10]),
         ),
-        own(
+        case(
             "every SIMD level of this machine",
             "the same bits",
             |renderer| {
@@ -70,14 +72,14 @@ pub fn cases() -> Vec<Case> {
                 Ok(format!("the same: {}", names.join(", ")))
             },
         ),
-        own("2, 3 and 7 threads", "the same bits", |renderer| {
+        case("2, 3 and 7 threads", "the same bits", |renderer| {
             for threads in [2, 3, 7] {
                 let level = renderer.workers().level();
                 expect_same(renderer, &mut Renderer::new(level, threads, false)?)?;
             }
             Ok("the same".to_owned())
         }),
-        own(
+        case(
             "the state of the processor's floating point after all that",
             "rounds to nearest and keeps subnormal numbers",
             |_| {
@@ -86,18 +88,16 @@ pub fn cases() -> Vec<Case> {
                     black_box(1.0_f32) + f32::EPSILON / 2.0,
                     black_box(-1.0_f32) - f32::EPSILON / 2.0,
                 ];
-                if least * black_box(2.0) == f32::from_bits(2) && halves == [1.0, -1.0] {
-                    Ok("does".to_owned())
-                } else {
-                    Err(CaseError::Wrong("does not".to_owned()))
-                }
+                let keeps_subnormal = least * black_box(2.0) == f32::from_bits(2);
+                ensure!(keeps_subnormal && halves == [1.0, -1.0], "does not");
+                Ok("does".to_owned())
             },
         ),
     ]
 }
 
 /// Draws the largest picture and proves the bytes of one pixel in a hundred thousand.
-fn largest(renderer: &mut Renderer) -> Result<String, CaseError> {
+fn largest(renderer: &mut Renderer) -> Result<String> {
     let side = if renderer.full { 16_384 } else { 1024 };
     let spec = scene().size([side, side]);
     let mut scene = spec.parse()?;
@@ -125,7 +125,7 @@ fn largest(renderer: &mut Renderer) -> Result<String, CaseError> {
         let all = reference.at(place);
         let judged = all.iter().map(|seen| {
             let shown = Shown {
-                face: seen.face,
+                face: seen.face(),
                 levels: bytes.map(f64::from),
                 bytes: None,
             };
@@ -152,7 +152,7 @@ fn count_halves(
     [width, height]: [f64; 2],
     shift: f64,
     expected: [usize; 2],
-) -> Result<String, CaseError> {
+) -> Result<String> {
     // A unit is a pixel; corners at halves of a side lie on centres in a picture of odd size, and the other way round.
     let place = [0.5 * width + shift, 0.5 * height + shift, 0.0];
     let scene = scene()
@@ -176,8 +176,7 @@ fn count_halves(
         };
         let counts = [8, 9].map(count);
         if counts != expected || counts[0] + counts[1] + count(NO_TRIANGLE) != 21 * 21 {
-            let what = format!("{counts:?} pixels of its halves");
-            return Err(CaseError::Wrong(what));
+            bail!("{counts:?} pixels of its halves");
         }
     }
     Ok(format!("{} and {} pixels", expected[0], expected[1]))
@@ -185,7 +184,7 @@ fn count_halves(
 
 /// Compares what two renderers draw of one and of three cuboids, near enough that the picture is worth sharing among
 /// threads.
-fn expect_same(renderer: &mut Renderer, other: &mut Renderer) -> Result<(), CaseError> {
+fn expect_same(renderer: &mut Renderer, other: &mut Renderer) -> Result<()> {
     let cuboids = [10.0, 50.0, 100.0].map(|x| default_cuboid().rotation([x, 20.0, 30.0]));
     let close_up = |cuboids: &[CuboidRecord]| -> SceneSpec {
         let scene = scene().cuboids(cuboids.to_vec()).size([400, 320]);

@@ -2,6 +2,7 @@
 //!
 //! Rule: one renderer draws all of a case with the same instructions and threads.
 
+use anyhow::anyhow;
 use fearless_simd::Level;
 use rayon::ThreadPoolBuildError;
 
@@ -9,25 +10,8 @@ use super::scene_spec::{RenderConfig, SceneSpec};
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::memory::OutOfMemory;
-use crate::scene::{Scene, SceneError};
+use crate::scene::Scene;
 use crate::systems;
-
-/// Why a case fails.
-#[derive(Debug, thiserror::Error)]
-pub enum CaseError {
-    /// The format refuses the scene.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// The picture does not fit in memory.
-    #[error(transparent)]
-    Memory(#[from] OutOfMemory),
-    /// The system gives no threads.
-    #[error(transparent)]
-    Threads(#[from] ThreadPoolBuildError),
-    /// The result is not the expected one.
-    #[error("{0}")]
-    Wrong(String),
-}
 
 /// Draws scenes as levels and as a window shows them.
 pub struct Renderer {
@@ -68,11 +52,7 @@ impl Renderer {
     ///
     /// # Errors
     /// When the format refuses the scene, or the picture does not fit in memory.
-    pub fn picture(
-        &mut self,
-        spec: &SceneSpec,
-        config: RenderConfig,
-    ) -> Result<Picture, CaseError> {
+    pub fn picture(&mut self, spec: &SceneSpec, config: RenderConfig) -> anyhow::Result<Picture> {
         let mut scene = spec.parse()?;
         let view = spec.view(&scene, config);
         Ok(self.draw(&mut scene, view)?)
@@ -104,7 +84,7 @@ impl Picture {
     ///
     /// # Errors
     /// When there is one.
-    pub fn expect(&self, is_right: impl Fn(u32, [f32; 3]) -> bool) -> Result<(), CaseError> {
+    pub fn expect(&self, is_right: impl Fn(u32, [f32; 3]) -> bool) -> anyhow::Result<()> {
         let mut pixels = self.triangles.iter().zip(&self.levels).enumerate();
         let wrong =
             pixels.find(|(_, (id, levels))| **id != NO_TRIANGLE && !is_right(**id, **levels));
@@ -118,7 +98,7 @@ impl Picture {
     ///
     /// # Errors
     /// When a pixel differs.
-    pub fn expect_bits_of(&self, other: &Picture) -> Result<(), CaseError> {
+    pub fn expect_bits_of(&self, other: &Picture) -> anyhow::Result<()> {
         let bits = |levels: &[f32; 3]| levels.map(f32::to_bits);
         let differing = (0..self.triangles.len()).find(|&pixel| {
             self.triangles[pixel] != other.triangles[pixel]
@@ -139,12 +119,12 @@ pub fn name(id: u32) -> String {
 }
 
 /// What is wrong at a pixel, counted row by row from the top.
-pub fn wrong_pixel(view: &View, pixel: usize, what: &str) -> CaseError {
+pub fn wrong_pixel(view: &View, pixel: usize, what: &str) -> anyhow::Error {
     let [x, y] = [pixel % view.size[0], pixel / view.size[0]];
     let mode = view.shading.map_or("", |mode| mode.name());
-    CaseError::Wrong(format!(
+    anyhow!(
         "pixel {x},{y} {what} ({mode}, {}, tolerance {})",
         view.projection.name(),
         view.tolerance
-    ))
+    )
 }

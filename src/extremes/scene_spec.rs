@@ -74,6 +74,11 @@ pub fn light(kind: LightKind, levels: f64, position: impl Into<DVec3>) -> LightR
     LightRecord::new("", kind, levels, position)
 }
 
+/// A number, and an ulp to either side of it.
+pub fn around(number: f64) -> [f64; 3] {
+    [number.next_down(), number, number.next_up()]
+}
+
 /// A light of every kind at one place.
 pub fn lights_at(position: impl Into<DVec3>) -> Vec<LightRecord> {
     let position = position.into();
@@ -214,12 +219,9 @@ impl SceneSpec {
     /// The view that draws the parsed scene.
     pub fn view(&self, scene: &Scene, config: RenderConfig) -> View {
         View {
-            size: self.size,
-            viewpoint: scene.viewpoint(0),
             projection: config.projection,
-            background: scene.background,
-            shading: Some(config.mode),
             tolerance: config.tolerance,
+            ..scene.view(0, self.size).shaded(config.mode)
         }
     }
 }

@@ -18,43 +18,32 @@ mod textbook;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use anyhow::Context;
 use fearless_simd::Level;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::Options;
 use super::judge::enclosures;
-use super::renderer::{CaseError, Renderer};
+use super::renderer::Renderer;
 use super::scene_spec::{RenderConfig, SceneSpec};
-use crate::output::{self, Output};
+use crate::output::{Output, print, say};
 use crate::prove::{Verdict, nearest, shown_face};
-use crate::reference;
+use crate::reference::{self, Seen};
 use crate::shading::EXACT;
 use crate::trade::export::json;
 use crate::trade::make_writable;
-use crate::trade::progress::{Progress, with_bar};
+use crate::trade::progress::{OnProgress, with_bar};
 pub use report::{csv, table};
 pub use sweeps::{SWEEPS, Sweep};
 use textbook::Textbook;
 
-/// An evaluation of Phong's model.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Evaluation {
-    pub id: &'static str,
-    /// The error it is to keep, in levels.
-    pub limit: f64,
-}
-
-const fn evaluation(id: &'static str, limit: f64) -> Evaluation {
-    Evaluation { id, limit }
-}
-
-/// What is compared.
-pub const EVALUATIONS: [Evaluation; 4] = [
-    evaluation("textbook-f32", EXACT),
-    evaluation("phong-0", EXACT),
-    evaluation("phong-0.5", 0.5),
-    evaluation("reference-f64", EXACT),
+/// What is compared: evaluations of Phong's model, and the error in levels that each is to keep.
+pub const EVALUATIONS: [(&str, f64); 4] = [
+    ("textbook-f32", EXACT),
+    ("phong-0", EXACT),
+    ("phong-0.5", 0.5),
+    ("reference-f64", EXACT),
 ];
 
 /// How an evaluation fares over the range of a number.
@@ -90,17 +79,13 @@ impl Curve {
     }
 
     fn new(sweep: &Sweep, evaluation: usize, errors: &[(f64, Errors)]) -> Self {
-        let Evaluation { id, limit } = EVALUATIONS[evaluation];
+        let (id, limit) = EVALUATIONS[evaluation];
         let points = errors.iter().map(|(value, errors)| {
             let error = errors[evaluation];
             Point {
                 value: *value,
                 error,
-                verdict: match error {
-                    [_, most] if most <= limit => Verdict::Proven,
-                    [least, _] if least > limit => Verdict::Refuted,
-                    _ => Verdict::Undecided,
-                },
+                verdict: Verdict::of(error, limit),
             }
         });
         let points: Vec<Point> = points.collect();
@@ -125,34 +110,31 @@ impl Curve {
 pub fn measure(
     sweeps: &[Sweep],
     level: Level,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Vec<Curve>, CaseError> {
+    on_progress: OnProgress,
+) -> anyhow::Result<Vec<Curve>> {
     let total: usize = sweeps.iter().map(|sweep| sweep.values().len()).sum();
     let done = AtomicUsize::new(0);
-    let at = |sweep: &Sweep, value: f64| -> Result<(f64, Errors), CaseError> {
+    let at = |sweep: &Sweep, value: f64| -> anyhow::Result<(f64, Errors)> {
         let errors = errors(&(sweep.scene)(value), level)?;
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        progress(Progress {
-            step: "sweeping numbers",
-            share: done as f64 / total as f64,
-        });
+        on_progress("sweeping numbers", done as f64 / total as f64);
         Ok((value, errors))
     };
     let curves = sweeps.par_iter().map(|sweep| {
         let values = sweep.values().into_par_iter();
         let errors = values.map(|value| at(sweep, value));
-        let errors = errors.collect::<Result<Vec<_>, CaseError>>()?;
+        let errors = errors.collect::<anyhow::Result<Vec<_>>>()?;
         let evaluations = 0..EVALUATIONS.len();
         Ok(evaluations
             .map(|evaluation| Curve::new(sweep, evaluation, &errors))
             .collect())
     });
-    let curves = curves.collect::<Result<Vec<Vec<Curve>>, CaseError>>()?;
+    let curves = curves.collect::<anyhow::Result<Vec<Vec<Curve>>>>()?;
     Ok(curves.into_iter().flatten().collect())
 }
 
 /// How far each evaluation errs in one picture.
-fn errors(spec: &SceneSpec, level: Level) -> Result<Errors, CaseError> {
+fn errors(spec: &SceneSpec, level: Level) -> anyhow::Result<Errors> {
     let half_a_level = RenderConfig {
         tolerance: 0.5,
         ..RenderConfig::EXACT_PHONG
@@ -163,12 +145,12 @@ fn errors(spec: &SceneSpec, level: Level) -> Result<Errors, CaseError> {
     let (scene, view) = (spec.parse()?, exact.view);
     let rows = 0..view.size[1];
     let truth = reference::picture(&scene.world, &view, rows, &|| false, &|_| ())
-        .ok_or_else(|| CaseError::Wrong("the reference was cancelled".to_owned()))?;
+        .context("the reference was cancelled")?;
     let textbook = Textbook::new(spec);
     let mut errors = Errors::default();
     for (pixel, seen) in enclosures(&scene, &view).iter().enumerate() {
         let place = [pixel % view.size[0], pixel / view.size[0]];
-        let met = seen.iter().find_map(|seen| seen.face);
+        let met = seen.iter().find_map(Seen::face);
         let levels = |levels: [f32; 3]| levels.map(f64::from);
         let shown = [
             met.map(|face| (Some(face), levels(textbook.levels(face, place)))),
@@ -186,8 +168,7 @@ fn errors(spec: &SceneSpec, level: Level) -> Result<Errors, CaseError> {
             let Some((face, levels)) = shown else {
                 continue;
             };
-            let error = nearest(face, levels, seen)
-                .map_or([255.0; 2], |distance| [distance.nearest, distance.farthest]);
+            let error = nearest(face, levels, seen).unwrap_or([255.0; 2]);
             *worst = [worst[0].max(error[0]), worst[1].max(error[1])];
         }
     }
@@ -203,12 +184,7 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
         make_writable(folder)?;
     }
     let curves = with_bar(|progress| measure(SWEEPS, options.level, progress))?;
-    let text = if as_json {
-        json(&curves)?
-    } else {
-        table(&curves)
-    };
-    Output::Stdout.write(|writer| writer.write_all(text.as_bytes()))?;
+    print(&curves, as_json, || table(&curves))?;
     if let Some(folder) = out {
         for (name, content) in [
             ("stability.json", json(&curves)?),
@@ -217,7 +193,7 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
         ] {
             Output::File(folder.join(name)).write(|writer| writer.write_all(content.as_bytes()))?;
         }
-        output::say(&format!(
+        say(&format!(
             "wrote stability.json, stability.csv and stability.svg into {}",
             folder.display()
         ));

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use super::sheet::{Cell, Picture, half, sheet};
-use crate::components::{Projection, ShadingMode, View};
+use crate::components::ShadingMode;
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
@@ -21,75 +21,26 @@ const SIZE: [usize; 2] = [960, 720];
 /// Bytes that all pictures take that are held at once, the file that is written among them.
 const MEMORY: usize = 28 << 20;
 
-/// One picture of the built-in scene, and what its label says.
-struct Figure {
-    shading: ShadingMode,
-    camera: &'static str,
-    lights: &'static str,
-    heading: &'static str,
-    remark: &'static str,
-}
+/// The assignment's pictures by file name, mode, camera and lights, in the order of the sheet: a row for each camera.
+const FIGURES: [(&str, ShadingMode, &str, &str); 6] = [
+    ("gouraud-camera-1", ShadingMode::Gouraud, "1", "all"),
+    ("phong-camera-1", ShadingMode::Phong, "1", "all"),
+    ("phong-white-camera-1", ShadingMode::Phong, "1", WHITE),
+    ("gouraud-camera-2", ShadingMode::Gouraud, "2", "all"),
+    ("phong-camera-2", ShadingMode::Phong, "2", "all"),
+    ("phong-white-camera-2", ShadingMode::Phong, "2", WHITE),
+];
 
-/// The assignment's pictures by file name, in the order of the sheet: a row for each camera.
-const FIGURES: [(&str, Figure); 6] = {
-    use ShadingMode::{Gouraud, Phong};
-    const fn all(
-        shading: ShadingMode,
-        camera: &'static str,
-        heading: &'static str,
-        remark: &'static str,
-    ) -> Figure {
-        Figure {
-            shading,
-            camera,
-            lights: "all",
-            heading,
-            remark,
-        }
-    }
-    const fn white(camera: &'static str, remark: &'static str) -> Figure {
-        Figure {
-            shading: Phong,
-            camera,
-            lights: "white,ambient",
-            heading: "Phong",
-            remark,
-        }
-    }
-    [
-        ("gouraud-camera-1", all(Gouraud, "1", "Gouraud", "camera 1")),
-        ("phong-camera-1", all(Phong, "1", "Phong", "camera 1")),
-        (
-            "phong-white-camera-1",
-            white("1", "white and ambient, camera 1"),
-        ),
-        ("gouraud-camera-2", all(Gouraud, "2", "Gouraud", "camera 2")),
-        ("phong-camera-2", all(Phong, "2", "Phong", "camera 2")),
-        (
-            "phong-white-camera-2",
-            white("2", "white and ambient, camera 2"),
-        ),
-    ]
-};
+const WHITE: &str = "white,ambient";
 
-/// The terms of the model one by one, and their sum; each with what stands between it and the next.
-const COMPONENTS: [(Figure, &str); 4] = {
-    const fn term(lights: &'static str, heading: &'static str, remark: &'static str) -> Figure {
-        Figure {
-            shading: ShadingMode::Phong,
-            camera: "1",
-            lights,
-            heading,
-            remark,
-        }
-    }
-    [
-        (term("ambient", "Ambient", ""), "+"),
-        (term("white,red", "Diffuse", "white and red"), "+"),
-        (term("specular", "Specular", ""), "="),
-        (term("all", "Sum", ""), ""),
-    ]
-};
+/// The terms of the model one by one, and their sum, Phong from camera 1: their lights, what the label says, and what stands
+/// between one and the next.
+const COMPONENTS: [(&str, &str, &str, &str); 4] = [
+    ("ambient", "Ambient", "", "+"),
+    ("white,red", "Diffuse", "white and red", "+"),
+    ("specular", "Specular", "", "="),
+    ("all", "Sum", "", ""),
+];
 
 /// Draws the assignment's figures into `folder`, which is made if absent, and says on standard error what it wrote.
 ///
@@ -115,23 +66,31 @@ pub fn figures(folder: &Path) -> Result<()> {
     };
 
     let mut cells = Vec::new();
-    for (name, figure) in &FIGURES {
-        let picture = draw(&mut scene, figure, &mut frame)?;
+    for (name, mode, camera, lights) in FIGURES {
+        let picture = draw(&mut scene, mode, camera, lights, &mut frame)?;
         write(name, &picture)?;
+        let heading = match mode {
+            ShadingMode::Gouraud => "Gouraud",
+            _ => "Phong",
+        };
+        let remark = match lights {
+            WHITE => format!("white and ambient, camera {camera}"),
+            _ => format!("camera {camera}"),
+        };
         cells.push(Cell {
             picture: half(&picture),
-            heading: figure.heading,
-            remark: figure.remark,
+            heading,
+            remark,
             joiner: "",
         });
     }
     let mut terms = Vec::new();
-    for (figure, joiner) in &COMPONENTS {
-        let picture = half(&draw(&mut scene, figure, &mut frame)?);
+    for (lights, heading, remark, joiner) in COMPONENTS {
+        let picture = draw(&mut scene, ShadingMode::Phong, "1", lights, &mut frame)?;
         terms.push(Cell {
-            picture,
-            heading: figure.heading,
-            remark: figure.remark,
+            picture: half(&picture),
+            heading,
+            remark: remark.to_owned(),
             joiner,
         });
     }
@@ -145,19 +104,18 @@ pub fn figures(folder: &Path) -> Result<()> {
     )
 }
 
-fn draw(scene: &mut Scene, figure: &Figure, frame: &mut Frame) -> Result<Picture> {
+fn draw(
+    scene: &mut Scene,
+    mode: ShadingMode,
+    camera: &str,
+    lights: &str,
+    frame: &mut Frame,
+) -> Result<Picture> {
     let camera = scene
-        .find_camera(figure.camera)
+        .find_camera(camera)
         .context("the built-in scene lacks a camera")?;
-    scene.switch_lights(&figure.lights.parse::<LightChoice>()?)?;
-    let view = View {
-        size: SIZE,
-        viewpoint: scene.viewpoint(camera),
-        projection: Projection::Perspective,
-        background: scene.background,
-        shading: Some(figure.shading),
-        tolerance: 0.0,
-    };
+    scene.switch_lights(&lights.parse::<LightChoice>()?)?;
+    let view = scene.view(camera, SIZE).shaded(mode);
     systems::draw(&mut scene.world, &view, frame)?;
     Ok(Picture {
         size: SIZE,

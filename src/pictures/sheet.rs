@@ -46,7 +46,7 @@ pub struct Cell<'a> {
     /// The first words of the label.
     pub heading: &'a str,
     /// The rest of the label, set back.
-    pub remark: &'a str,
+    pub remark: String,
     /// A sign between this cell and the next; may be empty.
     pub joiner: &'a str,
 }
@@ -105,7 +105,7 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
         let label = y + cell_height + LABEL_GAP;
         sheet.letter([x, label], LABEL, BRIGHT, cell.heading);
         let remark = x + width_of(LABEL, cell.heading) + WORD_GAP;
-        sheet.letter([remark, label], LABEL, DIM, cell.remark);
+        sheet.letter([remark, label], LABEL, DIM, &cell.remark);
         let joiner = [
             x + cell_width + (gap - width_of(TITLE, cell.joiner).min(gap)) / 2,
             y + (cell_height - height_of(TITLE).min(cell_height)) / 2,
@@ -179,7 +179,7 @@ mod tests {
         let cells = colors.map(|color| Cell {
             picture: plain(color, [60, 40]),
             heading: "A",
-            remark: "b",
+            remark: "b".to_owned(),
             joiner: if color == 0x0030_0000 { "" } else { "+" },
         });
         let sheet = sheet("Title", 3, &cells);

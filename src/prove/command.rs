@@ -7,14 +7,13 @@ use std::time::Instant;
 use anyhow::{Context, bail};
 use serde::Serialize;
 
-use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
-use crate::components::View;
+use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, Workers};
-use crate::output::Output;
+use crate::frame::{Frame, Keep};
+use crate::output::{Output, print};
 use crate::shading::limit;
 use crate::systems;
-use crate::trade::progress::{self, Progress};
+use crate::trade::progress::with_bar;
 
 /// The colour of pixels that are proven to show one side of an edge.
 const OUTLINE: u32 = 0x0026_5a78;
@@ -29,17 +28,10 @@ struct Record<'a> {
     mode: &'static str,
     tolerance: f64,
     limit: f64,
-    pixels: usize,
-    proven: u64,
-    refuted: u64,
-    undecided: u64,
-    outline: u64,
-    covered: u64,
-    worst: f64,
-    widest_enclosure: f64,
-    reference_error: f64,
     seconds: f64,
-    examples: &'a [Example],
+    pixels: usize,
+    #[serde(flatten)]
+    proof: &'a Proof,
 }
 
 /// Proves what can be proven of a picture, prints it, and writes the map if one is asked for.
@@ -49,7 +41,12 @@ struct Record<'a> {
 pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let view = drawing.view();
     let begin = Instant::now();
-    let proof = with_bar(drawing, &view)?;
+    let (world, level) = (&mut drawing.scene.world, drawing.level);
+    let proof = with_bar(|on_progress| {
+        let progress = |share| on_progress("proving", share);
+        prove(world, &view, level, &|| false, &progress)
+    })?
+    .context("the proof was cancelled")?;
     if let Some(output) = map {
         let mut frame = Frame::new(Keep::Display, drawing.workers()?);
         systems::draw(&mut drawing.scene.world, &view, &mut frame)?;
@@ -66,43 +63,15 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
         mode: drawing.mode(),
         tolerance: view.tolerance,
         limit: limit(view.tolerance),
-        pixels: proof.marks.len(),
-        proven: proof.proven,
-        refuted: proof.refuted,
-        undecided: proof.undecided,
-        outline: proof.outline,
-        covered: proof.covered,
-        worst: proof.worst,
-        widest_enclosure: proof.widest_enclosure,
-        reference_error: proof.reference_error,
         seconds: begin.elapsed().as_secs_f64(),
-        examples: &proof.examples,
+        pixels: proof.marks.len(),
+        proof: &proof,
     };
-    let text = if as_json {
-        serde_json::to_string_pretty(&record)?
-    } else {
-        lines(&record).join("\n")
-    };
-    Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
+    print(&record, as_json, || lines(&record).join("\n"))?;
     if proof.refuted > 0 {
         bail!("{} of {} pixels are refuted", proof.refuted, record.pixels);
     }
     Ok(())
-}
-
-fn with_bar(drawing: &mut Drawing, view: &View) -> anyhow::Result<Proof> {
-    let workers = [(), ()].map(|()| Workers::alone(drawing.level));
-    let world = &mut drawing.scene.world;
-    let proof = progress::with_bar(|on_progress| {
-        let done = |rows: usize| {
-            on_progress(Progress {
-                step: "proving",
-                share: rows as f64 / view.size[1] as f64,
-            });
-        };
-        prove(world, view, workers, &|| false, &done)
-    })?;
-    proof.context("the proof was cancelled")
 }
 
 /// A proven pixel is dimmed, so that the others stand out.
@@ -116,37 +85,33 @@ fn color(pixel: u32, mark: Mark) -> u32 {
 }
 
 fn lines(record: &Record) -> Vec<String> {
-    let [width, height] = record.size;
+    let ([width, height], proof) = (record.size, record.proof);
     let mut lines = vec![
         format!(
             "{}, camera {}, {}, {width}x{height}, {}, tolerance {}",
             record.scene, record.camera, record.projection, record.mode, record.tolerance
         ),
-        format!("proven     {} of {} pixels", record.proven, record.pixels),
-        format!("refuted    {}", record.refuted),
-        format!("undecided  {}", record.undecided),
+        format!("proven     {} of {} pixels", proof.proven, record.pixels),
+        format!("refuted    {}", proof.refuted),
+        format!("undecided  {}", proof.undecided),
         format!(
             "outline    {} pixels are so near an edge that they may show either side",
-            record.outline
+            proof.outline
         ),
         format!(
             "largest error     {:.6} levels at most, where {} are allowed",
-            record.worst, record.limit
+            proof.worst, record.limit
         ),
-        format!("widest enclosure  {:.1e} levels", record.widest_enclosure),
+        format!("widest enclosure  {:.1e} levels", proof.widest_enclosure),
         format!(
             "f64 reference     {:.1e} levels off at most",
-            record.reference_error
+            proof.reference_error
         ),
         format!("time              {:.2} s", record.seconds),
     ];
-    for example in record.examples {
+    for example in &proof.examples {
         let [x, y] = example.pixel;
-        let verdict = match example.verdict {
-            Verdict::Refuted => "refuted",
-            Verdict::Undecided => "undecided",
-            Verdict::Proven => "proven",
-        };
+        let verdict = format!("{:?}", example.verdict).to_lowercase();
         lines.push(format!("pixel {x},{y} is {verdict}:"));
         for ((channel, drawn), [least, largest]) in ["red", "green", "blue"]
             .iter()

@@ -10,9 +10,16 @@
 //! by an interval that holds 0, may be any number. Exponential, logarithm, sine and cosine are crate maryada's, which
 //! proves its bounds (IEEE 1788.1).
 
+use std::cmp::Ordering;
+use std::f64::consts::PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use maryada::{EnclosureOps, IntervalOps};
+
+use super::real::Real;
+
+/// Where |n.l| is smaller, the gate of a specular light may fall either way.
+const GATE_TIE: f64 = 1e-6;
 
 /// Every number from `least` to `largest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +47,6 @@ impl Interval {
         }
     }
 
-    /// The least and the largest number.
-    pub fn endpoints(self) -> [f64; 2] {
-        [self.least, self.largest]
-    }
-
     /// What holds these floats, each exact or the nearest to the exact one.
     fn around<const COUNT: usize>(values: [(f64, bool); COUNT]) -> Self {
         let [mut least, mut largest] = [f64::INFINITY, f64::NEG_INFINITY];
@@ -68,14 +70,52 @@ impl Interval {
         Interval::around([of(a, c), of(a, d), of(b, c), of(b, d)])
     }
 
-    /// The square.
-    pub fn square(self) -> Self {
+    /// A function of crate maryada's.
+    fn map(self, of: impl Fn(maryada::Interval) -> maryada::Interval) -> Self {
+        let result = of(maryada::Interval::new(self.least, self.largest));
+        // An empty interval has endpoints in the wrong order.
+        Interval::new(result.inf(), result.sup())
+    }
+}
+
+impl Real for Interval {
+    fn of(value: f64) -> Self {
+        Interval::new(value, value)
+    }
+
+    fn endpoints(self) -> [f64; 2] {
+        [self.least, self.largest]
+    }
+
+    fn sign(self, margin: f64) -> Option<Ordering> {
+        match self.endpoints() {
+            [0.0, 0.0] => Some(Ordering::Equal),
+            [least, _] if least > margin => Some(Ordering::Greater),
+            [_, largest] if largest < -margin => Some(Ordering::Less),
+            _ => None,
+        }
+    }
+
+    fn gate(self, tied: bool) -> Option<bool> {
+        match self.endpoints() {
+            _ if self.is_tied() => Some(tied),
+            [least, _] if least > 0.0 => Some(true),
+            [_, largest] if largest <= 0.0 => Some(false),
+            _ => None,
+        }
+    }
+
+    fn is_tied(self) -> bool {
+        self.endpoints().iter().all(|end| end.abs() <= GATE_TIE)
+    }
+
+    fn square(self) -> Self {
         let square = self * self;
         Interval::new(square.least.max(0.0), square.largest)
     }
 
-    /// The square root of the numbers that have one.
-    pub fn sqrt(self) -> Self {
+    /// Of the numbers that have one.
+    fn sqrt(self) -> Self {
         Interval::around(self.endpoints().map(|value| {
             let root = value.max(0.0).sqrt();
             let is_exact = value == 0.0 || value > TINY;
@@ -83,53 +123,46 @@ impl Interval {
         }))
     }
 
-    /// The larger of two numbers.
-    pub fn max(self, other: Self) -> Self {
+    fn max(self, other: Self) -> Self {
         Interval::new(self.least.max(other.least), self.largest.max(other.largest))
     }
 
-    /// The smaller of two numbers.
-    pub fn min(self, other: Self) -> Self {
+    fn min(self, other: Self) -> Self {
         Interval::new(self.least.min(other.least), self.largest.min(other.largest))
     }
 
-    /// The numbers in both. That there are none is a contradiction, of which nothing follows.
-    pub fn both(self, other: Self) -> Self {
-        Interval::new(self.least.max(other.least), self.largest.min(other.largest))
+    fn sin_cos(degrees: f64) -> [Self; 2] {
+        // The f64 is below pi.
+        let radians = Interval::of(degrees) * Interval::new(PI, PI.next_up());
+        let radians = radians / Interval::of(180.0);
+        [
+            radians.map(EnclosureOps::sin),
+            radians.map(EnclosureOps::cos),
+        ]
     }
 
-    /// The numbers in either, and those between.
-    pub fn either(self, other: Self) -> Self {
-        Interval::new(self.least.min(other.least), self.largest.max(other.largest))
-    }
-
-    /// A function of crate maryada's.
-    pub fn map(self, of: impl Fn(maryada::Interval) -> maryada::Interval) -> Self {
-        let result = of(maryada::Interval::new(self.least, self.largest));
-        // An empty interval has endpoints in the wrong order.
-        Interval::new(result.inf(), result.sup())
-    }
-
-    /// To the power of `exponent`, >= 0, of a number in 0..=1. 0^0 is 1.
-    pub fn power(self, exponent: f64) -> Self {
+    fn power(self, exponent: f64) -> Self {
         if exponent == 0.0 {
-            return Interval::from(1.0);
+            return Interval::of(1.0);
         }
         let of = |base: maryada::Interval| (base.log() * exponent).exp();
-        let largest = Interval::from(self.largest).map(of).largest;
+        let largest = Interval::of(self.largest).map(of).largest;
         if self.least > 0.0 {
-            Interval::new(Interval::from(self.least).map(of).least, largest)
+            Interval::new(Interval::of(self.least).map(of).least, largest)
         } else if self.largest > 0.0 {
             Interval::new(0.0, largest)
         } else {
-            Interval::from(0.0)
+            Interval::of(0.0)
         }
     }
-}
 
-impl From<f64> for Interval {
-    fn from(value: f64) -> Self {
-        Interval::new(value, value)
+    /// That there is no number in both is a contradiction, of which nothing follows.
+    fn both(self, other: Self) -> Self {
+        Interval::new(self.least.max(other.least), self.largest.min(other.largest))
+    }
+
+    fn either(self, other: Self) -> Self {
+        Interval::new(self.least.min(other.least), self.largest.max(other.largest))
     }
 }
 
@@ -288,31 +321,31 @@ mod tests {
 
     #[test]
     fn what_is_exact_stays_exact() {
-        let [three, half] = [3.0, 0.5].map(Interval::from);
+        let [three, half] = [3.0, 0.5].map(Interval::of);
         assert_eq!((three * half + three - half).endpoints(), [4.0; 2]);
         assert_eq!((three / half).endpoints(), [6.0; 2]);
         assert_eq!((three - three).endpoints(), [0.0; 2]);
-        assert_eq!(Interval::from(2.25).sqrt().endpoints(), [1.5; 2]);
-        assert_eq!(Interval::from(0.0).power(76.8).endpoints(), [0.0; 2]);
-        assert_eq!(Interval::from(0.0).power(0.0).endpoints(), [1.0; 2]);
+        assert_eq!(Interval::of(2.25).sqrt().endpoints(), [1.5; 2]);
+        assert_eq!(Interval::of(0.0).power(76.8).endpoints(), [0.0; 2]);
+        assert_eq!(Interval::of(0.0).power(0.0).endpoints(), [1.0; 2]);
     }
 
     #[test]
     fn what_is_undefined_may_be_anything() {
-        let (zero, one) = (Interval::from(0.0), Interval::from(1.0));
+        let (zero, one) = (Interval::of(0.0), Interval::of(1.0));
         assert_eq!(zero / zero, Interval::ALL);
         assert_eq!(one / Interval::new(-1.0, 1.0), Interval::ALL);
         assert_eq!(zero * Interval::ALL, Interval::ALL);
         assert_eq!(Interval::ALL - Interval::ALL, Interval::ALL);
-        assert_eq!(Interval::from(f64::NAN), Interval::ALL);
-        let [least, largest] = (Interval::from(f64::MAX) + Interval::from(f64::MAX)).endpoints();
+        assert_eq!(Interval::of(f64::NAN), Interval::ALL);
+        let [least, largest] = (Interval::of(f64::MAX) + Interval::of(f64::MAX)).endpoints();
         assert!(least <= f64::MAX && largest == f64::INFINITY);
     }
 
     #[test]
     fn a_power_is_that_of_the_logarithm() {
         for (base, exponent, expected) in [(0.5, 2.0, 0.25), (0.25, 0.5, 0.5), (1.0, 1e6, 1.0)] {
-            let [least, largest] = Interval::from(base).power(exponent).endpoints();
+            let [least, largest] = Interval::of(base).power(exponent).endpoints();
             assert!(least <= expected && expected <= largest && largest - least < 1e-14);
         }
         let [least, largest] = Interval::new(0.0, 0.5).power(2.0).endpoints();

@@ -4,15 +4,7 @@
 //! Rule: an interval that straddles a bound is undecided, and nothing takes "undecided" for "no".
 
 use std::cmp::Ordering;
-use std::f64::consts::PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
-
-use maryada::EnclosureOps;
-
-use super::interval::Interval;
-
-/// Where |n.l| is smaller, the gate of a specular light may fall either way.
-pub const GATE_TIE: f64 = 1e-6;
 
 /// A number of the formula.
 pub trait Real:
@@ -127,73 +119,3 @@ macro_rules! float {
 
 float!(f64);
 float!(f32);
-
-impl Real for Interval {
-    fn of(value: f64) -> Self {
-        Interval::from(value)
-    }
-
-    fn endpoints(self) -> [f64; 2] {
-        Interval::endpoints(self)
-    }
-
-    fn sign(self, margin: f64) -> Option<Ordering> {
-        match self.endpoints() {
-            [0.0, 0.0] => Some(Ordering::Equal),
-            [least, _] if least > margin => Some(Ordering::Greater),
-            [_, largest] if largest < -margin => Some(Ordering::Less),
-            _ => None,
-        }
-    }
-
-    fn gate(self, tied: bool) -> Option<bool> {
-        match self.endpoints() {
-            _ if self.is_tied() => Some(tied),
-            [least, _] if least > 0.0 => Some(true),
-            [_, largest] if largest <= 0.0 => Some(false),
-            _ => None,
-        }
-    }
-
-    fn is_tied(self) -> bool {
-        self.endpoints().iter().all(|end| end.abs() <= GATE_TIE)
-    }
-
-    fn square(self) -> Self {
-        Interval::square(self)
-    }
-
-    fn sqrt(self) -> Self {
-        Interval::sqrt(self)
-    }
-
-    fn max(self, other: Self) -> Self {
-        Interval::max(self, other)
-    }
-
-    fn min(self, other: Self) -> Self {
-        Interval::min(self, other)
-    }
-
-    fn sin_cos(degrees: f64) -> [Self; 2] {
-        // The f64 is below pi.
-        let radians = Interval::from(degrees) * Interval::new(PI, PI.next_up());
-        let radians = radians / Interval::from(180.0);
-        [
-            radians.map(EnclosureOps::sin),
-            radians.map(EnclosureOps::cos),
-        ]
-    }
-
-    fn power(self, exponent: f64) -> Self {
-        Interval::power(self, exponent)
-    }
-
-    fn both(self, other: Self) -> Self {
-        Interval::both(self, other)
-    }
-
-    fn either(self, other: Self) -> Self {
-        Interval::either(self, other)
-    }
-}

@@ -2,11 +2,12 @@
 
 use glam::DVec3;
 use hecs::World;
+use serde::Serialize;
 
 use super::illumination::{Incidence, blend, reflection};
 use super::sight::Solid;
 use super::vector::Vector;
-use super::{Cuboid, Reference, arrange, first, in_file_order};
+use super::{Cuboid, Reference, in_file_order};
 use crate::components::{FileOrder, Light, LightKind, Name, View};
 
 /// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
@@ -31,7 +32,7 @@ pub struct Sample {
 }
 
 /// What one light does at a [`Sample`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightSample {
     /// The light's name.
     pub name: String,
@@ -42,12 +43,16 @@ pub struct LightSample {
     /// r = 2 (n.l) n - l; exists where l does.
     pub reflected: Option<DVec3>,
     /// What the model multiplies its strength with at the point: max(0, n.l), (o.r)^rho where n.l > 0, or 1 for an ambient light.
+    #[serde(skip)]
     pub factor: f64,
     /// Coefficient, colour, intensity and gain together, in levels.
+    #[serde(skip)]
     pub strength: DVec3,
     /// Its term in levels under Gouraud, unclamped.
+    #[serde(skip)]
     pub gouraud: DVec3,
     /// Its term in levels under Phong, unclamped.
+    #[serde(skip)]
     pub phong: DVec3,
 }
 
@@ -57,13 +62,12 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
     let cuboids: Vec<_> = reference.cuboids.iter().collect();
     let mut met = Vec::new();
     reference.meet([x, y], &cuboids, &mut met);
-    let (met, face, triangle) = first(&met)?;
+    let met = met.first()?;
     let Cuboid { solid, surface, .. } = met.cuboid;
-    let line = &met.line;
+    let (line, face) = (&met.line, met.meeting.faces().next()?);
     let place = solid.place(face, line);
-    let is_first = triangle % 2 == 0;
-    let weights = Solid::weights(face, is_first, &place);
-    let (corners, weights) = arrange(face, is_first, weights);
+    let is_first = solid.is_on_first(face, line, &place)?;
+    let (corners, weights) = Solid::weights(face, is_first, &place);
     let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
     let to_world = |v: Vector<f64>| {
         let [x, y, z] = v.0;
@@ -111,7 +115,7 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
         });
     Some(Sample {
         object: met.cuboid.number,
-        triangle,
+        triangle: 2 * face + usize::from(!is_first),
         position: reference.sight.eye
             + to_world(line.offset + line.along * (place.height / place.slope)),
         normal: to_world(normal),

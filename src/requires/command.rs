@@ -2,18 +2,16 @@
 //!
 //! Rule: the file is a scene that is read as it stands; comments say what was left out of it and what that errs.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use serde::Serialize;
 use serde_json::json;
 
 use super::share::time_share;
-use super::{AT_ONCE, Change, Part, changes, least, parts, without};
+use super::{Change, Part, changes, least, parts, without};
 use crate::components::{Orbit, View};
 use crate::drawing::Drawing;
-use crate::output::{Output, printable, say};
+use crate::output::{Output, print, say};
 use crate::scene::Scene;
-use crate::trade::progress::{Progress, with_bar};
+use crate::trade::progress::with_bar;
 use crate::trade::tables::{aligned, wrapped};
 use crate::trade::words::short;
 
@@ -49,16 +47,16 @@ pub fn run(
     let (scene, views) = (scene(drawing), views(drawing, orbit));
     let subject = subject(drawing, &scene, &views);
     let rows = rows(drawing, &scene, &views)?;
-    let text = if as_json {
-        let (scene, tolerance, views) = (&scene.name, drawing.tolerance, views.len());
-        serde_json::to_string_pretty(
-            &json!({ "scene": scene, "tolerance": tolerance, "views": views, "parts": rows }),
-        )?
-    } else {
+    let record = json!({
+        "scene": scene.name,
+        "tolerance": drawing.tolerance,
+        "views": views.len(),
+        "parts": rows,
+    });
+    print(&record, as_json, || {
         let texts = [subject.clone(), table(&rows, views.len()), wrapped(LEGEND)];
-        printable(&texts.join("\n\n"))
-    };
-    Output::Stdout.write(|writer| writeln!(writer, "{text}"))?;
+        texts.join("\n\n")
+    })?;
     match least_scene {
         Some(output) => write_least(&subject, &scene, &views, rows, output),
         None => Ok(()),
@@ -110,40 +108,28 @@ fn subject(drawing: &Drawing, scene: &Scene, views: &[View]) -> String {
     )
 }
 
-/// Does `work` with a bar that shows how many of `all` it has told to be done.
-fn with_counter<T>(
-    step: &'static str,
-    all: usize,
-    work: impl FnOnce(&(dyn Fn() + Sync)) -> anyhow::Result<T>,
-) -> anyhow::Result<T> {
-    let done = AtomicUsize::new(0);
-    with_bar(|on_progress| {
-        work(&|| {
-            let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64;
-            on_progress(Progress { step, share });
-        })
-    })
-}
-
 /// A row for each part.
 fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<Row>> {
     let parts = parts(scene);
-    let time_shares: Vec<_> = with_counter("timing", parts.len(), |part_done| {
-        let of_part = |(part, _): &(Part, _)| {
-            part_done();
-            Ok(time_share(scene, views, *part, drawing.level)?)
+    let time_shares: Vec<_> = with_bar(|on_progress| {
+        let of_part = |(index, (part, _)): (usize, &(Part, _))| {
+            on_progress("timing", index as f64 / parts.len() as f64);
+            time_share(scene, views, *part, drawing.level)
         };
-        parts.iter().map(of_part).collect()
+        parts
+            .iter()
+            .enumerate()
+            .map(of_part)
+            .collect::<Result<_, _>>()
     })?;
     let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let all = views.len() * left_out.len().div_ceil(AT_ONCE) * drawing.size[1];
-    let by_view: Vec<Vec<Change>> = with_counter("leaving out", all, |row_done| {
-        let of_view = |view| {
-            let some = left_out.chunks(AT_ONCE);
-            some.flat_map(|some| changes(scene, view, some, row_done))
-                .collect()
+    let by_view: Vec<Vec<Change>> = with_bar(|on_progress| {
+        let of_view = |(number, view)| {
+            changes(scene, view, &left_out, &|share| {
+                on_progress("leaving out", (number as f64 + share) / views.len() as f64);
+            })
         };
-        Ok(views.iter().map(of_view).collect())
+        anyhow::Ok(views.iter().enumerate().map(of_view).collect())
     })?;
     let row = |(index, ((left_out, part), time_share)): (usize, ((Part, String), _))| {
         let changes: Vec<Change> = by_view.iter().map(|view| view[index]).collect();
@@ -184,7 +170,7 @@ fn table(rows: &[Row], views: usize) -> String {
             },
         ]
     };
-    let head = ["part", "largest error", "pixels", "time", "required"].map(str::to_owned);
+    let head = ["part", "largest error", "pixels", "time", "required"];
     aligned(&head, &sorted.iter().map(cells).collect::<Vec<_>>())
 }
 
@@ -212,9 +198,9 @@ fn write_least(
     });
     rows.sort_by(|left, right| left.change.most().total_cmp(&right.change.most()));
     let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
-    let all = candidates.len() * views.len() * views[0].size[1];
-    let (left_out, change) = with_counter("looking for the least scene", all, |row_done| {
-        Ok(least(scene, views, &candidates, row_done))
+    let (left_out, change) = with_bar(|on_progress| {
+        let progress = |share| on_progress("looking for the least scene", share);
+        anyhow::Ok(least(scene, views, &candidates, &progress))
     })?;
     rows.retain(|row| left_out.contains(&row.left_out));
     let names: Vec<String> = rows.into_iter().map(|row| row.part).collect();

@@ -9,23 +9,25 @@ use crate::components::View;
 use crate::scene::Scene;
 
 /// Leaves out one candidate after the other, as long as every view keeps its tolerance and a cuboid remains; also what that
-/// does to the pictures. `row_done` is called once for each row, view and candidate.
+/// does to the pictures. `progress` is told which share of it is done.
 pub fn least(
     scene: &Scene,
     views: &[View],
     candidates: &[Part],
-    row_done: &(dyn Fn() + Sync),
+    progress: &(dyn Fn(f64) + Sync),
 ) -> (Vec<Part>, Change) {
     let (mut left_out, mut change) = (Vec::new(), Change::default());
-    for part in candidates {
+    let all = (candidates.len() * views.len()) as f64;
+    for (index, part) in candidates.iter().enumerate() {
         let tried = [&left_out[..], &[*part]].concat();
         if without(scene, &tried).cuboids.is_empty() {
             continue;
         }
         let one = std::slice::from_ref(&tried);
-        let tries = views
-            .iter()
-            .flat_map(|view| changes(scene, view, one, row_done));
+        let tries = views.iter().enumerate().flat_map(|(number, view)| {
+            let before = (index * views.len() + number) as f64;
+            changes(scene, view, one, &|share| progress((before + share) / all))
+        });
         let sum = Change::sum(tries);
         if views.iter().all(|view| sum.keeps(view.tolerance)) {
             (left_out, change) = (tried, sum);

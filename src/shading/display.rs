@@ -262,6 +262,12 @@ pub fn display_step(level: f64) -> u8 {
     (positive.min(255.0) + 0.5).floor() as u8
 }
 
+/// Three levels after the display step, 0x00RRGGBB.
+pub fn display_pixel(levels: [f64; 3]) -> u32 {
+    let [red, green, blue] = levels.map(display_step);
+    u32::from_be_bytes([0, red, green, blue])
+}
+
 /// 2^23: adding it to a float of 0..=255 leaves the nearest integer, halves to even, in the low bits.
 const INTEGERS: f32 = 8_388_608.0;
 

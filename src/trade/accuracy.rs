@@ -81,7 +81,7 @@ pub(super) fn of_methods(
     cancelled: &(dyn Fn() -> bool + Sync),
     on_progress: &(dyn Fn(f64) + Sync),
 ) -> Result<Vec<Accuracy>, TradeError> {
-    let [width, height] = view.size;
+    let [_, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
     let modes: HashSet<ShadingMode> = methods
         .iter()
@@ -100,7 +100,7 @@ pub(super) fn of_methods(
                 .ok_or(TradeError::Cancelled)
         })
         .collect::<Result<_, _>>()?;
-    let exact = picture_of(&truths[&ShadingMode::Phong]);
+    let exact = Picture::from(&truths[&ShadingMode::Phong]);
     let exact_bytes = bytes(exact.levels);
     let mut accuracies = Vec::with_capacity(methods.len());
     for (index, method) in methods.iter().enumerate() {
@@ -108,9 +108,8 @@ pub(super) fn of_methods(
             return Err(TradeError::Cancelled);
         }
         systems::draw(&mut scene.world, &drawn_by(method, view), &mut frame)?;
-        let drawn = picture(width, frame.levels(), frame.triangles());
-        let own = picture_of(&truths[&method.mode]);
-        accuracies.push(accuracy(drawn, exact, &exact_bytes, own));
+        let own = Picture::from(&truths[&method.mode]);
+        accuracies.push(accuracy(Picture::from(&frame), exact, &exact_bytes, own));
         told(modes.len() + index, 1.0);
     }
     // Their memory is needed for another.
@@ -132,9 +131,14 @@ fn accuracy(
 ) -> Accuracy {
     let flip = || {
         let drawn_bytes = bytes(drawn.levels);
+        let shown = |levels, triangles| Picture {
+            width: exact.width,
+            levels,
+            triangles,
+        };
         flip::mean(
-            picture(drawn.width, &drawn_bytes, drawn.triangles),
-            picture(exact.width, exact_bytes, exact.triangles),
+            shown(&drawn_bytes, drawn.triangles),
+            shown(exact_bytes, exact.triangles),
             flip::PIXELS_PER_DEGREE,
         )
     };
@@ -158,9 +162,8 @@ fn accuracy(
 /// `view` as `method` draws it.
 pub(super) fn drawn_by(method: &Method, view: &View) -> View {
     View {
-        shading: Some(method.mode),
         tolerance: method.tolerance,
-        ..view.clone()
+        ..view.shaded(method.mode)
     }
 }
 
@@ -171,23 +174,8 @@ fn truth(
     cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize) + Sync),
 ) -> Option<Truth> {
-    let view = View {
-        shading: Some(mode),
-        ..view.clone()
-    };
+    let view = view.shaded(mode);
     reference::picture(&scene.world, &view, 0..view.size[1], cancelled, progress)
-}
-
-fn picture_of(truth: &Truth) -> Picture<'_, f64> {
-    picture(truth.width, &truth.levels, &truth.triangles)
-}
-
-fn picture<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [u32]) -> Picture<'a, T> {
-    Picture {
-        width,
-        levels,
-        triangles,
-    }
 }
 
 fn bytes<T: Into<f64> + Copy>(levels: &[[T; 3]]) -> Vec<[u8; 3]> {

@@ -55,15 +55,15 @@ pub fn text_style(pixels: f64, color: RGBColor) -> TextStyle<'static> {
 }
 
 /// What a plot is about, in the upper left corner: a title, and lines that may hold names out of files.
-pub fn heading(area: &Area, title: &str, lines: &[(&str, RGBColor)]) -> anyhow::Result<()> {
+pub fn heading(area: &Area, title: &str, lines: &[&str]) -> anyhow::Result<()> {
     area.draw_text(title, &text_style(18.0, INK), (24, 16))?;
-    for ((line, color), y) in lines.iter().zip((42..).step_by(18)) {
+    for (line, y) in lines.iter().zip((42..).step_by(18)) {
         // What XML has no place for.
         let line = line.replace(
             |letter: char| letter.is_control() || "\u{fffe}\u{ffff}".contains(letter),
             "\u{fffd}",
         );
-        area.draw_text(&line, &text_style(12.0, *color), (24, y))?;
+        area.draw_text(&line, &text_style(12.0, FAINT), (24, y))?;
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ mod legend;
 use std::ops::RangeInclusive;
 
 use super::metrics::{Picture, pixel_error};
-use crate::frame::{NO_TRIANGLE, display_step};
+use crate::frame::{NO_TRIANGLE, display_pixel};
 
 /// The colour of a pixel where neither picture shows anything.
 pub const NOTHING: u32 = 0x005c_6166;
@@ -87,11 +87,6 @@ impl Scale {
         ((error / self.top() * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
     }
 
-    /// The error in levels that stands so far up the scale, 0..=1.
-    pub fn error_at(self, position: f64) -> f64 {
-        self.top() / Scale::RANGE * (position * Scale::RANGE.ln_1p()).exp_m1()
-    }
-
     /// The colour of a pixel, 0x00RRGGBB.
     pub fn color(self, pixel: Pixel) -> u32 {
         match pixel {
@@ -120,14 +115,10 @@ where
 }
 
 fn color_at(position: f64) -> u32 {
-    let [red, green, blue] = MAGMA.map(|coefficients| {
-        let value = coefficients
-            .iter()
-            .rev()
-            .fold(0.0, |sum, c| sum * position + c);
-        display_step(255.0 * value)
-    });
-    u32::from_be_bytes([0, red, green, blue])
+    display_pixel(MAGMA.map(|coefficients| {
+        let powers = coefficients.iter().rev();
+        255.0 * powers.fold(0.0, |sum, c| sum * position + c)
+    }))
 }
 
 /// The errors of a picture, each as one of 254 steps of the widest scale.
@@ -166,18 +157,13 @@ impl ErrorMap {
 
     /// The map as pixels, 0x00RRGGBB, row by row from the top.
     pub fn pixels(&self) -> Vec<u32> {
-        let mut palette = [NOTHING; 256];
-        palette[usize::from(ErrorMap::EDGE)] = EDGE;
-        for (step, color) in palette[..usize::from(ErrorMap::STEPS)]
-            .iter_mut()
-            .enumerate()
-        {
-            *color = color_at(step as f64 / f64::from(ErrorMap::STEPS - 1));
-        }
-        self.steps
-            .iter()
-            .map(|step| palette[usize::from(*step)])
-            .collect()
+        let palette: [u32; 256] = std::array::from_fn(|step| match step as u8 {
+            ErrorMap::EDGE => EDGE,
+            ErrorMap::NOTHING => NOTHING,
+            step => color_at(f64::from(step) / f64::from(ErrorMap::STEPS - 1)),
+        });
+        let steps = self.steps.iter();
+        steps.map(|step| palette[usize::from(*step)]).collect()
     }
 
     /// The map with `title` and its scale below: pixels and size. A narrow map gets room for them beside it.
@@ -222,7 +208,6 @@ mod tests {
         assert_eq!(scale.position(0.0), 0.0);
         assert_eq!(scale.position(255.0), 1.0);
         // ln(1 + 1020 0.5 / 255) / ln(1 + 1020) = ln 3 / ln 1021.
-        assert!((scale.error_at(scale.position(0.5)) - 0.5).abs() < 1e-12);
         assert!((scale.position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
         let sum = |error| {
             channels(scale.color(Pixel::Error(error)))

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::flip;
-use super::record::{Measurement, Report};
+use super::record::{Measurement, Report, Subject};
 use super::tables::{self, aligned, wrapped};
 use super::timing::{BATCHES, Timing};
 use super::verdict::verdict;
@@ -21,18 +21,34 @@ pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(record)? + "\n")
 }
 
-/// `trade.csv` (RFC 4180): a row for each method with what was measured and where; a column is called after its way in the
-/// JSON, as `ms.median`; a list is one cell, spaces between its items; a cell is empty where a quantity does not exist. The
-/// raw samples are in the JSON alone.
+/// `trade.csv`: a row for each method with what was measured and where.
 ///
 /// # Errors
 /// Those of the libraries, which have no reason to give one.
 pub fn csv(report: &Report) -> anyhow::Result<String> {
+    #[derive(Serialize)]
+    struct Row<'a> {
+        #[serde(flatten)]
+        subject: &'a Subject,
+        #[serde(flatten)]
+        measurement: &'a Measurement,
+    }
+    csv_of(report.methods.iter().map(|measurement| Row {
+        subject: &report.subject,
+        measurement,
+    }))
+}
+
+/// Records as CSV (RFC 4180): a column is called after its way in the JSON, as `ms.median`; a list is one cell, spaces
+/// between its items; a cell is empty where a quantity does not exist. Raw samples are in the JSON alone.
+///
+/// # Errors
+/// Those of the libraries, which have no reason to give one.
+pub fn csv_of<T: Serialize>(records: impl Iterator<Item = T>) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    for (index, one) in report.methods.iter().enumerate() {
+    for (index, record) in records.enumerate() {
         let mut cells = Vec::new();
-        flatten("", &serde_json::to_value(&report.subject)?, &mut cells);
-        flatten("", &serde_json::to_value(one)?, &mut cells);
+        flatten("", &serde_json::to_value(record)?, &mut cells);
         let (names, values): (Vec<String>, Vec<String>) = cells.into_iter().unzip();
         if index == 0 {
             writer.write_record(names)?;
@@ -64,6 +80,8 @@ fn cell(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
         Value::String(text) => text.clone(),
+        // As the CSV library writes it.
+        Value::Number(number) => number.to_string().replace("e+", "e"),
         _ => value.to_string(),
     }
 }
@@ -116,8 +134,8 @@ pub fn markdown(report: &Report) -> String {
     )
 }
 
-fn head() -> Vec<String> {
-    COLUMNS.map(|(head, _)| head.to_owned()).to_vec()
+fn head() -> [&'static str; COLUMNS.len()] {
+    COLUMNS.map(|(head, _)| head)
 }
 
 fn rows(report: &Report) -> Vec<Vec<String>> {

@@ -8,7 +8,8 @@
 
 use serde::Serialize;
 
-use crate::frame::{NO_TRIANGLE, face};
+use crate::frame::{Frame, NO_TRIANGLE, face};
+use crate::reference::Truth;
 
 /// A picture to compare, row by row from the top.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +20,26 @@ pub struct Picture<'a, T> {
     pub levels: &'a [[T; 3]],
     /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`].
     pub triangles: &'a [u32],
+}
+
+impl<'a> From<&'a Frame> for Picture<'a, f32> {
+    fn from(frame: &'a Frame) -> Self {
+        Picture {
+            width: frame.size()[0],
+            levels: frame.levels(),
+            triangles: frame.triangles(),
+        }
+    }
+}
+
+impl<'a> From<&'a Truth> for Picture<'a, f64> {
+    fn from(truth: &'a Truth) -> Self {
+        Picture {
+            width: truth.width,
+            levels: &truth.levels,
+            triangles: &truth.triangles,
+        }
+    }
 }
 
 /// How far two pictures are apart.

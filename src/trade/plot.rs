@@ -63,15 +63,6 @@ impl<'a> Point<'a> {
     }
 }
 
-impl Point<'_> {
-    /// The ends of the interval as far as they lie within the axis.
-    fn interval(&self, times: &Range<f64>) -> Vec<(f64, f64)> {
-        let ends = self.interval.iter();
-        ends.map(|end| (end.clamp(times.start, times.end), self.error))
-            .collect()
-    }
-}
-
 fn color(mode: ShadingMode) -> RGBColor {
     match mode {
         ShadingMode::Gouraud => BLUE,
@@ -90,7 +81,7 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
         chart::heading(
             area,
             "What each shading method costs and errs",
-            &[(&subject(report), FAINT), (&place(report), FAINT)],
+            &[&subject(report), &place(report)],
         )?;
         if points.is_empty() {
             let style = text_style(16.0, INK).pos(Pos::new(HPos::Center, VPos::Center));
@@ -131,8 +122,9 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
     let front = front(points, times.end);
     chart.draw_series([PathElement::new(front.clone(), FAINT.stroke_width(2))])?;
     for point in points {
-        let interval = PathElement::new(point.interval(&times), point.color.stroke_width(1));
-        chart.draw_series([interval])?;
+        let within = |end: f64| (end.clamp(times.start, times.end), point.error);
+        let ends = point.interval.map(within);
+        chart.draw_series([PathElement::new(ends, point.color.stroke_width(1))])?;
     }
     let plot = chart.plotting_area();
     let columns = plot.get_pixel_range().0;
@@ -225,12 +217,9 @@ fn key(area: &Area) -> anyhow::Result<()> {
 
 /// The times shown: all of them, with room for labels.
 fn axis(points: &[Point]) -> Range<f64> {
-    let least = points
-        .iter()
-        .map(|point| point.time)
-        .fold(f64::INFINITY, f64::min);
-    let most = points.iter().map(|point| point.time).fold(0.0, f64::max);
-    least / 1.5..most * 1.5
+    let times = points.iter().map(|point| point.time);
+    let least = times.clone().fold(f64::INFINITY, f64::min);
+    least / 1.5..times.fold(0.0, f64::max) * 1.5
 }
 
 /// The least error that is to be had for each time, as a line of steps from the top to the right `end`.

@@ -37,7 +37,6 @@ pub struct Subject {
     pub command: String,
     pub scene: String,
     pub camera: String,
-    #[serde(serialize_with = "projection_name")]
     pub projection: Projection,
     /// Width and height in pixels.
     pub size: [usize; 2],
@@ -46,7 +45,7 @@ pub struct Subject {
 /// What one method costs and how far it errs.
 #[derive(Clone, Debug, Serialize)]
 pub struct Measurement {
-    #[serde(flatten, serialize_with = "method_keys")]
+    #[serde(flatten)]
     pub method: Method,
     /// How many threads drew.
     pub threads: usize,
@@ -113,16 +112,6 @@ impl Subject {
             machine.profile
         )
     }
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
-fn projection_name<S: Serializer>(projection: &Projection, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(projection.name())
-}
-
-fn method_keys<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
-    json!({ "id": method.id, "mode": method.mode.name(), "tolerance": method.tolerance })
-        .serialize(to)
 }
 
 fn map<S: Serializer>(pairs: &[(&'static str, f64)], to: S) -> Result<S::Ok, S::Error> {

@@ -17,7 +17,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::progress::{self, Progress};
+use super::progress::{self, OnProgress};
 use super::record::Subject;
 use super::timing::{self, Timing};
 use super::{Request, TradeError, accuracy, export, make_writable};
@@ -59,32 +59,13 @@ impl Quantity {
         Quantity::Threads,
     ];
 
-    /// In the plural.
-    pub fn name(self) -> &'static str {
+    /// Its name in the plural, the unit of [`Times::cost`], and what the bar calls its measurement.
+    fn words(self) -> [&'static str; 3] {
         match self {
-            Quantity::Pixels => "pixels",
-            Quantity::Lights => "lights",
-            Quantity::Cuboids => "cuboids",
-            Quantity::Threads => "threads",
-        }
-    }
-
-    /// The unit of [`Times::cost`].
-    pub fn unit(self) -> &'static str {
-        match self {
-            Quantity::Pixels => "ns/px",
-            Quantity::Lights | Quantity::Cuboids => "\u{b5}s each",
-            Quantity::Threads => "faster",
-        }
-    }
-
-    /// What the bar calls its measurement.
-    fn step(self) -> &'static str {
-        match self {
-            Quantity::Pixels => "timing pixels",
-            Quantity::Lights => "timing lights",
-            Quantity::Cuboids => "timing cuboids",
-            Quantity::Threads => "timing threads",
+            Quantity::Pixels => ["pixels", "ns/px", "timing pixels"],
+            Quantity::Lights => ["lights", "\u{b5}s each", "timing lights"],
+            Quantity::Cuboids => ["cuboids", "\u{b5}s each", "timing cuboids"],
+            Quantity::Threads => ["threads", "faster", "timing threads"],
         }
     }
 }
@@ -164,9 +145,10 @@ impl Series {
                 times.cost = cost.is_finite().then_some(cost);
             }
         }
+        let [_, unit, _] = quantity.words();
         Series {
             quantity,
-            unit: quantity.unit(),
+            unit,
             fits: if quantity == Quantity::Threads {
                 Vec::new()
             } else {
@@ -177,18 +159,15 @@ impl Series {
     }
 }
 
-/// Measures every [`Quantity`]; `request.threads` is where the threads end. `on_progress` is told how far it is.
+/// Measures every [`Quantity`]; `request.threads` is where the threads end.
 ///
 /// # Errors
 /// When memory or threads do not suffice.
-pub fn measure(
-    request: &Request,
-    on_progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Scaling, TradeError> {
+pub fn measure(request: &Request, on_progress: OnProgress) -> Result<Scaling, TradeError> {
     let time = request.time / Quantity::ALL.len() as u32;
     let series = Quantity::ALL.map(|quantity| {
-        let step = quantity.step();
-        let on_progress = |share| on_progress(Progress { step, share });
+        let [_, _, step] = quantity.words();
+        let on_progress = |share| on_progress(step, share);
         let points = time_settings(quantity, request, time, on_progress)?;
         Ok::<_, TradeError>(Series::new(quantity, points))
     });
@@ -208,29 +187,23 @@ fn time_settings(
     time: Duration,
     on_progress: impl Fn(f64),
 ) -> Result<Vec<Point>, TradeError> {
-    let (scenes, configurations) = configurations(quantity, request);
+    let configurations = configurations(quantity, request);
     let methods = &request.methods;
-    // As the frames say, not as they were asked for.
-    let drawn = RefCell::new(vec![([0, 0], 0, 0); configurations.len()]);
+    let covered = RefCell::new(vec![0; configurations.len()]);
     let prepare = || {
-        let mut scenes: Vec<Scene> = scenes.iter().map(Scene::snapshot).collect();
+        let scenes = configurations.iter().map(|it| it.scene.snapshot());
+        let mut scenes: Vec<Scene> = scenes.collect();
         let mut frame = Frame::new(Keep::Display, Workers::alone(request.level));
-        let (configurations, drawn) = (&configurations, &drawn);
+        let (configurations, covered) = (&configurations, &covered);
         Ok(move |turn: usize| -> Result<(), TradeError> {
             let (index, method) = (turn / methods.len(), turn % methods.len());
-            let Configuration {
-                view,
-                threads,
-                scene,
-                ..
-            } = &configurations[index];
+            let Configuration { view, threads, .. } = &configurations[index];
             if frame.workers().threads() != *threads {
                 frame = Frame::new(Keep::Display, Workers::new(*threads, request.level)?);
             }
             let view = accuracy::drawn_by(&methods[method], view);
-            systems::draw(&mut scenes[*scene].world, &view, &mut frame)?;
-            let (threads, counts) = (frame.workers().threads(), frame.counts());
-            drawn.borrow_mut()[index] = (frame.size(), threads, counts.covered_pixels);
+            systems::draw(&mut scenes[index].world, &view, &mut frame)?;
+            covered.borrow_mut()[index] = frame.counts().covered_pixels;
             Ok(())
         })
     };
@@ -241,19 +214,17 @@ fn time_settings(
         timing: timing.clone(),
         cost: None,
     };
-    let points = configurations.iter().zip(drawn.into_inner());
-    Ok(points
-        .zip(timings.chunks(methods.len()))
-        .map(
-            |((configuration, (size, threads, covered_pixels)), timings)| Point {
-                number: configuration.number,
-                size,
-                threads,
-                covered_pixels,
-                methods: methods.iter().zip(timings).map(times).collect(),
-            },
-        )
-        .collect())
+    let covered = covered.into_inner();
+    let drawn = configurations.iter().zip(covered);
+    let points = drawn.zip(timings.chunks(methods.len()));
+    let points = points.map(|((drawn, covered_pixels), timings)| Point {
+        number: drawn.number,
+        size: drawn.view.size,
+        threads: drawn.threads,
+        covered_pixels,
+        methods: methods.iter().zip(timings).map(times).collect(),
+    });
+    Ok(points.collect())
 }
 
 /// The command: measures, prints the tables, and writes `scale.json` into the folder `out` if there is one.

@@ -13,12 +13,12 @@ pub const WIDTH: usize = 100;
 const GAP: u16 = 2;
 
 /// A table for a terminal, its first column to the left and the others to the right.
-pub(crate) fn aligned(head: &[String], rows: &[Vec<String>]) -> String {
+pub(crate) fn aligned(head: &[impl ToString], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
     table.set_style(TableComponent::HeaderLines, '\u{2500}');
     table.set_style(TableComponent::MiddleHeaderIntersections, '\u{2500}');
-    table.set_header(head);
+    table.set_header(head.iter().map(ToString::to_string));
     table.add_rows(rows);
     for (index, column) in table.column_iter_mut().enumerate() {
         let gap = if index == 0 { 0 } else { GAP };
@@ -31,11 +31,11 @@ pub(crate) fn aligned(head: &[String], rows: &[Vec<String>]) -> String {
 }
 
 /// The same in Markdown.
-pub(super) fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
-    let row = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+pub(super) fn markdown(head: &[&str], rows: &[Vec<String>]) -> String {
+    let row = |cells: &str| format!("| {cells} |\n");
     let rule = format!("|---{}|\n", "|---:".repeat(head.len() - 1));
-    let rows: Vec<String> = rows.iter().map(|cells| row(cells)).collect();
-    row(head) + &rule + &rows.concat()
+    let rows: Vec<String> = rows.iter().map(|cells| row(&cells.join(" | "))).collect();
+    row(&head.join(" | ")) + &rule + &rows.concat()
 }
 
 /// The same words in lines of at most [`WIDTH`] columns.

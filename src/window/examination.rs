@@ -3,10 +3,10 @@
 //! Rule: the best picture of the scene is exact Phong, whatever mode draws it; a mode's own truth gives its own error only.
 
 use crate::components::{ShadingMode, View};
-use crate::frame::{Frame, Keep, Workers, display_step};
+use crate::frame::{Frame, Keep, Workers, display_pixel};
 use crate::memory;
 use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
-use crate::reference::{self, Truth};
+use crate::reference;
 use crate::scene::Scene;
 use crate::systems;
 use crate::trade::error_map::{self, Scale};
@@ -56,12 +56,9 @@ pub fn examine(
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<ReferenceResult> {
     let view = request.view.clone();
-    let [width, height] = view.size;
+    let [_, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
-    let phong = View {
-        shading: Some(ShadingMode::Phong),
-        ..view.clone()
-    };
+    let phong = view.shaded(ShadingMode::Phong);
     let is_phong = view.shading == phong.shading;
     let mut reference = memory::reserve_pixels(view.size).ok()?;
     let mut pixels = memory::reserve_pixels(view.size).ok()?;
@@ -75,20 +72,12 @@ pub fn examine(
         };
         let exact = truth(&phong)?;
         let own = if is_phong { None } else { Some(truth(&view)?) };
-        let drawn = Picture {
-            width,
-            levels: frame.levels(),
-            triangles: frame.triangles(),
-        };
-        let compared = picture_of(&exact);
-        let own = own.as_ref().map_or(compared, picture_of);
+        let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
+        let own = own.as_ref().map_or(compared, Picture::from);
         errors.add(&metrics::compare(drawn, compared));
         own_errors.add(&metrics::compare(drawn, own));
         pixels.extend(error_map::compared(drawn, compared));
-        reference.extend(exact.levels.iter().map(|levels| {
-            let [red, green, blue] = levels.map(display_step);
-            u32::from_be_bytes([0, red, green, blue])
-        }));
+        reference.extend(exact.levels.iter().copied().map(display_pixel));
     }
     let errors = errors.statistics();
     let scale = Scale::holding(errors.map_or(0.0, |errors| errors.max));
@@ -114,14 +103,6 @@ impl ReferenceResult {
             }
         }
         self.proof = Some(proof);
-    }
-}
-
-fn picture_of(truth: &Truth) -> Picture<'_, f64> {
-    Picture {
-        width: truth.width,
-        levels: &truth.levels,
-        triangles: &truth.triangles,
     }
 }
 

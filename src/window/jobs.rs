@@ -41,7 +41,7 @@ pub enum Progress {
     Examined(ReferenceResult),
     /// The proof for the result of the same revision.
     Proven(u64, Proof),
-    Measuring(trade::Progress),
+    Measuring(&'static str, f64),
     Measured(Box<Report>),
     /// How much is known of what the scene requires, 0..=1.
     Requiring(f64),
@@ -149,13 +149,11 @@ fn work(
                 drawn.into_iter().for_each(tell);
             }),
             Job::Measure(request) => pool.install(|| {
-                let on_progress = |progress| tell(Progress::Measuring(progress));
-                tell(
-                    match trade::measure_unless(request, &is_cancelled, &on_progress) {
-                        Ok(report) => Progress::Measured(Box::new(report)),
-                        Err(error) => Progress::NotMeasured(error.to_string()),
-                    },
-                );
+                let on_progress = |step, share| tell(Progress::Measuring(step, share));
+                tell(match trade::measure(request, &is_cancelled, &on_progress) {
+                    Ok(report) => Progress::Measured(Box::new(report)),
+                    Err(error) => Progress::NotMeasured(error.to_string()),
+                });
             }),
         }
     }
@@ -173,8 +171,7 @@ fn examine_and_prove(
     let revision = result.revision;
     tell(Progress::Examined(result));
     let (world, view) = (&mut request.scene.world, &request.view);
-    let workers = [Workers::alone(level), Workers::alone(level)];
-    if let Ok(Some(proof)) = prove(world, view, workers, cancelled, &|_| ()) {
+    if let Ok(Some(proof)) = prove(world, view, level, cancelled, &|_| ()) {
         tell(Progress::Proven(revision, proof));
     }
 }

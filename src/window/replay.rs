@@ -18,7 +18,7 @@ use super::session::{Redraw, Session};
 use crate::drawing::Drawing;
 use crate::frame::Workers;
 use crate::output::{Animation, Output, say};
-use crate::trade::progress::{Progress, with_bar};
+use crate::trade::progress::with_bar;
 
 /// How long the last frame of an animation is shown.
 const LAST: Duration = Duration::from_secs(2);
@@ -134,10 +134,7 @@ pub fn run(
             let bytes: Vec<u8> = pixels.iter().flat_map(|it| it.to_be_bytes()).collect();
             writeln!(hashes, "{time:.3} {:08x}", crc32fast::hash(&bytes))?;
             done += 1;
-            on_progress(Progress {
-                step: "replaying",
-                share: done as f64 / count as f64,
-            });
+            on_progress("replaying", done as f64 / count as f64);
             anyhow::Ok(())
         };
         match output {

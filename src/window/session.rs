@@ -21,7 +21,7 @@ use super::jobs::Progress;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
 use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Workers, display_step};
+use crate::frame::{Frame, display_pixel};
 use crate::memory::OutOfMemory;
 use crate::probe::{self, Probe, Profile};
 use crate::requires::{Part, PartChange};
@@ -45,8 +45,8 @@ pub enum Measuring {
     /// None is shown.
     #[default]
     Off,
-    /// How far it is; nothing is known before it has told.
-    Running(Option<trade::Progress>),
+    /// What is being done, and the share of it that is done.
+    Running(&'static str, f64),
     /// What came of it.
     Done(Box<Report>),
 }
@@ -196,18 +196,17 @@ impl Session {
         let outside = |pixel: &mut [usize; 2]| pixel[0] >= size[0] || pixel[1] >= size[1];
         self.state.pixel.take_if(outside);
         let view = self.view(size);
-        let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, Workers::alone(level));
+        let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, level);
         self.probe = self.state.pixel.map(&mut probe).transpose()?;
-        let mut profile = |pixel: [usize; 2]| {
-            probe::profile(&mut self.scene, &view, pixel[1], Workers::alone(level))
-        };
+        let mut profile =
+            |pixel: [usize; 2]| probe::profile(&mut self.scene, &view, pixel[1], level);
         self.profile = self.state.pixel.map(&mut profile).transpose()?;
         Ok(())
     }
 
     /// Takes what a job has come to, unless it is about a picture that has changed since, or is no longer wanted.
     pub fn on_progress(&mut self, progress: Progress) {
-        let measures = matches!(self.measuring, Measuring::Running(_));
+        let measures = matches!(self.measuring, Measuring::Running(..));
         match progress {
             Progress::Examined(result) if result.revision == self.revision => {
                 self.reference = Some(result);
@@ -217,8 +216,8 @@ impl Session {
                     result.add_proof(proof);
                 }
             }
-            Progress::Measuring(progress) if measures => {
-                self.measuring = Measuring::Running(Some(progress));
+            Progress::Measuring(step, share) if measures => {
+                self.measuring = Measuring::Running(step, share);
                 if self.now < self.next_progress {
                     return;
                 }
@@ -261,7 +260,7 @@ impl Session {
             self.wants(Redraw::Overlay);
         }
         self.spin_on();
-        if matches!(self.measuring, Measuring::Running(_)) {
+        if matches!(self.measuring, Measuring::Running(..)) {
             return;
         }
         let rested = |since: &mut Duration| now >= *since + REST;
@@ -367,8 +366,7 @@ impl Session {
 
     /// Notes what the picture of these pixels took when it was drawn first.
     pub fn drawn(&mut self, times: FrameTimes, pixels: &[u32]) {
-        let [red, green, blue] = self.scene.background.to_array().map(display_step);
-        let background = u32::from_be_bytes([0, red, green, blue]);
+        let background = display_pixel(self.scene.background.to_array());
         let mut covered = pixels.iter().filter(|pixel| **pixel != background);
         let first = covered.next();
         self.flat = first.is_some_and(|first| covered.all(|pixel| pixel == first));

@@ -10,7 +10,7 @@ use std::ops::{Add, Mul};
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4};
 use glam::DVec3;
-use shadetrade::reference::Interval;
+use shadetrade::reference::{Interval, Real};
 use shadetrade::shading::affine::Affine;
 use shadetrade::shading::bound::{self, Highlight, cosine_error, reflection, side};
 use shadetrade::shading::field::{self, Field, MAX_RADIUS, Places};
@@ -37,28 +37,28 @@ impl Mul for Taylor {
     type Output = Taylor;
 
     fn mul(self, other: Taylor) -> Taylor {
-        Taylor([0, 1, 2, 3].map(|k| {
-            (0..=k).fold(Interval::from(0.0), |sum, i| {
-                sum + self.0[i] * other.0[k - i]
-            })
-        }))
+        Taylor(
+            [0, 1, 2, 3].map(|k| {
+                (0..=k).fold(Interval::of(0.0), |sum, i| sum + self.0[i] * other.0[k - i])
+            }),
+        )
     }
 }
 
 impl Taylor {
     fn scaled(self, by: f64) -> Taylor {
-        Taylor(self.0.map(|coefficient| coefficient * Interval::from(by)))
+        Taylor(self.0.map(|coefficient| coefficient * Interval::of(by)))
     }
 
     /// r with r^2 a = 1, coefficient by coefficient.
     fn inverse_root(self) -> Taylor {
         let [a0, a1, a2, a3] = self.0;
-        let two = Interval::from(2.0);
+        let two = Interval::of(2.0);
         let s0 = a0.sqrt();
         let s1 = a1 / (two * s0);
         let s2 = (a2 - s1 * s1) / (two * s0);
         let s3 = (a3 - two * s1 * s2) / (two * s0);
-        let r0 = Interval::from(1.0) / s0;
+        let r0 = Interval::of(1.0) / s0;
         let r1 = -(s1 * r0) / s0;
         let r2 = -(s1 * r1 + s2 * r0) / s0;
         let r3 = -(s1 * r2 + s2 * r1 + s3 * r0) / s0;
@@ -70,14 +70,14 @@ impl Taylor {
     fn power(self, shininess: f64) -> Taylor {
         let [s0, ..] = self.0;
         let [least, largest] = s0.endpoints();
-        let mut p = [Interval::from((0.5 * (least + largest)).powf(shininess)); 4];
+        let mut p = [Interval::of((0.5 * (least + largest)).powf(shininess)); 4];
         for k in 1..4 {
             let terms = (1..=k).map(|j| {
                 let factor = shininess * j as f64 - (k - j) as f64;
-                Interval::from(factor) * self.0[j] * p[k - j]
+                Interval::of(factor) * self.0[j] * p[k - j]
             });
-            let sum = terms.fold(Interval::from(0.0), |sum, term| sum + term);
-            p[k] = sum / (Interval::from(k as f64) * s0);
+            let sum = terms.fold(Interval::of(0.0), |sum, term| sum + term);
+            p[k] = sum / (Interval::of(k as f64) * s0);
         }
         Taylor(p)
     }
@@ -95,7 +95,7 @@ fn dot(a: &[Taylor; 3], b: &[Taylor; 3]) -> Taylor {
 
 /// The unit vector along an affine one, from a point on to the right (`axis` 0) or down (1).
 fn unit(vector: &Affine, [x, y]: [f64; 2], axis: usize) -> [Taylor; 3] {
-    let exact = |number: f64| Interval::from(number);
+    let exact = |number: f64| Interval::of(number);
     let slope = [vector.dx, vector.dy][axis];
     let components = [0, 1, 2].map(|i| {
         let value = exact(vector.centre[i])
@@ -179,7 +179,7 @@ fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
                 let direction = unit(&vector, place, axis);
                 // In the plane in which the vector turns, the half-turn turns every other one alike.
                 let still = direction.map(|component| {
-                    let zero = Interval::from(0.0);
+                    let zero = Interval::of(0.0);
                     Taylor([component.0[0], zero, zero, zero])
                 });
                 let twice = dot(&direction, &still).scaled(2.0);

@@ -3,11 +3,11 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 use shadetrade::scene::BUILT_IN;
 
-use crate::{decode, folder, listing, said, shadetrade};
+use crate::{decode, folder, in_shell, listing, said, shadetrade, stop};
 
 /// Commands that write files, shortened to a second; the folder is `out`.
 const WRITERS: [&str; 2] = [
@@ -17,15 +17,7 @@ const WRITERS: [&str; 2] = [
 
 /// Runs the program with the words of `line` in a shell that has done `first`.
 fn run_after(first: &str, folder: &Path, line: &str) -> Output {
-    let script = format!("{first}; exec {} {line}", env!("CARGO_BIN_EXE_shadetrade"));
-    Command::new("sh")
-        .args(["-c", &script])
-        .current_dir(folder)
-        .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .stdin(Stdio::null())
-        .output()
-        .expect("a shell starts")
+    in_shell(folder, &format!("{first}; exec $0 {line}"))
 }
 
 /// Asserts that every file of `folder` is whole or, where that is allowed, hidden; gives the names of the whole ones.
@@ -132,22 +124,15 @@ fn a_signal_at_any_time_leaves_whole_files() {
         ] {
             let folder = folder();
             let out = folder.path().join("out");
-            let mut child = shadetrade(folder.path())
+            let child = shadetrade(folder.path())
                 .args(line.split(' '))
                 .stdout(Stdio::null())
                 .stderr(Stdio::null())
                 .spawn()
                 .expect("the program starts");
             // Hidden ones count: then one is being written.
-            while !(out.exists() && listing(&out).len() >= files)
-                && child.try_wait().expect("its state is known").is_none()
-            {
-                std::thread::yield_now();
-            }
-            let id = child.id().to_string();
-            let kill = format!("kill -s {signal} {id}");
-            let _ = Command::new("sh").args(["-c", &kill]).status();
-            let ended = child.wait().expect("it ends");
+            let has_files = || out.exists() && listing(&out).len() >= files;
+            let ended = stop(child, signal, has_files);
             whole_files(&out, !ended.success());
         }
     }

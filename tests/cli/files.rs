@@ -116,10 +116,10 @@ mod unix {
     use std::io::Read;
     use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
     use std::path::Path;
-    use std::process::{Command, Output};
+    use std::process::Command;
 
     use super::*;
-    use crate::{said, shadetrade};
+    use crate::{in_shell, said, shadetrade, stop};
 
     fn mode(path: &Path) -> u32 {
         fs::metadata(path).unwrap().permissions().mode() & 0o7777
@@ -127,15 +127,6 @@ mod unix {
 
     fn set_mode(path: &Path, mode: u32) {
         fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
-    }
-
-    /// What a script does in `folder`, to which `$0` is the program.
-    fn in_shell(folder: &Path, script: &str) -> Output {
-        Command::new("sh")
-            .args(["-c", script, env!("CARGO_BIN_EXE_shadetrade")])
-            .current_dir(folder)
-            .output()
-            .expect("there is a shell")
     }
 
     /// Whether permissions do not bind whoever runs the tests.
@@ -349,19 +340,13 @@ mod unix {
         let folder = folder();
         let file = folder.path().join("a.png");
         fs::write(&file, "old").unwrap();
-        let mut child = shadetrade(folder.path())
+        let child = shadetrade(folder.path())
             .args("render --size 4000x4000 --lights all -o a.png".split(' '))
             .stderr(std::process::Stdio::null())
             .spawn()
             .unwrap();
         // Once the temporary file is there, the picture is being written.
-        while listing(folder.path()) == ["a.png"] && child.try_wait().unwrap().is_none() {
-            std::thread::yield_now();
-        }
-        let id = child.id().to_string();
-        let kill = format!("kill -s INT {id}");
-        let _ = Command::new("sh").args(["-c", &kill]).status();
-        let ended = child.wait().unwrap();
+        let ended = stop(child, "INT", || listing(folder.path()) != ["a.png"]);
         if ended.success() {
             assert_eq!(listing(folder.path()), ["a.png"]);
             decode(&fs::read(&file).unwrap());

@@ -12,9 +12,14 @@ mod pictures;
 mod replays;
 mod requires;
 mod scale;
+#[cfg(unix)]
+#[path = "../support/signal.rs"]
+mod signal;
 
 use std::fs;
 use std::path::Path;
+#[cfg(unix)]
+use std::process::{Child, ExitStatus};
 use std::process::{Command, Output};
 
 use tempfile::TempDir;
@@ -41,6 +46,28 @@ fn run(folder: &Path, line: &str) -> Output {
         .args(line.split_whitespace())
         .output()
         .expect("the program starts")
+}
+
+/// What a script does in `folder`, to which `$0` is the program.
+#[cfg(unix)]
+fn in_shell(folder: &Path, script: &str) -> Output {
+    Command::new("sh")
+        .args(["-c", script, env!("CARGO_BIN_EXE_shadetrade")])
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .output()
+        .expect("there is a shell")
+}
+
+/// Sends a signal once `is_time` says so, unless the program ends before; how it ends.
+#[cfg(unix)]
+fn stop(mut program: Child, signal: &str, is_time: impl Fn() -> bool) -> ExitStatus {
+    while !is_time() && program.try_wait().expect("its state is known").is_none() {
+        std::thread::yield_now();
+    }
+    signal::send(signal, &program);
+    program.wait().expect("it ends")
 }
 
 /// Standard error as text.

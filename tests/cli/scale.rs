@@ -135,10 +135,7 @@ fn only_the_methods_named_are_measured_and_the_command_can_be_repeated() {
     {
         let command = value["command"].as_str().expect("it is text");
         let script = format!("shadetrade() {{ printf '%s\\n' \"$@\"; }}; {command}");
-        let shell = std::process::Command::new("sh")
-            .args(["-c", &script])
-            .output();
-        let words = String::from_utf8(shell.expect("there is a shell").stdout);
+        let words = String::from_utf8(crate::in_shell(folder.path(), &script).stdout);
         let words = words.expect("it is UTF-8");
         let words: Vec<&str> = words.lines().collect();
         assert_eq!(words[5..7], ["my report", "--methods"], "{command}");

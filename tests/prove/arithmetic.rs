@@ -31,7 +31,7 @@ fn compare(
     let mut compared = 0;
     for (pixel, seen) in pixels.iter().enumerate().step_by(stride) {
         let [seen] = &seen[..] else { continue };
-        let Some(face) = seen.face else { continue };
+        let Some(face) = seen.face() else { continue };
         let at = [pixel % width, pixel / width];
         let exact = scene.levels(face, at, RIGHT);
         for (level, exact) in seen.levels.into_iter().zip(&exact) {
@@ -100,13 +100,13 @@ fn operations_of_intervals_hold_the_value_of_the_second_arithmetic() {
     let mut random = Random(7);
     for _ in 0..2000 {
         let x = 10.0_f64.powf(random.within(-12.0, 12.0));
-        let number = Interval::from(x);
+        let number = Interval::of(x);
         assert_sharp("square", x, number.square(), &(Big::of(x) * Big::of(x)));
         assert_sharp("root", x, Real::sqrt(number), &Big::of(x).root());
         assert_sharp(
             "third",
             x,
-            number / Interval::from(3.0),
+            number / Interval::of(3.0),
             &(Big::of(x) / Big::of(3.0)),
         );
 
@@ -123,7 +123,7 @@ fn operations_of_intervals_hold_the_value_of_the_second_arithmetic() {
 
         let base = 1.0 - 10.0_f64.powf(random.within(-15.0, 0.0));
         let exponent = 10.0_f64.powf(random.within(-3.0, 6.0));
-        let power = Interval::from(base).power(exponent);
+        let power = Interval::of(base).power(exponent);
         let exact = Big::of(base).power(exponent);
         assert!(holds(power, &exact), "{base}^{exponent}: {power:?}");
         let [least, largest] = power.endpoints();
@@ -149,7 +149,7 @@ fn operations_of_wide_intervals_hold_what_their_members_give() {
         let [left, right] = if case % 2 == 0 {
             both
         } else {
-            [a, c].map(Interval::from)
+            [a, c].map(Interval::of)
         };
         let [x, y] = [a, c].map(Big::of);
         let zero = Big::of(0.0);

@@ -19,12 +19,8 @@ fn check(each: impl Fn(&naive::Scene<f64>, ShadingMode, Projection, &[Vec<Seen<I
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
         for projection in Projection::ALL {
             let view = View {
-                size: SIZE,
-                viewpoint: scene.viewpoint(0),
                 projection,
-                background: scene.background,
-                shading: Some(mode),
-                tolerance: 0.0,
+                ..scene.view(0, SIZE).shaded(mode)
             };
             let seen = enclosures(&scene.world, &view);
             let naive = naive::Scene::new(&scene.world, &view);
@@ -58,7 +54,7 @@ fn count(
 
 /// How many pixels that `model` evaluates are proven, undecided and refuted.
 fn evaluated(scene: &naive::Scene<f64>, seen: &[Vec<Seen<Interval>>], model: Model) -> [usize; 3] {
-    let faces = seen.iter().map(|seen| seen[0].face).enumerate();
+    let faces = seen.iter().map(|seen| seen[0].face()).enumerate();
     let pixels = faces.map(|(pixel, face)| shown(scene, pixel, face, model));
     count(pixels, seen, EXACT)
 }
@@ -118,11 +114,11 @@ fn a_level_a_little_beyond_the_limit_is_refuted_and_one_a_little_within_it_is_pr
             for (share, expected) in [(0.9999, Verdict::Proven), (1.0001, Verdict::Refuted)] {
                 let mut judged = 0;
                 for (pixel, seen) in seen.iter().enumerate() {
-                    let [Seen { face, .. }] = seen[..] else {
+                    let [one] = seen[..] else {
                         continue;
                     };
                     for channel in 0..3 {
-                        let mut shown = shown(scene, pixel, face, RIGHT);
+                        let mut shown = shown(scene, pixel, one.face(), RIGHT);
                         // Away from where the display clamps.
                         if !(8.0..247.0).contains(&shown.levels[channel]) {
                             continue;
@@ -150,13 +146,13 @@ fn a_picture_moved_by_a_pixel_is_refuted_along_every_edge_it_leaves() {
         for moved in [1, -1, width, -width] {
             let from = |pixel: usize| (pixel as isize + moved).rem_euclid(seen.len() as isize);
             let faces: Vec<_> = (0..seen.len())
-                .map(|pixel| seen[from(pixel) as usize][0].face)
+                .map(|pixel| seen[from(pixel) as usize][0].face())
                 .collect();
             // Coverage alone is moved; the levels are those of the plane that is seen.
             let pixels = (0..seen.len()).map(|pixel| shown(scene, pixel, faces[pixel], RIGHT));
             let [_, _, refuted] = count(pixels, seen, EXACT);
             let left = (seen.iter().zip(&faces))
-                .filter(|(seen, face)| seen.iter().all(|seen| seen.face != **face));
+                .filter(|(seen, face)| seen.iter().all(|seen| seen.face() != **face));
             assert_eq!(refuted, left.count(), "{mode:?} {projection:?} {moved}");
             assert!(refuted > SIZE[1] / 2, "{refuted} at {moved}");
         }

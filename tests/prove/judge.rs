@@ -6,13 +6,13 @@ use shadetrade::prove::{Mark, Shown, Verdict, judge};
 use shadetrade::reference::{Interval, Real, Seen};
 
 fn interval(least: f64, largest: f64) -> Interval {
-    Interval::from(least).either(Interval::from(largest))
+    Interval::of(least).either(Interval::of(largest))
 }
 
 /// A face, or the background, of which every channel is enclosed alike.
 fn seen(face: Option<usize>, [least, largest]: [f64; 2]) -> Seen<Interval> {
     Seen {
-        face,
+        triangle: face.map(|face| 2 * face),
         levels: [interval(least, largest); 3],
     }
 }
@@ -93,9 +93,9 @@ fn what_is_no_number_is_displayed_as_0_and_judged_as_that() {
 
 #[test]
 fn an_enclosure_that_knows_nothing_proves_nothing_and_refutes_nothing() {
-    for levels in [Interval::from(f64::NAN), Interval::ALL] {
+    for levels in [Interval::of(f64::NAN), Interval::ALL] {
         let seen = [Seen {
-            face: Some(0),
+            triangle: Some(0),
             levels: [levels; 3],
         }];
         assert_eq!(
@@ -222,7 +222,7 @@ fn a_gate_is_open_closed_tied_or_undecided() {
 
 #[test]
 fn what_may_be_either_of_two_is_unknown_if_one_of_them_is() {
-    let [one, two] = [1.0, 2.0].map(Interval::from);
+    let [one, two] = [1.0, 2.0].map(Interval::of);
     assert_eq!(one.either(two).endpoints(), [1.0, 2.0]);
     for unknown in [one.either(Interval::ALL), Interval::ALL.either(one)] {
         assert_eq!(unknown.endpoints(), [f64::NEG_INFINITY, f64::INFINITY]);

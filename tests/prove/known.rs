@@ -47,7 +47,7 @@ fn a_sum_that_loses_twenty_thousand_faint_lights_is_refuted() {
     let seen = &enclosures(&world, &view)[0];
     let judged = |level: f64| {
         let shown = Shown {
-            face: seen[0].face,
+            face: seen[0].face(),
             levels: [level; 3],
             bytes: None,
         };

@@ -20,14 +20,12 @@ mod ties;
 use fearless_simd::Level;
 use hecs::World;
 use shadetrade::components::View;
-use shadetrade::frame::Workers;
 use shadetrade::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Seen};
 
 /// The proof of the picture that the renderer draws.
 fn proof(world: &mut World, view: &View) -> Proof {
-    let workers = [(), ()].map(|()| Workers::alone(Level::new()));
-    let proof = prove(world, view, workers, &|| false, &|_| ());
+    let proof = prove(world, view, Level::new(), &|| false, &|_| ());
     proof
         .expect("a small picture fits")
         .expect("it is not cancelled")

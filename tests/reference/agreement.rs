@@ -72,18 +72,7 @@ fn scenes_far_from_the_origin_or_at_the_ends_of_the_allowed_lengths_keep_the_pro
                 let view = shaded(mode, &view);
                 let truth = draw(&world, &view);
                 systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
-                let width = view.size[0];
-                let drawn = Picture {
-                    width,
-                    levels: frame.levels(),
-                    triangles: frame.triangles(),
-                };
-                let expected = Picture {
-                    width,
-                    levels: &truth.levels,
-                    triangles: &truth.triangles,
-                };
-                let difference = compare(drawn, expected);
+                let difference = compare(Picture::from(&frame), Picture::from(&truth));
                 let error = difference.error.expect("something is seen");
                 assert!(error.max <= EXACT, "{error:?} at {offset} {scale} {mode:?}");
                 assert!(
@@ -119,16 +108,7 @@ fn check(mode: ShadingMode, tolerance: f64) {
             systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
             let mut display = display.borrow_mut();
             systems::draw(&mut world, &view, &mut display).expect("a small picture fits");
-            let drawn = Picture {
-                width: SIZE[0],
-                levels: frame.levels(),
-                triangles: frame.triangles(),
-            };
-            let expected = Picture {
-                width: SIZE[0],
-                levels: &truth.levels,
-                triangles: &truth.triangles,
-            };
+            let (drawn, expected) = (Picture::from(&*frame), Picture::from(&truth));
             for pixel in (0..SIZE[0] * SIZE[1]).filter(|pixel| drawn.shows_as(&expected, *pixel)) {
                 let [x, y] = [pixel % SIZE[0], pixel / SIZE[0]];
                 let [_, bytes @ ..] = display.pixels()[pixel].to_be_bytes();

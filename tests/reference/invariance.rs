@@ -97,7 +97,7 @@ fn a_part_of_the_rows_is_that_part_of_the_picture() {
     let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
     let [whole, part] =
         [0..30, 7..19].map(|rows| picture(&world, &view, rows, &|| false, &|_| ()).expect("whole"));
-    assert_eq!((part.width, part.rows), (40, 7..19));
+    assert_eq!(part.width, 40);
     assert_eq!(part.levels, whole.levels[7 * 40..19 * 40]);
     assert_eq!(part.triangles, whole.triangles[7 * 40..19 * 40]);
 }

@@ -101,10 +101,7 @@ pub fn orthographic(size: [usize; 2]) -> View {
 }
 
 pub fn shaded(mode: ShadingMode, view: &View) -> View {
-    View {
-        shading: Some(mode),
-        ..view.clone()
-    }
+    view.shaded(mode)
 }
 
 pub fn draw(world: &World, view: &View) -> Truth {

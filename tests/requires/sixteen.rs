@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use shadetrade::components::{Projection, View};
+use shadetrade::components::View;
 use shadetrade::reference::Rule;
 use shadetrade::requires::{Part, changes};
 use shadetrade::scene::Scene;
@@ -50,12 +50,8 @@ fn every_answer_of_the_page_is_found_again() {
     for case in cases {
         let scene = scene(&case);
         let view = View {
-            size: [64, 48],
-            viewpoint: scene.viewpoint(0),
-            projection: Projection::Perspective,
-            background: scene.background,
-            shading: None,
             tolerance: 0.5,
+            ..scene.view(0, [64, 48])
         };
         let parts = [
             Part::EveryPixel(0),
@@ -66,7 +62,7 @@ fn every_answer_of_the_page_is_found_again() {
             Part::Rule(Rule::NearPlane),
         ];
         let left_out = parts.map(|part| vec![part]);
-        let found = changes(&scene, &view, &left_out, &|| ());
+        let found = changes(&scene, &view, &left_out, &|_| ());
         let answers = case[4..].iter().chain(&["no"; 3]);
         for ((part, change), answer) in parts.iter().zip(&found).zip(answers) {
             let [least, most] = change.largest_error;
@@ -84,7 +80,7 @@ fn every_answer_of_the_page_is_found_again() {
             &scene,
             &view,
             slice::from_ref(&vec![Part::Light(0)]),
-            &|| (),
+            &|_| (),
         );
         assert!(light[0].largest_error[0] > 100.0, "{case:?} is lit");
     }

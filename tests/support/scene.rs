@@ -71,10 +71,7 @@ pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection)
 
 /// The same view in another mode.
 pub fn shaded(mode: ShadingMode, view: &View) -> View {
-    View {
-        shading: Some(mode),
-        ..view.clone()
-    }
+    view.shaded(mode)
 }
 
 /// A picture drawn by the calling thread alone, with the best SIMD level there is.

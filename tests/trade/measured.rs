@@ -12,7 +12,7 @@ use shadetrade::shading::METHODS;
 use shadetrade::systems::{self, FRAME};
 use shadetrade::trade::accuracy::share_kept;
 use shadetrade::trade::verdict::verdict;
-use shadetrade::trade::{self, Progress, Report, Request, export, plot};
+use shadetrade::trade::{self, Report, Request, export, plot};
 
 use crate::contract::{self, LADDER};
 use crate::requests::{CENTRE, GREEN, request, scene};
@@ -20,7 +20,7 @@ use crate::requests::{CENTRE, GREEN, request, scene};
 /// Measures, and holds every report against what holds for all.
 fn measured(request: Request) -> Report {
     let methods = request.methods.clone();
-    let report = trade::measure(request, &|_| ()).expect("it is measured");
+    let report = trade::measure(request, &|| false, &|_, _| ()).expect("it is measured");
     let text = export::json(&report).expect("it is written");
     contract::assert_holds(&text);
     let measured: Vec<_> = report.methods.iter().map(|one| one.method).collect();
@@ -204,17 +204,20 @@ fn without_light_or_colour_all_methods_draw_the_same_black() {
 
 #[test]
 fn progress_goes_from_nothing_to_all_in_two_steps() {
-    let told: Mutex<Vec<Progress>> = Mutex::default();
-    let on_progress = |progress| told.lock().expect("no thread has panicked").push(progress);
+    let told: Mutex<Vec<(&str, f64)>> = Mutex::default();
+    let on_progress = |step, share| {
+        let mut told = told.lock().expect("no thread has panicked");
+        told.push((step, share));
+    };
     let request = request(scene(GREEN, CENTRE, true), [16, 12], 1);
-    trade::measure(request, &on_progress).expect("it is measured");
+    trade::measure(request, &|| false, &on_progress).expect("it is measured");
     let told = told.into_inner().expect("no thread has panicked");
-    let mut shares = told.iter().map(|progress| progress.share);
-    assert!(shares.all(|share| (0.0..=1.0).contains(&share)));
-    let mut steps: Vec<_> = told.iter().map(|progress| progress.step).collect();
+    let mut shares = told.iter().map(|(_, share)| share);
+    assert!(shares.all(|share| (0.0..=1.0).contains(share)));
+    let mut steps: Vec<_> = told.iter().map(|(step, _)| *step).collect();
     steps.dedup();
     assert_eq!(steps.len(), 2);
-    assert_eq!(told.last().map(|progress| progress.share), Some(1.0));
+    assert_eq!(told.last().map(|(_, share)| *share), Some(1.0));
 }
 
 #[test]

@@ -195,7 +195,7 @@ fn request(target: &str, size: [usize; 2], threads: usize) -> Request {
 
 #[test]
 fn what_varies_is_what_each_series_is_about() {
-    let scaling = measure(&request("[0, 0, 0]", [90, 72], 3), &|_| ()).expect("it is measured");
+    let scaling = measure(&request("[0, 0, 0]", [90, 72], 3), &|_, _| ()).expect("it is measured");
     let numbers = |index: usize| -> Vec<usize> {
         scaling.series[index]
             .points
@@ -240,7 +240,8 @@ fn what_varies_is_what_each_series_is_about() {
 
 #[test]
 fn a_view_past_everything_has_times_and_no_cost_per_pixel() {
-    let scaling = measure(&request("[14, 10, 16]", [32, 24], 1), &|_| ()).expect("it is measured");
+    let scaling =
+        measure(&request("[14, 10, 16]", [32, 24], 1), &|_, _| ()).expect("it is measured");
     let pixels = &scaling.series[0];
     assert!(pixels.points.iter().all(|point| point.covered_pixels == 0));
     assert_eq!(pixels.points[0].methods[0].cost, None);
@@ -249,6 +250,6 @@ fn a_view_past_everything_has_times_and_no_cost_per_pixel() {
 
 #[test]
 fn a_picture_beyond_all_memory_is_an_error() {
-    let error = measure(&request("[0, 0, 0]", [1 << 24, 1 << 24], 1), &|_| ());
+    let error = measure(&request("[0, 0, 0]", [1 << 24, 1 << 24], 1), &|_, _| ());
     assert!(matches!(error, Err(TradeError::Memory(_))));
 }

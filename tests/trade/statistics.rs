@@ -1,7 +1,9 @@
 //! Times and the front, on numbers whose answers were computed by hand.
 
+use shadetrade::components::ShadingMode;
+use shadetrade::trade::Measurement;
 use shadetrade::trade::accuracy::share_kept;
-use shadetrade::trade::front::{Candidate, on_front};
+use shadetrade::trade::front::on_front;
 use shadetrade::trade::timing::{Timing, median};
 
 use crate::example;
@@ -64,23 +66,16 @@ fn times_are_told_apart_only_where_intervals_do_not_overlap() {
     assert!(!ten.is_measurably_less_than(&nearly) && !nearly.is_measurably_less_than(&ten));
 }
 
+/// A method of this largest error and time.
+fn measurement((error, time): (f64, f64)) -> Measurement {
+    let method = ("", ShadingMode::Phong, 0.0);
+    example::measurement(method, time, [error, 0.0], None, false)
+}
+
 /// The front of methods given as (error, time).
 fn front(methods: &[(f64, f64)]) -> Vec<bool> {
-    let timings: Vec<Timing> = methods
-        .iter()
-        .map(|(_, time)| example::timing(*time))
-        .collect();
-    let candidate = |((error, _), timing): (&(f64, f64), _)| Candidate {
-        error: Some(*error),
-        timing,
-    };
-    on_front(
-        &methods
-            .iter()
-            .zip(&timings)
-            .map(candidate)
-            .collect::<Vec<_>>(),
-    )
+    let methods: Vec<_> = methods.iter().copied().map(measurement).collect();
+    on_front(&methods)
 }
 
 #[test]
@@ -113,11 +108,9 @@ fn rounding_of_the_reference_is_no_error() {
 
 #[test]
 fn where_nothing_is_drawn_there_is_no_front() {
-    let nothing = Candidate {
-        error: None,
-        timing: &example::timing(1.0),
-    };
-    assert_eq!(on_front(&[nothing, nothing]), [false, false]);
+    let mut nothing = measurement((0.0, 1.0));
+    nothing.accuracy.error.levels = None;
+    assert_eq!(on_front(&[nothing.clone(), nothing]), [false, false]);
     assert_eq!(on_front(&[]), [false; 0]);
 }
 

@@ -26,11 +26,10 @@ fn found(mut request: ReferenceRequest) -> ReferenceResult {
 }
 
 fn proof(mut request: ReferenceRequest) -> Proof {
-    let workers = [(); 2].map(|()| Workers::alone(Level::new()));
     let proof = prove(
         &mut request.scene.world,
         &request.view,
-        workers,
+        Level::new(),
         &|| false,
         &|_| (),
     );

@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use super::desktop::{Program, until};
 use super::display::right_part;
+use super::signal;
 
 /// Asserts that every screenshot in `folder` is whole and everything else hidden; returns how many there are.
 #[track_caller]
@@ -67,11 +68,7 @@ fn a_signal_in_the_middle_of_a_screenshot_leaves_whole_files() {
         until("a screenshot is being written", || {
             fs::read_dir(&folder).expect("listed").count() > 1
         });
-        let id = program.child.id().to_string();
-        // The shell's own: not every machine has the program.
-        let kill = format!("kill -s {signal} {id}");
-        let sent = Command::new("sh").args(["-c", &kill]).status();
-        assert!(sent.expect("there is a shell").success());
+        assert!(signal::send(signal, &program.child));
         until("the program ends", || !program.is_running());
         assert!(!program.status().success(), "{signal}");
         assert!(whole_screenshots(&folder) > 0, "{signal}");

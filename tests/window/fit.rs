@@ -173,7 +173,7 @@ fn in_a_common_window_probe_and_table_cover_neither_the_pixel_nor_each_other_nor
         ..measured.measurement([32, 24])
     };
     press(&mut measured, Key::M);
-    let report = trade::measure(request, &|_| ()).expect("there is memory");
+    let report = trade::measure(request, &|| false, &|_, _| ()).expect("there is memory");
     measured.on_progress(Progress::Measured(Box::new(report)));
     for size in COMMON {
         let mut session = default_session();

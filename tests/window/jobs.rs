@@ -40,7 +40,7 @@ fn measured() -> Session {
         time: Duration::ZERO,
         ..session.measurement([32, 24])
     };
-    let report = trade::measure(request, &|_| ()).expect("there is memory");
+    let report = trade::measure(request, &|| false, &|_, _| ()).expect("there is memory");
     session.on_progress(Progress::Measured(Box::new(report)));
     session
 }
@@ -71,7 +71,7 @@ fn m_measures_and_tells_how_far_it_is_a_few_times_a_second() {
         session.tick(Duration::from_millis(step));
         let share = step as f64 / 2000.0;
         let step = "timing frames";
-        session.on_progress(Progress::Measuring(trade::Progress { step, share }));
+        session.on_progress(Progress::Measuring(step, share));
         redraws += usize::from(session.take_redraw() > Redraw::Nothing);
     }
     assert!(
@@ -162,9 +162,9 @@ fn a_measurement_ends_with_a_report_and_stops_when_it_is_cancelled() {
             assert_eq!(report.subject.size, [24, 18]);
             true
         }
-        Progress::Measuring(_) => false,
+        Progress::Measuring(..) => false,
         other => panic!("{other:?}"),
     });
-    let cancelled = trade::measure_unless(request(), &|| true, &|_| ());
+    let cancelled = trade::measure(request(), &|| true, &|_, _| ());
     assert!(matches!(cancelled, Err(TradeError::Cancelled)));
 }

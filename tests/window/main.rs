@@ -23,6 +23,9 @@ mod probing;
 mod recording;
 mod requires;
 mod screenshot;
+#[cfg(target_os = "linux")]
+#[path = "../support/signal.rs"]
+mod signal;
 mod storms;
 mod views;
 

@@ -3,7 +3,6 @@
 use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::canvas::Point;
-use shadetrade::frame::Workers;
 use shadetrade::probe;
 use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::window::bindings::Action;
@@ -72,8 +71,7 @@ fn what_is_said_follows_the_picture() {
     assert_ne!(before, after);
     let view = session.view(picture_size(&session));
     let mut scene = session.scene().snapshot();
-    let workers = Workers::alone(Level::new());
-    let expected = probe::at(&mut scene, &view, [300, 300], workers).expect("there is memory");
+    let expected = probe::at(&mut scene, &view, [300, 300], Level::new()).expect("there is memory");
     assert_eq!(after, Some(expected));
 }
 

@@ -31,7 +31,7 @@ fn rest(session: &mut Session) -> Vec<Request> {
     session.tick(Duration::from_secs(2));
     assert_eq!(session.take_requests(), [], "the proof comes first");
     let (world, view) = (&mut request.scene.world, &request.view);
-    let proof = prove(world, view, [alone(), alone()], &|| false, &|_| ());
+    let proof = prove(world, view, Level::new(), &|| false, &|_| ());
     let proof = proof
         .expect("a small picture fits")
         .expect("nobody cancels");

@@ -233,13 +233,11 @@ impl Window {
                     time: Duration::ZERO,
                     ..self.session.measurement([8, 6])
                 };
-                let report = trade::measure(request, &|_| ()).expect("there is memory");
+                let report =
+                    trade::measure(request, &|| false, &|_, _| ()).expect("there is memory");
                 Progress::Measured(Box::new(report))
             } else {
-                Progress::Measuring(trade::Progress {
-                    step: "timing frames",
-                    share: 0.5,
-                })
+                Progress::Measuring("timing frames", 0.5)
             }),
         }
         while let Some(gesture) = self.input.repeated(self.now) {

@@ -22,6 +22,9 @@ use crate::trade::chart::{
 const SIZE: (u32, u32) = (1080, 900);
 const HEADER: u32 = 84;
 
+const ABOUT: &str = "Phong, each pixel against an interval that encloses its exact value; one number of a scene \
+    varies in each panel.";
+
 const BORDERS: Borders = Borders {
     top: 30,
     right: 34,
@@ -43,15 +46,8 @@ const ERRORS: Range<f64> = 1e-15..1e3;
 pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
     chart::svg(SIZE, |area| {
         let (header, panels) = area.split_vertically(HEADER);
-        let about = [(
-            "Phong, each pixel against an interval that encloses its exact value; one number of a scene varies in each panel.",
-            FAINT,
-        )];
-        chart::heading(
-            &header,
-            "How far a picture errs at most, in levels of 255",
-            &about,
-        )?;
+        let title = "How far a picture errs at most, in levels of 255";
+        chart::heading(&header, title, &[ABOUT])?;
         key(&header)?;
         let panels = panels.split_evenly((3, 3)).into_iter();
         let mut panels = panels.zip(curves.chunks(EVALUATIONS.len()));
@@ -62,10 +58,10 @@ pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
 /// Which colour is which evaluation.
 fn key(area: &Area) -> anyhow::Result<()> {
     let mut x = 24;
-    for (evaluation, color) in EVALUATIONS.iter().zip(COLORS) {
+    for ((id, limit), color) in EVALUATIONS.into_iter().zip(COLORS) {
         let line = vec![(x, 70), (x + 22, 70)];
         area.draw(&PathElement::new(line, color.stroke_width(3)))?;
-        let text = format!("{}, limit {}", evaluation.id, evaluation.limit);
+        let text = format!("{id}, limit {limit}");
         area.draw_text(&text, &text_style(12.0, color), (x + 28, 63))?;
         x += 200;
     }

@@ -2,23 +2,23 @@
 //!
 //! Rule: pure; every figure is one of the curves'.
 
-use anyhow::Context;
+use serde_json::json;
 
 use super::{Curve, EVALUATIONS};
 use crate::prove::Verdict;
+use crate::trade::export;
 use crate::trade::tables::{aligned, wrapped};
 
 /// What a terminal shows: for each number, the range in which each evaluation keeps its limit.
 pub fn table(curves: &[Curve]) -> String {
-    let ids = EVALUATIONS.map(|evaluation| evaluation.id);
-    let head = ["number", "swept"].into_iter().chain(ids);
-    let head: Vec<String> = head.map(str::to_owned).collect();
+    let ids = EVALUATIONS.map(|(id, _)| id);
+    let head = [&["number", "swept"][..], &ids].concat();
     let rows = curves.chunks(EVALUATIONS.len()).map(|curves| {
         let start = [curves[0].number.to_owned(), span(curves[0].range())];
         start.into_iter().chain(curves.iter().map(kept)).collect()
     });
     let rows: Vec<Vec<String>> = rows.collect();
-    format!("{}\n\n{}\n", aligned(&head, &rows), wrapped(LEGEND))
+    format!("{}\n\n{}", aligned(&head, &rows), wrapped(LEGEND))
 }
 
 const LEGEND: &str = "The range in which the largest error of a picture is proven to be within 0.05 level of the exact \
@@ -46,42 +46,24 @@ fn span(ends: [f64; 2]) -> String {
     ends.map(rounded).join(" to ")
 }
 
-/// CSV (RFC 4180), a line for each value and evaluation; the first line names the columns.
+/// CSV with a line for each value and evaluation.
 ///
 /// # Errors
 /// Those of the CSV library, which has no reason to give one.
 pub fn csv(curves: &[Curve]) -> anyhow::Result<String> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "number",
-        "unit",
-        "value",
-        "evaluation",
-        "limit",
-        "least_error",
-        "largest_error",
-        "verdict",
-    ])?;
-    for curve in curves {
-        let Curve {
-            number,
-            unit,
-            evaluation,
-            limit,
-            ..
-        } = curve;
-        for point in &curve.points {
-            writer.serialize((
-                number,
-                unit,
-                point.value,
-                evaluation,
-                limit,
-                point.error,
-                point.verdict,
-            ))?;
-        }
-    }
-    let bytes = writer.into_inner().context("the table cannot be written")?;
-    Ok(String::from_utf8(bytes)?)
+    let points = curves
+        .iter()
+        .flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
+    export::csv_of(points.map(|(curve, point)| {
+        json!({
+            "number": curve.number,
+            "unit": curve.unit,
+            "value": point.value,
+            "evaluation": curve.evaluation,
+            "limit": curve.limit,
+            "least_error": point.error[0],
+            "largest_error": point.error[1],
+            "verdict": point.verdict,
+        })
+    }))
 }

@@ -17,7 +17,7 @@ impl Sight<Interval> {
         let axes = own_axes(transform);
         let centre = Vector::exact(transform.position) - Vector::exact(self.eye);
         let seen = mesh.corners.map(|corner| {
-            let [x, y, z] = corner.to_array().map(Interval::from);
+            let [x, y, z] = corner.to_array().map(Interval::of);
             let from_eye = centre + axes[0] * x + axes[1] * y + axes[2] * z;
             self.axes.map(|axis| axis.dot(from_eye))
         });

@@ -8,6 +8,9 @@ use std::cmp::Ordering;
 use super::super::real::Real;
 use super::super::vector::Vector;
 
+/// How near to an edge, in pixels, a pixel's centre may show either side: snapping moves corners by up to 0.003 pixel.
+pub const EDGE: f64 = 0.01;
+
 /// An affine function of the pixel, from the picture's centre rightwards and downwards: 0 on a line.
 pub struct Edge<R> {
     at_centre: R,
@@ -45,4 +48,20 @@ impl<R: Real> Edge<R> {
             Ordering::Equal => Some(self.right.sign(0.0)? == Ordering::Greater),
         }
     }
+}
+
+/// Whether a pixel's centre is on the positive side of all edges; an interval is undecided within [`EDGE`] pixels of one.
+pub fn inside<'a, R: Real + 'a>(
+    edges: impl Iterator<Item = &'a Edge<R>>,
+    pixel: [f64; 2],
+) -> Option<bool> {
+    let mut inside = Some(true);
+    for edge in edges {
+        match edge.side(pixel, EDGE) {
+            Some(true) => {}
+            Some(false) => return Some(false),
+            None => inside = None,
+        }
+    }
+    inside
 }

@@ -1,4 +1,4 @@
-//! A quantity in; the configurations in which frames are timed, and the scenes they show, out.
+//! A quantity in; the configurations in which frames are timed out.
 //!
 //! Rule: in a series nothing varies but its quantity.
 
@@ -26,64 +26,54 @@ const ROOM: usize = 8;
 pub struct Configuration {
     /// Of what varies.
     pub number: usize,
+    pub scene: Scene,
     /// Without a method.
     pub view: View,
     /// How many draw it.
     pub threads: usize,
-    /// Which of the series' scenes it shows.
-    pub scene: usize,
 }
 
-/// The configurations of a series, and the scenes they show.
-pub fn configurations(quantity: Quantity, request: &Request) -> (Vec<Scene>, Vec<Configuration>) {
+/// The configurations of a series.
+pub fn configurations(quantity: Quantity, request: &Request) -> Vec<Configuration> {
     let size = request.view.size;
     let own = |number, size, threads| Configuration {
         number,
+        scene: request.scene.snapshot(),
         view: View {
             size,
             ..request.view.clone()
         },
         threads,
-        scene: 0,
     };
-    let generated = |numbers: Vec<usize>, scene: &dyn Fn(usize) -> Scene| {
-        let scenes: Vec<Scene> = numbers.iter().map(|number| scene(*number)).collect();
-        let configurations = numbers.iter().zip(&scenes).enumerate();
-        let configurations = configurations.map(|(index, (number, scene))| Configuration {
-            number: *number,
-            view: View {
-                viewpoint: scene.viewpoint(0),
-                background: scene.background,
-                ..request.view.clone()
-            },
-            threads: 1,
-            scene: index,
-        });
-        let configurations = configurations.collect();
-        (scenes, configurations)
+    let generated = |number, scene: Scene| Configuration {
+        number,
+        view: View {
+            viewpoint: scene.viewpoint(0),
+            background: scene.background,
+            ..request.view.clone()
+        },
+        scene,
+        threads: 1,
     };
     match quantity {
         Quantity::Pixels => {
-            let configurations = sizes(size)
-                .into_iter()
-                .map(|size| own(size[0] * size[1], size, 1));
-            (vec![request.scene.snapshot()], configurations.collect())
+            let sizes = sizes(size).into_iter();
+            sizes.map(|size| own(size[0] * size[1], size, 1)).collect()
         }
         Quantity::Lights => {
-            let most = LIGHTS.into_iter().max().unwrap_or(1);
-            generated(LIGHTS.to_vec(), &|number| scenes::of_lights(number, most))
+            let most = LIGHTS[LIGHTS.len() - 1];
+            let of_lights = |number| generated(number, scenes::of_lights(number, most));
+            LIGHTS.map(of_lights).into()
         }
         Quantity::Cuboids => {
             let numbers = cuboid_counts(size);
-            let capacity = numbers.last().copied().unwrap_or(1);
-            generated(numbers, &|number| {
-                scenes::of_cuboids(number, capacity, size)
-            })
+            let most = numbers[numbers.len() - 1];
+            let of_cuboids = |number| generated(number, scenes::of_cuboids(number, most, size));
+            numbers.into_iter().map(of_cuboids).collect()
         }
         Quantity::Threads => {
             let counts = thread_counts(request.threads).into_iter();
-            let configurations = counts.map(|threads| own(threads, size, threads));
-            (vec![request.scene.snapshot()], configurations.collect())
+            counts.map(|threads| own(threads, size, threads)).collect()
         }
     }
 }
@@ -98,7 +88,7 @@ fn sizes(size: [usize; 2]) -> Vec<[usize; 2]> {
     sizes
 }
 
-/// The numbers of cuboids for which a picture of that size has [`ROOM`].
+/// The numbers of cuboids for which a picture of that size has [`ROOM`]; one there always is.
 fn cuboid_counts([width, height]: [usize; 2]) -> Vec<usize> {
     let capacity = (width / ROOM) * (height / ROOM);
     let fits = |number: &usize| *number <= capacity.max(1);

@@ -36,9 +36,9 @@ fn growth(series: &Series) -> String {
     };
     let exponents: Vec<String> = series.fits.iter().map(exponent).collect();
     let from = series.fits.first().map_or(0, |fit| fit.from);
+    let [name, ..] = series.quantity.words();
     format!(
-        "Time grows as {} to the power of {}, from {from} on.",
-        series.quantity.name(),
+        "Time grows as {name} to the power of {}, from {from} on.",
         listed(&exponents)
     )
 }
@@ -71,9 +71,8 @@ fn head(series: &Series) -> Vec<String> {
         .flat_map(|point| &point.methods);
     let columns =
         methods.flat_map(|times| [format!("{}\nms", times.id), format!("\n{}", series.unit)]);
-    std::iter::once(series.quantity.name().to_owned())
-        .chain(columns)
-        .collect()
+    let [name, ..] = series.quantity.words();
+    [name.to_owned()].into_iter().chain(columns).collect()
 }
 
 /// For pixels, the first cell is the picture's size.

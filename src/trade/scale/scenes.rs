@@ -133,12 +133,8 @@ mod tests {
 
     fn view(scene: &Scene, projection: Projection, size: [usize; 2]) -> View {
         View {
-            size,
-            viewpoint: scene.viewpoint(0),
             projection,
-            background: scene.background,
-            shading: None,
-            tolerance: 0.0,
+            ..scene.view(0, size)
         }
     }
 

@@ -14,8 +14,7 @@ use crate::window::session::Measuring;
 pub fn lines(measuring: &Measuring, letters: usize) -> Vec<Line> {
     match measuring {
         Measuring::Off => Vec::new(),
-        Measuring::Running(progress) => {
-            let (step, share) = progress.map_or(("starting", 0.0), |told| (told.step, told.share));
+        Measuring::Running(step, share) => {
             let percent = (100.0 * share).floor();
             vec![Line::Text(format!(
                 "measuring: {step}, {percent} % (Esc or M ends it)"

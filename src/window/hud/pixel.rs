@@ -7,7 +7,9 @@ use glam::DVec3;
 
 use super::lines::Line;
 use crate::canvas::{Canvas, Ink, Point, Rect, fit};
-use crate::probe::{Light, PRODUCT_HEADS, Probe, Surface, parts};
+use crate::components::LightKind;
+use crate::probe::{PRODUCT_HEADS, Probe, Surface, parts};
+use crate::reference::LightSample;
 
 const CROSS: Ink = Ink::solid(0x00ff_ffff);
 const CROSS_EDGE: Ink = Ink::glass(0, 170);
@@ -52,9 +54,13 @@ pub fn lines(probe: &Probe, wide: bool, worked: bool) -> Vec<Line> {
 }
 
 /// The places of the lights that have one, with the names of the lights there.
-pub fn places(surface: &Surface) -> Vec<(String, &Light)> {
-    let mut places: Vec<(String, &Light)> = Vec::new();
-    for light in surface.lights.iter().filter(|it| it.kind != "ambient") {
+pub fn places(surface: &Surface) -> Vec<(String, &LightSample)> {
+    let mut places: Vec<(String, &LightSample)> = Vec::new();
+    for light in surface
+        .lights
+        .iter()
+        .filter(|it| it.kind != LightKind::Ambient)
+    {
         match places
             .iter_mut()
             .find(|(_, it)| it.to_light == light.to_light)

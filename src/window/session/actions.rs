@@ -140,7 +140,7 @@ impl Session {
         if let Some(requires) = &mut self.requires {
             requires.interrupt();
         }
-        self.measuring = Measuring::Running(None);
+        self.measuring = Measuring::Running("starting", 0.0);
         self.requests.push(Request::Measure);
         self.wants(Redraw::Overlay);
     }
