@@ -37,9 +37,10 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use anyhow::Context;
+
 use crate::drawing::Drawing;
 use crate::frame::Workers;
-use crate::memory::OutOfMemory;
 use crate::output;
 use crate::scene::Scene;
 use composition::Composition;
@@ -51,7 +52,7 @@ use recording::{Recorder, Start};
 use session::{Measuring, Redraw, Request, Session};
 use watch::Watch;
 
-pub use display::restart_without_input_method;
+pub use display::{NoDisplay, restart_without_input_method};
 
 /// The time between two polls while the user does something, so that short clicks are seen.
 const BUSY_PAUSE: Duration = Duration::from_millis(4);
@@ -64,49 +65,11 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
 
-/// Why there is no window, or no longer.
-#[derive(Debug, thiserror::Error)]
-pub enum WindowError {
-    /// There is nothing to open a window on; nothing has been done.
-    #[error("no display to open a window on ({reason})")]
-    NoDisplay {
-        /// What the window system says.
-        reason: String,
-    },
-    /// There is a display, and the window could not be opened on it.
-    #[error("cannot open a window: {reason}")]
-    Open {
-        /// What the window system says.
-        reason: String,
-    },
-    /// The program could not start itself anew; see [`restart_without_input_method`].
-    #[error("cannot start again with XMODIFIERS=@im=none, which opening a window needs: {0}")]
-    Restart(#[source] io::Error),
-    /// What happens cannot be written down.
-    #[error("cannot begin the recording, which makes a new file: {0}")]
-    Record(#[source] io::Error),
-    /// The picture did not reach the window.
-    #[error("cannot show the picture: {reason}")]
-    Present {
-        /// What the window system says.
-        reason: String,
-    },
-    /// The system gives no threads.
-    #[error("cannot start the threads that draw: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// The system gives no thread.
-    #[error("cannot start the thread that compares and measures: {0}")]
-    Jobs(#[source] io::Error),
-    /// The window is larger than memory allows.
-    #[error(transparent)]
-    OutOfMemory(#[from] OutOfMemory),
-}
-
 /// Shows `drawing` until the user quits; its size is the window's at the start. What happens is written to `log`, a new file.
 ///
 /// # Errors
-/// [`WindowError::NoDisplay`] before anything else is done; otherwise see [`WindowError`].
-pub fn run(drawing: Drawing, log: Option<&Path>) -> Result<(), WindowError> {
+/// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, or memory does not suffice.
+pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
     restart_without_input_method()?;
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
     let watch = drawing.scene.path.clone().map(Watch::new);
@@ -122,9 +85,11 @@ pub fn run(drawing: Drawing, log: Option<&Path>) -> Result<(), WindowError> {
         display,
         session,
         watch,
-        recorder: recorder.map_err(WindowError::Record)?,
+        recorder: recorder.context("cannot begin the recording, which makes a new file")?,
         input: Input::default(),
-        composition: Composition::new(Workers::new(threads, level)?),
+        composition: Composition::new(
+            Workers::new(threads, level).context("cannot start the threads that draw")?,
+        ),
         jobs: Jobs::start(level)?,
         hud,
         picture: Vec::new(),
@@ -160,7 +125,7 @@ struct Window {
 }
 
 impl Window {
-    fn run(mut self) -> Result<(), WindowError> {
+    fn run(mut self) -> anyhow::Result<()> {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
         let area = self.hud.picture();
