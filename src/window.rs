@@ -15,7 +15,6 @@ pub mod bindings;
 pub mod composition;
 pub mod display;
 pub mod examination;
-pub mod frame_times;
 mod full_screen;
 pub mod history;
 pub mod hud;

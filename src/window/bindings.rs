@@ -322,11 +322,11 @@ const LEFT: Action = Action::Orbit {
     azimuth: -ORBIT_STEP,
     elevation: 0.0,
 };
-pub const RIGHT: Action = Action::Orbit {
+const RIGHT: Action = Action::Orbit {
     azimuth: ORBIT_STEP,
     elevation: 0.0,
 };
-pub const UP: Action = Action::Orbit {
+const UP: Action = Action::Orbit {
     azimuth: 0.0,
     elevation: ORBIT_STEP,
 };

@@ -10,15 +10,28 @@
 
 use std::time::{Duration, Instant};
 
-use super::frame_times::{FRAMES, FrameTimes};
 use super::session::Session;
 use super::views::{self, ViewMode};
 use crate::components::ShadingMode;
-use crate::frame::{Frame, Keep, Workers};
+use crate::frame::{Counts, Frame, Keep, Workers};
 use crate::memory::OutOfMemory;
+
+/// How many warm frames are timed once the picture rests.
+pub const FRAMES: usize = 9;
 
 /// The longest time for which the user waits while a picture is drawn again to be timed.
 const TIMING_BUDGET: Duration = Duration::from_millis(100);
+
+/// What the frames of the present state took; all are of one state of the window.
+#[derive(Clone, Debug, Default)]
+pub struct FrameTimes {
+    /// Of the picture, or of the left and the right one of a wipe between two methods.
+    pub sides: [Vec<Duration>; 2],
+    /// What the last frame did.
+    pub counts: Counts,
+    /// How many threads may draw.
+    pub threads: usize,
+}
 
 /// The pictures that views are made of.
 pub struct Composition {
@@ -53,7 +66,7 @@ impl Composition {
         session.update_probe(size, self.frame.workers().level())?;
         let times = self.draw_sides(session, size, 1)?;
         if session.state().mode == ViewMode::Tiles {
-            session.draw(size, &mut self.levels)?;
+            session.draw(None, size, &mut self.levels)?;
         }
         session.drawn(times, self.frame.pixels());
         Ok(())
@@ -91,8 +104,8 @@ impl Composition {
             let phong = Some(ShadingMode::Phong);
             [left, draw_timed(session, phong, size, frame, frames)?]
         } else {
-            let own = session.view(size).shading;
-            [draw_timed(session, own, size, frame, frames)?, Vec::new()]
+            let own = draw_timed(session, None, size, frame, frames)?;
+            [own, Vec::new()]
         };
         Ok(FrameTimes {
             sides,
@@ -160,7 +173,7 @@ fn draw_timed(
     let mut spent = Duration::ZERO;
     while times.is_empty() || times.len() < frames && spent < TIMING_BUDGET {
         let start = Instant::now();
-        session.draw_as(shading, size, frame)?;
+        session.draw(shading, size, frame)?;
         let time = start.elapsed();
         times.push(time);
         spent += time;

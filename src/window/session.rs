@@ -14,8 +14,8 @@ use std::time::Duration;
 use fearless_simd::Level;
 
 use super::bindings::Action;
+use super::composition::FrameTimes;
 use super::examination::{ReferenceRequest, ReferenceResult};
-use super::frame_times::FrameTimes;
 use super::history::History;
 use super::jobs::Progress;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
@@ -316,19 +316,11 @@ impl Session {
         }
     }
 
-    /// Draws the picture of `size` pixels into `frame`.
+    /// Draws the picture of `size` pixels into `frame`, all cuboids shaded so, or each in its own mode.
     ///
     /// # Errors
     /// When it does not fit in memory.
-    pub fn draw(&mut self, size: [usize; 2], frame: &mut Frame) -> Result<(), OutOfMemory> {
-        self.draw_as(None, size, frame)
-    }
-
-    /// The same with all cuboids shaded so, or each in its own mode.
-    ///
-    /// # Errors
-    /// When it does not fit in memory.
-    pub fn draw_as(
+    pub fn draw(
         &mut self,
         shading: Option<ShadingMode>,
         size: [usize; 2],

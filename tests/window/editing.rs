@@ -97,7 +97,9 @@ fn turn_to(session: &mut Session, name: &str, kind: &str) {
 
 fn drawn(session: &mut Session, size: [usize; 2]) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
-    session.draw(size, &mut frame).expect("it fits in memory");
+    session
+        .draw(None, size, &mut frame)
+        .expect("it fits in memory");
     frame.pixels().to_vec()
 }
 

@@ -7,7 +7,7 @@ use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::shading::METHODS;
 use shadetrade::trade::{self, TradeError};
-use shadetrade::window::frame_times::FrameTimes;
+use shadetrade::window::composition::FrameTimes;
 use shadetrade::window::hud::Part;
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::input::Gesture;

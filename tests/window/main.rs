@@ -35,8 +35,7 @@ use shadetrade::drawing::Drawing;
 use shadetrade::frame::Workers;
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::{Action, BINDINGS, Section};
-use shadetrade::window::composition::Composition;
-use shadetrade::window::frame_times::{FRAMES, Spread};
+use shadetrade::window::composition::{Composition, FRAMES};
 use shadetrade::window::hud::{Hud, lines};
 use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::response::respond;
@@ -371,11 +370,11 @@ fn the_frame_around_the_window_tells_the_state_and_how_to_get_panel_and_help() {
 
 #[test]
 fn the_spread_of_times_is_their_quartiles() {
-    assert_eq!(Spread::of(&[]), None);
+    assert_eq!(lines::quartiles(&[]), None);
     let spread = |times: &[u64]| {
         let times: Vec<_> = times.iter().map(|it| Duration::from_millis(*it)).collect();
-        let spread = Spread::of(&times).expect("there are times");
-        [spread.lower, spread.median, spread.upper].map(|it| it.as_millis())
+        let spread = lines::quartiles(&times).expect("there are times");
+        spread.map(|it| it.as_millis())
     };
     assert_eq!(spread(&[7]), [7, 7, 7]);
     assert_eq!(spread(&[9, 1, 8, 2, 7, 3, 6, 4, 5]), [3, 5, 7]);

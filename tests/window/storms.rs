@@ -480,7 +480,7 @@ fn undoable() -> Vec<(Action, Vec<Action>)> {
 fn picture(session: &mut Session) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     session
-        .draw([96, 72], &mut frame)
+        .draw(None, [96, 72], &mut frame)
         .expect("a small picture fits");
     let levels = frame
         .levels()

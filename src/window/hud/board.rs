@@ -104,8 +104,7 @@ impl Columns {
             Line::Command(command) => {
                 self.label + face.width(count(&command.label) + 2 + count(&command.state))
             }
-            Line::Title(name, detail) => face.width(count(name) + 2 + count(detail)),
-            Line::Fact(name, value) | Line::Alarm(name, value) => {
+            Line::Title(name, value) | Line::Fact(name, value) | Line::Alarm(name, value) => {
                 face.width(count(name) + 2 + count(value))
             }
             Line::Text(text) => face.width(count(text)),
@@ -219,13 +218,11 @@ impl Board {
                 Line::Text(text) => {
                     canvas.text(face, [row.x, y], TEXT, &fit(text, self.letters(*row)));
                 }
-                Line::Fact(name, value) => {
+                Line::Fact(name, value) | Line::Alarm(name, value) => {
+                    let is_fact = matches!(line, Line::Fact(..));
+                    let ink = if is_fact { TEXT } else { ALARM };
                     canvas.text(face, [row.x, y], DIM, name);
-                    self.draw_right(canvas, *row, name.len() + 1, value, TEXT);
-                }
-                Line::Alarm(name, value) => {
-                    canvas.text(face, [row.x, y], DIM, name);
-                    self.draw_right(canvas, *row, name.len() + 1, value, ALARM);
+                    self.draw_right(canvas, *row, name.len() + 1, value, ink);
                 }
                 Line::Rule => {
                     canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), EDGE);

@@ -16,7 +16,7 @@ use crate::window::views::mode_label;
 use commands::commands;
 
 pub use commands::{brightest, tolerance};
-pub use facts::shaded_by;
+pub use facts::{quartiles, shaded_by};
 
 /// The sign before a command that has a state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,8 +8,8 @@ use super::{Measuring, Requires, Session};
 use crate::components::{Light, Name, Orbit, Projection, ShadingMode, Spin};
 use crate::probe::{Probe, Profile};
 use crate::scene::Scene;
+use crate::window::composition::FrameTimes;
 use crate::window::examination::ReferenceResult;
-use crate::window::frame_times::FrameTimes;
 use crate::window::view_state::ViewState;
 
 impl Session {
@@ -20,12 +20,7 @@ impl Session {
 
     /// The light of this place in the file.
     pub fn light(&self, index: usize) -> Option<Light> {
-        let entity = *self.scene.lights.get(index)?;
-        self.scene
-            .world
-            .get::<&Light>(entity)
-            .ok()
-            .map(|light| *light)
+        self.scene.get(*self.scene.lights.get(index)?)
     }
 
     /// The place in the file of the light so named.
