@@ -145,7 +145,7 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
         options.workers.threads(),
         options.workers.simd,
     )
-    .map_err(|error| Failure::Usage(error.into()))?;
+    .map_err(Failure::Usage)?;
     if let Some(line) = log.cut_off {
         output::say(&format!(
             "warning: {name} is cut off in line {line}, which is left out"

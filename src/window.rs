@@ -47,7 +47,7 @@ use display::Display;
 use hud::{Hud, Part};
 use input::{Gesture, Input};
 use jobs::{Job, Jobs};
-use recording::{Recorder, Start};
+use recording::{Event, Recorder, Start};
 use session::{Measuring, Redraw, Request, Session};
 use watch::Watch;
 
@@ -72,12 +72,12 @@ pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
     restart_without_input_method()?;
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
     let watch = drawing.scene.path.clone().map(Watch::new);
-    let start = Start::new(&drawing);
+    let mut start = Start::new(&drawing);
     let session = Session::new(drawing);
     let hud = Hud::new(&session, size);
     let title = title(&session, &hud);
     let picture = hud.picture();
-    let start = start.with_picture(picture.size());
+    start.size = picture.size();
     let display = Display::open(&title, size)?;
     let recorder = log.map(|path| Recorder::create(path, &start)).transpose();
     let window = Window {
@@ -140,17 +140,17 @@ impl Window {
             self.react(now);
             let new_size = self.display.size();
             if std::mem::replace(&mut size, new_size) != new_size {
-                self.session.resized();
+                self.session.changed();
             }
             let mut redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
                 let area = hud::picture(&self.session, size);
                 let new_picture = area.size();
                 if std::mem::replace(&mut picture, new_picture) != new_picture {
-                    self.record(|recorder| recorder.size(now, new_picture));
+                    self.record(now, &Event::Size(new_picture));
                 }
                 if picture != self.composition.size() {
-                    self.session.resized();
+                    self.session.changed();
                     redraw = redraw.max(self.session.take_redraw());
                 }
             }
@@ -228,12 +228,12 @@ impl Window {
         let revision = self.session.revision();
         self.session.tick(now);
         if self.session.revision() != revision {
-            self.record(|recorder| recorder.time(now));
+            self.record(now, &Event::Time);
         }
         if let Some(path) = self.watch.as_mut().and_then(|it| it.changed(now)) {
-            let read = Scene::load_path(path).map_err(|error| error.to_string());
-            self.record(|recorder| recorder.scene(now, read.as_ref().map_err(String::as_str)));
-            self.session.reload(read);
+            let event = Event::from(Scene::load_path(path));
+            self.record(now, &event);
+            self.session.happens(event);
         }
         for progress in self.jobs.progress() {
             self.session.on_progress(progress);
@@ -252,13 +252,14 @@ impl Window {
 
     fn respond(&mut self, gesture: Gesture, now: Duration) {
         if let Some(action) = response::respond(&mut self.session, gesture, &self.hud) {
-            self.record(|recorder| recorder.action(now, action));
+            self.record(now, &Event::Action(action));
         }
     }
 
     /// Notes what happened, if anybody wants it; the first failure ends the recording.
-    fn record(&mut self, note: impl FnOnce(&mut Recorder) -> io::Result<()>) {
-        if let Some(Err(error)) = self.recorder.as_mut().map(note) {
+    fn record(&mut self, now: Duration, event: &Event) {
+        let noted = self.recorder.as_mut().map(|it| it.note(now, event));
+        if let Some(Err(error)) = noted {
             self.recorder = None;
             self.session.say(format!("the recording ends: {error}"));
         }

@@ -18,6 +18,7 @@ use super::composition::FrameTimes;
 use super::examination::{ReferenceRequest, ReferenceResult};
 use super::history::History;
 use super::jobs::Progress;
+use super::recording::Event;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
 use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
@@ -283,6 +284,21 @@ impl Session {
         }
     }
 
+    /// Lets happen what happened. A scene's file that is wrong says so, and the scene stays.
+    pub fn happens(&mut self, event: Event) {
+        match event {
+            Event::Action(action) => self.apply(action),
+            Event::Scene(scene) => self.reload(*scene),
+            Event::SceneError(error) => {
+                self.state.scene_error = Some(error);
+                self.wants(Redraw::Overlay);
+            }
+            Event::Size(_) => self.changed(),
+            Event::Say(words) => self.say(words),
+            Event::Time => {}
+        }
+    }
+
     /// Shows a message as long as it takes to read, two seconds at least.
     pub fn say(&mut self, text: impl Into<String>) {
         let text = text.into();
@@ -297,11 +313,6 @@ impl Session {
             self.state.hovered = action;
             self.wants(Redraw::Overlay);
         }
-    }
-
-    /// The window has another size.
-    pub fn resized(&mut self) {
-        self.changed();
     }
 
     /// How a picture of `size` pixels is to be drawn now.
@@ -389,7 +400,7 @@ impl Session {
     }
 
     /// The picture is another one.
-    fn changed(&mut self) {
+    pub fn changed(&mut self) {
         self.revision += 1;
         self.to_be_examined = Some(self.now);
         self.reference = None;

@@ -21,7 +21,7 @@ use shadetrade::window::examination::{ReferenceRequest, examine};
 use shadetrade::window::hud::{self, Hud, lines};
 use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::jobs::Progress;
-use shadetrade::window::recording::{Log, Recorder, Start};
+use shadetrade::window::recording::{Event as Happened, Log, Recorder, Start};
 use shadetrade::window::replay::Player;
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
@@ -256,7 +256,9 @@ impl Window {
         if let Some(recorder) = self.recorder.as_mut()
             && self.session.revision() != revision
         {
-            recorder.time(self.now).expect("it can be written");
+            recorder
+                .note(self.now, &Happened::Time)
+                .expect("it can be written");
         }
     }
 
@@ -268,7 +270,7 @@ impl Window {
 
     fn record(&mut self, action: Action) {
         if let Some(recorder) = &mut self.recorder {
-            let written = recorder.action(self.now, action);
+            let written = recorder.note(self.now, &Happened::Action(action));
             written.expect("it can be written");
         }
     }
@@ -290,9 +292,9 @@ impl Window {
     fn draw(&mut self) {
         let size = self.picture();
         if size != self.composition.size() || self.shown.len() != self.size[0] * self.size[1] {
-            self.session.resized();
+            self.session.changed();
             if let Some(recorder) = &mut self.recorder {
-                let written = recorder.size(self.now, size);
+                let written = recorder.note(self.now, &Happened::Size(size));
                 written.expect("it can be written");
             }
         }
@@ -391,7 +393,8 @@ proptest! {
         let path = folder.path().join("storm.log");
         let mut window = Window::open(&text);
         let scene = Scene::parse("storm.toml", &text).expect("it was parsed before");
-        let start = Start::new(&drawing(scene)).with_picture(window.picture());
+        let mut start = Start::new(&drawing(scene));
+        start.size = window.picture();
         window.recorder = Some(Recorder::create(&path, &start).expect("it can be written"));
         let mut seen = HashMap::new();
         window.draw();

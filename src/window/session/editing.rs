@@ -210,15 +210,8 @@ impl Session {
     }
 
     /// Takes the scene's file as it was read again: the camera, its orbit, how all cuboids are shaded and that they turn
-    /// stay. A file that is wrong says so, and the scene stays.
-    pub fn reload(&mut self, read: Result<Scene, String>) {
-        let mut scene = match read {
-            Ok(scene) => scene,
-            Err(error) => {
-                self.state.scene_error = Some(error);
-                return self.wants(Redraw::Overlay);
-            }
-        };
+    /// stay.
+    pub(super) fn reload(&mut self, mut scene: Scene) {
         let camera = self.scene.cameras[self.camera()];
         if let Some(same) = scene.find_camera(&self.name(camera)) {
             scene.look_from(same);
