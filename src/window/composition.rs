@@ -63,7 +63,7 @@ impl Composition {
     /// # Errors
     /// When it does not fit in memory.
     pub fn draw(&mut self, session: &mut Session, size: [usize; 2]) -> Result<(), OutOfMemory> {
-        session.update_probe(size, self.frame.workers().level())?;
+        session.update_probe(size)?;
         let times = self.draw_sides(session, size, 1)?;
         if session.state().mode == ViewMode::Tiles {
             session.draw(None, size, &mut self.levels)?;
@@ -118,41 +118,29 @@ impl Composition {
     pub fn compose(&self, session: &Session, pixels: &mut Vec<u32>) {
         let [width, _] = self.size();
         let picture = self.frame.pixels();
-        let result = session.reference();
-        let reference = result.map(|result| result.reference.as_slice());
-        let dimmed = || {
-            let mut waiting = picture.to_vec();
-            views::dim(&mut waiting);
-            waiting
-        };
-        if let Some(requires) = session.requires().filter(|it| it.left_out.is_some()) {
-            match &requires.picture {
-                Some(picture) => pixels.clone_from(picture),
-                None => *pixels = dimmed(),
-            }
-            return;
-        }
         let state = session.state();
+        let result = session.reference();
+        let reference = || views::or_dimmed(result.map(|it| &it.reference), picture);
+        let left_out = session.requires().filter(|it| it.left_out.is_some());
         let divider = state.divider_column(width);
         pixels.clear();
-        if state.shows_reference {
-            match reference {
-                Some(reference) => pixels.extend_from_slice(reference),
-                None => pixels.extend(dimmed()),
-            }
-            return;
-        }
         match state.mode {
+            _ if left_out.is_some() => {
+                pixels.extend_from_slice(&views::or_dimmed(
+                    left_out.and_then(|it| it.picture.as_ref()),
+                    picture,
+                ));
+            }
+            _ if state.shows_reference => pixels.extend_from_slice(&reference()),
             ViewMode::Picture => pixels.extend_from_slice(picture),
             ViewMode::GouraudPhong => views::wipe(pixels, &self.left, picture, width, divider),
-            ViewMode::MethodReference => match reference {
-                Some(reference) => views::wipe(pixels, picture, reference, width, divider),
-                None => views::wipe(pixels, picture, &dimmed(), width, divider),
-            },
-            ViewMode::ErrorMap => match result {
-                Some(result) => pixels.extend_from_slice(&result.error_map),
-                None => pixels.extend(dimmed()),
-            },
+            ViewMode::MethodReference => {
+                views::wipe(pixels, picture, &reference(), width, divider);
+            }
+            ViewMode::ErrorMap => {
+                pixels
+                    .extend_from_slice(&views::or_dimmed(result.map(|it| &it.error_map), picture));
+            }
             ViewMode::Tiles => {
                 pixels.extend_from_slice(picture);
                 views::tint(pixels, self.levels.kinds(), self.levels.triangles());

@@ -62,7 +62,6 @@ pub fn examine(
         shading: Some(ShadingMode::Phong),
         ..view.clone()
     };
-    let is_phong = view.shading == phong.shading;
     let mut reference = memory::reserve_pixels(view.size).ok()?;
     let mut pixels = memory::reserve_pixels(view.size).ok()?;
     let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
@@ -74,16 +73,15 @@ pub fn examine(
             reference::picture(&request.scene.world, view, rows, cancelled, &|_| ())
         };
         let exact = truth(&phong)?;
-        let own = if is_phong { None } else { Some(truth(&view)?) };
+        let own = truth(&view)?;
         let drawn = Picture {
             width,
             levels: frame.levels(),
             triangles: frame.triangles(),
         };
         let compared = picture_of(&exact);
-        let own = own.as_ref().map_or(compared, picture_of);
         errors.add(&metrics::compare(drawn, compared));
-        own_errors.add(&metrics::compare(drawn, own));
+        own_errors.add(&metrics::compare(drawn, picture_of(&own)));
         pixels.extend(error_map::compared(drawn, compared));
         reference.extend(exact.levels.iter().map(|levels| {
             let [red, green, blue] = levels.map(display_step);

@@ -306,7 +306,7 @@ impl Hud {
     /// Writes the bytes of each pixel into it, below one another.
     fn draw_bytes(&self, canvas: &mut Canvas, picture: &[u32]) {
         let face = FACES[0];
-        let [width, height] = self.picture_size();
+        let [width, height] = self.picture.size();
         let [last_x, last_y] = self.magnifier.pixel([width as i32 - 1, height as i32 - 1]);
         for y in self.magnifier.corner[1]..=last_y {
             for x in self.magnifier.corner[0]..=last_x {
@@ -332,11 +332,6 @@ impl Hud {
     /// How large pixels are seen.
     pub fn magnifier(&self) -> Magnifier {
         self.magnifier
-    }
-
-    /// Width and height of the picture, in pixels.
-    pub fn picture_size(&self) -> [usize; 2] {
-        self.picture.size()
     }
 
     /// The probed pixel in the window, or the middle of the picture.
@@ -389,18 +384,10 @@ impl Hud {
 
 /// Adds what is shown beside the panel, the most important first.
 fn add_boards(layout: &mut Layout, session: &Session, area: Rect) {
-    layout.add(
-        Part::Editor,
-        &[editor::lines(session)],
-        [area.right(), area.y],
-    );
-    layout.add(
-        Part::Requires,
-        &[requires::lines(session)],
-        [area.right(), area.y],
-    );
     let below = [area.x + area.width / 2, area.bottom()];
     let above = [area.right(), area.y];
+    layout.add(Part::Editor, &[editor::lines(session)], above);
+    layout.add(Part::Requires, &[requires::lines(session)], above);
     layout.add(Part::Legend, &[legend::lines(session)], below);
     if let Some(probe) = session.probed() {
         let lines = |worked| [false, true].map(|wide| pixel::lines(probe, wide, worked));

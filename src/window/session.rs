@@ -162,7 +162,11 @@ impl Session {
             projection: drawing.projection,
             tolerance: drawing.tolerance,
             next_degree: Duration::ZERO,
-            state: ViewState::default(),
+            state: ViewState {
+                divider: 0.5,
+                panel: true,
+                ..ViewState::default()
+            },
             history: History::default(),
             last_page: 0,
             probe: None,
@@ -193,16 +197,16 @@ impl Session {
     ///
     /// # Errors
     /// When a row of it does not fit in memory.
-    pub fn update_probe(&mut self, size: [usize; 2], level: Level) -> Result<(), OutOfMemory> {
+    pub fn update_probe(&mut self, size: [usize; 2]) -> Result<(), OutOfMemory> {
         let outside = |pixel: &mut [usize; 2]| pixel[0] >= size[0] || pixel[1] >= size[1];
         self.state.pixel.take_if(outside);
-        let view = self.view(size);
-        let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, Workers::alone(level));
-        self.probe = self.state.pixel.map(&mut probe).transpose()?;
-        let mut profile = |pixel: [usize; 2]| {
-            probe::profile(&mut self.scene, &view, pixel[1], Workers::alone(level))
-        };
-        self.profile = self.state.pixel.map(&mut profile).transpose()?;
+        (self.probe, self.profile) = (None, None);
+        if let Some(pixel) = self.state.pixel {
+            let (view, workers) = (self.view(size), || Workers::alone(self.level));
+            let probe = probe::at(&mut self.scene, &view, pixel, workers())?;
+            let profile = probe::profile(&mut self.scene, &view, pixel[1], workers())?;
+            (self.probe, self.profile) = (Some(probe), Some(profile));
+        }
         Ok(())
     }
 
@@ -253,12 +257,8 @@ impl Session {
     /// Tells the time since the start: what spins goes on, messages go, and what rests is timed and examined, in this order.
     pub fn tick(&mut self, now: Duration) {
         self.now = now;
-        if self
-            .state
-            .message
-            .take_if(|(_, until)| *until <= now)
-            .is_some()
-        {
+        let is_over = |(_, until): &mut (String, Duration)| *until <= now;
+        if self.state.message.take_if(is_over).is_some() {
             self.wants(Redraw::Overlay);
         }
         self.spin_on();
@@ -346,10 +346,9 @@ impl Session {
 
     /// What is to be measured of a picture of `size` pixels: every method, on one thread.
     pub fn measurement(&self, size: [usize; 2]) -> trade::Request {
-        let mut cameras = self.scene.camera_names();
         trade::Request {
             scene: self.scene.snapshot(),
-            camera: cameras.swap_remove(self.camera()),
+            camera: self.name(self.scene.cameras[self.camera()]),
             view: self.view(size),
             methods: METHODS.to_vec(),
             threads: 1,

@@ -83,7 +83,7 @@ fn turn_to(session: &mut Session, name: &str, kind: &str) {
     let pages = session.scene().pages();
     for _ in 0..pages {
         let page = session.page().expect("the editor is open");
-        if session.is_named(page.entity, name) && page.kind == kind {
+        if session.name(page.entity) == name && page.kind == kind {
             return;
         }
         let next = Action::Step {

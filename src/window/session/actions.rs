@@ -32,6 +32,7 @@ impl Session {
     }
 
     /// Does what the user wants; what cannot be done says so for two seconds.
+    #[expect(clippy::too_many_lines, reason = "one arm for each command")]
     pub fn apply(&mut self, action: Action) {
         match self.resolved(action) {
             Action::Light(index) => self.switch_light(index),
@@ -48,7 +49,11 @@ impl Session {
                 Projection::Orthographic => Projection::Perspective,
             })),
             Action::NextCamera if self.scene.cameras.len() == 1 => self.say("there is one camera"),
-            Action::NextCamera => self.look_from((self.camera() + 1) % self.scene.cameras.len()),
+            Action::NextCamera => {
+                self.set_orbit(Orbit::default());
+                let next = (self.camera() + 1) % self.scene.cameras.len();
+                self.scene.look_from(next);
+            }
             Action::Orbit { azimuth, elevation } => {
                 let (own, orbit) = self.scene.camera(self.camera());
                 let moved = orbit.moved(&own, azimuth, elevation);
@@ -131,7 +136,21 @@ impl Session {
             Action::FullScreen => self.requests.push(Request::FullScreen),
             Action::SavePicture => self.requests.push(Request::SavePicture),
             Action::Screenshot => self.requests.push(Request::Screenshot),
-            action => self.edit_scene(action),
+            Action::Editor => self.toggle_editor(),
+            Action::Row(rows) => self.go_to_row(rows),
+            Action::ChooseRow(row) => self.choose_row(row),
+            Action::Step { row, steps, size } => self.step_number(row, steps, size),
+            Action::Type(letter) => self.type_letter(letter),
+            Action::Enter => self.enter(),
+            Action::Erase => self.erase(),
+            Action::Forget => self.forget_typed(),
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            Action::DragLight {
+                light,
+                by,
+                in_depth,
+            } => self.drag_light(light, by, in_depth),
         }
     }
 
@@ -211,39 +230,28 @@ impl Session {
         self.changed();
     }
 
-    /// The nearest of [`TOLERANCES`] in the direction of `steps`.
-    fn next_tolerance(&self, steps: i32) -> Option<f64> {
-        let mut tolerances = TOLERANCES.into_iter();
-        if steps > 0 {
-            tolerances.find(|next| *next > self.tolerance)
-        } else {
-            tolerances.rfind(|next| *next < self.tolerance)
-        }
-    }
-
+    /// Takes the nearest of [`TOLERANCES`] in the direction of `steps`, so often.
     fn step_tolerance(&mut self, steps: i32) {
         for _ in 0..steps.unsigned_abs() {
-            match self.next_tolerance(steps) {
-                Some(tolerance) => self.shade_within(tolerance),
-                None if steps > 0 => return self.say("no coarser than this"),
-                None => return self.say("no finer than exact"),
-            }
+            let mut tolerances = TOLERANCES.into_iter();
+            let (next, end) = if steps > 0 {
+                let coarser = tolerances.find(|next| *next > self.tolerance);
+                (coarser, "no coarser than this")
+            } else {
+                let finer = tolerances.rfind(|next| *next < self.tolerance);
+                (finer, "no finer than exact")
+            };
+            let Some(tolerance) = next else {
+                return self.say(end);
+            };
+            self.tolerance = tolerance;
+            self.changed();
         }
     }
 
     fn shade(&mut self, mode: Option<ShadingMode>) {
         self.scene.shade(mode);
         self.changed();
-    }
-
-    fn shade_within(&mut self, tolerance: f64) {
-        self.tolerance = tolerance;
-        self.changed();
-    }
-
-    fn look_from(&mut self, camera: usize) {
-        self.set_orbit(Orbit::default());
-        self.scene.look_from(camera);
     }
 
     /// Moves the camera, or says what keeps it from moving.

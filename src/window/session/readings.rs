@@ -26,13 +26,10 @@ impl Session {
     /// The place in the file of the light so named.
     pub fn light_named(&self, name: &str) -> Option<usize> {
         let mut lights = self.scene.lights.iter();
-        lights.position(|&entity| self.is_named(entity, name))
-    }
-
-    /// Whether the scene file calls an entity `name`.
-    pub fn is_named(&self, entity: Entity, name: &str) -> bool {
-        let own = self.scene.world.get::<&Name>(entity);
-        own.is_ok_and(|own| own.0 == name)
+        lights.position(|&entity| {
+            let own = self.scene.world.get::<&Name>(entity);
+            own.is_ok_and(|own| own.0 == name)
+        })
     }
 
     /// What the scene file calls an entity.
