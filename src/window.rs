@@ -42,6 +42,7 @@ use crate::drawing::Drawing;
 use crate::frame::Workers;
 use crate::output;
 use crate::scene::Scene;
+use bindings::Action;
 use composition::Composition;
 use display::Display;
 use hud::{Hud, Part};
@@ -90,6 +91,7 @@ pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
             Workers::new(threads, level).context("cannot start the threads that draw")?,
         ),
         jobs: Jobs::start(level)?,
+        actions: Vec::new(),
         hud,
         picture: Vec::new(),
         shown: Vec::new(),
@@ -114,6 +116,8 @@ struct Window {
     input: Input,
     composition: Composition,
     jobs: Jobs,
+    /// What the user did since the window was last drawn.
+    actions: Vec<Action>,
     /// The layout that is shown.
     hud: Hud,
     /// The picture as its view shows it.
@@ -166,19 +170,31 @@ impl Window {
                 }
                 self.compose(size);
             }
-            for request in self.session.take_requests() {
-                match request {
-                    Request::Screenshot => {
+            for action in std::mem::take(&mut self.actions) {
+                match action {
+                    Action::Screenshot => {
                         let mut pixels = Vec::new();
                         self.hud.draw(&self.picture, true, &mut pixels);
                         let saved = saving::save_picture(Path::new("."), &pixels, size);
                         self.say_saved(saved);
                     }
-                    Request::SavePicture => {
+                    Action::SavePicture => {
                         let saved = saving::save_picture(Path::new("."), &self.picture, picture);
                         self.say_saved(saved);
                     }
-                    Request::Save => self.save_scene(picture),
+                    Action::Save => self.save_scene(picture),
+                    Action::FullScreen => {
+                        if let Err(error) = self.display.toggle_full_screen() {
+                            self.session.say(format!("no full screen: {error}"));
+                        }
+                    }
+                    Action::Quit => return Ok(()),
+                    // The session has done it.
+                    _ => {}
+                }
+            }
+            for request in self.session.take_requests() {
+                match request {
                     Request::Time => self.composition.time(&mut self.session)?,
                     Request::Measure => {
                         let request = self.session.measurement(picture);
@@ -196,12 +212,6 @@ impl Window {
                         let request = self.session.reference_request(picture);
                         self.jobs.submit(Job::LeaveOut(request, part));
                     }
-                    Request::FullScreen => {
-                        if let Err(error) = self.display.toggle_full_screen() {
-                            self.session.say(format!("no full screen: {error}"));
-                        }
-                    }
-                    Request::Quit => return Ok(()),
                 }
             }
             let raised = std::mem::replace(&mut active, self.display.is_active()) != active;
@@ -253,6 +263,7 @@ impl Window {
     fn respond(&mut self, gesture: Gesture, now: Duration) {
         if let Some(action) = response::respond(&mut self.session, gesture, &self.hud) {
             self.record(now, &Event::Action(action));
+            self.actions.push(action);
         }
     }
 

@@ -86,13 +86,9 @@ pub enum Redraw {
     Picture,
 }
 
-/// What only the window itself can do.
+/// What is to be found out about the present picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Request {
-    /// Saves what is shown.
-    Screenshot,
-    /// Saves the picture alone.
-    SavePicture,
     /// Times warm frames of what is shown.
     Time,
     /// Asks the reference about the picture.
@@ -103,12 +99,6 @@ pub enum Request {
     Require,
     /// Draws the picture without a part.
     LeaveOut(Part),
-    /// Writes the scene into a new file.
-    Save,
-    /// Covers the screen with the window, and ends that.
-    FullScreen,
-    /// Ends the program.
-    Quit,
 }
 
 /// How long a cuboid that spins takes for one degree, as in the assignment's program.
@@ -389,7 +379,7 @@ impl Session {
         std::mem::take(&mut self.redraw)
     }
 
-    /// What the window itself is to do since this was last asked, in order.
+    /// What is to be found out since this was last asked, in order.
     pub fn take_requests(&mut self) -> Vec<Request> {
         std::mem::take(&mut self.requests)
     }
@@ -404,16 +394,7 @@ impl Session {
         self.to_be_examined = Some(self.now);
         self.reference = None;
         self.measuring = Measuring::Off;
-        self.requests.retain(|request| {
-            matches!(
-                request,
-                Request::Screenshot
-                    | Request::SavePicture
-                    | Request::Save
-                    | Request::FullScreen
-                    | Request::Quit
-            )
-        });
+        self.requests.clear();
         self.requires = self.requires.take().map(|_| Requires::default());
         self.wants(Redraw::Picture);
     }

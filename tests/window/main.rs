@@ -101,18 +101,17 @@ fn mixed_session() -> Session {
     session_of(Scene::parse("mixed.toml", MIXED).expect("the scene above is valid"))
 }
 
-/// Presses and releases a key.
-fn press(session: &mut Session, key: Key) {
+/// Presses and releases a key; what that does.
+fn press(session: &mut Session, key: Key) -> Option<Action> {
     let mut input = Input::default();
-    if let Some(gesture) = input.handle(Event::KeyDown(key), Duration::ZERO) {
-        does(session, gesture);
-    }
+    let gesture = input.handle(Event::KeyDown(key), Duration::ZERO)?;
+    does(session, gesture)
 }
 
 /// What the user does in a window of [`SIZE`].
-fn does(session: &mut Session, gesture: Gesture) {
+fn does(session: &mut Session, gesture: Gesture) -> Option<Action> {
     let hud = Hud::new(session, SIZE);
-    respond(session, gesture, &hud);
+    respond(session, gesture, &hud)
 }
 
 fn lights_on(session: &Session) -> Vec<bool> {
@@ -311,19 +310,13 @@ fn escape_closes_the_help_and_never_quits() {
     let mut session = default_session();
     press(&mut session, Key::F1);
     assert!(session.state().help);
-    press(&mut session, Key::Escape);
+    assert_eq!(press(&mut session, Key::Escape), Some(Action::Help));
     assert!(!session.state().help);
-    assert_eq!(session.take_requests(), []);
-    press(&mut session, Key::Escape);
-    assert_eq!(session.take_requests(), []);
+    assert_eq!(press(&mut session, Key::Escape), Some(Action::Close));
     let words = session.state().message().expect("a word");
     assert!(words.contains("Q quits"));
-    press(&mut session, Key::Q);
-    press(&mut session, Key::F12);
-    assert_eq!(
-        session.take_requests(),
-        [Request::Quit, Request::Screenshot]
-    );
+    assert_eq!(press(&mut session, Key::Q), Some(Action::Quit));
+    assert_eq!(press(&mut session, Key::F12), Some(Action::Screenshot));
 }
 
 #[test]

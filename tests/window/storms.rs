@@ -316,15 +316,7 @@ impl Window {
                     let timed = self.composition.time(&mut self.session);
                     timed.expect("a small picture fits");
                 }
-                // Who quits sees no more; here it goes on, for nothing may depend on it.
-                Request::Measure
-                | Request::Require
-                | Request::LeaveOut(_)
-                | Request::Screenshot
-                | Request::SavePicture
-                | Request::Save
-                | Request::FullScreen
-                | Request::Quit => {}
+                Request::Measure | Request::Require | Request::LeaveOut(_) => {}
             }
         }
     }

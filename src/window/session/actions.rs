@@ -112,7 +112,6 @@ impl Session {
                 self.state.help ^= true;
                 self.wants(Redraw::Overlay);
             }
-            Action::Save => self.requests.push(Request::Save),
             Action::Probe(pixel) => self.probe(pixel),
             // They need what is seen, and so are resolved in `response`.
             Action::MagnifyBy(_) | Action::LettersBy(_) => {}
@@ -128,14 +127,16 @@ impl Session {
                 self.wants(Redraw::Overlay);
             }
             Action::Close => self.say("Q quits"),
-            Action::Quit => self.requests.push(Request::Quit),
             Action::EndDrag => {
                 self.state.end_drag();
                 self.history.end_step();
             }
-            Action::FullScreen => self.requests.push(Request::FullScreen),
-            Action::SavePicture => self.requests.push(Request::SavePicture),
-            Action::Screenshot => self.requests.push(Request::Screenshot),
+            // The window itself does it, once it has drawn.
+            Action::Save
+            | Action::SavePicture
+            | Action::Screenshot
+            | Action::FullScreen
+            | Action::Quit => {}
             Action::Editor => self.toggle_editor(),
             Action::Row(rows) => self.go_to_row(rows),
             Action::ChooseRow(row) => self.choose_row(row),
