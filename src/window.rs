@@ -194,25 +194,19 @@ impl Window {
                 }
             }
             for request in self.session.take_requests() {
-                match request {
-                    Request::Time => self.composition.time(&mut self.session)?,
-                    Request::Measure => {
-                        let request = self.session.measurement(picture);
-                        self.jobs.submit(Job::Measure(request));
+                let job = match request {
+                    Request::Time => {
+                        self.composition.time(&mut self.session)?;
+                        continue;
                     }
-                    Request::Examine => {
-                        let request = self.session.reference_request(picture);
-                        self.jobs.submit(Job::Examine(request));
-                    }
-                    Request::Require => {
-                        let request = self.session.reference_request(picture);
-                        self.jobs.submit(Job::Require(request));
-                    }
+                    Request::Measure => Job::Measure(self.session.measurement(picture)),
+                    Request::Examine => Job::Examine(self.session.reference_request(picture)),
+                    Request::Require => Job::Require(self.session.reference_request(picture)),
                     Request::LeaveOut(part) => {
-                        let request = self.session.reference_request(picture);
-                        self.jobs.submit(Job::LeaveOut(request, part));
+                        Job::LeaveOut(self.session.reference_request(picture), part)
                     }
-                }
+                };
+                self.jobs.submit(job);
             }
             let raised = std::mem::replace(&mut active, self.display.is_active()) != active;
             if redraw > Redraw::Nothing || raised || now >= present_again {

@@ -181,8 +181,9 @@ impl Hud {
             Vec::new()
         };
         markers.retain_mut(|marker| {
-            marker.at = magnifier.place(marker.at);
-            picture.contains([picture.x + marker.at[0], picture.y + marker.at[1]])
+            let place = in_window(marker.at);
+            marker.at = place.unwrap_or(marker.at);
+            place.is_some()
         });
         let arrows = arrows(session, &session.scene().viewpoint(session.camera()));
         let discs = markers.iter().map(|it| it.rect(picture, face));
@@ -367,8 +368,7 @@ impl Hud {
     pub fn light_at(&self, point: Point) -> Option<usize> {
         let reach = markers::radius(self.face) + 2;
         let caught = |marker: &&Marker| {
-            let x = point[0] - self.picture.x - marker.at[0];
-            let y = point[1] - self.picture.y - marker.at[1];
+            let [x, y] = [0, 1].map(|axis| point[axis] - marker.at[axis]);
             x * x + y * y <= reach * reach
         };
         self.markers.iter().find(caught).map(|marker| marker.light)

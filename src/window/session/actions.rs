@@ -86,10 +86,7 @@ impl Session {
             }
             Action::Measure => self.measure(),
             Action::Requires => {
-                self.requires = match self.requires {
-                    Some(_) => None,
-                    None => Some(Requires::default()),
-                };
+                self.requires = self.requires.is_none().then(Requires::default);
                 self.examine_again();
                 self.wants(Redraw::Overlay);
             }
