@@ -62,11 +62,6 @@ impl ViewMode {
     pub fn compares(self) -> bool {
         matches!(self, ViewMode::MethodReference | ViewMode::ErrorMap)
     }
-
-    /// Whether a divider parts two pictures.
-    pub fn is_wipe(self) -> bool {
-        matches!(self, ViewMode::GouraudPhong | ViewMode::MethodReference)
-    }
 }
 
 /// What a mode is called.

@@ -6,7 +6,7 @@ use super::{DEGREE_TIME, Measuring, Redraw, Request, Requires, Session};
 use crate::canvas::FACES;
 use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
-use crate::window::history::Change;
+use crate::window::history::{Change, History, Saved};
 use crate::window::magnifier::Magnifier;
 use crate::window::orbit::Limits;
 use crate::window::view_state::Drag;
@@ -142,8 +142,8 @@ impl Session {
             Action::Enter => self.enter(),
             Action::Erase => self.erase(),
             Action::Forget => self.forget_typed(),
-            Action::Undo => self.undo(),
-            Action::Redo => self.redo(),
+            Action::Undo => self.travel(History::undo, "nothing to undo"),
+            Action::Redo => self.travel(History::redo, "nothing to redo"),
             Action::DragLight {
                 light,
                 by,
@@ -220,7 +220,7 @@ impl Session {
         let Some(&entity) = self.scene.lights.get(index) else {
             return self.say(format!("there is no light {}", index.saturating_add(1)));
         };
-        let before = vec![(entity, self.scene.editable(entity))];
+        let before = Saved::Entities(vec![(entity, self.scene.editable(entity))]);
         self.history.note(before, Change::Single, self.now);
         if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
             light.on = !light.on;

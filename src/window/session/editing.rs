@@ -10,7 +10,7 @@ use crate::components::{Lens, LightKind, Spin};
 use crate::scene::Scene;
 use crate::scene::edit::{Page, Parameter, Property};
 use crate::window::bindings::StepSize;
-use crate::window::history::Change;
+use crate::window::history::{Change, History, Saved};
 use crate::window::view_state::{Drag, Editor};
 
 /// Numbers that are stepped to have so many digits: a tenth added ten times makes one.
@@ -136,7 +136,8 @@ impl Session {
         let entities: Vec<Entity> = lights.iter().map(|it| self.scene.lights[*it]).collect();
         self.state.drag = Some(Drag::Lights(lights));
         let before = entities.iter().map(|it| (*it, self.scene.editable(*it)));
-        self.history.note(before.collect(), Change::Drag, self.now);
+        let before = Saved::Entities(before.collect());
+        self.history.note(before, Change::Drag, self.now);
         for entity in entities {
             let parameter = |axis| Parameter {
                 entity,
@@ -168,21 +169,12 @@ impl Session {
         Some(lights.filter(|it| place(*it) == Some(dragged)).collect())
     }
 
-    /// Takes back the last change of the scene.
-    pub(super) fn undo(&mut self) {
-        if self.history.undo(&mut self.scene) {
+    /// Goes back or forth in the history of the scene, or says that there is `nothing` to go to.
+    pub(super) fn travel(&mut self, go: fn(&mut History, &mut Scene) -> bool, nothing: &str) {
+        if go(&mut self.history, &mut self.scene) {
             self.scene_changed();
         } else {
-            self.say("nothing to undo");
-        }
-    }
-
-    /// Makes the change again that was last taken back.
-    pub(super) fn redo(&mut self) {
-        if self.history.redo(&mut self.scene) {
-            self.scene_changed();
-        } else {
-            self.say("nothing to redo");
+            self.say(nothing);
         }
     }
 
@@ -200,8 +192,8 @@ impl Session {
         for spin in scene.world.query_mut::<&mut Spin>() {
             *spin = self.spin();
         }
-        let old = std::mem::replace(&mut self.scene, scene);
-        self.history.note_replaced(old, self.now);
+        let old = Saved::Scene(Box::new(std::mem::replace(&mut self.scene, scene)));
+        self.history.note(old, Change::Single, self.now);
         self.state.scene_error = None;
         self.scene_changed();
         self.say("read the scene's file again");
@@ -218,7 +210,7 @@ impl Session {
         let before = self.scene.editable(parameter.entity);
         let error = self.scene.set_number(parameter, number).err();
         if self.scene.editable(parameter.entity) != before {
-            let before = vec![(parameter.entity, before)];
+            let before = Saved::Entities(vec![(parameter.entity, before)]);
             self.history.note(before, change, self.now);
             self.changed();
         }
