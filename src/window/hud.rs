@@ -101,17 +101,12 @@ fn strips(session: &Session, size: [usize; 2]) -> (Option<Board>, Rect, Face) {
         face.width(PANEL_LETTERS) + 2 * padding
     };
     let style = |face: &Face| {
-        let loose = TextStyle::new(*face);
-        // Rows may be as close as their letters are high.
-        let tight = TextStyle {
-            pitch: face.height(),
-            ..loose
-        };
-        let room = window.height - 2 * loose.padding();
+        let tight = TextStyle::tight(*face);
+        let room = window.height - 2 * tight.padding();
         let fits = width(*face) <= window.width * PANEL_SHARE / 100 && tight.height(&lines) <= room;
         let rows = tight.height(&lines) / tight.pitch + 1;
         let pitch = (room / rows).clamp(tight.pitch, face.height() * 5 / 4);
-        fits.then_some(TextStyle { pitch, ..loose })
+        fits.then_some(TextStyle { pitch, ..tight })
     };
     let chosen = session.state().letters;
     let faces = chosen.map_or(&FACES[..], |size| &FACES[size..=size]);

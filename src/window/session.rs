@@ -66,14 +66,6 @@ pub struct Requires {
     is_asked: bool,
 }
 
-impl Requires {
-    /// Another job begins: what is not there yet is asked for again after it.
-    fn interrupt(&mut self) {
-        self.is_asked = !self.parts.is_empty();
-        self.left_out = None;
-    }
-}
-
 /// What has to be done anew because something changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Redraw {

@@ -45,6 +45,12 @@ impl TextStyle {
         TextStyle { face, pitch }
     }
 
+    /// Rows as close as their letters are high.
+    pub fn tight(face: Face) -> Self {
+        let pitch = face.height();
+        TextStyle { face, pitch }
+    }
+
     /// From a board's edge to its rows, in pixels.
     pub fn padding(self) -> i32 {
         self.face.advance() * 3 / 4

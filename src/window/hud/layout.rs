@@ -87,12 +87,8 @@ pub fn help(session: &Session, window: Rect) -> Vec<Board> {
     let both = lines::help(session);
     let area = window.inset(FACES[0].advance());
     let style = |face: &Face| {
-        let style = TextStyle::new(*face);
-        let tight = TextStyle {
-            pitch: face.height(),
-            ..style
-        };
-        [style, tight].into_iter().find_map(|style| {
+        let styles = [TextStyle::new(*face), TextStyle::tight(*face)];
+        styles.into_iter().find_map(|style| {
             let sizes = [&both[0], &both[1]].map(|lines| style.size(lines));
             let width = sizes[0][0] + style.padding() + sizes[1][0];
             let height = sizes[0][1].max(sizes[1][1]);

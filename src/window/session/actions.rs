@@ -155,7 +155,9 @@ impl Session {
     fn measure(&mut self) {
         self.examine_again();
         if let Some(requires) = &mut self.requires {
-            requires.interrupt();
+            // What is not there yet is asked for again after the measurement.
+            requires.is_asked = !requires.parts.is_empty();
+            requires.left_out = None;
         }
         self.measuring = Measuring::Running(None);
         self.requests.push(Request::Measure);
