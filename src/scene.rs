@@ -205,25 +205,20 @@ impl Scene {
 
     /// What the components say now, cameras where `viewpoint` has them.
     fn record(&self, viewpoint: impl Fn(&Scene, usize) -> Viewpoint) -> SceneRecord {
-        type Cuboid<'a> = (
-            &'a Name,
-            &'a Transform,
-            &'a Spin,
-            &'a Mesh,
-            &'a Material,
-            &'a ShadingMode,
+        let cuboids = self.copies::<(&Name, &Transform, &Spin, &Mesh, &Material, &ShadingMode), _>(
+            &self.cuboids,
+            |(name, at, spin, mesh, material, mode)| {
+                let at = at.spun(*spin);
+                CuboidRecord {
+                    name: key(name.0.clone()),
+                    size: key(mesh.size()),
+                    position: key(at.position),
+                    rotation: key(at.rotation),
+                    shading: key(*mode),
+                    material: key((*material).into()),
+                }
+            },
         );
-        let cuboid = |(name, at, spin, mesh, material, mode): <Cuboid as Query>::Item<'_>| {
-            let at = at.spun(*spin);
-            CuboidRecord {
-                name: key(name.0.clone()),
-                size: key(mesh.size()),
-                position: key(at.position),
-                rotation: key(at.rotation),
-                shading: key(*mode),
-                material: key((*material).into()),
-            }
-        };
         let light = |(name, at, light): (&Name, &Transform, &Light)| LightRecord {
             color: key(light.color),
             gain: key(light.gain),
@@ -236,7 +231,7 @@ impl Scene {
         };
         SceneRecord {
             background: key(self.background),
-            cuboid: key(self.copies::<Cuboid, _>(&self.cuboids, cuboid)),
+            cuboid: key(cuboids),
             light: key(self.copies::<(&Name, &Transform, &Light), _>(&self.lights, light)),
             camera: key((0..self.cameras.len()).map(camera).collect()),
         }
