@@ -74,15 +74,14 @@ impl History {
             Change::Number(_) => last.change == change && now < last.at + PAUSE,
             Change::Drag => last.change == change,
         };
-        match self.steps.back_mut().filter(goes_on) {
-            Some(last) => last.at = now,
-            None => {
-                let at = now;
-                self.steps.push_back(Step { saved, change, at });
-                if self.steps.len() > STEPS {
-                    self.steps.pop_front();
-                }
-            }
+        let at = now;
+        if let Some(last) = self.steps.back_mut().filter(goes_on) {
+            last.at = at;
+            return;
+        }
+        self.steps.push_back(Step { saved, change, at });
+        if self.steps.len() > STEPS {
+            self.steps.pop_front();
         }
     }
 

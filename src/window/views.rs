@@ -126,5 +126,5 @@ pub fn or_dimmed<'a>(known: Option<&'a Vec<u32>>, picture: &[u32]) -> Cow<'a, [u
         let grey = (77 * red + 150 * green + 29 * blue) / (3 * 256);
         grey << 16 | grey << 8 | grey
     };
-    known.map_or_else(|| picture.iter().map(dim).collect(), |it| it.into())
+    known.map_or_else(|| picture.iter().map(dim).collect(), Into::into)
 }

@@ -78,8 +78,8 @@ impl Session {
             }
             Action::View(steps) => self.show(self.state.mode.stepped(steps)),
             Action::Show(view) => self.show(view),
-            Action::Blink => self.show_reference(!self.state.shows_reference),
-            Action::EndBlink => self.show_reference(false),
+            Action::Blink => self.state.shows_reference ^= true,
+            Action::EndBlink => self.state.shows_reference = false,
             Action::Measure if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
             Action::Measure if self.spin().on => {
                 self.say("stop the rotation (Space) before measuring");
@@ -88,7 +88,6 @@ impl Session {
             Action::Requires => {
                 self.requires = self.requires.is_none().then(Requires::default);
                 self.examine_again();
-                self.wants(Redraw::Overlay);
             }
             Action::LeaveOut(index) => self.leave_out(index),
             Action::Turning => {
@@ -96,22 +95,15 @@ impl Session {
                     spin.on ^= true;
                 }
                 self.next_degree = self.now + DEGREE_TIME;
-                self.wants(Redraw::Overlay);
             }
             Action::Panel => {
                 self.state.panel ^= true;
-                self.wants(Redraw::Overlay);
                 if !self.state.panel {
                     self.say("I shows the panel again");
                 }
             }
-            Action::Help => {
-                self.state.help ^= true;
-                self.wants(Redraw::Overlay);
-            }
+            Action::Help => self.state.help ^= true,
             Action::Probe(pixel) => self.probe(pixel),
-            // They need what is seen, and so are resolved in `response`.
-            Action::MagnifyBy(_) | Action::LettersBy(_) => {}
             Action::Letters(size) => {
                 let size = size.min(FACES.len() - 1);
                 self.state.letters = Some(size);
@@ -121,19 +113,8 @@ impl Session {
             Action::DragDivider(by) => {
                 self.state.divider += by;
                 self.state.drag = Some(Drag::Divider);
-                self.wants(Redraw::Overlay);
             }
             Action::Close => self.say("Q quits"),
-            Action::EndDrag => {
-                self.state.end_drag();
-                self.history.end_step();
-            }
-            // The window itself does it, once it has drawn.
-            Action::Save
-            | Action::SavePicture
-            | Action::Screenshot
-            | Action::FullScreen
-            | Action::Quit => {}
             Action::Editor => self.toggle_editor(),
             Action::Row(rows) => self.go_to_row(rows),
             Action::ChooseRow(row) => self.choose_row(row),
@@ -149,7 +130,20 @@ impl Session {
                 by,
                 in_depth,
             } => self.drag_light(light, by, in_depth),
+            Action::EndDrag => {
+                self.state.end_drag();
+                return self.history.end_step();
+            }
+            // These need what is seen, and so are resolved in `response`; those the window does once it has drawn.
+            Action::MagnifyBy(_)
+            | Action::LettersBy(_)
+            | Action::Save
+            | Action::SavePicture
+            | Action::Screenshot
+            | Action::FullScreen
+            | Action::Quit => return,
         }
+        self.wants(Redraw::Overlay);
     }
 
     fn measure(&mut self) {
@@ -161,12 +155,10 @@ impl Session {
         }
         self.measuring = Measuring::Running(None);
         self.requests.push(Request::Measure);
-        self.wants(Redraw::Overlay);
     }
 
     fn magnify(&mut self, magnifier: Magnifier) {
         let before = std::mem::replace(&mut self.state.magnifier, magnifier);
-        self.wants(Redraw::Overlay);
         match magnifier.scale {
             scale if before == magnifier && scale > 1 => self.say("no larger than this"),
             1 if before == magnifier => self.say("no smaller than this"),
@@ -191,7 +183,6 @@ impl Session {
         requires.picture = None;
         self.requests
             .extend(part.map(|it| Request::LeaveOut(it.part)));
-        self.wants(Redraw::Overlay);
     }
 
     fn show(&mut self, view: ViewMode) {
@@ -206,16 +197,10 @@ impl Session {
         self.wants(Redraw::Picture);
     }
 
-    fn show_reference(&mut self, shown: bool) {
-        self.state.shows_reference = shown;
-        self.wants(Redraw::Overlay);
-    }
-
     /// Ends a measurement or closes its table.
     fn stop_measuring(&mut self) {
         self.requests.retain(|request| *request != Request::Measure);
         self.measuring = Measuring::Off;
-        self.wants(Redraw::Overlay);
     }
 
     fn switch_light(&mut self, index: usize) {

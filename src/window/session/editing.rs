@@ -5,7 +5,7 @@
 use glam::DVec3;
 use hecs::Entity;
 
-use super::{Redraw, Session};
+use super::Session;
 use crate::components::{Lens, LightKind, Spin};
 use crate::scene::Scene;
 use crate::scene::edit::{Page, Parameter, Property};
@@ -34,7 +34,6 @@ impl Session {
                 ..Editor::default()
             });
         }
-        self.wants(Redraw::Overlay);
     }
 
     /// Goes to the row so many rows on.
@@ -228,6 +227,5 @@ impl Session {
 
     fn edit(&mut self, change: impl FnOnce(&mut Editor)) {
         self.state.editor.as_mut().map(change);
-        self.wants(Redraw::Overlay);
     }
 }
