@@ -77,8 +77,7 @@ pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
     let session = Session::new(drawing);
     let hud = Hud::new(&session, size);
     let title = title(&session, &hud);
-    let picture = hud.picture();
-    start.size = picture.size();
+    start.size = hud.picture().size();
     let display = Display::open(&title, size)?;
     let recorder = log.map(|path| Recorder::create(path, &start)).transpose();
     let window = Window {
@@ -131,8 +130,7 @@ impl Window {
     fn run(mut self) -> anyhow::Result<()> {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
-        let area = self.hud.picture();
-        let (mut size, mut picture) = ([0, 0], area.size());
+        let (mut size, mut picture) = ([0, 0], self.hud.picture().size());
         let mut active = false;
         let mut job_is_for = (0, false, false);
         while self.display.is_open() {
@@ -148,8 +146,7 @@ impl Window {
             }
             let mut redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
-                let area = hud::picture(&self.session, size);
-                let new_picture = area.size();
+                let new_picture = hud::picture(&self.session, size).size();
                 if std::mem::replace(&mut picture, new_picture) != new_picture {
                     self.record(now, &Event::Size(new_picture));
                 }

@@ -64,11 +64,8 @@ impl Limits {
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         // How far the cuboid around the target reaches from it, 0 where there is none.
         let mut clearance: f64 = 0.0;
-        for &entity in &scene.cuboids {
-            let mut cuboid = scene.world.query_one::<(&Mesh, &Transform, &Spin)>(entity);
-            let Ok((mesh, transform, spin)) = cuboid.get() else {
-                continue;
-            };
+        let mut cuboids = scene.world.query::<(&Mesh, &Transform, &Spin)>();
+        for (mesh, transform, spin) in cuboids.iter() {
             let axes = transform.spun(*spin).axes();
             let corners = mesh
                 .corners
