@@ -364,11 +364,8 @@ impl Scene {
 
     fn copy<Q: Query, T>(&self, entity: Entity, copy: impl FnOnce(Q::Item<'_>) -> T) -> T {
         let mut query = self.world.query_one::<Q>(entity);
-        copy(
-            query
-                .get()
-                .expect("a scene's entities keep the components they were spawned with"),
-        )
+        let components = query.get();
+        copy(components.expect("a scene's entities keep the components they were spawned with"))
     }
 }
 

@@ -166,9 +166,7 @@ impl Hud {
             let place = [picture.x + x, picture.y + y];
             picture.contains(place).then_some(place)
         };
-        let cross = session
-            .probed()
-            .map(|probe| probe.pixel.map(|at| at as i32));
+        let cross = session.probed().map(|it| it.pixel.map(|at| at as i32));
         let cross = cross.and_then(in_window);
         let mut markers = if state.editor.is_some() {
             markers(session, size_of_picture)
@@ -184,23 +182,17 @@ impl Hud {
         let discs = markers.iter().map(|it| it.rect(picture, face));
         let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
         let margin = FACES[0].advance();
+        let faces = FACES.into_iter().rev();
         let mut layout = Layout {
             window: window.inset(margin),
-            faces: FACES
-                .into_iter()
-                .rev()
-                .filter(|it| it.height() <= face.height())
-                .collect(),
+            faces: faces.skip_while(|it| *it != face).collect(),
             size_is_chosen: state.letters.is_some(),
             cuboids: moved.intersection(&picture),
             marks: cross.map(pixel::mark).into_iter().chain(discs).collect(),
             arrows: cross.map_or(Vec::new(), |from| {
                 arrows.iter().map(|it| it.rect(from, face)).collect()
             }),
-            boards: panel
-                .map(|panel| (Part::Panel, panel))
-                .into_iter()
-                .collect(),
+            boards: panel.map(|it| (Part::Panel, it)).into_iter().collect(),
         };
         let area = picture.inset(margin);
         let mut divider = None;
@@ -209,9 +201,8 @@ impl Hud {
             let [middle, _] = magnifier.place([column, 0]);
             let column = picture.x + middle - scale / 2;
             layout.add_sides(names, column, area, face);
-            divider = (picture.x..picture.right())
-                .contains(&column)
-                .then_some(column);
+            let is_seen = (picture.x..picture.right()).contains(&column);
+            divider = is_seen.then_some(column);
         }
         add_boards(&mut layout, session, area);
         let mut boards = layout.boards;

@@ -264,36 +264,20 @@ impl Board {
             canvas.text(face, [cap.x + face.advance() / 2, y], TEXT, caption);
         }
         let size = mark_size(face);
-        let mark = Rect::new(
-            row.x + self.columns.mark,
-            row.y + (row.height - size) / 2,
-            size,
-            size,
-        );
+        let top = row.y + (row.height - size) / 2;
+        let mark = Rect::new(row.x + self.columns.mark, top, size, size);
         draw_mark(canvas, mark, command.mark);
         let ink = match command.mark {
             Mark::Switch(false, _) | Mark::Choice(false) => DIM,
             _ => TEXT,
         };
-        let words = Rect::new(
-            row.x + self.columns.label,
-            row.y,
-            row.width - self.columns.label,
-            row.height,
-        );
-        let room = self.letters(words);
-        let label = fit(
-            &command.label,
-            room.saturating_sub(command.state.chars().count() + 1),
-        );
+        let left = self.columns.label;
+        let words = Rect::new(row.x + left, row.y, row.width - left, row.height);
+        let taken = command.state.chars().count() + 1;
+        let label = fit(&command.label, self.letters(words).saturating_sub(taken));
         canvas.text(face, [words.x, y], ink, &label);
-        self.draw_right(
-            canvas,
-            words,
-            label.chars().count() + 1,
-            &command.state,
-            ink,
-        );
+        let taken = label.chars().count() + 1;
+        self.draw_right(canvas, words, taken, &command.state, ink);
     }
 }
 

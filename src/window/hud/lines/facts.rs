@@ -15,10 +15,8 @@ pub fn all(session: &Session) -> [Line; 6] {
     let times = session.times();
     let [left, right] = &times.sides;
     let wipe = session.state().mode == ViewMode::GouraudPhong;
-    let (frames, threads) = (
-        counted(left.len(), "frame"),
-        counted(times.threads, "thread"),
-    );
+    let frames = counted(left.len(), "frame");
+    let threads = counted(times.threads, "thread");
     [
         Line::Fact(if wipe { "Gouraud" } else { "frame" }, milliseconds(left)),
         if wipe {
