@@ -61,22 +61,16 @@ impl Rect {
     /// What is left when every side moves inwards by `by` pixels; may be empty.
     #[must_use]
     pub fn inset(&self, by: i32) -> Rect {
-        Rect::new(
-            self.x + by,
-            self.y + by,
-            self.width - 2 * by,
-            self.height - 2 * by,
-        )
+        let [width, height] = [self.width, self.height].map(|side| side - 2 * by);
+        Rect::new(self.x + by, self.y + by, width, height)
     }
 
     /// What both have in common; empty where they have nothing.
     #[must_use]
     pub fn intersection(&self, other: &Rect) -> Rect {
         let (x, y) = (self.x.max(other.x), self.y.max(other.y));
-        let (right, bottom) = (
-            self.right().min(other.right()),
-            self.bottom().min(other.bottom()),
-        );
+        let right = self.right().min(other.right());
+        let bottom = self.bottom().min(other.bottom());
         Rect::new(x, y, (right - x).max(0), (bottom - y).max(0))
     }
 }

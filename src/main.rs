@@ -11,7 +11,7 @@ use shadetrade::cli::{
 };
 use shadetrade::scene::BUILT_IN;
 use shadetrade::window::recording::Log;
-use shadetrade::window::{self, WindowError};
+use shadetrade::window::{self, NoDisplay};
 use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
@@ -102,18 +102,18 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
 /// Opens the window; where there is no display, the built-in scene's figures are drawn instead.
 fn view(options: &ViewOptions) -> Result<(), Failure> {
     // Before anything is read: a scene that comes through a pipe can be read once.
-    window::restart_without_input_method().map_err(anyhow::Error::from)?;
+    window::restart_without_input_method()?;
     let drawing = options.drawing.open()?;
     let scene = drawing.scene.name.clone();
     match window::run(drawing, options.record.as_deref()) {
-        Err(missing @ WindowError::NoDisplay { .. }) if scene == BUILT_IN[0].0 => {
+        Err(missing) if missing.is::<NoDisplay>() && scene == BUILT_IN[0].0 => {
             output::say(&format!("{missing}; drawing the figures instead"));
             Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
         }
-        Err(missing @ WindowError::NoDisplay { .. }) => Err(Failure::Work(anyhow!(
+        Err(missing) if missing.is::<NoDisplay>() => Err(Failure::Work(anyhow!(
             "{missing}; `shadetrade render {scene} -o FILE.png` draws a picture without one"
         ))),
-        closed => Ok(closed.map_err(anyhow::Error::from)?),
+        closed => Ok(closed?),
     }
 }
 
@@ -130,7 +130,7 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
         options.workers.threads(),
         options.workers.simd,
     )
-    .map_err(|error| Failure::Usage(error.into()))?;
+    .map_err(Failure::Usage)?;
     if let Some(line) = log.cut_off {
         output::say(&format!(
             "warning: {name} is cut off in line {line}, which is left out"

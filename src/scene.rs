@@ -18,8 +18,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use anyhow::bail;
 use glam::DVec3;
-use hecs::{Entity, Query, World};
+use hecs::{Component, Entity, Query, World};
 
 pub use self::error::SceneError;
 pub(crate) use self::keys::key;
@@ -191,39 +192,33 @@ impl Scene {
     /// them.
     pub fn to_toml_with_view(&self) -> String {
         let mut record = self.record(|scene, camera| scene.camera(camera).0);
-        let taken = self.camera_names();
-        let mut name = "view".to_owned();
-        let mut number = 1;
-        while taken.contains(&name) {
-            number += 1;
-            name = format!("view-{number}");
-        }
-        let view = CameraRecord::of(name, self.viewpoint(self.active_camera()));
+        let others = (2..).map(|number| format!("view-{number}"));
+        let mut names = ["view".to_owned()].into_iter().chain(others);
+        let free = names.find(|name| self.find_camera(name).is_none());
+        let view = CameraRecord::of(
+            free.unwrap_or_default(),
+            self.viewpoint(self.active_camera()),
+        );
         record.camera.value.insert(0, view);
         record.write()
     }
 
     /// What the components say now, cameras where `viewpoint` has them.
     fn record(&self, viewpoint: impl Fn(&Scene, usize) -> Viewpoint) -> SceneRecord {
-        type Cuboid<'a> = (
-            &'a Name,
-            &'a Transform,
-            &'a Spin,
-            &'a Mesh,
-            &'a Material,
-            &'a ShadingMode,
+        let cuboids = self.copies::<(&Name, &Transform, &Spin, &Mesh, &Material, &ShadingMode), _>(
+            &self.cuboids,
+            |(name, at, spin, mesh, material, mode)| {
+                let at = at.spun(*spin);
+                CuboidRecord {
+                    name: key(name.0.clone()),
+                    size: key(mesh.size()),
+                    position: key(at.position),
+                    rotation: key(at.rotation),
+                    shading: key(*mode),
+                    material: key((*material).into()),
+                }
+            },
         );
-        let cuboid = |(name, at, spin, mesh, material, mode): <Cuboid as Query>::Item<'_>| {
-            let at = at.spun(*spin);
-            CuboidRecord {
-                name: key(name.0.clone()),
-                size: key(mesh.size()),
-                position: key(at.position),
-                rotation: key(at.rotation),
-                shading: key(*mode),
-                material: key((*material).into()),
-            }
-        };
         let light = |(name, at, light): (&Name, &Transform, &Light)| LightRecord {
             color: key(light.color),
             gain: key(light.gain),
@@ -236,7 +231,7 @@ impl Scene {
         };
         SceneRecord {
             background: key(self.background),
-            cuboid: key(self.copies::<Cuboid, _>(&self.cuboids, cuboid)),
+            cuboid: key(cuboids),
             light: key(self.copies::<(&Name, &Transform, &Light), _>(&self.lights, light)),
             camera: key((0..self.cameras.len()).map(camera).collect()),
         }
@@ -345,12 +340,19 @@ impl Scene {
     ///
     /// # Errors
     /// When a chosen light does not exist; nothing is switched then.
-    pub fn switch_lights(&mut self, which: &LightChoice) -> Result<(), UnknownLight> {
+    pub fn switch_lights(&mut self, which: &LightChoice) -> anyhow::Result<()> {
         if let LightChoice::Names(names) = which {
             let lights = self.light_names();
-            if let Some(name) = names.iter().find(|&name| !lights.contains(name)) {
-                let name = name.clone();
-                return Err(UnknownLight { name, lights });
+            let unknown = names.iter().find(|&name| !lights.contains(name));
+            match unknown {
+                Some(name) if lights.is_empty() => {
+                    bail!("no light is named {name:?}; the scene has no lights")
+                }
+                Some(name) => bail!(
+                    "no light is named {name:?}; the scene's lights are {}",
+                    listed(&lights)
+                ),
+                None => {}
             }
         }
         for (Name(name), light) in self.world.query_mut::<(&Name, &mut Light)>() {
@@ -363,6 +365,11 @@ impl Scene {
         Ok(())
     }
 
+    /// A component of an entity, where it has one such.
+    pub fn get<T: Component + Copy>(&self, entity: Entity) -> Option<T> {
+        self.world.get::<&T>(entity).ok().map(|it| *it)
+    }
+
     fn copies<Q: Query, T>(&self, entities: &[Entity], copy: impl Fn(Q::Item<'_>) -> T) -> Vec<T> {
         entities
             .iter()
@@ -372,11 +379,8 @@ impl Scene {
 
     fn copy<Q: Query, T>(&self, entity: Entity, copy: impl FnOnce(Q::Item<'_>) -> T) -> T {
         let mut query = self.world.query_one::<Q>(entity);
-        copy(
-            query
-                .get()
-                .expect("a scene's entities keep the components they were spawned with"),
-        )
+        let components = query.get();
+        copy(components.expect("a scene's entities keep the components they were spawned with"))
     }
 }
 
@@ -392,52 +396,23 @@ pub enum LightChoice {
 }
 
 impl FromStr for LightChoice {
-    type Err = WrongChoice;
+    type Err = anyhow::Error;
 
     /// Whether the names exist, [`Scene::switch_lights`] tells.
-    fn from_str(text: &str) -> Result<Self, WrongChoice> {
-        let names: Vec<String> = text.split(',').map(str::to_owned).collect();
-        match names
-            .iter()
-            .find(|name| ["", "all", "none"].contains(&name.as_str()))
-        {
-            Some(name) if name.is_empty() => Err(WrongChoice::NoName),
-            Some(name) if names.len() > 1 => Err(WrongChoice::NotAlone(name.clone())),
-            Some(name) if name == "all" => Ok(LightChoice::All),
+    fn from_str(text: &str) -> anyhow::Result<Self> {
+        let names: Vec<&str> = text.split(',').collect();
+        match names.iter().find(|name| ["", "all", "none"].contains(name)) {
+            Some(&"") => bail!(
+                "a name is missing; it is `all`, `none`, or names with commas between them, such as white,ambient"
+            ),
+            Some(name) if names.len() > 1 => bail!("`{name}` stands by itself"),
+            Some(&"all") => Ok(LightChoice::All),
             Some(_) => Ok(LightChoice::None),
-            None => Ok(LightChoice::Names(names)),
+            None => Ok(LightChoice::Names(
+                names.into_iter().map(str::to_owned).collect(),
+            )),
         }
     }
-}
-
-/// A choice of lights that no scene could understand.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum WrongChoice {
-    /// Nothing stands where a name should.
-    #[error(
-        "a name is missing; it is `all`, `none`, or names with commas between them, such as white,ambient"
-    )]
-    NoName,
-    /// One of the two words for a choice by themselves stands beside others.
-    #[error("`{0}` stands by itself")]
-    NotAlone(String),
-}
-
-/// A light was chosen that the scene does not have.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no light is named {name:?}; {}", there_are(lights))]
-pub struct UnknownLight {
-    /// The name that was asked for.
-    pub name: String,
-    /// The names there are, in file order.
-    pub lights: Vec<String>,
-}
-
-fn there_are(lights: &[String]) -> String {
-    if lights.is_empty() {
-        return "the scene has no lights".to_owned();
-    }
-    format!("the scene's lights are {}", listed(lights))
 }
 
 /// The names for a message: quoted, and no more than a person reads.

@@ -15,7 +15,6 @@ pub mod bindings;
 pub mod composition;
 pub mod display;
 pub mod examination;
-pub mod frame_times;
 mod full_screen;
 pub mod history;
 pub mod hud;
@@ -37,21 +36,23 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use anyhow::Context;
+
 use crate::drawing::Drawing;
 use crate::frame::Workers;
-use crate::memory::OutOfMemory;
 use crate::output;
 use crate::scene::Scene;
+use bindings::Action;
 use composition::Composition;
 use display::Display;
 use hud::{Hud, Part};
 use input::{Gesture, Input};
 use jobs::{Job, Jobs};
-use recording::{Recorder, Start};
+use recording::{Event, Recorder, Start};
 use session::{Measuring, Redraw, Request, Session};
 use watch::Watch;
 
-pub use display::restart_without_input_method;
+pub use display::{NoDisplay, restart_without_input_method};
 
 /// The time between two polls while the user does something, so that short clicks are seen.
 const BUSY_PAUSE: Duration = Duration::from_millis(4);
@@ -64,68 +65,32 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
 
-/// Why there is no window, or no longer.
-#[derive(Debug, thiserror::Error)]
-pub enum WindowError {
-    /// There is nothing to open a window on; nothing has been done.
-    #[error("no display to open a window on ({reason})")]
-    NoDisplay {
-        /// What the window system says.
-        reason: String,
-    },
-    /// There is a display, and the window could not be opened on it.
-    #[error("cannot open a window: {reason}")]
-    Open {
-        /// What the window system says.
-        reason: String,
-    },
-    /// The program could not start itself anew; see [`restart_without_input_method`].
-    #[error("cannot start again with XMODIFIERS=@im=none, which opening a window needs: {0}")]
-    Restart(#[source] io::Error),
-    /// What happens cannot be written down.
-    #[error("cannot begin the recording, which makes a new file: {0}")]
-    Record(#[source] io::Error),
-    /// The picture did not reach the window.
-    #[error("cannot show the picture: {reason}")]
-    Present {
-        /// What the window system says.
-        reason: String,
-    },
-    /// The system gives no threads.
-    #[error("cannot start the threads that draw: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// The system gives no thread.
-    #[error("cannot start the thread that compares and measures: {0}")]
-    Jobs(#[source] io::Error),
-    /// The window is larger than memory allows.
-    #[error(transparent)]
-    OutOfMemory(#[from] OutOfMemory),
-}
-
 /// Shows `drawing` until the user quits; its size is the window's at the start. What happens is written to `log`, a new file.
 ///
 /// # Errors
-/// [`WindowError::NoDisplay`] before anything else is done; otherwise see [`WindowError`].
-pub fn run(drawing: Drawing, log: Option<&Path>) -> Result<(), WindowError> {
+/// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, or memory does not suffice.
+pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
     restart_without_input_method()?;
     let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
     let watch = drawing.scene.path.clone().map(Watch::new);
-    let start = Start::new(&drawing);
+    let mut start = Start::new(&drawing);
     let session = Session::new(drawing);
     let hud = Hud::new(&session, size);
     let title = title(&session, &hud);
-    let picture = hud.picture();
-    let start = start.with_picture(picture.size());
+    start.size = hud.picture().size();
     let display = Display::open(&title, size)?;
     let recorder = log.map(|path| Recorder::create(path, &start)).transpose();
     let window = Window {
         display,
         session,
         watch,
-        recorder: recorder.map_err(WindowError::Record)?,
+        recorder: recorder.context("cannot begin the recording, which makes a new file")?,
         input: Input::default(),
-        composition: Composition::new(Workers::new(threads, level)?),
+        composition: Composition::new(
+            Workers::new(threads, level).context("cannot start the threads that draw")?,
+        ),
         jobs: Jobs::start(level)?,
+        actions: Vec::new(),
         hud,
         picture: Vec::new(),
         shown: Vec::new(),
@@ -150,6 +115,8 @@ struct Window {
     input: Input,
     composition: Composition,
     jobs: Jobs,
+    /// What the user did since the window was last drawn.
+    actions: Vec<Action>,
     /// The layout that is shown.
     hud: Hud,
     /// The picture as its view shows it.
@@ -160,11 +127,10 @@ struct Window {
 }
 
 impl Window {
-    fn run(mut self) -> Result<(), WindowError> {
+    fn run(mut self) -> anyhow::Result<()> {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
-        let area = self.hud.picture();
-        let (mut size, mut picture) = ([0, 0], area.size());
+        let (mut size, mut picture) = ([0, 0], self.hud.picture().size());
         let mut active = false;
         let mut job_is_for = (0, false, false);
         while self.display.is_open() {
@@ -176,17 +142,16 @@ impl Window {
             self.react(now);
             let new_size = self.display.size();
             if std::mem::replace(&mut size, new_size) != new_size {
-                self.session.resized();
+                self.session.changed();
             }
             let mut redraw = self.session.take_redraw();
             if redraw > Redraw::Nothing {
-                let area = hud::picture(&self.session, size);
-                let new_picture = area.size();
+                let new_picture = hud::picture(&self.session, size).size();
                 if std::mem::replace(&mut picture, new_picture) != new_picture {
-                    self.record(|recorder| recorder.size(now, new_picture));
+                    self.record(now, &Event::Size(new_picture));
                 }
                 if picture != self.composition.size() {
-                    self.session.resized();
+                    self.session.changed();
                     redraw = redraw.max(self.session.take_redraw());
                 }
             }
@@ -202,43 +167,43 @@ impl Window {
                 }
                 self.compose(size);
             }
-            for request in self.session.take_requests() {
-                match request {
-                    Request::Screenshot => {
+            for action in std::mem::take(&mut self.actions) {
+                match action {
+                    Action::Screenshot => {
                         let mut pixels = Vec::new();
                         self.hud.draw(&self.picture, true, &mut pixels);
                         let saved = saving::save_picture(Path::new("."), &pixels, size);
                         self.say_saved(saved);
                     }
-                    Request::SavePicture => {
+                    Action::SavePicture => {
                         let saved = saving::save_picture(Path::new("."), &self.picture, picture);
                         self.say_saved(saved);
                     }
-                    Request::Save => self.save_scene(picture),
-                    Request::Time => self.composition.time(&mut self.session)?,
-                    Request::Measure => {
-                        let request = self.session.measurement(picture);
-                        self.jobs.submit(Job::Measure(request));
-                    }
-                    Request::Examine => {
-                        let request = self.session.reference_request(picture);
-                        self.jobs.submit(Job::Examine(request));
-                    }
-                    Request::Require => {
-                        let request = self.session.reference_request(picture);
-                        self.jobs.submit(Job::Require(request));
-                    }
-                    Request::LeaveOut(part) => {
-                        let request = self.session.reference_request(picture);
-                        self.jobs.submit(Job::LeaveOut(request, part));
-                    }
-                    Request::FullScreen => {
+                    Action::Save => self.save_scene(picture),
+                    Action::FullScreen => {
                         if let Err(error) = self.display.toggle_full_screen() {
                             self.session.say(format!("no full screen: {error}"));
                         }
                     }
-                    Request::Quit => return Ok(()),
+                    Action::Quit => return Ok(()),
+                    // The session has done it.
+                    _ => {}
                 }
+            }
+            for request in self.session.take_requests() {
+                let job = match request {
+                    Request::Time => {
+                        self.composition.time(&mut self.session)?;
+                        continue;
+                    }
+                    Request::Measure => Job::Measure(self.session.measurement(picture)),
+                    Request::Examine => Job::Examine(self.session.reference_request(picture)),
+                    Request::Require => Job::Require(self.session.reference_request(picture)),
+                    Request::LeaveOut(part) => {
+                        Job::LeaveOut(self.session.reference_request(picture), part)
+                    }
+                };
+                self.jobs.submit(job);
             }
             let raised = std::mem::replace(&mut active, self.display.is_active()) != active;
             if redraw > Redraw::Nothing || raised || now >= present_again {
@@ -264,12 +229,12 @@ impl Window {
         let revision = self.session.revision();
         self.session.tick(now);
         if self.session.revision() != revision {
-            self.record(|recorder| recorder.time(now));
+            self.record(now, &Event::Time);
         }
         if let Some(path) = self.watch.as_mut().and_then(|it| it.changed(now)) {
-            let read = Scene::load_path(path).map_err(|error| error.to_string());
-            self.record(|recorder| recorder.scene(now, read.as_ref().map_err(String::as_str)));
-            self.session.reload(read);
+            let event = Event::from(Scene::load_path(path));
+            self.record(now, &event);
+            self.session.happens(event);
         }
         for progress in self.jobs.progress() {
             self.session.on_progress(progress);
@@ -288,13 +253,15 @@ impl Window {
 
     fn respond(&mut self, gesture: Gesture, now: Duration) {
         if let Some(action) = response::respond(&mut self.session, gesture, &self.hud) {
-            self.record(|recorder| recorder.action(now, action));
+            self.record(now, &Event::Action(action));
+            self.actions.push(action);
         }
     }
 
     /// Notes what happened, if anybody wants it; the first failure ends the recording.
-    fn record(&mut self, note: impl FnOnce(&mut Recorder) -> io::Result<()>) {
-        if let Some(Err(error)) = self.recorder.as_mut().map(note) {
+    fn record(&mut self, now: Duration, event: &Event) {
+        let noted = self.recorder.as_mut().map(|it| it.note(now, event));
+        if let Some(Err(error)) = noted {
             self.recorder = None;
             self.session.say(format!("the recording ends: {error}"));
         }

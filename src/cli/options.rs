@@ -109,9 +109,7 @@ impl DrawingOptions {
                 .ok_or_else(|| unknown_camera(name, &scene))?,
         };
         if let Some(lights) = &self.lights {
-            scene
-                .switch_lights(lights)
-                .map_err(|error| Failure::Usage(error.into()))?;
+            scene.switch_lights(lights).map_err(Failure::Usage)?;
         }
         Ok(Drawing {
             scene,

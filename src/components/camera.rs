@@ -141,10 +141,8 @@ impl Viewpoint {
 
     /// How far above its target the camera stands, in degrees.
     fn own_elevation(&self) -> f64 {
-        let (offset, up) = (
-            unit(self.position - self.camera.target),
-            unit(self.camera.up),
-        );
+        let offset = unit(self.position - self.camera.target);
+        let up = unit(self.camera.up);
         offset.dot(up).atan2(offset.cross(up).length()).to_degrees()
     }
 

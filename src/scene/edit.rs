@@ -6,7 +6,7 @@
 //! Rule: a number is allowed here exactly where the scene file allows it, and what is refused changes nothing.
 
 use glam::DVec3;
-use hecs::Entity;
+use hecs::{Component, Entity};
 
 use super::Scene;
 use super::keys::{Angle, Coordinate, FieldOfView, Form, Interval, Length, Shininess, Strength};
@@ -35,38 +35,30 @@ const SPACE: &[&str] = &[" x", " y", " z"];
 const CHANNELS: &[&str] = &[" red", " green", " blue"];
 const ALONE: &[&str] = &[""];
 
-impl Property {
-    /// Its key in the scene file, the names of its numbers, and what a step changes one by.
-    fn key(self) -> (&'static str, &'static [&'static str], f64) {
-        match self {
-            Property::Position => ("position", SPACE, 0.1),
-            Property::Rotation => ("rotation", SPACE, 1.0),
-            Property::Size => ("size", SPACE, 0.1),
-            Property::Ambient => ("ambient", CHANNELS, 0.01),
-            Property::Diffuse => ("diffuse", CHANNELS, 0.01),
-            Property::Specular => ("specular", CHANNELS, 0.01),
-            Property::Shininess => ("shininess", ALONE, 1.0),
-            Property::Color => ("color", CHANNELS, 0.01),
-            Property::Intensity => ("intensity", ALONE, 1.0),
-            Property::Gain => ("gain", ALONE, 0.1),
-            Property::FieldOfView => ("fov", ALONE, 1.0),
-            Property::Height => ("height", ALONE, 0.1),
-            Property::Near => ("near", ALONE, 0.01),
-        }
-    }
+/// The number if the scene file allows it, or what it allows in words.
+type Check = fn(f64) -> Result<f64, String>;
 
-    /// The number if the scene file allows it, or what it allows in words.
-    fn checked(self, number: f64) -> Result<f64, String> {
-        fn of<I: Interval>(number: f64) -> Result<f64, String> {
-            I::number(number + 0.0).ok_or_else(I::words)
-        }
+fn within<I: Interval>(number: f64) -> Result<f64, String> {
+    I::number(number + 0.0).ok_or_else(I::words)
+}
+
+impl Property {
+    /// Its key in the scene file, the names of its numbers, what a step changes one by, and what is allowed.
+    fn key(self) -> (&'static str, &'static [&'static str], f64, Check) {
         match self {
-            Property::Position => of::<Coordinate>(number),
-            Property::Rotation => of::<Angle>(number),
-            Property::Size | Property::Height | Property::Near => of::<Length>(number),
-            Property::Shininess => of::<Shininess>(number),
-            Property::FieldOfView => of::<FieldOfView>(number),
-            _ => of::<Strength>(number),
+            Property::Position => ("position", SPACE, 0.1, within::<Coordinate>),
+            Property::Rotation => ("rotation", SPACE, 1.0, within::<Angle>),
+            Property::Size => ("size", SPACE, 0.1, within::<Length>),
+            Property::Ambient => ("ambient", CHANNELS, 0.01, within::<Strength>),
+            Property::Diffuse => ("diffuse", CHANNELS, 0.01, within::<Strength>),
+            Property::Specular => ("specular", CHANNELS, 0.01, within::<Strength>),
+            Property::Shininess => ("shininess", ALONE, 1.0, within::<Shininess>),
+            Property::Color => ("color", CHANNELS, 0.01, within::<Strength>),
+            Property::Intensity => ("intensity", ALONE, 1.0, within::<Strength>),
+            Property::Gain => ("gain", ALONE, 0.1, within::<Strength>),
+            Property::FieldOfView => ("fov", ALONE, 1.0, within::<FieldOfView>),
+            Property::Height => ("height", ALONE, 0.1, within::<Length>),
+            Property::Near => ("near", ALONE, 0.01, within::<Length>),
         }
     }
 }
@@ -83,7 +75,7 @@ pub struct Parameter {
 impl Parameter {
     /// What the scene file calls it, and which of three it is.
     pub fn name(self) -> String {
-        let (key, axes, _) = self.property.key();
+        let (key, axes, ..) = self.property.key();
         format!("{key}{}", axes[self.axis])
     }
 
@@ -153,17 +145,16 @@ impl Scene {
         let cameras = cuboids + 2 * self.cuboids.len();
         let (entity, kind, properties): (_, _, &[Property]) = if index < cuboids {
             let entity = self.lights[index];
-            let light = self.copy::<&Light, _>(entity, |light| *light);
             let all: &[_] = &[
                 Property::Position,
                 Property::Color,
                 Property::Intensity,
                 Property::Gain,
             ];
-            match light.kind {
-                LightKind::Ambient => (entity, "ambient light", &all[1..]),
-                LightKind::Diffuse => (entity, "diffuse light", all),
-                LightKind::Specular => (entity, "specular light", all),
+            match self.get(entity).map(|light: Light| light.kind) {
+                Some(LightKind::Diffuse) => (entity, "diffuse light", all),
+                Some(LightKind::Specular) => (entity, "specular light", all),
+                _ => (entity, "ambient light", &all[1..]),
             }
         } else if index >= cameras {
             let all = &[Property::FieldOfView, Property::Height, Property::Near];
@@ -207,7 +198,8 @@ impl Scene {
     /// # Errors
     /// What is allowed, in words, where the scene file does not allow the number; nothing is changed then.
     pub fn set_number(&mut self, parameter: Parameter, number: f64) -> Result<(), String> {
-        let number = parameter.property.checked(number)?;
+        let (_, _, _, check) = parameter.property.key();
+        let number = check(number)?;
         let mut editable = self.editable(parameter.entity);
         if let Some(slot) = editable.slot(parameter.property, parameter.axis) {
             *slot = number;
@@ -218,50 +210,28 @@ impl Scene {
 
     /// Everything of an entity that can be changed, to be [restored](Scene::restore) later.
     pub fn editable(&self, entity: Entity) -> Editable {
-        type Components<'a> = (
-            &'a Transform,
-            Option<&'a Mesh>,
-            Option<&'a Material>,
-            Option<&'a Light>,
-            Option<&'a Camera>,
-        );
-        self.copy::<Components, _>(entity, |(transform, mesh, material, light, camera)| {
-            Editable {
-                transform: *transform,
-                size: mesh.map(Mesh::size),
-                material: material.copied(),
-                light: light.copied(),
-                camera: camera.copied(),
-            }
-        })
+        Editable {
+            transform: self.get(entity).unwrap_or_default(),
+            size: self.get(entity).map(|mesh: Mesh| mesh.size()),
+            material: self.get(entity),
+            light: self.get(entity),
+            camera: self.get(entity),
+        }
     }
 
     /// Makes of an entity what it was.
     pub fn restore(&mut self, entity: Entity, to: Editable) {
-        type Components<'a> = (
-            &'a mut Transform,
-            Option<&'a mut Mesh>,
-            Option<&'a mut Material>,
-            Option<&'a mut Light>,
-            Option<&'a mut Camera>,
-        );
-        self.copy::<Components, _>(entity, |(transform, mesh, material, light, camera)| {
-            *transform = to.transform;
-            mesh.into_iter()
-                .zip(to.size)
-                .for_each(|(it, size)| *it = Mesh::cuboid(size));
-            material
-                .into_iter()
-                .zip(to.material)
-                .for_each(|(it, was)| *it = was);
-            light
-                .into_iter()
-                .zip(to.light)
-                .for_each(|(it, was)| *it = was);
-            camera
-                .into_iter()
-                .zip(to.camera)
-                .for_each(|(it, was)| *it = was);
-        });
+        self.put(entity, Some(to.transform));
+        self.put(entity, to.size.map(Mesh::cuboid));
+        self.put(entity, to.material);
+        self.put(entity, to.light);
+        self.put(entity, to.camera);
+    }
+
+    fn put<T: Component>(&mut self, entity: Entity, component: Option<T>) {
+        if let Some(component) = component {
+            // A scene's entities are never despawned.
+            let _ = self.world.insert_one(entity, component);
+        }
     }
 }

@@ -118,10 +118,9 @@ pub fn not_utf8(path: &str, error: &FromUtf8Error) -> SceneError {
 pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    (
-        before.matches('\n').count() + 1,
-        before[line_start..].chars().count() + 1,
-    )
+    let line = before.matches('\n').count() + 1;
+    let column = before[line_start..].chars().count() + 1;
+    (line, column)
 }
 
 /// Where the line starts that has a key of too many parts: the one error of TOML's parser without a place.

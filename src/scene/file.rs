@@ -28,10 +28,8 @@ fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
         .take(LARGEST + 1)
         .read_to_end(&mut bytes)?;
     if bytes.len() as u64 > LARGEST {
-        return Err(io::Error::new(
-            io::ErrorKind::FileTooLarge,
-            "it is larger than 64 MiB",
-        ));
+        let kind = io::ErrorKind::FileTooLarge;
+        return Err(io::Error::new(kind, "it is larger than 64 MiB"));
     }
     Ok(bytes)
 }

@@ -318,22 +318,9 @@ impl Binding {
 
 /// How far one press of an arrow goes about the target, in degrees.
 const ORBIT_STEP: f64 = 2.0;
-const LEFT: Action = Action::Orbit {
-    azimuth: -ORBIT_STEP,
-    elevation: 0.0,
-};
-pub const RIGHT: Action = Action::Orbit {
-    azimuth: ORBIT_STEP,
-    elevation: 0.0,
-};
-pub const UP: Action = Action::Orbit {
-    azimuth: 0.0,
-    elevation: ORBIT_STEP,
-};
-const DOWN: Action = Action::Orbit {
-    azimuth: 0.0,
-    elevation: -ORBIT_STEP,
-};
+const fn orbit(azimuth: f64, elevation: f64) -> Action {
+    Action::Orbit { azimuth, elevation }
+}
 const fn step(steps: i32, size: StepSize) -> Action {
     Action::Step {
         row: None,
@@ -381,10 +368,10 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
     Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
     Binding::new(Section::View, &["N"], &[Key::N], &['n'], Action::Requires, "what is required"),
-    Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], LEFT, "orbit across, or drag").repeats(),
-    Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], RIGHT, "orbit across, or drag").repeats(),
-    Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], UP, "orbit up and down").repeats(),
-    Binding::new(Section::Motion, &["Down"], &[Key::Down], &[], DOWN, "orbit up and down").repeats(),
+    Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], orbit(-ORBIT_STEP, 0.0), "orbit across, or drag").repeats(),
+    Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], orbit(ORBIT_STEP, 0.0), "orbit across, or drag").repeats(),
+    Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], orbit(0.0, ORBIT_STEP), "orbit up and down").repeats(),
+    Binding::new(Section::Motion, &["Down"], &[Key::Down], &[], orbit(0.0, -ORBIT_STEP), "orbit up and down").repeats(),
     Binding::new(Section::Motion, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "zoom, or wheel").repeats(),
     Binding::new(Section::Motion, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "zoom, or wheel").repeats(),
     Binding::new(Section::Motion, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),

@@ -10,15 +10,28 @@
 
 use std::time::{Duration, Instant};
 
-use super::frame_times::{FRAMES, FrameTimes};
 use super::session::Session;
 use super::views::{self, ViewMode};
 use crate::components::ShadingMode;
-use crate::frame::{Frame, Keep, Workers};
+use crate::frame::{Counts, Frame, Keep, Workers};
 use crate::memory::OutOfMemory;
+
+/// How many warm frames are timed once the picture rests.
+pub const FRAMES: usize = 9;
 
 /// The longest time for which the user waits while a picture is drawn again to be timed.
 const TIMING_BUDGET: Duration = Duration::from_millis(100);
+
+/// What the frames of the present state took; all are of one state of the window.
+#[derive(Clone, Debug, Default)]
+pub struct FrameTimes {
+    /// Of the picture, or of the left and the right one of a wipe between two methods.
+    pub sides: [Vec<Duration>; 2],
+    /// What the last frame did.
+    pub counts: Counts,
+    /// How many threads may draw.
+    pub threads: usize,
+}
 
 /// The pictures that views are made of.
 pub struct Composition {
@@ -50,10 +63,10 @@ impl Composition {
     /// # Errors
     /// When it does not fit in memory.
     pub fn draw(&mut self, session: &mut Session, size: [usize; 2]) -> Result<(), OutOfMemory> {
-        session.update_probe(size, self.frame.workers().level())?;
+        session.update_probe(size)?;
         let times = self.draw_sides(session, size, 1)?;
         if session.state().mode == ViewMode::Tiles {
-            session.draw(size, &mut self.levels)?;
+            session.draw(None, size, &mut self.levels)?;
         }
         session.drawn(times, self.frame.pixels());
         Ok(())
@@ -91,8 +104,8 @@ impl Composition {
             let phong = Some(ShadingMode::Phong);
             [left, draw_timed(session, phong, size, frame, frames)?]
         } else {
-            let own = session.view(size).shading;
-            [draw_timed(session, own, size, frame, frames)?, Vec::new()]
+            let own = draw_timed(session, None, size, frame, frames)?;
+            [own, Vec::new()]
         };
         Ok(FrameTimes {
             sides,
@@ -105,41 +118,29 @@ impl Composition {
     pub fn compose(&self, session: &Session, pixels: &mut Vec<u32>) {
         let [width, _] = self.size();
         let picture = self.frame.pixels();
-        let result = session.reference();
-        let reference = result.map(|result| result.reference.as_slice());
-        let dimmed = || {
-            let mut waiting = picture.to_vec();
-            views::dim(&mut waiting);
-            waiting
-        };
-        if let Some(requires) = session.requires().filter(|it| it.left_out.is_some()) {
-            match &requires.picture {
-                Some(picture) => pixels.clone_from(picture),
-                None => *pixels = dimmed(),
-            }
-            return;
-        }
         let state = session.state();
+        let result = session.reference();
+        let reference = || views::or_dimmed(result.map(|it| &it.reference), picture);
+        let left_out = session.requires().filter(|it| it.left_out.is_some());
         let divider = state.divider_column(width);
         pixels.clear();
-        if state.shows_reference {
-            match reference {
-                Some(reference) => pixels.extend_from_slice(reference),
-                None => pixels.extend(dimmed()),
-            }
-            return;
-        }
         match state.mode {
+            _ if left_out.is_some() => {
+                pixels.extend_from_slice(&views::or_dimmed(
+                    left_out.and_then(|it| it.picture.as_ref()),
+                    picture,
+                ));
+            }
+            _ if state.shows_reference => pixels.extend_from_slice(&reference()),
             ViewMode::Picture => pixels.extend_from_slice(picture),
             ViewMode::GouraudPhong => views::wipe(pixels, &self.left, picture, width, divider),
-            ViewMode::MethodReference => match reference {
-                Some(reference) => views::wipe(pixels, picture, reference, width, divider),
-                None => views::wipe(pixels, picture, &dimmed(), width, divider),
-            },
-            ViewMode::ErrorMap => match result {
-                Some(result) => pixels.extend_from_slice(&result.error_map),
-                None => pixels.extend(dimmed()),
-            },
+            ViewMode::MethodReference => {
+                views::wipe(pixels, picture, &reference(), width, divider);
+            }
+            ViewMode::ErrorMap => {
+                pixels
+                    .extend_from_slice(&views::or_dimmed(result.map(|it| &it.error_map), picture));
+            }
             ViewMode::Tiles => {
                 pixels.extend_from_slice(picture);
                 views::tint(pixels, self.levels.kinds(), self.levels.triangles());
@@ -160,7 +161,7 @@ fn draw_timed(
     let mut spent = Duration::ZERO;
     while times.is_empty() || times.len() < frames && spent < TIMING_BUDGET {
         let start = Instant::now();
-        session.draw_as(shading, size, frame)?;
+        session.draw(shading, size, frame)?;
         let time = start.elapsed();
         times.push(time);
         spent += time;

@@ -6,17 +6,24 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use anyhow::bail;
+use anyhow::{Context, anyhow, bail};
 use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
-use super::WindowError;
 use super::full_screen;
 use super::input::Event;
 use crate::canvas::Point;
 
 /// Wayland tells the wheel in a length of its own; this much is a notch.
 const WAYLAND_NOTCH: f32 = 10.0;
+
+/// There is nothing to open a window on; nothing has been done.
+#[derive(Debug, thiserror::Error)]
+#[error("no display to open a window on ({reason})")]
+pub struct NoDisplay {
+    /// What the window system says.
+    reason: String,
+}
 
 /// An open window.
 pub struct Display {
@@ -53,8 +60,8 @@ impl Display {
     /// Opens a window with a picture area of `size` pixels.
     ///
     /// # Errors
-    /// [`WindowError::NoDisplay`] when there is nothing to open it on, [`WindowError::Open`] when it cannot be opened.
-    pub fn open(title: &str, size: [usize; 2]) -> Result<Self, WindowError> {
+    /// [`NoDisplay`] when there is nothing to open it on; when it cannot be opened there.
+    pub fn open(title: &str, size: [usize; 2]) -> anyhow::Result<Self> {
         let options = WindowOptions {
             resize: true,
             // The picture is drawn at the window's size; only while that changes do they differ.
@@ -117,12 +124,10 @@ impl Display {
     ///
     /// # Errors
     /// When the window system refuses it.
-    pub fn present(&mut self, pixels: &[u32], size: [usize; 2]) -> Result<(), WindowError> {
+    pub fn present(&mut self, pixels: &[u32], size: [usize; 2]) -> anyhow::Result<()> {
         let result = self.window.update_with_buffer(pixels, size[0], size[1]);
         self.gather();
-        result.map_err(|error| WindowError::Present {
-            reason: error.to_string(),
-        })
+        result.context("cannot show the picture")
     }
 
     /// Gathers events without showing anything.
@@ -205,7 +210,7 @@ impl Display {
 }
 
 /// A missing display, or what else kept the window from opening.
-fn not_opened(error: minifb::Error) -> WindowError {
+fn not_opened(error: minifb::Error) -> anyhow::Error {
     let reason = match error {
         minifb::Error::WindowCreate(reason) => reason,
         other => other.to_string(),
@@ -215,9 +220,9 @@ fn not_opened(error: minifb::Error) -> WindowError {
         cfg!(all(unix, not(target_os = "macos"))) && unset("DISPLAY") && unset("WAYLAND_DISPLAY");
     // minifb has no error of its own for an X server that does not answer.
     if none_named || reason == "XOpenDisplay failed" {
-        WindowError::NoDisplay { reason }
+        NoDisplay { reason }.into()
     } else {
-        WindowError::Open { reason }
+        anyhow!("cannot open a window: {reason}")
     }
 }
 
@@ -234,9 +239,9 @@ fn press_first(events: &mut [Event]) {
 /// program starts itself anew without one; it needs none. Call it before anything is read.
 ///
 /// # Errors
-/// [`WindowError::Restart`] when the program cannot be started anew.
+/// When the program cannot be started anew.
 #[cfg(all(unix, not(target_os = "macos")))]
-pub fn restart_without_input_method() -> Result<(), WindowError> {
+pub fn restart_without_input_method() -> anyhow::Result<()> {
     use std::os::unix::process::CommandExt;
     const NONE: &str = "@im=none";
     let needed = std::env::var_os("DISPLAY").is_some()
@@ -245,14 +250,15 @@ pub fn restart_without_input_method() -> Result<(), WindowError> {
         return Ok(());
     }
     let mut arguments = std::env::args_os();
-    let program = std::env::current_exe().map_err(WindowError::Restart)?;
-    let mut command = std::process::Command::new(program);
-    if let Some(name) = arguments.next() {
-        command.arg0(name);
-    }
-    Err(WindowError::Restart(
-        command.args(arguments).env("XMODIFIERS", NONE).exec(),
-    ))
+    let restarted = std::env::current_exe().map(|program| {
+        let mut command = std::process::Command::new(program);
+        if let Some(name) = arguments.next() {
+            command.arg0(name);
+        }
+        command.args(arguments).env("XMODIFIERS", NONE).exec()
+    });
+    let error = restarted.unwrap_or_else(|error| error);
+    Err(error).context("cannot start again with XMODIFIERS=@im=none, which opening a window needs")
 }
 
 /// Other systems have no such input methods.
@@ -260,6 +266,6 @@ pub fn restart_without_input_method() -> Result<(), WindowError> {
 /// # Errors
 /// None.
 #[cfg(not(all(unix, not(target_os = "macos"))))]
-pub fn restart_without_input_method() -> Result<(), WindowError> {
+pub fn restart_without_input_method() -> anyhow::Result<()> {
     Ok(())
 }

@@ -59,7 +59,6 @@ pub fn examine(
     let [_, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, workers);
     let phong = view.shaded(ShadingMode::Phong);
-    let is_phong = view.shading == phong.shading;
     let mut reference = memory::reserve_pixels(view.size).ok()?;
     let mut pixels = memory::reserve_pixels(view.size).ok()?;
     let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
@@ -71,11 +70,10 @@ pub fn examine(
             reference::picture(&request.scene.world, view, rows, cancelled, &|_| ())
         };
         let exact = truth(&phong)?;
-        let own = if is_phong { None } else { Some(truth(&view)?) };
+        let own = truth(&view)?;
         let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
-        let own = own.as_ref().map_or(compared, Picture::from);
         errors.add(&metrics::compare(drawn, compared));
-        own_errors.add(&metrics::compare(drawn, own));
+        own_errors.add(&metrics::compare(drawn, Picture::from(&own)));
         pixels.extend(error_map::compared(drawn, compared));
         reference.extend(exact.levels.iter().copied().map(display_pixel));
     }

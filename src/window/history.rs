@@ -31,7 +31,7 @@ pub enum Change {
 }
 
 /// What a step swaps with the scene.
-enum Saved {
+pub enum Saved {
     Entities(Vec<(Entity, Editable)>),
     Scene(Box<Scene>),
 }
@@ -66,24 +66,23 @@ pub struct History {
 }
 
 impl History {
-    /// Keeps what entities were before they changed at the time `now`.
-    pub fn note(&mut self, before: Vec<(Entity, Editable)>, change: Change, now: Duration) {
+    /// Keeps what was there before a change at the time `now`.
+    pub fn note(&mut self, saved: Saved, change: Change, now: Duration) {
         self.undone.clear();
         let goes_on = |last: &&mut Step| match change {
             Change::Single => false,
             Change::Number(_) => last.change == change && now < last.at + PAUSE,
             Change::Drag => last.change == change,
         };
-        match self.steps.back_mut().filter(goes_on) {
-            Some(last) => last.at = now,
-            None => self.push(Saved::Entities(before), change, now),
+        let at = now;
+        if let Some(last) = self.steps.back_mut().filter(goes_on) {
+            last.at = at;
+            return;
         }
-    }
-
-    /// Keeps a scene that another one has replaced.
-    pub fn note_replaced(&mut self, scene: Scene, now: Duration) {
-        self.undone.clear();
-        self.push(Saved::Scene(Box::new(scene)), Change::Single, now);
+        self.steps.push_back(Step { saved, change, at });
+        if self.steps.len() > STEPS {
+            self.steps.pop_front();
+        }
     }
 
     /// What follows is another step.
@@ -101,13 +100,6 @@ impl History {
     /// Does the step again that was last taken back; whether there was one.
     pub fn redo(&mut self, scene: &mut Scene) -> bool {
         exchange(&mut self.undone, &mut self.steps, scene)
-    }
-
-    fn push(&mut self, saved: Saved, change: Change, at: Duration) {
-        self.steps.push_back(Step { saved, change, at });
-        if self.steps.len() > STEPS {
-            self.steps.pop_front();
-        }
     }
 }
 

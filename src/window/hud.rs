@@ -101,17 +101,12 @@ fn strips(session: &Session, size: [usize; 2]) -> (Option<Board>, Rect, Face) {
         face.width(PANEL_LETTERS) + 2 * padding
     };
     let style = |face: &Face| {
-        let loose = TextStyle::new(*face);
-        // Rows may be as close as their letters are high.
-        let tight = TextStyle {
-            pitch: face.height(),
-            ..loose
-        };
-        let room = window.height - 2 * loose.padding();
+        let tight = TextStyle::tight(*face);
+        let room = window.height - 2 * tight.padding();
         let fits = width(*face) <= window.width * PANEL_SHARE / 100 && tight.height(&lines) <= room;
         let rows = tight.height(&lines) / tight.pitch + 1;
         let pitch = (room / rows).clamp(tight.pitch, face.height() * 5 / 4);
-        fits.then_some(TextStyle { pitch, ..loose })
+        fits.then_some(TextStyle { pitch, ..tight })
     };
     let chosen = session.state().letters;
     let faces = chosen.map_or(&FACES[..], |size| &FACES[size..=size]);
@@ -171,9 +166,7 @@ impl Hud {
             let place = [picture.x + x, picture.y + y];
             picture.contains(place).then_some(place)
         };
-        let cross = session
-            .probed()
-            .map(|probe| probe.pixel.map(|at| at as i32));
+        let cross = session.probed().map(|it| it.pixel.map(|at| at as i32));
         let cross = cross.and_then(in_window);
         let mut markers = if state.editor.is_some() {
             markers(session, size_of_picture)
@@ -181,30 +174,25 @@ impl Hud {
             Vec::new()
         };
         markers.retain_mut(|marker| {
-            marker.at = magnifier.place(marker.at);
-            picture.contains([picture.x + marker.at[0], picture.y + marker.at[1]])
+            let place = in_window(marker.at);
+            marker.at = place.unwrap_or(marker.at);
+            place.is_some()
         });
         let arrows = arrows(session, &session.scene().viewpoint(session.camera()));
         let discs = markers.iter().map(|it| it.rect(picture, face));
         let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
         let margin = FACES[0].advance();
+        let faces = FACES.into_iter().rev();
         let mut layout = Layout {
             window: window.inset(margin),
-            faces: FACES
-                .into_iter()
-                .rev()
-                .filter(|it| it.height() <= face.height())
-                .collect(),
+            faces: faces.skip_while(|it| *it != face).collect(),
             size_is_chosen: state.letters.is_some(),
             cuboids: moved.intersection(&picture),
             marks: cross.map(pixel::mark).into_iter().chain(discs).collect(),
             arrows: cross.map_or(Vec::new(), |from| {
                 arrows.iter().map(|it| it.rect(from, face)).collect()
             }),
-            boards: panel
-                .map(|panel| (Part::Panel, panel))
-                .into_iter()
-                .collect(),
+            boards: panel.map(|it| (Part::Panel, it)).into_iter().collect(),
         };
         let area = picture.inset(margin);
         let mut divider = None;
@@ -213,9 +201,8 @@ impl Hud {
             let [middle, _] = magnifier.place([column, 0]);
             let column = picture.x + middle - scale / 2;
             layout.add_sides(names, column, area, face);
-            divider = (picture.x..picture.right())
-                .contains(&column)
-                .then_some(column);
+            let is_seen = (picture.x..picture.right()).contains(&column);
+            divider = is_seen.then_some(column);
         }
         add_boards(&mut layout, session, area);
         let mut boards = layout.boards;
@@ -306,7 +293,7 @@ impl Hud {
     /// Writes the bytes of each pixel into it, below one another.
     fn draw_bytes(&self, canvas: &mut Canvas, picture: &[u32]) {
         let face = FACES[0];
-        let [width, height] = self.picture_size();
+        let [width, height] = self.picture.size();
         let [last_x, last_y] = self.magnifier.pixel([width as i32 - 1, height as i32 - 1]);
         for y in self.magnifier.corner[1]..=last_y {
             for x in self.magnifier.corner[0]..=last_x {
@@ -332,11 +319,6 @@ impl Hud {
     /// How large pixels are seen.
     pub fn magnifier(&self) -> Magnifier {
         self.magnifier
-    }
-
-    /// Width and height of the picture, in pixels.
-    pub fn picture_size(&self) -> [usize; 2] {
-        self.picture.size()
     }
 
     /// The probed pixel in the window, or the middle of the picture.
@@ -372,8 +354,7 @@ impl Hud {
     pub fn light_at(&self, point: Point) -> Option<usize> {
         let reach = markers::radius(self.face) + 2;
         let caught = |marker: &&Marker| {
-            let x = point[0] - self.picture.x - marker.at[0];
-            let y = point[1] - self.picture.y - marker.at[1];
+            let [x, y] = [0, 1].map(|axis| point[axis] - marker.at[axis]);
             x * x + y * y <= reach * reach
         };
         self.markers.iter().find(caught).map(|marker| marker.light)
@@ -389,18 +370,10 @@ impl Hud {
 
 /// Adds what is shown beside the panel, the most important first.
 fn add_boards(layout: &mut Layout, session: &Session, area: Rect) {
-    layout.add(
-        Part::Editor,
-        &[editor::lines(session)],
-        [area.right(), area.y],
-    );
-    layout.add(
-        Part::Requires,
-        &[requires::lines(session)],
-        [area.right(), area.y],
-    );
     let below = [area.x + area.width / 2, area.bottom()];
     let above = [area.right(), area.y];
+    layout.add(Part::Editor, &[editor::lines(session)], above);
+    layout.add(Part::Requires, &[requires::lines(session)], above);
     layout.add(Part::Legend, &[legend::lines(session)], below);
     if let Some(probe) = session.probed() {
         let lines = |worked| [false, true].map(|wide| pixel::lines(probe, wide, worked));

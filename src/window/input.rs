@@ -127,17 +127,11 @@ impl Input {
         match event {
             Event::KeyDown(key) => self.key_down(key, now),
             Event::KeyUp(key) => {
-                let released = self.released(|held| held.key == key);
-                self.held.retain(|held| held.key != key);
                 self.last_press = LastPress::Unknown;
-                released
+                self.release(|held| held.key == key)
             }
             Event::Character(character) => self.character(character, now),
-            Event::FocusLost => {
-                let released = self.released(|_| true);
-                self.held.clear();
-                released
-            }
+            Event::FocusLost => self.release(|_| true),
             Event::MouseAt(point) => self.mouse_at(point),
             Event::MouseDown => {
                 self.press = Some(Press {
@@ -184,10 +178,11 @@ impl Input {
         self.press.is_some() || self.held.iter().any(|held| held.repeat.is_some())
     }
 
-    /// What ends with those keys; there is one key of that kind, so it is one thing.
-    fn released(&self, of: impl Fn(&Held) -> bool) -> Option<Gesture> {
-        let mut keys = self.held.iter().filter(|held| of(held));
-        keys.find_map(|held| held.lasting).map(Gesture::Released)
+    /// Forgets those keys; returns what ends with them: there is one key of that kind, so it is one thing.
+    fn release(&mut self, of: impl Fn(&Held) -> bool) -> Option<Gesture> {
+        let released = self.held.extract_if(.., |held| of(held));
+        let lasting = released.filter_map(|held| held.lasting).last();
+        lasting.map(Gesture::Released)
     }
 
     fn key_down(&mut self, key: Key, now: Duration) -> Option<Gesture> {

@@ -12,10 +12,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread::{self, JoinHandle};
 
+use anyhow::Context;
 use fearless_simd::Level;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::WindowError;
 use super::examination::{ReferenceRequest, ReferenceResult, examine};
 use crate::drawing::all_cores;
 use crate::frame::Workers;
@@ -69,15 +69,16 @@ impl Jobs {
     ///
     /// # Errors
     /// When the system gives no threads.
-    pub fn start(level: Level) -> Result<Self, WindowError> {
+    pub fn start(level: Level) -> anyhow::Result<Self> {
         let threads = (all_cores() - 1).max(1);
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.context("cannot start the threads that draw")?;
         let (submitted, jobs) = mpsc::channel();
         let (tell, progress) = mpsc::channel();
         let thread = thread::Builder::new()
             .name("jobs".to_owned())
             .spawn(move || work(&jobs, &tell, level, &pool))
-            .map_err(WindowError::Jobs)?;
+            .context("cannot start the thread that compares and measures")?;
         Ok(Jobs {
             submitted: Some(submitted),
             progress,

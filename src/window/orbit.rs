@@ -62,12 +62,10 @@ impl Limits {
     pub fn of(scene: &Scene, from: &Viewpoint) -> Self {
         let target = from.camera.target;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        // How far the cuboid around the target reaches from it, 0 where there is none.
         let mut clearance: f64 = 0.0;
-        for &entity in &scene.cuboids {
-            let mut cuboid = scene.world.query_one::<(&Mesh, &Transform, &Spin)>(entity);
-            let Ok((mesh, transform, spin)) = cuboid.get() else {
-                continue;
-            };
+        let mut cuboids = scene.world.query::<(&Mesh, &Transform, &Spin)>();
+        for (mesh, transform, spin) in cuboids.iter() {
             let axes = transform.spun(*spin).axes();
             let corners = mesh
                 .corners
@@ -81,13 +79,8 @@ impl Limits {
                 clearance = reach.into_iter().fold(clearance, f64::max);
             }
         }
-        Limits::new(from, length(high - low), clearance)
-    }
-
-    /// `size` is the scene's greatest extent, `clearance` how far the cuboid around the target reaches from it, 0 where
-    /// there is none; both in world units.
-    pub fn new(from: &Viewpoint, size: f64, clearance: f64) -> Self {
-        let distance = length(from.position - from.camera.target);
+        let size = length(high - low);
+        let distance = length(from.position - target);
         // A camera that stands closer than the farthest corner is meant to: only the near plane stops it.
         let clearance = if distance > clearance { clearance } else { 0.0 };
         let closest = clearance.max(size * CLOSEST);

@@ -15,15 +15,16 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::Duration;
 
+use anyhow::{Context, bail};
 use fearless_simd::Level;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
 use super::bindings::Action;
 use crate::components::{Projection, ShadingMode};
 use crate::drawing::{Drawing, MAX_SIDE, is_tolerance};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
 
 /// What a log begins with: the format, and its version.
 const HEADER: &str = "shadetrade log 1";
@@ -40,11 +41,12 @@ pub struct Start {
     projection: Projection,
     shading: Option<ShadingMode>,
     tolerance: f64,
-    size: [usize; 2],
+    /// Of the picture, in pixels.
+    pub size: [usize; 2],
 }
 
 impl Start {
-    /// On `drawing`.
+    /// On `drawing`, with no room taken from its picture.
     pub fn new(drawing: &Drawing) -> Self {
         Start {
             name: drawing.scene.name.clone(),
@@ -56,19 +58,51 @@ impl Start {
             size: drawing.size,
         }
     }
+}
 
-    /// Its picture has so many pixels.
-    pub fn with_picture(self, size: [usize; 2]) -> Self {
-        Start { size, ..self }
+/// What happens, by the name that a log has for it.
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Event {
+    /// The scene's file was read again.
+    Scene(#[serde(serialize_with = "write_scene")] Box<Scene>),
+    /// The scene's file is wrong, and how.
+    SceneError(String),
+    /// The picture has another size.
+    Size([usize; 2]),
+    /// Words are shown.
+    Say(String),
+    /// Nothing but that time went on.
+    Time,
+    /// The user did something.
+    #[serde(untagged)]
+    Action(Action),
+}
+
+impl From<Result<Scene, SceneError>> for Event {
+    /// What became of the scene's file.
+    fn from(read: Result<Scene, SceneError>) -> Self {
+        match read {
+            Ok(scene) => Event::Scene(Box::new(scene)),
+            Err(error) => Event::SceneError(error.to_string()),
+        }
     }
 }
 
-/// The scene's file as it was read again.
+/// A scene in a log.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SceneText {
     name: String,
     scene: String,
+}
+
+fn write_scene<S: Serializer>(scene: &Scene, serializer: S) -> Result<S::Ok, S::Error> {
+    let text = SceneText {
+        name: scene.name.clone(),
+        scene: scene.to_toml(),
+    };
+    text.serialize(serializer)
 }
 
 /// A log that is written while things happen.
@@ -89,52 +123,19 @@ impl Recorder {
         Ok(recorder)
     }
 
-    /// Notes what the user did, as far as it can show in the picture or over it.
+    /// Notes what happened, as far as it can show in the picture or over it.
     ///
     /// # Errors
-    /// When it cannot be written; so it is with all that is noted.
-    pub fn action(&mut self, now: Duration, action: Action) -> io::Result<()> {
-        // What says nothing of the picture has no name in a log.
-        match serde_json::to_value(action) {
+    /// When it cannot be written.
+    pub fn note(&mut self, now: Duration, event: &Event) -> io::Result<()> {
+        match serde_json::to_value(event) {
             Ok(Value::String(name)) => self.line(now, &name, ""),
             Ok(Value::Object(named)) => named
                 .iter()
                 .try_for_each(|(name, argument)| self.line(now, name, &argument.to_string())),
+            // What says nothing of the picture has no name in a log.
             _ => Ok(()),
         }
-    }
-
-    /// Notes what became of the scene's file.
-    ///
-    /// # Errors
-    /// As above.
-    pub fn scene(&mut self, now: Duration, read: Result<&Scene, &str>) -> io::Result<()> {
-        match read {
-            Ok(scene) => {
-                let text = SceneText {
-                    name: scene.name.clone(),
-                    scene: scene.to_toml(),
-                };
-                self.line(now, "scene", &serde_json::to_string(&text)?)
-            }
-            Err(error) => self.line(now, "scene-error", &serde_json::to_string(error)?),
-        }
-    }
-
-    /// Notes that the picture has another size.
-    ///
-    /// # Errors
-    /// As above.
-    pub fn size(&mut self, now: Duration, size: [usize; 2]) -> io::Result<()> {
-        self.line(now, "size", &serde_json::to_string(&size)?)
-    }
-
-    /// Notes that what spins has turned.
-    ///
-    /// # Errors
-    /// As above.
-    pub fn time(&mut self, now: Duration) -> io::Result<()> {
-        self.line(now, "time", "")
     }
 
     /// Writes a line at once, so that a program that is killed leaves what happened before.
@@ -143,17 +144,6 @@ impl Recorder {
         self.file
             .write_all((line.trim_end().to_owned() + "\n").as_bytes())
     }
-}
-
-/// What happened.
-pub enum Event {
-    Action(Action),
-    /// What became of the scene's file.
-    Scene(Result<Box<Scene>, String>),
-    Size([usize; 2]),
-    Say(String),
-    /// Nothing but that time went on.
-    Time,
 }
 
 /// What happened at one time.
@@ -171,18 +161,6 @@ pub struct Log {
     pub cut_off: Option<usize>,
 }
 
-/// What is wrong with a log, and where.
-#[derive(Debug, PartialEq, thiserror::Error)]
-#[error("{name}:{line}:{column}: {reason}")]
-pub struct LogError {
-    name: String,
-    /// Counted from 1.
-    line: usize,
-    /// In characters, counted from 1.
-    column: usize,
-    reason: String,
-}
-
 impl Log {
     /// The largest width and the largest height of its pictures.
     pub fn canvas(&self) -> [usize; 2] {
@@ -196,67 +174,35 @@ impl Log {
     /// Reads the log `text`, which errors call `name`, to be replayed by so many threads at this level.
     ///
     /// # Errors
-    /// The first thing wrong.
-    pub fn parse(name: &str, text: &str, threads: usize, level: Level) -> Result<Log, LogError> {
-        let error = |line, column, reason: String| LogError {
-            name: name.to_owned(),
-            line,
-            column,
-            reason,
-        };
+    /// The first thing wrong, with its place.
+    pub fn parse(name: &str, text: &str, threads: usize, level: Level) -> anyhow::Result<Log> {
         let (whole, rest) = text.rsplit_once('\n').unwrap_or(("", text));
         let mut lines = (1..).zip(whole.lines());
         if lines.next().is_none_or(|(_, line)| line != HEADER) {
-            let reason = format!("a recording begins with the line {HEADER:?}");
-            return Err(error(1, 1, reason));
+            bail!("{name}:1:1: a recording begins with the line {HEADER:?}");
         }
-        let mut log: Option<Log> = None;
+        let mut start = None;
+        let mut frames = vec![LogFrame {
+            time: Duration::ZERO,
+            events: Vec::new(),
+        }];
         for (number, line) in lines {
-            let located = |Fault { at, reason }| {
+            let read = match &start {
+                Some(_) => read_event(line, &mut frames),
+                None => read_start(line, threads, level).map(|read| start = Some(read)),
+            };
+            if let Err(Fault { at, reason }) = read {
                 let column = line.get(..at).unwrap_or(line).chars().count() + 1;
-                error(number, column, reason)
-            };
-            let (time, name, argument) = parts(line).map_err(located)?;
-            let at_argument = |reason| located(Fault::new(line.len() - argument.len(), reason));
-            let Some(log) = &mut log else {
-                if name != "start" {
-                    let reason = "the first line is `start`".to_owned();
-                    return Err(error(number, 1, reason));
-                }
-                let start = start(argument, threads, level).map_err(at_argument)?;
-                let frames = Vec::new();
-                log = Some(Log {
-                    start,
-                    frames,
-                    cut_off: None,
-                });
-                continue;
-            };
-            let event = event(name, argument).map_err(at_argument)?;
-            match log.frames.last_mut() {
-                Some(last) if last.time == time => last.events.push(event),
-                Some(last) if last.time > time => {
-                    let reason = "times do not go back".to_owned();
-                    return Err(error(number, 1, reason));
-                }
-                _ => log.frames.push(LogFrame {
-                    time,
-                    events: vec![event],
-                }),
+                bail!("{name}:{number}:{column}: {reason}");
             }
         }
         let last = whole.lines().count() + 1;
-        let mut log =
-            log.ok_or_else(|| error(last, 1, "the line `start` is missing".to_owned()))?;
-        if log.frames.first().is_none_or(|frame| !frame.time.is_zero()) {
-            let first = LogFrame {
-                time: Duration::ZERO,
-                events: Vec::new(),
-            };
-            log.frames.insert(0, first);
-        }
-        log.cut_off = (!rest.is_empty()).then_some(last);
-        Ok(log)
+        Ok(Log {
+            start: start
+                .with_context(|| format!("{name}:{last}:1: the line `start` is missing"))?,
+            frames,
+            cut_off: (!rest.is_empty()).then_some(last),
+        })
     }
 }
 
@@ -267,9 +213,39 @@ struct Fault {
 }
 
 impl Fault {
-    fn new(at: usize, reason: String) -> Self {
+    /// In what belongs to the name: the end of the line.
+    fn in_argument(line: &str, argument: &str, reason: String) -> Self {
+        let at = line.len() - argument.len();
         Fault { at, reason }
     }
+}
+
+fn read_start(line: &str, threads: usize, level: Level) -> Result<Drawing, Fault> {
+    let (_, name, argument) = parts(line)?;
+    if name != "start" {
+        let reason = "the first line is `start`".to_owned();
+        return Err(Fault { at: 0, reason });
+    }
+    start(argument, threads, level).map_err(|reason| Fault::in_argument(line, argument, reason))
+}
+
+/// Adds what happened to the last frame, or begins another.
+fn read_event(line: &str, frames: &mut Vec<LogFrame>) -> Result<(), Fault> {
+    let (time, name, argument) = parts(line)?;
+    let event =
+        event(name, argument).map_err(|reason| Fault::in_argument(line, argument, reason))?;
+    match frames.last_mut() {
+        Some(last) if last.time == time => last.events.push(event),
+        Some(last) if last.time > time => {
+            let reason = "times do not go back".to_owned();
+            return Err(Fault { at: 0, reason });
+        }
+        _ => frames.push(LogFrame {
+            time,
+            events: vec![event],
+        }),
+    }
+    Ok(())
 }
 
 /// The time, the name and the JSON of a line.
@@ -281,12 +257,13 @@ fn parts(line: &str) -> Result<(Duration, &str, &str), Fault> {
         .filter(|time| *time <= MAX_TIME)
         .ok_or_else(|| {
             let most = MAX_TIME.as_secs();
-            Fault::new(0, format!("a line begins with seconds, 0 to {most}"))
+            let reason = format!("a line begins with seconds, 0 to {most}");
+            Fault { at: 0, reason }
         })?;
     let (name, argument) = rest.split_once(' ').unwrap_or((rest, ""));
     if name.is_empty() {
         let reason = "after the time comes what happened".to_owned();
-        return Err(Fault::new(line.len() - rest.len(), reason));
+        return Err(Fault::in_argument(line, rest, reason));
     }
     Ok((time, name, argument))
 }
@@ -315,9 +292,9 @@ fn event(name: &str, argument: &str) -> Result<Event, String> {
         "scene" => {
             let text: SceneText = json(argument)?;
             let scene = Scene::parse(&text.name, &text.scene).map_err(|error| error.to_string())?;
-            Event::Scene(Ok(Box::new(scene)))
+            Event::Scene(Box::new(scene))
         }
-        "scene-error" => Event::Scene(Err(json(argument)?)),
+        "scene-error" => Event::SceneError(json(argument)?),
         "size" => Event::Size(checked(json(argument)?)?),
         "say" => Event::Say(json(argument)?),
         "time" => Event::Time,

@@ -58,16 +58,10 @@ impl Player {
     pub fn play(&mut self, frame: LogFrame) -> anyhow::Result<()> {
         self.session.tick(frame.time);
         for event in frame.events {
-            match event {
-                Event::Action(action) => self.session.apply(action),
-                Event::Scene(read) => self.session.reload(read.map(|scene| *scene)),
-                Event::Say(words) => self.session.say(words),
-                Event::Size(size) => {
-                    self.size = size;
-                    self.session.resized();
-                }
-                Event::Time => {}
+            if let Event::Size(size) = event {
+                self.size = size;
             }
+            self.session.happens(event);
         }
         // Nobody is there to time frames or to save them.
         self.session.take_requests();

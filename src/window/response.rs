@@ -24,7 +24,7 @@ pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) -> Option<Act
 
 fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
     let picture = hud.picture();
-    let (magnifier, size) = (hud.magnifier(), hud.picture_size());
+    let (magnifier, size) = (hud.magnifier(), picture.size());
     let magnified = |steps, at: Point| {
         let place = [at[0] - picture.x, at[1] - picture.y];
         Action::Magnify(magnifier.stepped(steps, place, size))

@@ -14,10 +14,11 @@ use std::time::Duration;
 use fearless_simd::Level;
 
 use super::bindings::Action;
+use super::composition::FrameTimes;
 use super::examination::{ReferenceRequest, ReferenceResult};
-use super::frame_times::FrameTimes;
 use super::history::History;
 use super::jobs::Progress;
+use super::recording::Event;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
 use crate::components::{Projection, ShadingMode, Spin, View};
 use crate::drawing::Drawing;
@@ -65,14 +66,6 @@ pub struct Requires {
     is_asked: bool,
 }
 
-impl Requires {
-    /// Another job begins: what is not there yet is asked for again after it.
-    fn interrupt(&mut self) {
-        self.is_asked = !self.parts.is_empty();
-        self.left_out = None;
-    }
-}
-
 /// What has to be done anew because something changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Redraw {
@@ -85,13 +78,9 @@ pub enum Redraw {
     Picture,
 }
 
-/// What only the window itself can do.
+/// What is to be found out about the present picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Request {
-    /// Saves what is shown.
-    Screenshot,
-    /// Saves the picture alone.
-    SavePicture,
     /// Times warm frames of what is shown.
     Time,
     /// Asks the reference about the picture.
@@ -102,12 +91,6 @@ pub enum Request {
     Require,
     /// Draws the picture without a part.
     LeaveOut(Part),
-    /// Writes the scene into a new file.
-    Save,
-    /// Covers the screen with the window, and ends that.
-    FullScreen,
-    /// Ends the program.
-    Quit,
 }
 
 /// How long a cuboid that spins takes for one degree, as in the assignment's program.
@@ -161,7 +144,11 @@ impl Session {
             projection: drawing.projection,
             tolerance: drawing.tolerance,
             next_degree: Duration::ZERO,
-            state: ViewState::default(),
+            state: ViewState {
+                divider: 0.5,
+                panel: true,
+                ..ViewState::default()
+            },
             history: History::default(),
             last_page: 0,
             probe: None,
@@ -192,15 +179,16 @@ impl Session {
     ///
     /// # Errors
     /// When a row of it does not fit in memory.
-    pub fn update_probe(&mut self, size: [usize; 2], level: Level) -> Result<(), OutOfMemory> {
+    pub fn update_probe(&mut self, size: [usize; 2]) -> Result<(), OutOfMemory> {
         let outside = |pixel: &mut [usize; 2]| pixel[0] >= size[0] || pixel[1] >= size[1];
         self.state.pixel.take_if(outside);
-        let view = self.view(size);
-        let mut probe = |pixel| probe::at(&mut self.scene, &view, pixel, level);
-        self.probe = self.state.pixel.map(&mut probe).transpose()?;
-        let mut profile =
-            |pixel: [usize; 2]| probe::profile(&mut self.scene, &view, pixel[1], level);
-        self.profile = self.state.pixel.map(&mut profile).transpose()?;
+        (self.probe, self.profile) = (None, None);
+        if let Some(pixel) = self.state.pixel {
+            let view = self.view(size);
+            let probe = probe::at(&mut self.scene, &view, pixel, self.level)?;
+            let profile = probe::profile(&mut self.scene, &view, pixel[1], self.level)?;
+            (self.probe, self.profile) = (Some(probe), Some(profile));
+        }
         Ok(())
     }
 
@@ -251,12 +239,8 @@ impl Session {
     /// Tells the time since the start: what spins goes on, messages go, and what rests is timed and examined, in this order.
     pub fn tick(&mut self, now: Duration) {
         self.now = now;
-        if self
-            .state
-            .message
-            .take_if(|(_, until)| *until <= now)
-            .is_some()
-        {
+        let is_over = |(_, until): &mut (String, Duration)| *until <= now;
+        if self.state.message.take_if(is_over).is_some() {
             self.wants(Redraw::Overlay);
         }
         self.spin_on();
@@ -282,6 +266,21 @@ impl Session {
         }
     }
 
+    /// Lets happen what happened. A scene's file that is wrong says so, and the scene stays.
+    pub fn happens(&mut self, event: Event) {
+        match event {
+            Event::Action(action) => self.apply(action),
+            Event::Scene(scene) => self.reload(*scene),
+            Event::SceneError(error) => {
+                self.state.scene_error = Some(error);
+                self.wants(Redraw::Overlay);
+            }
+            Event::Size(_) => self.changed(),
+            Event::Say(words) => self.say(words),
+            Event::Time => {}
+        }
+    }
+
     /// Shows a message as long as it takes to read, two seconds at least.
     pub fn say(&mut self, text: impl Into<String>) {
         let text = text.into();
@@ -298,11 +297,6 @@ impl Session {
         }
     }
 
-    /// The window has another size.
-    pub fn resized(&mut self) {
-        self.changed();
-    }
-
     /// How a picture of `size` pixels is to be drawn now.
     pub fn view(&self, size: [usize; 2]) -> View {
         View {
@@ -315,19 +309,11 @@ impl Session {
         }
     }
 
-    /// Draws the picture of `size` pixels into `frame`.
+    /// Draws the picture of `size` pixels into `frame`, all cuboids shaded so, or each in its own mode.
     ///
     /// # Errors
     /// When it does not fit in memory.
-    pub fn draw(&mut self, size: [usize; 2], frame: &mut Frame) -> Result<(), OutOfMemory> {
-        self.draw_as(None, size, frame)
-    }
-
-    /// The same with all cuboids shaded so, or each in its own mode.
-    ///
-    /// # Errors
-    /// When it does not fit in memory.
-    pub fn draw_as(
+    pub fn draw(
         &mut self,
         shading: Option<ShadingMode>,
         size: [usize; 2],
@@ -342,10 +328,9 @@ impl Session {
 
     /// What is to be measured of a picture of `size` pixels: every method, on one thread.
     pub fn measurement(&self, size: [usize; 2]) -> trade::Request {
-        let mut cameras = self.scene.camera_names();
         trade::Request {
             scene: self.scene.snapshot(),
-            camera: cameras.swap_remove(self.camera()),
+            camera: self.name(self.scene.cameras[self.camera()]),
             view: self.view(size),
             methods: METHODS.to_vec(),
             threads: 1,
@@ -385,7 +370,7 @@ impl Session {
         std::mem::take(&mut self.redraw)
     }
 
-    /// What the window itself is to do since this was last asked, in order.
+    /// What is to be found out since this was last asked, in order.
     pub fn take_requests(&mut self) -> Vec<Request> {
         std::mem::take(&mut self.requests)
     }
@@ -395,21 +380,12 @@ impl Session {
     }
 
     /// The picture is another one.
-    fn changed(&mut self) {
+    pub fn changed(&mut self) {
         self.revision += 1;
         self.to_be_examined = Some(self.now);
         self.reference = None;
         self.measuring = Measuring::Off;
-        self.requests.retain(|request| {
-            matches!(
-                request,
-                Request::Screenshot
-                    | Request::SavePicture
-                    | Request::Save
-                    | Request::FullScreen
-                    | Request::Quit
-            )
-        });
+        self.requests.clear();
         self.requires = self.requires.take().map(|_| Requires::default());
         self.wants(Redraw::Picture);
     }

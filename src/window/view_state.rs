@@ -37,18 +37,8 @@ pub struct Editor {
     pub error: Option<String>,
 }
 
-impl Editor {
-    /// This page, and nothing typed.
-    pub fn on_page(page: usize) -> Self {
-        Editor {
-            page,
-            ..Editor::default()
-        }
-    }
-}
-
 /// How the scene is looked at.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ViewState {
     pub mode: ViewMode,
     /// The reference is shown instead, as long as a key is held.
@@ -72,27 +62,6 @@ pub struct ViewState {
     pub scene_error: Option<String>,
     /// A message, and when it goes.
     pub message: Option<(String, Duration)>,
-}
-
-impl Default for ViewState {
-    /// The picture and the panel, and nothing else.
-    fn default() -> Self {
-        ViewState {
-            mode: ViewMode::default(),
-            shows_reference: false,
-            divider: 0.5,
-            drag: None,
-            magnifier: Magnifier::default(),
-            pixel: None,
-            panel: true,
-            letters: None,
-            help: false,
-            editor: None,
-            hovered: None,
-            scene_error: None,
-            message: None,
-        }
-    }
 }
 
 impl ViewState {

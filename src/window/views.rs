@@ -3,6 +3,8 @@
 //! Rule: pure functions of pixels, 0x00RRGGBB, row by row from the top; what is written is what was there, mixed with
 //! nothing but the colours named here.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
 use crate::canvas::mix;
@@ -60,11 +62,6 @@ impl ViewMode {
     pub fn compares(self) -> bool {
         matches!(self, ViewMode::MethodReference | ViewMode::ErrorMap)
     }
-
-    /// Whether a divider parts two pictures.
-    pub fn is_wipe(self) -> bool {
-        matches!(self, ViewMode::GouraudPhong | ViewMode::MethodReference)
-    }
 }
 
 /// What a mode is called.
@@ -121,12 +118,13 @@ pub fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
     }
 }
 
-/// Takes colour and most of the light away: this is not yet what was asked for.
-pub fn dim(pixels: &mut [u32]) {
-    for pixel in pixels {
+/// What is known; else `picture` without colour and most of the light, as it is not yet what was asked for.
+pub fn or_dimmed<'a>(known: Option<&'a Vec<u32>>, picture: &[u32]) -> Cow<'a, [u32]> {
+    let dim = |pixel: &u32| {
         let [_, red, green, blue] = pixel.to_be_bytes().map(u32::from);
         // Luma after ITU-R BT.601 in parts of 256, a third of it.
         let grey = (77 * red + 150 * green + 29 * blue) / (3 * 256);
-        *pixel = grey << 16 | grey << 8 | grey;
-    }
+        grey << 16 | grey << 8 | grey
+    };
+    known.map_or_else(|| picture.iter().map(dim).collect(), Into::into)
 }

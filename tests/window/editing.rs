@@ -14,6 +14,7 @@ use shadetrade::window::bindings::{Action, Modifiers, StepSize};
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Part, picture};
 use shadetrade::window::input::{Event, Gesture, Input};
+use shadetrade::window::recording::Event as Happened;
 use shadetrade::window::saving::{command, save_scene};
 use shadetrade::window::session::Session;
 
@@ -82,7 +83,7 @@ fn turn_to(session: &mut Session, name: &str, kind: &str) {
     let pages = session.scene().pages();
     for _ in 0..pages {
         let page = session.page().expect("the editor is open");
-        if session.is_named(page.entity, name) && page.kind == kind {
+        if session.name(page.entity) == name && page.kind == kind {
             return;
         }
         let next = Action::Step {
@@ -97,7 +98,9 @@ fn turn_to(session: &mut Session, name: &str, kind: &str) {
 
 fn drawn(session: &mut Session, size: [usize; 2]) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
-    session.draw(size, &mut frame).expect("it fits in memory");
+    session
+        .draw(None, size, &mut frame)
+        .expect("it fits in memory");
     frame.pixels().to_vec()
 }
 
@@ -566,8 +569,8 @@ fn a_saved_scene_is_drawn_as_it_was_shown_and_replaces_nothing() {
 }
 
 /// The scene's file as it is read again.
-fn read(text: &str) -> Result<Scene, String> {
-    Scene::parse("mixed.toml", text).map_err(|error| error.to_string())
+fn read(text: &str) -> Happened {
+    Scene::parse("mixed.toml", text).into()
 }
 
 #[test]
@@ -577,7 +580,7 @@ fn a_scene_read_again_keeps_the_view_and_a_wrong_one_keeps_the_picture() {
     session.apply(Action::Zoom(-3));
     press(&mut session, Key::P);
     let (before, view) = (drawn(&mut session, [64, 48]), zoomed(&session));
-    session.reload(read("size = 3\n"));
+    session.happens(read("size = 3\n"));
     assert_eq!(drawn(&mut session, [64, 48]), before);
     let words = session.state().scene_error.clone().expect("it is said");
     assert!(words.contains("mixed.toml:1:1"), "{words}");
@@ -588,7 +591,7 @@ fn a_scene_read_again_keeps_the_view_and_a_wrong_one_keeps_the_picture() {
             .is_some()
     );
     let edited = MIXED.replace("size = [1.0, 1.0, 1.0]", "size = [2.0, 1.0, 1.0]");
-    session.reload(read(&edited));
+    session.happens(read(&edited));
     assert_eq!(session.state().scene_error, None);
     assert_eq!(zoomed(&session), view);
     assert_ne!(drawn(&mut session, [64, 48]), before);

@@ -196,7 +196,9 @@ fn the_reference_looks_like_the_picture() {
     press(&mut session, Key::P);
     let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let mut frame = shadetrade::frame::Frame::new(shadetrade::frame::Keep::Display, workers);
-    session.draw(SMALL, &mut frame).expect("there is memory");
+    session
+        .draw(None, SMALL, &mut frame)
+        .expect("there is memory");
     let reference = found(session.reference_request(SMALL)).reference;
     let far = |(drawn, exact): (&u32, &u32)| {
         let [drawn, exact] = [drawn, exact].map(|it| it.to_be_bytes());

@@ -86,7 +86,9 @@ fn cuboid(session: &mut Session, hud: &Hud) -> Rect {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     let rect = hud.picture();
     let size = rect.size();
-    session.draw(size, &mut frame).expect("there is memory");
+    session
+        .draw(None, size, &mut frame)
+        .expect("there is memory");
     let ids = frame.triangles().iter().enumerate();
     let covered: Vec<usize> = ids
         .filter(|(_, id)| **id != NO_TRIANGLE)

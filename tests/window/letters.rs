@@ -65,7 +65,7 @@ fn words_are_set_in_the_letters_that_were_chosen() {
         // A panel that has no room leaves the whole window to the picture.
         match hud.boards(Part::Panel).next() {
             Some(_) => assert!(row_height(&hud, Part::Panel) >= face.height()),
-            None => assert_eq!(hud.picture_size(), LARGE),
+            None => assert_eq!(hud.picture().size(), LARGE),
         }
     }
 }

@@ -38,8 +38,7 @@ use shadetrade::drawing::Drawing;
 use shadetrade::frame::Workers;
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::{Action, BINDINGS, Section};
-use shadetrade::window::composition::Composition;
-use shadetrade::window::frame_times::{FRAMES, Spread};
+use shadetrade::window::composition::{Composition, FRAMES};
 use shadetrade::window::hud::{Hud, lines};
 use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::response::respond;
@@ -105,18 +104,17 @@ fn mixed_session() -> Session {
     session_of(Scene::parse("mixed.toml", MIXED).expect("the scene above is valid"))
 }
 
-/// Presses and releases a key.
-fn press(session: &mut Session, key: Key) {
+/// Presses and releases a key; what that does.
+fn press(session: &mut Session, key: Key) -> Option<Action> {
     let mut input = Input::default();
-    if let Some(gesture) = input.handle(Event::KeyDown(key), Duration::ZERO) {
-        does(session, gesture);
-    }
+    let gesture = input.handle(Event::KeyDown(key), Duration::ZERO)?;
+    does(session, gesture)
 }
 
 /// What the user does in a window of [`SIZE`].
-fn does(session: &mut Session, gesture: Gesture) {
+fn does(session: &mut Session, gesture: Gesture) -> Option<Action> {
     let hud = Hud::new(session, SIZE);
-    respond(session, gesture, &hud);
+    respond(session, gesture, &hud)
 }
 
 fn lights_on(session: &Session) -> Vec<bool> {
@@ -315,19 +313,13 @@ fn escape_closes_the_help_and_never_quits() {
     let mut session = default_session();
     press(&mut session, Key::F1);
     assert!(session.state().help);
-    press(&mut session, Key::Escape);
+    assert_eq!(press(&mut session, Key::Escape), Some(Action::Help));
     assert!(!session.state().help);
-    assert_eq!(session.take_requests(), []);
-    press(&mut session, Key::Escape);
-    assert_eq!(session.take_requests(), []);
+    assert_eq!(press(&mut session, Key::Escape), Some(Action::Close));
     let words = session.state().message().expect("a word");
     assert!(words.contains("Q quits"));
-    press(&mut session, Key::Q);
-    press(&mut session, Key::F12);
-    assert_eq!(
-        session.take_requests(),
-        [Request::Quit, Request::Screenshot]
-    );
+    assert_eq!(press(&mut session, Key::Q), Some(Action::Quit));
+    assert_eq!(press(&mut session, Key::F12), Some(Action::Screenshot));
 }
 
 #[test]
@@ -374,11 +366,11 @@ fn the_frame_around_the_window_tells_the_state_and_how_to_get_panel_and_help() {
 
 #[test]
 fn the_spread_of_times_is_their_quartiles() {
-    assert_eq!(Spread::of(&[]), None);
+    assert_eq!(lines::quartiles(&[]), None);
     let spread = |times: &[u64]| {
         let times: Vec<_> = times.iter().map(|it| Duration::from_millis(*it)).collect();
-        let spread = Spread::of(&times).expect("there are times");
-        [spread.lower, spread.median, spread.upper].map(|it| it.as_millis())
+        let spread = lines::quartiles(&times).expect("there are times");
+        spread.map(|it| it.as_millis())
     };
     assert_eq!(spread(&[7]), [7, 7, 7]);
     assert_eq!(spread(&[9, 1, 8, 2, 7, 3, 6, 4, 5]), [3, 5, 7]);

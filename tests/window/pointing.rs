@@ -15,8 +15,8 @@ use shadetrade::window::views::ViewMode;
 use super::hud::{board, hud, pixels, place_of};
 use super::{SIZE, default_session, does};
 
-fn click(session: &mut Session, point: Point) {
-    does(session, Gesture::Click(point));
+fn click(session: &mut Session, point: Point) -> Option<Action> {
+    does(session, Gesture::Click(point))
 }
 
 /// Everything about a session that a command can change.
@@ -49,10 +49,11 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
             session.take_redraw();
         }
         let point = place_of(&hud(&clicked, SIZE), Part::Help, binding.action);
-        click(
+        let on_row = click(
             &mut clicked,
             point.unwrap_or_else(|| panic!("no key for {binding:?}")),
         );
+        let mut on_key = None;
         let mut input = Input::default();
         input.set_editing(binding.section == Section::Editor);
         let Modifiers { shift, control } = binding.modifiers;
@@ -60,9 +61,10 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
         let control = control.then_some(Key::LeftCtrl);
         for key in shift.iter().chain(&control).chain(&binding.keys[..1]) {
             if let Some(gesture) = input.handle(Event::KeyDown(*key), Duration::ZERO) {
-                does(&mut pressed, gesture);
+                on_key = does(&mut pressed, gesture);
             }
         }
+        assert_eq!(on_row, on_key, "{binding:?}");
         let changed = pressed.take_redraw();
         assert_eq!(clicked.take_redraw(), changed, "{binding:?}");
         let quiet = matches!(

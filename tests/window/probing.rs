@@ -24,7 +24,7 @@ fn picture_size(session: &Session) -> [usize; 2] {
 
 fn update(session: &mut Session) {
     session
-        .update_probe(picture_size(session), Level::new())
+        .update_probe(picture_size(session))
         .expect("there is memory");
 }
 
@@ -95,9 +95,7 @@ fn a_click_on_what_is_said_or_escape_closes_it() {
 fn a_pixel_that_the_window_no_longer_has_is_no_longer_looked_at() {
     let mut session = default_session();
     click(&mut session, ON_CUBOID);
-    session
-        .update_probe([250, 400], Level::new())
-        .expect("there is memory");
+    session.update_probe([250, 400]).expect("there is memory");
     assert!(session.probed().is_none());
     click(&mut session, [-1, 5]);
     click(&mut session, [5, SIZE[1] as i32]);

@@ -13,14 +13,16 @@ use shadetrade::output::Animation;
 use shadetrade::scene::Scene;
 use shadetrade::simd;
 use shadetrade::window::bindings::{Action, StepSize};
-use shadetrade::window::recording::{Event, Log, LogError, Recorder, Start};
+use shadetrade::window::recording::{Event, Log, Recorder, Start};
 use shadetrade::window::replay::Player;
 
 use super::drawing;
 
 fn start() -> Start {
     let scene = Scene::load(None).expect("the built-in scene is valid");
-    Start::new(&drawing(scene)).with_picture([64, 48])
+    let mut start = Start::new(&drawing(scene));
+    start.size = [64, 48];
+    start
 }
 
 /// The log of these actions, one every tenth of a second.
@@ -30,12 +32,13 @@ fn log_of(actions: &[Action]) -> String {
     let mut recorder = Recorder::create(&path, &start()).expect("it can be written");
     for (index, action) in (1..).zip(actions) {
         let time = Duration::from_millis(100 * index);
-        recorder.action(time, *action).expect("it can be written");
+        let noted = recorder.note(time, &Event::Action(*action));
+        noted.expect("it can be written");
     }
     fs::read_to_string(&path).expect("it was written")
 }
 
-fn parse(text: &str) -> Result<Log, LogError> {
+fn parse(text: &str) -> anyhow::Result<Log> {
     Log::parse("a.log", text, 1, Level::new())
 }
 

@@ -21,7 +21,7 @@ use shadetrade::window::examination::{ReferenceRequest, examine};
 use shadetrade::window::hud::{self, Hud, lines};
 use shadetrade::window::input::{Event, Gesture, Input};
 use shadetrade::window::jobs::Progress;
-use shadetrade::window::recording::{Log, Recorder, Start};
+use shadetrade::window::recording::{Event as Happened, Log, Recorder, Start};
 use shadetrade::window::replay::Player;
 use shadetrade::window::response::respond;
 use shadetrade::window::session::{Redraw, Request, Session};
@@ -254,7 +254,9 @@ impl Window {
         if let Some(recorder) = self.recorder.as_mut()
             && self.session.revision() != revision
         {
-            recorder.time(self.now).expect("it can be written");
+            recorder
+                .note(self.now, &Happened::Time)
+                .expect("it can be written");
         }
     }
 
@@ -266,7 +268,7 @@ impl Window {
 
     fn record(&mut self, action: Action) {
         if let Some(recorder) = &mut self.recorder {
-            let written = recorder.action(self.now, action);
+            let written = recorder.note(self.now, &Happened::Action(action));
             written.expect("it can be written");
         }
     }
@@ -288,9 +290,9 @@ impl Window {
     fn draw(&mut self) {
         let size = self.picture();
         if size != self.composition.size() || self.shown.len() != self.size[0] * self.size[1] {
-            self.session.resized();
+            self.session.changed();
             if let Some(recorder) = &mut self.recorder {
-                let written = recorder.size(self.now, size);
+                let written = recorder.note(self.now, &Happened::Size(size));
                 written.expect("it can be written");
             }
         }
@@ -312,15 +314,7 @@ impl Window {
                     let timed = self.composition.time(&mut self.session);
                     timed.expect("a small picture fits");
                 }
-                // Who quits sees no more; here it goes on, for nothing may depend on it.
-                Request::Measure
-                | Request::Require
-                | Request::LeaveOut(_)
-                | Request::Screenshot
-                | Request::SavePicture
-                | Request::Save
-                | Request::FullScreen
-                | Request::Quit => {}
+                Request::Measure | Request::Require | Request::LeaveOut(_) => {}
             }
         }
     }
@@ -389,7 +383,8 @@ proptest! {
         let path = folder.path().join("storm.log");
         let mut window = Window::open(&text);
         let scene = Scene::parse("storm.toml", &text).expect("it was parsed before");
-        let start = Start::new(&drawing(scene)).with_picture(window.picture());
+        let mut start = Start::new(&drawing(scene));
+        start.size = window.picture();
         window.recorder = Some(Recorder::create(&path, &start).expect("it can be written"));
         let mut seen = HashMap::new();
         window.draw();
@@ -478,7 +473,7 @@ fn undoable() -> Vec<(Action, Vec<Action>)> {
 fn picture(session: &mut Session) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     session
-        .draw([96, 72], &mut frame)
+        .draw(None, [96, 72], &mut frame)
         .expect("a small picture fits");
     let levels = frame
         .levels()

@@ -12,7 +12,7 @@ use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Part, picture};
 use shadetrade::window::input::Gesture;
 use shadetrade::window::session::{Redraw, Session};
-use shadetrade::window::views::{TINTS, ViewMode, dim, tint, wipe};
+use shadetrade::window::views::{TINTS, ViewMode, or_dimmed, tint, wipe};
 
 use super::fit::drawn;
 use super::hud::{hud, pixels};
@@ -49,8 +49,7 @@ fn tiles_are_tinted_by_kind_and_the_background_is_not() {
 
 #[test]
 fn a_picture_that_waits_is_grey_and_darker() {
-    let mut pixels = [0x00ff_ffff, 0x0000_0000, 0x0000_ff00];
-    dim(&mut pixels);
+    let pixels = or_dimmed(None, &[0x00ff_ffff, 0x0000_0000, 0x0000_ff00]).into_owned();
     // 150 * 255 / 768 = 49.8.
     assert_eq!(pixels, [0x0055_5555, 0, 0x0031_3131]);
 }
@@ -220,8 +219,7 @@ fn until_there_is_a_reference_b_shows_the_picture_dimmed() {
     };
     let picture = shown(&session);
     press(&mut session, Key::B);
-    let mut dimmed = picture.clone();
-    dim(&mut dimmed);
+    let dimmed = or_dimmed(None, &picture).into_owned();
     assert_ne!(dimmed, picture);
     assert_eq!(shown(&session), dimmed);
 }

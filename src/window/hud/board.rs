@@ -45,6 +45,12 @@ impl TextStyle {
         TextStyle { face, pitch }
     }
 
+    /// Rows as close as their letters are high.
+    pub fn tight(face: Face) -> Self {
+        let pitch = face.height();
+        TextStyle { face, pitch }
+    }
+
     /// From a board's edge to its rows, in pixels.
     pub fn padding(self) -> i32 {
         self.face.advance() * 3 / 4
@@ -104,8 +110,7 @@ impl Columns {
             Line::Command(command) => {
                 self.label + face.width(count(&command.label) + 2 + count(&command.state))
             }
-            Line::Title(name, detail) => face.width(count(name) + 2 + count(detail)),
-            Line::Fact(name, value) | Line::Alarm(name, value) => {
+            Line::Title(name, value) | Line::Fact(name, value) | Line::Alarm(name, value) => {
                 face.width(count(name) + 2 + count(value))
             }
             Line::Text(text) => face.width(count(text)),
@@ -219,13 +224,11 @@ impl Board {
                 Line::Text(text) => {
                     canvas.text(face, [row.x, y], TEXT, &fit(text, self.letters(*row)));
                 }
-                Line::Fact(name, value) => {
+                Line::Fact(name, value) | Line::Alarm(name, value) => {
+                    let is_fact = matches!(line, Line::Fact(..));
+                    let ink = if is_fact { TEXT } else { ALARM };
                     canvas.text(face, [row.x, y], DIM, name);
-                    self.draw_right(canvas, *row, name.len() + 1, value, TEXT);
-                }
-                Line::Alarm(name, value) => {
-                    canvas.text(face, [row.x, y], DIM, name);
-                    self.draw_right(canvas, *row, name.len() + 1, value, ALARM);
+                    self.draw_right(canvas, *row, name.len() + 1, value, ink);
                 }
                 Line::Rule => {
                     canvas.fill(Rect::new(row.x, row.y + row.height / 2, row.width, 1), EDGE);
@@ -261,36 +264,20 @@ impl Board {
             canvas.text(face, [cap.x + face.advance() / 2, y], TEXT, caption);
         }
         let size = mark_size(face);
-        let mark = Rect::new(
-            row.x + self.columns.mark,
-            row.y + (row.height - size) / 2,
-            size,
-            size,
-        );
+        let top = row.y + (row.height - size) / 2;
+        let mark = Rect::new(row.x + self.columns.mark, top, size, size);
         draw_mark(canvas, mark, command.mark);
         let ink = match command.mark {
             Mark::Switch(false, _) | Mark::Choice(false) => DIM,
             _ => TEXT,
         };
-        let words = Rect::new(
-            row.x + self.columns.label,
-            row.y,
-            row.width - self.columns.label,
-            row.height,
-        );
-        let room = self.letters(words);
-        let label = fit(
-            &command.label,
-            room.saturating_sub(command.state.chars().count() + 1),
-        );
+        let left = self.columns.label;
+        let words = Rect::new(row.x + left, row.y, row.width - left, row.height);
+        let taken = command.state.chars().count() + 1;
+        let label = fit(&command.label, self.letters(words).saturating_sub(taken));
         canvas.text(face, [words.x, y], ink, &label);
-        self.draw_right(
-            canvas,
-            words,
-            label.chars().count() + 1,
-            &command.state,
-            ink,
-        );
+        let taken = label.chars().count() + 1;
+        self.draw_right(canvas, words, taken, &command.state, ink);
     }
 }
 

@@ -51,8 +51,8 @@ pub fn lines(session: &Session) -> Vec<Line> {
     if let Some(allowed) = &editor.error {
         say(&format!("Refused. Allowed is {allowed}."));
     }
-    let light = session.scene().world.get::<&Light>(page.entity);
-    if light.is_ok_and(|light| light.kind != LightKind::Ambient) {
+    let light: Option<Light> = session.scene().get(page.entity);
+    if light.is_some_and(|light| light.kind != LightKind::Ambient) {
         say(
             "Drag a light's disc to move it, with Shift in depth. Lights behind the eye are not seen: zoom out.",
         );

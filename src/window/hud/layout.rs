@@ -69,19 +69,16 @@ impl Layout {
     pub fn add_sides(&mut self, [left, right]: [String; 2], column: i32, area: Rect, face: Face) {
         let style = TextStyle::new(face);
         let gap = face.advance();
-        let set = |text: String, x: &dyn Fn(i32) -> i32| {
+        for (text, is_left) in [(left, true), (right, false)] {
             let lines = vec![Line::Text(text)];
             let [width, height] = style.size(&lines);
-            Board::new(lines, style, Rect::new(x(width), area.y, width, height))
-        };
-        let sides = [
-            set(left, &|width| column - gap - width),
-            set(right, &|_| column + gap),
-        ];
-        let fits = |board: &Board| board.rect().intersection(&area) == board.rect();
-        let fitting: Vec<_> = sides.into_iter().filter(fits).collect();
-        self.boards
-            .extend(fitting.into_iter().map(|board| (Part::Legend, board)));
+            let behind = if is_left { -gap - width } else { gap };
+            let rect = Rect::new(column + behind, area.y, width, height);
+            if rect.intersection(&area) == rect {
+                let board = Board::new(lines, style, rect);
+                self.boards.push((Part::Legend, board));
+            }
+        }
     }
 }
 
@@ -90,12 +87,8 @@ pub fn help(session: &Session, window: Rect) -> Vec<Board> {
     let both = lines::help(session);
     let area = window.inset(FACES[0].advance());
     let style = |face: &Face| {
-        let style = TextStyle::new(*face);
-        let tight = TextStyle {
-            pitch: face.height(),
-            ..style
-        };
-        [style, tight].into_iter().find_map(|style| {
+        let styles = [TextStyle::new(*face), TextStyle::tight(*face)];
+        styles.into_iter().find_map(|style| {
             let sizes = [&both[0], &both[1]].map(|lines| style.size(lines));
             let width = sizes[0][0] + style.padding() + sizes[1][0];
             let height = sizes[0][1].max(sizes[1][1]);

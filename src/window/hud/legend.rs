@@ -35,29 +35,20 @@ pub fn lines(session: &Session) -> Vec<Line> {
     let state = session.state();
     let known = session.reference().is_some();
     let text = |text: &str| Line::Text(text.to_owned());
-    let requires = session.requires();
-    if let Some((requires, index)) = requires.and_then(|it| it.left_out.map(|index| (it, index))) {
-        let name = requires.parts.get(index).map_or("", |part| &part.name);
-        let waiting = requires.picture.is_none();
-        return vec![text(&format!(
-            "without {name}{}",
-            if waiting { ": computing ..." } else { "" }
-        ))];
+    let or_waiting = |words| if known { words } else { WAITING };
+    if let Some(requires) = session.requires()
+        && let Some(part) = requires.left_out.and_then(|it| requires.parts.get(it))
+    {
+        let known = requires.picture.is_some();
+        let waiting = if known { "" } else { ": computing ..." };
+        return vec![Line::Text(format!("without {}{waiting}", part.name))];
     }
     if state.shows_reference {
-        return vec![text(if known {
-            "reference: exact Phong"
-        } else {
-            WAITING
-        })];
+        return vec![text(or_waiting("reference: exact Phong"))];
     }
     match state.mode {
         ViewMode::ErrorMap => {
-            let title = if known {
-                "in levels, against exact Phong"
-            } else {
-                WAITING
-            };
+            let title = or_waiting("in levels, against exact Phong");
             let scale = session.reference().map_or(Scale::WIDEST, |it| it.scale);
             let mut lines = vec![Line::Title("error", title.to_owned()), Line::Scale(scale)];
             let swatches = error_swatches(session);

@@ -16,7 +16,7 @@ use crate::window::views::mode_label;
 use commands::commands;
 
 pub use commands::{brightest, tolerance};
-pub use facts::shaded_by;
+pub use facts::{quartiles, shaded_by};
 
 /// The sign before a command that has a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,11 +74,7 @@ pub fn panel(session: &Session) -> Vec<Line> {
         .map_or_else(|| name.clone(), |it| it.to_string_lossy().into_owned());
     let mut lines = vec![Line::Title("shadetrade", file)];
     for sections in PANEL_SECTIONS {
-        lines.push(Line::Heading(sections[0].title()));
-        let commands = sections
-            .iter()
-            .flat_map(|section| commands(session, *section, true));
-        lines.extend(commands);
+        lines.extend(under_heading(session, sections, true));
     }
     lines.push(Line::Rule);
     lines.extend(facts::all(session));
@@ -93,19 +89,22 @@ const PANEL_SECTIONS: [&[Section]; 4] = [
     &[Section::Window, Section::Scene, Section::Motion],
 ];
 
+/// The commands of these sections under the title of the first: those that the panel has, or all.
+fn under_heading(session: &Session, sections: &[Section], panel: bool) -> Vec<Line> {
+    let mut lines = vec![Line::Heading(sections[0].title())];
+    lines.extend(sections.iter().flat_map(|it| commands(session, *it, panel)));
+    lines
+}
+
 /// The help: every command there is, in two boards side by side.
 pub fn help(session: &Session) -> [Vec<Line>; 2] {
-    let section = |section: Section| {
-        let heading = Line::Heading(section.title());
-        [heading]
-            .into_iter()
-            .chain(commands(session, section, false))
-    };
     let (left, right) = Section::ALL.split_at(5);
-    let titles = [("help", ""), ("", "H or Esc closes it")];
-    let mut lines = [(left, titles[0]), (right, titles[1])].map(|(sections, (name, detail))| {
+    let halves = [("help", "", left), ("", "H or Esc closes it", right)];
+    let mut lines = halves.map(|(name, detail, sections)| {
         let mut lines = vec![Line::Title(name, detail.to_owned())];
-        lines.extend(sections.iter().flat_map(|it| section(*it)));
+        for section in sections.chunks(1) {
+            lines.extend(under_heading(session, section, false));
+        }
         lines
     });
     let mouse = [

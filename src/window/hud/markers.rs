@@ -21,7 +21,7 @@ const PANE: Ink = Ink::glass(0x0010_1216, 170);
 /// The disc of the lights at one place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
-    /// Its middle in the picture.
+    /// Its middle: the pixel of the picture, and in a layout the place in the window.
     pub at: Point,
     /// The first light there, by its place in the file.
     pub light: usize,
@@ -104,7 +104,7 @@ pub fn radius(face: Face) -> i32 {
 impl Marker {
     /// The disc in the window, and its name in front of it where it would stand out of `picture` behind it.
     fn place(&self, picture: Rect, face: Face) -> [Rect; 2] {
-        let [x, y] = [picture.x + self.at[0], picture.y + self.at[1]];
+        let [x, y] = self.at;
         let (radius, gap) = (radius(face), face.advance() / 2);
         let disc = Rect::new(x - radius, y - radius, 2 * radius, 2 * radius);
         let width = face.width(self.name.chars().count());

@@ -37,10 +37,8 @@ pub fn lines(probe: &Probe, wide: bool, worked: bool) -> Vec<Line> {
         vector("to eye o", surface.to_eye),
     ];
     for (names, light) in places(surface) {
-        lines.push(vector(
-            &format!("{} l", fit(&names, NAME - 2)),
-            light.to_light,
-        ));
+        let name = format!("{} l", fit(&names, NAME - 2));
+        lines.push(vector(&name, light.to_light));
         lines.push(vector("reflected r", light.reflected));
     }
     let halves: &[&[usize]] = if wide { &[&[0, 1]] } else { &[&[0], &[1]] };

@@ -36,17 +36,14 @@ pub fn lines(session: &Session) -> Vec<Line> {
     };
     let [column, row] = probe.pixel;
     let swatches = [(GOURAUD, "Gouraud"), (PHONG, "Phong"), (REFERENCE, "exact")];
+    let swatches = swatches.map(|(color, name)| (color, name.to_owned()));
     vec![
         Line::Title("levels", format!("along row {row}, 0 to 255")),
         Line::Profile(Plot {
             columns: columns(profile),
             probed: column,
         }),
-        Line::Swatches(
-            swatches
-                .map(|(color, name)| (color, name.to_owned()))
-                .to_vec(),
-        ),
+        Line::Swatches(swatches.to_vec()),
     ]
 }
 

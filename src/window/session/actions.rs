@@ -6,7 +6,7 @@ use super::{DEGREE_TIME, Measuring, Redraw, Request, Requires, Session};
 use crate::canvas::FACES;
 use crate::components::{Light, Orbit, Projection, ShadingMode, Spin};
 use crate::window::bindings::Action;
-use crate::window::history::Change;
+use crate::window::history::{Change, History, Saved};
 use crate::window::magnifier::Magnifier;
 use crate::window::orbit::Limits;
 use crate::window::view_state::Drag;
@@ -32,6 +32,7 @@ impl Session {
     }
 
     /// Does what the user wants; what cannot be done says so for two seconds.
+    #[expect(clippy::too_many_lines, reason = "one arm for each command")]
     pub fn apply(&mut self, action: Action) {
         match self.resolved(action) {
             Action::Light(index) => self.switch_light(index),
@@ -48,7 +49,11 @@ impl Session {
                 Projection::Orthographic => Projection::Perspective,
             })),
             Action::NextCamera if self.scene.cameras.len() == 1 => self.say("there is one camera"),
-            Action::NextCamera => self.look_from((self.camera() + 1) % self.scene.cameras.len()),
+            Action::NextCamera => {
+                self.set_orbit(Orbit::default());
+                let next = (self.camera() + 1) % self.scene.cameras.len();
+                self.scene.look_from(next);
+            }
             Action::Orbit { azimuth, elevation } => {
                 let (own, orbit) = self.scene.camera(self.camera());
                 let moved = orbit.moved(&own, azimuth, elevation);
@@ -73,20 +78,16 @@ impl Session {
             }
             Action::View(steps) => self.show(self.state.mode.stepped(steps)),
             Action::Show(view) => self.show(view),
-            Action::Blink => self.show_reference(!self.state.shows_reference),
-            Action::EndBlink => self.show_reference(false),
+            Action::Blink => self.state.shows_reference ^= true,
+            Action::EndBlink => self.state.shows_reference = false,
             Action::Measure if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
             Action::Measure if self.spin().on => {
                 self.say("stop the rotation (Space) before measuring");
             }
             Action::Measure => self.measure(),
             Action::Requires => {
-                self.requires = match self.requires {
-                    Some(_) => None,
-                    None => Some(Requires::default()),
-                };
+                self.requires = self.requires.is_none().then(Requires::default);
                 self.examine_again();
-                self.wants(Redraw::Overlay);
             }
             Action::LeaveOut(index) => self.leave_out(index),
             Action::Turning => {
@@ -94,23 +95,15 @@ impl Session {
                     spin.on ^= true;
                 }
                 self.next_degree = self.now + DEGREE_TIME;
-                self.wants(Redraw::Overlay);
             }
             Action::Panel => {
                 self.state.panel ^= true;
-                self.wants(Redraw::Overlay);
                 if !self.state.panel {
                     self.say("I shows the panel again");
                 }
             }
-            Action::Help => {
-                self.state.help ^= true;
-                self.wants(Redraw::Overlay);
-            }
-            Action::Save => self.requests.push(Request::Save),
+            Action::Help => self.state.help ^= true,
             Action::Probe(pixel) => self.probe(pixel),
-            // They need what is seen, and so are resolved in `response`.
-            Action::MagnifyBy(_) | Action::LettersBy(_) => {}
             Action::Letters(size) => {
                 let size = size.min(FACES.len() - 1);
                 self.state.letters = Some(size);
@@ -120,34 +113,52 @@ impl Session {
             Action::DragDivider(by) => {
                 self.state.divider += by;
                 self.state.drag = Some(Drag::Divider);
-                self.wants(Redraw::Overlay);
             }
             Action::Close => self.say("Q quits"),
-            Action::Quit => self.requests.push(Request::Quit),
+            Action::Editor => self.toggle_editor(),
+            Action::Row(rows) => self.go_to_row(rows),
+            Action::ChooseRow(row) => self.choose_row(row),
+            Action::Step { row, steps, size } => self.step_number(row, steps, size),
+            Action::Type(letter) => self.type_letter(letter),
+            Action::Enter => self.enter(),
+            Action::Erase => self.erase(),
+            Action::Forget => self.forget_typed(),
+            Action::Undo => self.travel(History::undo, "nothing to undo"),
+            Action::Redo => self.travel(History::redo, "nothing to redo"),
+            Action::DragLight {
+                light,
+                by,
+                in_depth,
+            } => self.drag_light(light, by, in_depth),
             Action::EndDrag => {
                 self.state.end_drag();
-                self.history.end_step();
+                return self.history.end_step();
             }
-            Action::FullScreen => self.requests.push(Request::FullScreen),
-            Action::SavePicture => self.requests.push(Request::SavePicture),
-            Action::Screenshot => self.requests.push(Request::Screenshot),
-            action => self.edit_scene(action),
+            // These need what is seen, and so are resolved in `response`; those the window does once it has drawn.
+            Action::MagnifyBy(_)
+            | Action::LettersBy(_)
+            | Action::Save
+            | Action::SavePicture
+            | Action::Screenshot
+            | Action::FullScreen
+            | Action::Quit => return,
         }
+        self.wants(Redraw::Overlay);
     }
 
     fn measure(&mut self) {
         self.examine_again();
         if let Some(requires) = &mut self.requires {
-            requires.interrupt();
+            // What is not there yet is asked for again after the measurement.
+            requires.is_asked = !requires.parts.is_empty();
+            requires.left_out = None;
         }
         self.measuring = Measuring::Running("starting", 0.0);
         self.requests.push(Request::Measure);
-        self.wants(Redraw::Overlay);
     }
 
     fn magnify(&mut self, magnifier: Magnifier) {
         let before = std::mem::replace(&mut self.state.magnifier, magnifier);
-        self.wants(Redraw::Overlay);
         match magnifier.scale {
             scale if before == magnifier && scale > 1 => self.say("no larger than this"),
             1 if before == magnifier => self.say("no smaller than this"),
@@ -172,7 +183,6 @@ impl Session {
         requires.picture = None;
         self.requests
             .extend(part.map(|it| Request::LeaveOut(it.part)));
-        self.wants(Redraw::Overlay);
     }
 
     fn show(&mut self, view: ViewMode) {
@@ -187,23 +197,17 @@ impl Session {
         self.wants(Redraw::Picture);
     }
 
-    fn show_reference(&mut self, shown: bool) {
-        self.state.shows_reference = shown;
-        self.wants(Redraw::Overlay);
-    }
-
     /// Ends a measurement or closes its table.
     fn stop_measuring(&mut self) {
         self.requests.retain(|request| *request != Request::Measure);
         self.measuring = Measuring::Off;
-        self.wants(Redraw::Overlay);
     }
 
     fn switch_light(&mut self, index: usize) {
         let Some(&entity) = self.scene.lights.get(index) else {
             return self.say(format!("there is no light {}", index.saturating_add(1)));
         };
-        let before = vec![(entity, self.scene.editable(entity))];
+        let before = Saved::Entities(vec![(entity, self.scene.editable(entity))]);
         self.history.note(before, Change::Single, self.now);
         if let Ok(mut light) = self.scene.world.get::<&mut Light>(entity) {
             light.on = !light.on;
@@ -211,39 +215,28 @@ impl Session {
         self.changed();
     }
 
-    /// The nearest of [`TOLERANCES`] in the direction of `steps`.
-    fn next_tolerance(&self, steps: i32) -> Option<f64> {
-        let mut tolerances = TOLERANCES.into_iter();
-        if steps > 0 {
-            tolerances.find(|next| *next > self.tolerance)
-        } else {
-            tolerances.rfind(|next| *next < self.tolerance)
-        }
-    }
-
+    /// Takes the nearest of [`TOLERANCES`] in the direction of `steps`, so often.
     fn step_tolerance(&mut self, steps: i32) {
         for _ in 0..steps.unsigned_abs() {
-            match self.next_tolerance(steps) {
-                Some(tolerance) => self.shade_within(tolerance),
-                None if steps > 0 => return self.say("no coarser than this"),
-                None => return self.say("no finer than exact"),
-            }
+            let mut tolerances = TOLERANCES.into_iter();
+            let (next, end) = if steps > 0 {
+                let coarser = tolerances.find(|next| *next > self.tolerance);
+                (coarser, "no coarser than this")
+            } else {
+                let finer = tolerances.rfind(|next| *next < self.tolerance);
+                (finer, "no finer than exact")
+            };
+            let Some(tolerance) = next else {
+                return self.say(end);
+            };
+            self.tolerance = tolerance;
+            self.changed();
         }
     }
 
     fn shade(&mut self, mode: Option<ShadingMode>) {
         self.scene.shade(mode);
         self.changed();
-    }
-
-    fn shade_within(&mut self, tolerance: f64) {
-        self.tolerance = tolerance;
-        self.changed();
-    }
-
-    fn look_from(&mut self, camera: usize) {
-        self.set_orbit(Orbit::default());
-        self.scene.look_from(camera);
     }
 
     /// Moves the camera, or says what keeps it from moving.

@@ -5,12 +5,12 @@
 use glam::DVec3;
 use hecs::Entity;
 
-use super::{Redraw, Session};
+use super::Session;
 use crate::components::{Lens, LightKind, Spin};
 use crate::scene::Scene;
 use crate::scene::edit::{Page, Parameter, Property};
-use crate::window::bindings::{Action, StepSize};
-use crate::window::history::Change;
+use crate::window::bindings::StepSize;
+use crate::window::history::{Change, History, Saved};
 use crate::window::view_state::{Drag, Editor};
 
 /// Numbers that are stepped to have so many digits: a tenth added ten times makes one.
@@ -23,61 +23,37 @@ impl Session {
         Some(self.scene.page(editor.page))
     }
 
-    /// Does what the user wants of the scene's numbers.
-    pub(super) fn edit_scene(&mut self, action: Action) {
-        match action {
-            Action::Editor => self.toggle_editor(),
-            Action::Row(rows) => self.go_to_row(rows),
-            Action::ChooseRow(row) => self.choose_row(row),
-            Action::Step { row, steps, size } => self.step_number(row, steps, size),
-            Action::Type(letter) => self.type_letter(letter),
-            Action::Enter => self.enter(),
-            Action::Erase => self.erase(),
-            Action::Forget => self.forget_typed(),
-            Action::Undo => self.undo(),
-            Action::Redo => self.redo(),
-            Action::DragLight {
-                light,
-                by,
-                in_depth,
-            } => self.drag_light(light, by, in_depth),
-            _ => {}
-        }
-    }
-
     /// Shows the numbers of the scene, or hides them.
-    fn toggle_editor(&mut self) {
+    pub(super) fn toggle_editor(&mut self) {
         if let Some(editor) = self.state.editor.take() {
             self.last_page = editor.page;
         } else {
             let page = self.last_page.min(self.scene.pages() - 1);
-            self.state.editor = Some(Editor::on_page(page));
+            self.state.editor = Some(Editor {
+                page,
+                ..Editor::default()
+            });
         }
-        self.wants(Redraw::Overlay);
     }
 
-    /// Goes to the row so many rows on; what was typed is taken first.
-    fn go_to_row(&mut self, rows: i32) {
-        self.enter();
-        let Some(page) = self.page() else {
-            return;
-        };
-        let count = page.parameters.len() + 1;
-        self.edit(|editor| {
+    /// Goes to the row so many rows on.
+    pub(super) fn go_to_row(&mut self, rows: i32) {
+        if let (Some(editor), Some(page)) = (&self.state.editor, self.page()) {
             let row = editor.row as i64 + i64::from(rows);
-            editor.row = row.rem_euclid(count as i64) as usize;
-        });
+            let count = page.parameters.len() as i64 + 1;
+            self.choose_row(row.rem_euclid(count) as usize);
+        }
     }
 
-    /// Goes to this row.
-    fn choose_row(&mut self, row: usize) {
+    /// Goes to this row; what was typed is taken first.
+    pub(super) fn choose_row(&mut self, row: usize) {
         self.enter();
         let last = self.page().map_or(0, |page| page.parameters.len());
         self.edit(|editor| editor.row = row.min(last));
     }
 
     /// Takes a letter of a number.
-    fn type_letter(&mut self, letter: char) {
+    pub(super) fn type_letter(&mut self, letter: char) {
         self.edit(|editor| {
             if editor.row > 0 {
                 editor.error = None;
@@ -87,7 +63,7 @@ impl Session {
     }
 
     /// Takes back the last letter of a number.
-    fn erase(&mut self) {
+    pub(super) fn erase(&mut self) {
         self.edit(|editor| {
             editor.error = None;
             editor.typed.pop();
@@ -95,7 +71,7 @@ impl Session {
     }
 
     /// Forgets what was typed.
-    fn forget_typed(&mut self) {
+    pub(super) fn forget_typed(&mut self) {
         self.edit(|editor| {
             editor.error = None;
             editor.typed.clear();
@@ -103,7 +79,7 @@ impl Session {
     }
 
     /// Takes the number that was typed.
-    fn enter(&mut self) {
+    pub(super) fn enter(&mut self) {
         let typed = self.state.editor.as_ref().map(|it| it.typed.clone());
         let (Some(typed), Some(parameter)) = (typed, self.chosen()) else {
             return;
@@ -118,7 +94,7 @@ impl Session {
     }
 
     /// Changes the number of a row by so many steps; the first row goes through the pages.
-    fn step_number(&mut self, row: Option<usize>, steps: i32, size: StepSize) {
+    pub(super) fn step_number(&mut self, row: Option<usize>, steps: i32, size: StepSize) {
         if let Some(row) = row {
             self.choose_row(row);
         }
@@ -140,7 +116,7 @@ impl Session {
 
     /// Moves a light, and those that stood where it stood when the drag began, `by` heights of the picture right and down:
     /// on the plane that faces the viewer, or away from the viewer by what is up.
-    fn drag_light(&mut self, light: usize, by: [f64; 2], in_depth: bool) {
+    pub(super) fn drag_light(&mut self, light: usize, by: [f64; 2], in_depth: bool) {
         let Some(lights) = self.dragged_lights(light) else {
             return self.say(format!("there is no light {}", light.saturating_add(1)));
         };
@@ -159,7 +135,8 @@ impl Session {
         let entities: Vec<Entity> = lights.iter().map(|it| self.scene.lights[*it]).collect();
         self.state.drag = Some(Drag::Lights(lights));
         let before = entities.iter().map(|it| (*it, self.scene.editable(*it)));
-        self.history.note(before.collect(), Change::Drag, self.now);
+        let before = Saved::Entities(before.collect());
+        self.history.note(before, Change::Drag, self.now);
         for entity in entities {
             let parameter = |axis| Parameter {
                 entity,
@@ -191,34 +168,18 @@ impl Session {
         Some(lights.filter(|it| place(*it) == Some(dragged)).collect())
     }
 
-    /// Takes back the last change of the scene.
-    fn undo(&mut self) {
-        if self.history.undo(&mut self.scene) {
+    /// Goes back or forth in the history of the scene, or says that there is `nothing` to go to.
+    pub(super) fn travel(&mut self, go: fn(&mut History, &mut Scene) -> bool, nothing: &str) {
+        if go(&mut self.history, &mut self.scene) {
             self.scene_changed();
         } else {
-            self.say("nothing to undo");
-        }
-    }
-
-    /// Makes the change again that was last taken back.
-    fn redo(&mut self) {
-        if self.history.redo(&mut self.scene) {
-            self.scene_changed();
-        } else {
-            self.say("nothing to redo");
+            self.say(nothing);
         }
     }
 
     /// Takes the scene's file as it was read again: the camera, its orbit, how all cuboids are shaded and that they turn
-    /// stay. A file that is wrong says so, and the scene stays.
-    pub fn reload(&mut self, read: Result<Scene, String>) {
-        let mut scene = match read {
-            Ok(scene) => scene,
-            Err(error) => {
-                self.state.scene_error = Some(error);
-                return self.wants(Redraw::Overlay);
-            }
-        };
+    /// stay.
+    pub(super) fn reload(&mut self, mut scene: Scene) {
         let camera = self.scene.cameras[self.camera()];
         if let Some(same) = scene.find_camera(&self.name(camera)) {
             scene.look_from(same);
@@ -230,8 +191,8 @@ impl Session {
         for spin in scene.world.query_mut::<&mut Spin>() {
             *spin = self.spin();
         }
-        let old = std::mem::replace(&mut self.scene, scene);
-        self.history.note_replaced(old, self.now);
+        let old = Saved::Scene(Box::new(std::mem::replace(&mut self.scene, scene)));
+        self.history.note(old, Change::Single, self.now);
         self.state.scene_error = None;
         self.scene_changed();
         self.say("read the scene's file again");
@@ -248,7 +209,7 @@ impl Session {
         let before = self.scene.editable(parameter.entity);
         let error = self.scene.set_number(parameter, number).err();
         if self.scene.editable(parameter.entity) != before {
-            let before = vec![(parameter.entity, before)];
+            let before = Saved::Entities(vec![(parameter.entity, before)]);
             self.history.note(before, change, self.now);
             self.changed();
         }
@@ -266,6 +227,5 @@ impl Session {
 
     fn edit(&mut self, change: impl FnOnce(&mut Editor)) {
         self.state.editor.as_mut().map(change);
-        self.wants(Redraw::Overlay);
     }
 }

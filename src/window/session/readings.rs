@@ -8,8 +8,8 @@ use super::{Measuring, Requires, Session};
 use crate::components::{Light, Name, Orbit, Projection, ShadingMode, Spin};
 use crate::probe::{Probe, Profile};
 use crate::scene::Scene;
+use crate::window::composition::FrameTimes;
 use crate::window::examination::ReferenceResult;
-use crate::window::frame_times::FrameTimes;
 use crate::window::view_state::ViewState;
 
 impl Session {
@@ -20,24 +20,16 @@ impl Session {
 
     /// The light of this place in the file.
     pub fn light(&self, index: usize) -> Option<Light> {
-        let entity = *self.scene.lights.get(index)?;
-        self.scene
-            .world
-            .get::<&Light>(entity)
-            .ok()
-            .map(|light| *light)
+        self.scene.get(*self.scene.lights.get(index)?)
     }
 
     /// The place in the file of the light so named.
     pub fn light_named(&self, name: &str) -> Option<usize> {
         let mut lights = self.scene.lights.iter();
-        lights.position(|&entity| self.is_named(entity, name))
-    }
-
-    /// Whether the scene file calls an entity `name`.
-    pub fn is_named(&self, entity: Entity, name: &str) -> bool {
-        let own = self.scene.world.get::<&Name>(entity);
-        own.is_ok_and(|own| own.0 == name)
+        lights.position(|&entity| {
+            let own = self.scene.world.get::<&Name>(entity);
+            own.is_ok_and(|own| own.0 == name)
+        })
     }
 
     /// What the scene file calls an entity.

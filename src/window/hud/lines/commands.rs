@@ -5,36 +5,39 @@
 use glam::DVec3;
 
 use super::{Command, Line, Mark, ON};
-use crate::window::bindings::{Action, BINDINGS, RIGHT, Section, UP};
+use crate::window::bindings::{Action, BINDINGS, Section};
 use crate::window::session::{Measuring, Session};
-use crate::window::views::{ViewMode, mode_label};
+use crate::window::views::mode_label;
 
-/// The commands of a section: those that the panel has, or all.
+/// The commands of a section: those that the panel has, or all. Keys that are called the same have one row.
 pub fn commands(session: &Session, section: Section, panel: bool) -> Vec<Line> {
-    let mut rows: Vec<(Action, Command)> = Vec::new();
+    let mut rows: Vec<Command> = Vec::new();
     let bindings = BINDINGS.iter().filter(|it| it.section == section);
     for binding in bindings.filter(|it| it.on_panel || !panel) {
-        let Some(row) = row(session, binding.action) else {
+        let action = match binding.action {
+            Action::LightNamed(_) => session.resolved(binding.action),
+            action => action,
+        };
+        let Some(label) = label(session, action, binding.says) else {
             continue;
         };
         let captions = binding.captions.iter();
         let keys = captions
             .take(if panel { 1 } else { usize::MAX })
             .map(|caption| (*caption, binding.action));
-        if let Some((_, command)) = rows.iter_mut().find(|(action, _)| *action == row) {
+        if let Some(command) = rows.iter_mut().find(|it| it.label == label) {
             command.keys.extend(keys);
             continue;
         }
-        let (mark, state) = state(session, row);
-        let command = Command {
+        let (mark, state) = state(session, action);
+        rows.push(Command {
             keys: keys.collect(),
             mark,
-            label: label(session, row).unwrap_or_else(|| binding.says.to_owned()),
+            label,
             state,
-        };
-        rows.push((row, command));
+        });
     }
-    let mut lines: Vec<Line> = rows.into_iter().map(|it| Line::Command(it.1)).collect();
+    let mut lines: Vec<Line> = rows.into_iter().map(Line::Command).collect();
     let shown = lines.len();
     if section == Section::Lights && session.scene().lights.len() > shown {
         let more = session.scene().lights.len() - shown;
@@ -43,34 +46,13 @@ pub fn commands(session: &Session, section: Section, panel: bool) -> Vec<Line> {
     lines
 }
 
-/// The row that shows what `action` does: several actions may share one; `None` for a light that the scene lacks.
-fn row(session: &Session, action: Action) -> Option<Action> {
+/// What a command is called: lights and modes by their names; `None` for a light that the scene lacks.
+fn label(session: &Session, action: Action, says: &str) -> Option<String> {
     match action {
-        Action::LightNamed(name) => session.light_named(name).map(Action::Light),
-        Action::Light(index) => session.light(index).map(|_| action),
-        Action::Tolerance(_) => Some(Action::Tolerance(1)),
-        Action::Zoom(_) => Some(Action::Zoom(1)),
-        Action::Orbit { azimuth, .. } => Some(if azimuth == 0.0 { UP } else { RIGHT }),
-        Action::Row(_) => Some(Action::Row(1)),
-        Action::View(_) => Some(Action::View(1)),
-        Action::Show(_) => Some(Action::Show(ViewMode::Picture)),
-        Action::MagnifyBy(_) => Some(Action::MagnifyBy(1)),
-        Action::LettersBy(_) => Some(Action::LettersBy(1)),
-        Action::Step { row, size, .. } => Some(Action::Step {
-            row,
-            size,
-            steps: 1,
-        }),
-        _ => Some(action),
-    }
-}
-
-/// What a command is called where its own words do not say it.
-fn label(session: &Session, action: Action) -> Option<String> {
-    match action {
-        Action::Light(index) => Some(session.name(session.scene().lights[index])),
+        Action::Light(index) => Some(session.name(*session.scene().lights.get(index)?)),
+        Action::LightNamed(_) => None,
         Action::Shading(mode) => Some(mode_label(mode).to_owned()),
-        _ => None,
+        _ => Some(says.to_owned()),
     }
 }
 
@@ -91,7 +73,7 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
         Action::Tolerance(_) => words(tolerance(session.tolerance())),
         Action::NextProjection => words(session.projection().name().to_owned()),
         Action::NextCamera => words(session.name(session.scene().cameras[session.camera()])),
-        Action::View(1) => words(state.mode.label().to_owned()),
+        Action::View(_) => words(state.mode.label().to_owned()),
         Action::Blink => switch(state.shows_reference, ON),
         Action::Measure => switch(!matches!(session.measuring(), Measuring::Off), ON),
         Action::Turning => {

@@ -7,7 +7,6 @@ use std::time::Duration;
 use super::{Line, tolerance};
 use crate::trade::words::{counted, short};
 use crate::window::examination::{Errors, ReferenceResult};
-use crate::window::frame_times::Spread;
 use crate::window::session::Session;
 use crate::window::views::{ViewMode, mode_label};
 
@@ -16,10 +15,8 @@ pub fn all(session: &Session) -> [Line; 6] {
     let times = session.times();
     let [left, right] = &times.sides;
     let wipe = session.state().mode == ViewMode::GouraudPhong;
-    let (frames, threads) = (
-        counted(left.len(), "frame"),
-        counted(times.threads, "thread"),
-    );
+    let frames = counted(left.len(), "frame");
+    let threads = counted(times.threads, "thread");
     [
         Line::Fact(if wipe { "Gouraud" } else { "frame" }, milliseconds(left)),
         if wipe {
@@ -43,16 +40,19 @@ pub fn shaded_by(session: &Session) -> String {
 /// A median with its quartiles.
 fn milliseconds(times: &[Duration]) -> String {
     let text = |time: Duration| short(Some(time.as_secs_f64() * 1e3));
-    match Spread::of(times) {
+    match quartiles(times).map(|all| all.map(text)) {
         None => "-".to_owned(),
-        Some(spread) if times.len() == 1 => format!("{} ms", text(spread.median)),
-        Some(spread) => format!(
-            "{} ({} to {}) ms",
-            text(spread.median),
-            text(spread.lower),
-            text(spread.upper)
-        ),
+        Some([_, median, _]) if times.len() == 1 => format!("{median} ms"),
+        Some([lower, median, upper]) => format!("{median} ({lower} to {upper}) ms"),
     }
+}
+
+/// The median and the quartiles around it, in order, by nearest rank; `None` where there are no times.
+pub fn quartiles(times: &[Duration]) -> Option<[Duration; 3]> {
+    let mut times = times.to_vec();
+    times.sort_unstable();
+    let rank = |quarter: usize| times.get((times.len() * quarter).div_ceil(4).max(1) - 1);
+    Some([*rank(1)?, *rank(2)?, *rank(3)?])
 }
 
 /// How many of the pixels that show a cuboid are proven, or what is missing.
