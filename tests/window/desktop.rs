@@ -180,9 +180,12 @@ impl Program {
             .spawn()
             .expect("openbox is installed");
         self.display.manager = Some(manager);
-        until("the window manager is there", || {
-            let supported = self.display.run("xprop", &["-root", "_NET_SUPPORTED"]);
-            String::from_utf8_lossy(&supported).contains("_NET_WM_STATE_FULLSCREEN")
+        // What is asked of it before it has taken over the window is lost.
+        until("the window manager has the window", || {
+            let state = self
+                .display
+                .run("xprop", &["-id", &self.window, "WM_STATE"]);
+            String::from_utf8_lossy(&state).contains("Normal")
         });
         self.xdotool(&["windowactivate", "--sync", &self.window]);
     }
