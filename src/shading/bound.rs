@@ -57,7 +57,7 @@ use super::kernel::{Reals, dot};
 use super::specular::Power;
 use crate::simd::{three, two};
 
-/// asin(x) <= this x for x up to [`MAX_RADIUS`]: pi / 3.
+/// asin(x) <= this x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Bounds on the lengths of the first three derivatives of something of length at most one.
