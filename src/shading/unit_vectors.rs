@@ -113,6 +113,23 @@ fn most(normal: &Affine, light: &Affine, eye: &Affine, half: [f64; 2]) -> [f64; 
     ]
 }
 
+/// What a vector errs by that is at most so long at the middle, and moves by so much: three roundings of the one and four of
+/// the other.
+fn vector_error(u: f64, [middle, moved]: [f64; 2]) -> f64 {
+    u * (3.0 * middle + 4.0 * moved)
+}
+
+/// What n.l errs by: the errors of both, and three roundings.
+fn cosine_error(u: f64, sizes: [f64; 2]) -> f64 {
+    2.0 * vector_error(u, sizes) + 3.0 * u
+}
+
+/// What 1 - o.r errs by where o.r is positive: four times the error of n, those of l and of o, for 2 n n^T - 1 makes no vector
+/// longer, and 19 roundings: 6 of n.l, 6 of n.o, 2 of their product, 3 of l.o, 2 of the differences.
+fn along_error(u: f64, sizes: [f64; 2]) -> f64 {
+    6.0 * vector_error(u, sizes) + 19.0 * u
+}
+
 impl UnitVectors<'_> {
     fn to_eye(&self, triangle: &Triangle) -> [DVec3; 3] {
         triangle
@@ -125,13 +142,9 @@ impl UnitVectors<'_> {
         triangle.corners.map(|corner| unit(light - corner))
     }
 
-    /// A bound, in levels, on what rounding by `u` costs on a square; infinite where it cannot be given.
-    ///
-    /// A vector errs by three roundings of what it is at the middle and four of what it moves; a dot product by its vectors'
-    /// errors and three more; so o.r errs by four, three and three times the errors of n, l and o and 19 roundings, and
-    /// s^rho by rho times that and by the power's own error.
-    fn rounding(&self, u: f64, [middle, moved]: [f64; 2]) -> f64 {
-        let error = u * (3.0 * middle + 4.0 * moved);
+    /// A bound, in levels, on what rounding by `u` costs on a square; infinite where it cannot be given. s^rho errs by rho times
+    /// what o.r errs by, and by the power's own error.
+    fn rounding(&self, u: f64, sizes: [f64; 2]) -> f64 {
         let steepest = match self.surface.material.shininess {
             shininess if shininess > 0.0 && shininess < 1.0 => f64::INFINITY,
             shininess => shininess,
@@ -142,9 +155,9 @@ impl UnitVectors<'_> {
             let [diffuse, specular] = self.surface.coefficients(light).map(DVec3::max_element);
             largest += diffuse + specular;
             terms += 2.0;
-            bound += diffuse * (2.0 * error + 3.0 * u);
+            bound += diffuse * cosine_error(u, sizes);
             if specular > 0.0 {
-                bound += specular * (steepest * (10.0 * error + 19.0 * u) + self.power.error);
+                bound += specular * (steepest * along_error(u, sizes) + self.power.error);
             }
         }
         bound + ((2.0 + terms) * u + 3.0 * U) * largest
@@ -297,6 +310,7 @@ impl UnitVectors<'_> {
 mod tests {
     use proptest::prelude::*;
 
+    use super::super::running::{Rounded, dot};
     use super::*;
 
     fn vector(size: f64) -> impl Strategy<Value = DVec3> {
@@ -322,6 +336,40 @@ mod tests {
             let [n, l, o] = [n, l, o].map(|v| v.at(at[0] * half[0], at[1] * half[1]));
             prop_assert!(n.dot(l) <= cosine);
             prop_assert!(2.0 * n.dot(l) * n.dot(o) - l.dot(o) <= along);
+        }
+    }
+
+    /// n.l and 1 - o.r as the kernel forms them.
+    fn products([n, l, o]: [DVec3; 3]) -> [Rounded; 2] {
+        let [n, l, o] = [n, l, o].map(|v| v.to_array().map(Rounded::exact));
+        let cosine = dot(&n, &l);
+        // Doubling rounds nothing.
+        let twice = Rounded {
+            value: 2.0 * cosine.value,
+            error: 2.0 * cosine.error,
+        };
+        let along = twice * dot(&n, &o) - dot(&l, &o);
+        [cosine, Rounded::exact(1.0) - along]
+    }
+
+    proptest! {
+        #[test]
+        fn no_product_of_unit_vectors_errs_by_more_than_is_said(
+            vectors in [vector(1.0), vector(1.0), vector(1.0)],
+            errors in [vector(1.0), vector(1.0), vector(1.0)],
+        ) {
+            const ERROR: f64 = 1e-6;
+            let vectors = vectors.map(DVec3::normalize_or_zero);
+            let [cosine, along] = products(vectors);
+            // What vectors err by is the same wherever they stand, so it is not analysed with the rest.
+            prop_assert!(cosine.error <= cosine_error(1.0, [0.0; 2]));
+            prop_assert!(along.value > 1.0 || along.error <= along_error(1.0, [0.0; 2]));
+            let [moved_cosine, moved_along] =
+                products([0, 1, 2].map(|i| vectors[i] + errors[i].normalize_or_zero() * ERROR));
+            let sizes = [ERROR / 3.0, 0.0];
+            let [of_cosine, of_along] = [cosine_error, along_error].map(|of| of(1.0, sizes) - of(1.0, [0.0; 2]));
+            prop_assert!((moved_cosine.value - cosine.value).abs() <= of_cosine * (1.0 + 1e-5));
+            prop_assert!((moved_along.value - along.value).abs() <= of_along * (1.0 + 1e-5));
         }
     }
 }
