@@ -58,6 +58,7 @@ impl Spans<'_> {
     }
 
     /// Which of the spans are those of some rows of the picture.
+    #[inline(always)]
     fn local(&self, rows: Range<usize>) -> Range<usize> {
         let len = self.from.len();
         let [start, end] =
@@ -66,6 +67,7 @@ impl Spans<'_> {
     }
 
     /// What is covered of some columns of some rows of the picture, all of which it has.
+    #[inline(always)]
     pub fn clipped(
         &self,
         rows: Range<usize>,
@@ -111,6 +113,7 @@ impl Square {
     }
 
     /// A square that is covered all over.
+    #[inline(always)]
     pub fn whole(place: [usize; 2], side: usize) -> Self {
         Square {
             place,
@@ -122,6 +125,7 @@ impl Square {
     }
 
     /// The square at a place, of a side.
+    #[inline(always)]
     pub fn new(spans: &Spans, place: [usize; 2], side: usize) -> Self {
         let ends = [place[0] as i32, (place[0] + side) as i32];
         Square {
@@ -132,6 +136,7 @@ impl Square {
     }
 
     /// What is covered of some rows, from one column to another.
+    #[inline(always)]
     fn bounded(spans: &Spans, rows: Range<usize>, [left, right]: [i32; 2]) -> Square {
         let rows = spans.local(rows);
         let first = (spans.first + rows.start) as i32;
@@ -159,6 +164,7 @@ impl Square {
     }
 
     /// One of its quarters.
+    #[inline(always)]
     fn quarter(&self, spans: &Spans, right: usize, down: usize) -> Square {
         let side = self.side / 2;
         let place = [self.place[0] + right * side, self.place[1] + down * side];
@@ -170,6 +176,7 @@ impl Square {
     }
 
     /// Its quarters.
+    #[inline(always)]
     pub fn quarters(&self, spans: &Spans) -> [Square; 4] {
         [
             self.quarter(spans, 0, 0),
@@ -180,6 +187,7 @@ impl Square {
     }
 
     /// Whether all of it is covered.
+    #[inline(always)]
     pub fn is_whole(&self) -> bool {
         self.pixels == self.side * self.side
     }
