@@ -192,13 +192,14 @@ impl Scene {
     /// them.
     pub fn to_toml_with_view(&self) -> String {
         let mut record = self.record(|scene, camera| scene.camera(camera).0);
-        let others = (2..).map(|number| format!("view-{number}"));
-        let mut names = ["view".to_owned()].into_iter().chain(others);
-        let free = names.find(|name| self.find_camera(name).is_none());
-        let view = CameraRecord::of(
-            free.unwrap_or_default(),
-            self.viewpoint(self.active_camera()),
-        );
+        let taken = self.camera_names();
+        let mut name = "view".to_owned();
+        let mut number = 1;
+        while taken.contains(&name) {
+            number += 1;
+            name = format!("view-{number}");
+        }
+        let view = CameraRecord::of(name, self.viewpoint(self.active_camera()));
         record.camera.value.insert(0, view);
         record.write()
     }

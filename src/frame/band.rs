@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{Counts, FARTHEST, NO_TRIANGLE, display_step};
+use super::{Counts, FARTHEST, NO_TRIANGLE, display_pixel};
 
 /// What is drawn in one row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,8 +114,7 @@ impl Band<'_> {
     /// all that is seen of a convex body, for its faces meet without a gap.
     #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>) {
-        let [red, green, blue] = self.background.to_array().map(display_step);
-        let pixel = u32::from_be_bytes([0, red, green, blue]);
+        let pixel = display_pixel(self.background.to_array());
         let levels = self.background.as_vec3().to_array();
         let rows = rows.start - self.rows.start..rows.end - self.rows.start;
         for (row, drawn) in rows.clone().zip(&mut self.drawn[rows]) {

@@ -151,10 +151,10 @@ impl Scene {
                 Property::Intensity,
                 Property::Gain,
             ];
-            match self.get(entity).map(|light: Light| light.kind) {
-                Some(LightKind::Diffuse) => (entity, "diffuse light", all),
-                Some(LightKind::Specular) => (entity, "specular light", all),
-                _ => (entity, "ambient light", &all[1..]),
+            match self.copy::<&Light, _>(entity, |light| light.kind) {
+                LightKind::Ambient => (entity, "ambient light", &all[1..]),
+                LightKind::Diffuse => (entity, "diffuse light", all),
+                LightKind::Specular => (entity, "specular light", all),
             }
         } else if index >= cameras {
             let all = &[Property::FieldOfView, Property::Height, Property::Near];
@@ -211,7 +211,7 @@ impl Scene {
     /// Everything of an entity that can be changed, to be [restored](Scene::restore) later.
     pub fn editable(&self, entity: Entity) -> Editable {
         Editable {
-            transform: self.get(entity).unwrap_or_default(),
+            transform: self.copy::<&Transform, _>(entity, |transform| *transform),
             size: self.get(entity).map(|mesh: Mesh| mesh.size()),
             material: self.get(entity),
             light: self.get(entity),
@@ -230,8 +230,8 @@ impl Scene {
 
     fn put<T: Component>(&mut self, entity: Entity, component: Option<T>) {
         if let Some(component) = component {
-            // A scene's entities are never despawned.
-            let _ = self.world.insert_one(entity, component);
+            let inserted = self.world.insert_one(entity, component);
+            inserted.expect("a scene's entities are never despawned");
         }
     }
 }

@@ -13,7 +13,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask64x4};
 
-use super::display::display_step;
+use super::display::display_pixel;
 use super::field::{Lanes, Places};
 use super::rows::{Curve, FixedCurve, Flat, Ramp, Terminator};
 use super::square::Square;
@@ -247,10 +247,9 @@ pub fn draw<S: Simd>(
     });
     if form.kind == TileKind::Constant {
         let levels = linear.map(|[middle, ..]| middle);
-        let [red, green, blue] = levels.map(display_step);
         let mut rows = Flat {
             simd,
-            pixel: u32::from_be_bytes([0, red, green, blue]),
+            pixel: display_pixel(levels),
             levels: levels.map(|level| level as f32),
         };
         return sink.draw(&mut rows);

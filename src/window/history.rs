@@ -66,15 +66,14 @@ pub struct History {
 }
 
 impl History {
-    /// Keeps what was there before a change at the time `now`.
-    pub fn note(&mut self, saved: Saved, change: Change, now: Duration) {
+    /// Keeps what was there before a change at the time `at`.
+    pub fn note(&mut self, saved: Saved, change: Change, at: Duration) {
         self.undone.clear();
         let goes_on = |last: &&mut Step| match change {
             Change::Single => false,
-            Change::Number(_) => last.change == change && now < last.at + PAUSE,
+            Change::Number(_) => last.change == change && at < last.at + PAUSE,
             Change::Drag => last.change == change,
         };
-        let at = now;
         if let Some(last) = self.steps.back_mut().filter(goes_on) {
             last.at = at;
             return;

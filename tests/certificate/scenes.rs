@@ -8,7 +8,7 @@ use shadetrade::frame::{Keep, NO_TRIANGLE};
 use crate::SCENES;
 use crate::cases::cases;
 use crate::random::Random;
-use crate::scene::{draw, empty, shaded, spawn_cuboid, spawn_light, view};
+use crate::scene::{draw, empty, spawn_cuboid, spawn_light, view};
 
 /// A cuboid, up to five lights (some of them close to a face, some at one place) and a camera (some of them close).
 fn scene(random: &mut Random) -> (World, View) {
@@ -86,7 +86,7 @@ fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
         let mut random = Random(seed);
         let (mut world, view) = scene(&mut random);
         let mode = random.one_of(&[ShadingMode::Phong, ShadingMode::Phong, ShadingMode::Gouraud]);
-        let mut view = shaded(mode, &view);
+        let mut view = view.shaded(mode);
         let exact = draw(&mut world, &view, Keep::Levels);
         let tolerance = random.one_of(&[0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0]);
         view.tolerance = tolerance;

@@ -7,7 +7,7 @@ use shadetrade::prove::{Shown, Verdict, judge};
 use shadetrade::reference::Real;
 
 use super::random::Random;
-use super::scene::{at, empty, shaded, spawn_cuboid, spawn_light, view};
+use super::scene::{at, empty, spawn_cuboid, spawn_light, view};
 use super::{enclosures, proof};
 
 const WHITE: Material = Material {
@@ -64,7 +64,7 @@ fn a_sum_that_loses_twenty_thousand_faint_lights_is_refuted() {
 fn twenty_thousand_faint_lights_are_summed_within_the_tolerance() {
     let (mut world, view) = faint_lights(20_000);
     for mode in [ShadingMode::Phong, ShadingMode::UnitVectors] {
-        let proof = proof(&mut world, &shaded(mode, &view));
+        let proof = proof(&mut world, &view.shaded(mode));
         assert_eq!(proof.proven, 1, "{mode:?}: {:?}", proof.examples);
     }
 }
@@ -89,7 +89,7 @@ fn every_pixel_beside_a_diagonal_is_proven() {
         for projection in Projection::ALL {
             let view = view([64, 48], eye, DVec3::ZERO, projection);
             for mode in modes {
-                let proof = proof(&mut world, &shaded(mode, &view));
+                let proof = proof(&mut world, &view.shaded(mode));
                 let unproven = proof.refuted + proof.undecided;
                 assert_eq!(unproven, 0, "{seed}, {mode:?}: {:?}", proof.examples);
             }
@@ -121,7 +121,7 @@ pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
         corner,
         projection,
     );
-    (world, shaded(mode, &view))
+    (world, view.shaded(mode))
 }
 
 #[test]

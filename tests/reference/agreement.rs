@@ -17,7 +17,7 @@ use shadetrade::trade::metrics::{Picture, compare, pixel_error};
 use super::cases::cases;
 use super::invariance::mixed_scene;
 use super::random_scene::case;
-use super::scenes::{draw, shaded};
+use super::scenes::draw;
 
 const SIZE: [usize; 2] = [64, 48];
 
@@ -69,7 +69,7 @@ fn scenes_far_from_the_origin_or_at_the_ends_of_the_allowed_lengths_keep_the_pro
         for (offset, scale) in [(1e9, 1.0), (0.0, 1e98), (0.0, 1e-98)] {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
                 let (mut world, view) = mixed_scene(offset, scale, projection);
-                let view = shaded(mode, &view);
+                let view = view.shaded(mode);
                 let truth = draw(&world, &view);
                 systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
                 let difference = compare(Picture::from(&frame), Picture::from(&truth));

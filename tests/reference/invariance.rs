@@ -5,9 +5,7 @@ use shadetrade::components::{FileOrder, LightKind, Projection, ShadingMode, View
 use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::reference::{at_pixel, picture};
 
-use super::scenes::{
-    MATERIAL, close, draw, shaded, spawn_cuboid, spawn_light, spawn_turned_cuboid, view,
-};
+use super::scenes::{MATERIAL, close, draw, spawn_cuboid, spawn_light, spawn_turned_cuboid, view};
 
 /// Two cuboids and a light of each kind; every place moved by `offset`, every length multiplied by `scale`.
 pub fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View) {
@@ -106,7 +104,7 @@ fn a_part_of_the_rows_is_that_part_of_the_picture() {
 fn a_pixel_asked_for_alone_is_that_pixel_of_the_picture_and_its_terms_add_up() {
     let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
     let [gouraud, phong] =
-        [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| draw(&world, &shaded(mode, &view)));
+        [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| draw(&world, &view.shaded(mode)));
     for (x, y) in (0..40).flat_map(|x| (0..30).map(move |y| (x, y))) {
         let pixel = 40 * y + x;
         let Some(seen) = at_pixel(&world, &view, x, y) else {

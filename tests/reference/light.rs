@@ -5,8 +5,7 @@ use shadetrade::components::{Light, LightKind, Material, ShadingMode};
 use shadetrade::frame::NO_TRIANGLE;
 
 use super::scenes::{
-    MATERIAL, close, cube_of, cube_under, draw, level, orthographic, sample, shaded, spawn_light,
-    view,
+    MATERIAL, close, cube_of, cube_under, draw, level, orthographic, sample, spawn_light, view,
 };
 
 #[test]
@@ -14,12 +13,9 @@ fn straight_under_the_light_the_diffuse_term_is_whole_in_phong_and_a_mean_of_cor
     // At the middle of the face l = n. At a corner (1, 1, 1) / sqrt(3) . (-1, -1, 3) / sqrt(11) = 1 / sqrt(33).
     let world = cube_under(LightKind::Diffuse, [0.0, 0.0, 4.0]);
     let view = view([11, 11], [0.0, 0.0, 5.0], [0.0; 3]);
+    close(level(&world, &view.shaded(ShadingMode::Phong), 5, 5), 100.0);
     close(
-        level(&world, &shaded(ShadingMode::Phong, &view), 5, 5),
-        100.0,
-    );
-    close(
-        level(&world, &shaded(ShadingMode::Gouraud, &view), 5, 5),
+        level(&world, &view.shaded(ShadingMode::Gouraud), 5, 5),
         100.0 / 33.0_f64.sqrt(),
     );
 }
@@ -114,7 +110,7 @@ fn ambient_light_is_flat_and_background_is_where_nothing_is() {
     ] {
         let truth = draw(
             &world,
-            &shaded(mode, &view([20, 20], [1.0, 2.0, 3.0], [0.0; 3])),
+            &view([20, 20], [1.0, 2.0, 3.0], [0.0; 3]).shaded(mode),
         );
         for (levels, id) in truth.levels.iter().zip(&truth.triangles) {
             let expected = if *id == NO_TRIANGLE {

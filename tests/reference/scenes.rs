@@ -100,10 +100,6 @@ pub fn orthographic(size: [usize; 2]) -> View {
     }
 }
 
-pub fn shaded(mode: ShadingMode, view: &View) -> View {
-    view.shaded(mode)
-}
-
 pub fn draw(world: &World, view: &View) -> Truth {
     picture(world, view, 0..view.size[1], &|| false, &|_| ()).expect("it is not cancelled")
 }

@@ -4,8 +4,7 @@ use hecs::World;
 use shadetrade::components::{LightKind, Material, ShadingMode};
 
 use super::scenes::{
-    MATERIAL, close, cube_of, cube_under, level, orthographic, shaded, spawn_cuboid, spawn_light,
-    view,
+    MATERIAL, close, cube_of, cube_under, level, orthographic, spawn_cuboid, spawn_light, view,
 };
 
 /// The top of a cube 1 below the eye and 2 to 4 ahead, a diffuse light infinitely far along +z; `near` in world units.
@@ -17,7 +16,7 @@ fn receding_top(mode: ShadingMode, near: f64) -> f64 {
     let mut world = World::new();
     spawn_cuboid(&mut world, [2.0; 3], [0.0, -2.0, -3.0]);
     spawn_light(&mut world, LightKind::Diffuse, [0.0, -1.0, 1e15]);
-    let mut view = shaded(mode, &view([25, 25], [0.0; 3], [0.0, 0.0, -1.0]));
+    let mut view = view([25, 25], [0.0; 3], [0.0, 0.0, -1.0]).shaded(mode);
     view.viewpoint.camera.near = Some(near);
     level(&world, &view, 13, 17)
 }
@@ -85,7 +84,7 @@ fn unit_vectors_lose_the_highlight_and_two_thirds_of_the_light_at_the_middle_of_
         close(
             level(
                 &world,
-                &shaded(ShadingMode::UnitVectors, &orthographic([11, 11])),
+                &orthographic([11, 11]).shaded(ShadingMode::UnitVectors),
                 5,
                 5,
             ),
@@ -107,10 +106,8 @@ fn unit_vectors_shorten_the_eye_and_with_it_the_highlight() {
         LightKind::Specular,
         [-1e15, 0.0, 1e15],
     );
-    let view = shaded(
-        ShadingMode::UnitVectors,
-        &view([11, 11], [-1.0, 0.0, 5.0], [-1.0, 0.0, 0.0]),
-    );
+    let view = view([11, 11], [-1.0, 0.0, 5.0], [-1.0, 0.0, 0.0]);
+    let view = view.shaded(ShadingMode::UnitVectors);
     close(
         level(&world, &view, 5, 5),
         50.0 * 2.0_f64.sqrt() / 6.0 * 4.0 / 17.0_f64.sqrt(),

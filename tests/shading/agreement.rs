@@ -6,7 +6,7 @@ use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, display_step};
 use shadetrade::scene::Scene;
 use shadetrade::shading::{EXACT, TileKind};
 
-use crate::scene::{draw, shaded};
+use crate::scene::draw;
 use crate::truth::{Seen, Setting};
 
 /// The pixels of which both say that they show the same triangle; no more than a few on the edges may be left out.
@@ -72,7 +72,7 @@ fn default_settings() -> Vec<(usize, Setting)> {
 fn view_of_default_scene(scene: &Scene, camera: usize, setting: &Setting) -> View {
     View {
         viewpoint: scene.viewpoint(camera),
-        ..shaded(setting.mode, &setting.view())
+        ..setting.view().shaded(setting.mode)
     }
 }
 

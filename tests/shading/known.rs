@@ -18,7 +18,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View}
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 use shadetrade::scene::Scene;
 
-use crate::scene::{at, draw, empty, shaded, spawn_cuboid, spawn_light, view};
+use crate::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
 use crate::truth::Setting;
 
 const MATERIAL: Material = Material {
@@ -71,7 +71,7 @@ fn picture(material: Material, lamps: &[Lamp], view: &View, mode: ShadingMode) -
     for &(kind, position) in lamps {
         spawn_light(&mut world, kind, SENT, position.into());
     }
-    let frame = draw(&mut world, &shaded(mode, view), Keep::Levels);
+    let frame = draw(&mut world, &view.shaded(mode), Keep::Levels);
     let levels = frame.levels().iter();
     levels
         .map(|levels| DVec3::from(levels.map(f64::from)))
@@ -282,7 +282,7 @@ fn lights_add_up() {
                     .query_one_mut::<&mut shadetrade::components::Light>(light);
                 light.expect("it is a light").on = on(index);
             }
-            draw(&mut scene.world, &shaded(mode, &view), Keep::Levels)
+            draw(&mut scene.world, &view.shaded(mode), Keep::Levels)
         };
         let all = with(&|_| true);
         let none = with(&|_| false);

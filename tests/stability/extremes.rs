@@ -6,7 +6,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Trans
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 
 use crate::random::Random;
-use crate::scene::{draw, empty, shaded, spawn_cuboid, spawn_light, view};
+use crate::scene::{draw, empty, spawn_cuboid, spawn_light, view};
 
 const MODES: [ShadingMode; 3] = [
     ShadingMode::Gouraud,
@@ -51,7 +51,7 @@ fn the_near_plane_takes_pixels_away_and_changes_none() {
                 let mut picture = |near: f64| {
                     let mut view = view([64, 48], DVec3::Z * 4.0, DVec3::ZERO, projection);
                     view.viewpoint.camera.near = Some(near);
-                    draw(&mut world, &shaded(mode, &view), Keep::Levels)
+                    draw(&mut world, &view.shaded(mode), Keep::Levels)
                 };
                 let whole = picture(0.01);
                 for near in [1.5, 3.0, 4.0, 5.0] {
@@ -101,7 +101,7 @@ fn needles_and_sheets_have_colours_that_their_lights_can_make() {
         for projection in Projection::ALL {
             let view = view([64, 48], eye, DVec3::ZERO, projection);
             for mode in MODES {
-                let frame = draw(&mut world, &shaded(mode, &view), Keep::Levels);
+                let frame = draw(&mut world, &view.shaded(mode), Keep::Levels);
                 covered += frame.counts().covered_pixels;
                 let drawn = frame.levels().iter().zip(frame.triangles());
                 for (levels, _) in drawn.filter(|(_, id)| **id != NO_TRIANGLE) {
@@ -126,7 +126,7 @@ fn no_level_is_ever_undefined() {
             for tolerance in [0.0, 0.5] {
                 let view = View {
                     tolerance,
-                    ..shaded(mode, &view)
+                    ..view.shaded(mode)
                 };
                 let frame = draw(&mut world, &view, Keep::Levels);
                 let defined = frame.levels().iter().flatten().all(|level| !level.is_nan());

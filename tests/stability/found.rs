@@ -6,7 +6,7 @@ use shadetrade::components::{
 };
 use shadetrade::frame::Keep;
 
-use crate::scene::{at, draw, empty, shaded, spawn_cuboid, spawn_light, view};
+use crate::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
 
 /// A slope that is infinite in f32 times a reach of zero: a tile of one pixel, on the corner where the bright one's share
 /// is nothing.
@@ -37,7 +37,7 @@ fn on_a_corner_that_no_other_reaches_every_level_is_defined() {
                 ..view([1, 1], DVec3::ZERO, DVec3::ONE, projection)
             };
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-                let frame = draw(&mut world, &shaded(mode, &view), Keep::Levels);
+                let frame = draw(&mut world, &view.shaded(mode), Keep::Levels);
                 assert_eq!(frame.counts().covered_pixels, 1);
                 let [levels] = frame.levels() else {
                     panic!("one pixel was asked for")
@@ -65,11 +65,7 @@ fn beside_a_corner_brighter_than_floats_can_hold_every_level_is_defined() {
         spawn_light(&mut world, LightKind::Specular, levels, DVec3::splat(8.0));
         let eye = DVec3::splat(-8.0);
         let view = view([11, 11], eye, DVec3::ZERO, Projection::Perspective);
-        let frame = draw(
-            &mut world,
-            &shaded(ShadingMode::Gouraud, &view),
-            Keep::Levels,
-        );
+        let frame = draw(&mut world, &view.shaded(ShadingMode::Gouraud), Keep::Levels);
         assert!(frame.counts().covered_pixels > 0);
         let undefined = frame.levels().iter().flatten().any(|level| level.is_nan());
         assert!(!undefined, "{bright:e}: {:?}", frame.levels());
@@ -152,7 +148,7 @@ fn the_shortcut_is_defined_beside_its_triangles() {
     view.viewpoint.camera.height = 8e-90;
     let frame = draw(
         &mut world,
-        &shaded(ShadingMode::UnitVectors, &view),
+        &view.shaded(ShadingMode::UnitVectors),
         Keep::Levels,
     );
     assert!(frame.counts().covered_pixels > 0);

@@ -5,7 +5,7 @@ use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::Frame;
 
-use crate::scene::{at, empty, shaded, spawn_cuboid, spawn_light, view};
+use crate::scene::{at, empty, spawn_cuboid, spawn_light, view};
 
 /// As many of the cuboids as are asked for, one to three, and the lights.
 pub fn still_life(cuboids: usize) -> World {
@@ -92,7 +92,7 @@ pub fn views(size: [usize; 2]) -> Vec<View> {
             for tolerance in [0.0, 0.5, 4.0] {
                 views.push(View {
                     tolerance,
-                    ..shaded(mode, &view)
+                    ..view.shaded(mode)
                 });
             }
         }

@@ -13,7 +13,7 @@ use shadetrade::frame::{Frame, Keep, NO_TRIANGLE};
 use shadetrade::reference::picture;
 
 use crate::cases::cases;
-use crate::scene::{draw, empty, shaded, spawn_cuboid, spawn_light, view};
+use crate::scene::{draw, empty, spawn_cuboid, spawn_light, view};
 
 const SIZE: [usize; 2] = [65, 48];
 
@@ -62,7 +62,7 @@ impl Scene {
 
     fn in_mode(&self, mode: ShadingMode) -> Scene {
         Scene {
-            view: shaded(mode, &self.view),
+            view: self.view.shaded(mode),
             ..self.clone()
         }
     }

@@ -69,11 +69,6 @@ pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection)
     }
 }
 
-/// The same view in another mode.
-pub fn shaded(mode: ShadingMode, view: &View) -> View {
-    view.shaded(mode)
-}
-
 /// A picture drawn by the calling thread alone, with the best SIMD level there is.
 pub fn draw(world: &mut World, view: &View, keep: Keep) -> Frame {
     let workers = Workers::new(1, Level::new()).expect("one thread is always there");

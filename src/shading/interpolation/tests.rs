@@ -3,7 +3,7 @@
 //! Rule: every kind of row stays within its budget, and shows the levels it has.
 
 use super::*;
-use crate::shading::display::Rows;
+use crate::shading::display::{Rows, display_step};
 use crate::shading::running::Rounded;
 use crate::simd::{Baseline, token};
 
