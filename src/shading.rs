@@ -39,7 +39,7 @@ use self::field::Places;
 use self::gouraud::Gouraud;
 use self::interpolation::Interpolant;
 use self::kernel::Light;
-use self::phong::{Active, FaceLight, Phong};
+use self::phong::{Active, FaceLight, Phong, Reaching};
 use self::square::Region;
 use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
@@ -256,13 +256,20 @@ pub enum Shader<'a> {
 impl Shader<'_> {
     /// Colours of four squares that keep the tolerance where they leave something of it; none where no square has one.
     #[inline(always)]
-    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+    pub fn interpolate<S: Simd>(
+        &self,
+        simd: S,
+        places: &Places<S>,
+        scratch: &mut Scratch,
+    ) -> Option<Interpolant<S>> {
         if !self.interpolates() {
             return None;
         }
         match self {
             Shader::Gouraud(gouraud) => outlined!(simd, gouraud.interpolate(simd, places)),
-            Shader::Phong(phong) => outlined!(simd, phong.interpolate(simd, places)),
+            Shader::Phong(phong) => {
+                outlined!(simd, phong.interpolate(simd, places, &mut scratch.reaching))
+            }
             Shader::UnitVectors(_) => None,
         }
     }
@@ -335,6 +342,7 @@ pub struct Scratch {
     pub levels: Levels,
     /// The lights that reach the face being drawn.
     pub lights: Vec<FaceLight>,
+    reaching: Vec<Reaching>,
     active: Vec<Active>,
     single: Vec<Light<f32>>,
     double: Vec<Light<f64>>,

@@ -87,6 +87,14 @@ pub struct Phong<'a> {
     sampling: f64,
 }
 
+/// A light that reaches any of four squares, and sets of these, a bit each: those that it lights all over, on which its
+/// highlight is drawn, and that its terminator crosses.
+#[derive(Clone, Copy, Debug)]
+pub struct Reaching {
+    light: usize,
+    squares: [u64; 3],
+}
+
 /// A light that is evaluated on one square, and which of its terms.
 #[derive(Clone, Copy, Debug)]
 pub struct Active {
@@ -137,52 +145,30 @@ impl<'a> Phong<'a> {
 
     /// See [`super::Shader::interpolate`].
     #[inline(always)]
-    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
-        let zero = Lanes::splat(simd, 0.0);
-        let never = Lanes::splat(simd, f64::NEG_INFINITY);
+    pub fn interpolate<S: Simd>(
+        &self,
+        simd: S,
+        places: &Places<S>,
+        reaching: &mut Vec<Reaching>,
+    ) -> Option<Interpolant<S>> {
         let normal = Field::new(&self.normal, places);
         let eye = Field::new(&self.face.rays.to_eye, places);
-        // What pixels show of a sliver is held on the face, one by one.
-        let least = field::least(&self.face.plane.w, places);
-        let steady = least.simd_gt(self.face.least_steady().max(0.0));
-        let steady = steady & normal.is_calm() & eye.is_calm();
-        let mut budget = steady.select(Lanes::splat(simd, self.tolerance - self.sampling), never);
+        // Of all lights first: what they leave of the tolerance often is nothing.
+        let budget = self.budget(places, &normal, &eye, reaching)?;
+        let zero = Lanes::splat(simd, 0.0);
         let ambient = self.surface.ambient();
         let mut colors: [Nine<S>; 4] = [[[zero; 3]; 3]; 4];
         for channel in 0..3 {
             colors[channel][0][0] += ambient[channel];
         }
         let mut crossing = [zero; 3];
-        let mut crosses = mask64x4::splat(simd, false);
-        for light in self.lights {
+        let mut crosses = 0;
+        for light in reaching.iter() {
+            let [lit, shines, cut] = light.squares.map(|bits| mask64x4::from_bitmask(simd, bits));
+            let light = &self.lights[light.light];
             let to_light = Field::new(&light.towards, places);
-            let side = bound::side(&normal, &to_light);
-            let mut error = bound::cosine_error(&normal, &to_light) * light.diffuse.max_element();
-            let mut shines = mask64x4::splat(simd, false);
-            if light.specular != DVec3::ZERO {
-                let reflection = bound::reflection(&normal, &to_light, &eye, side.cosine);
-                shines = self.shines(reflection.most, side.dark);
-                let power = bound::power(&self.gloss.every, reflection.most);
-                let mut highlight = power;
-                if shines.any_true() {
-                    let bound = &self.gloss.bound;
-                    let bound = bound.error(&normal, &to_light, &eye, &reflection, power);
-                    highlight = shines.select(bound, power);
-                }
-                error += highlight * light.specular.max_element();
-            }
-            // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
-            let idle = mask64x4::splat(simd, light.diffuse == DVec3::ZERO) & !shines;
-            let cut = !(side.lit | side.dark | idle | shines | crosses);
-            crosses |= cut;
-            let sure = to_light.is_calm() & (side.lit | side.dark | idle | cut);
-            budget -= side.dark.select(zero, error);
-            budget = sure.select(budget, never);
-            if !budget.simd_gt(0.0).any_true() {
-                return None;
-            }
-            let (any_cut, any_shines) = (cut.any_true(), shines.any_true());
             let [mut cosines, mut powers]: [Nine<S>; 2] = [[[zero; 3]; 3]; 2];
+            let any_shines = shines.any_true();
             for row in 0..3 {
                 for column in 0..3 {
                     let (n, l) = (normal.node(row, column), to_light.node(row, column));
@@ -199,11 +185,12 @@ impl<'a> Phong<'a> {
                 }
             }
             let cosines = biquadratic(&cosines);
-            add_to(&mut colors, &cosines, light.diffuse, side.lit);
+            add_to(&mut colors, &cosines, light.diffuse, lit);
             if any_shines {
                 add_to(&mut colors, &biquadratic(&powers), light.specular, shines);
             }
-            if any_cut {
+            if cut.any_true() {
+                crosses |= cut.to_bitmask();
                 for channel in 0..3 {
                     let levels = Lanes::splat(simd, light.diffuse[channel]);
                     crossing[channel] = cut.select(levels, crossing[channel]);
@@ -218,9 +205,67 @@ impl<'a> Phong<'a> {
         Some(Interpolant::new(Colors {
             terms: colors,
             crossing,
-            crosses,
+            crosses: mask64x4::from_bitmask(simd, crosses),
             budget,
         }))
+    }
+
+    /// What the lights leave of the tolerance on four squares, and which of them reach any of these; none where nothing is left
+    /// on any.
+    #[inline(always)]
+    fn budget<S: Simd>(
+        &self,
+        places: &Places<S>,
+        normal: &Field<S>,
+        eye: &Field<S>,
+        reaching: &mut Vec<Reaching>,
+    ) -> Option<Lanes<S>> {
+        // What pixels show of a sliver is held on the face, one by one.
+        let least = field::least(&self.face.plane.w, places);
+        let simd = least.token();
+        let zero = Lanes::splat(simd, 0.0);
+        let never = Lanes::splat(simd, f64::NEG_INFINITY);
+        let steady = least.simd_gt(self.face.least_steady().max(0.0));
+        let steady = steady & normal.is_calm() & eye.is_calm();
+        let mut budget = steady.select(Lanes::splat(simd, self.tolerance - self.sampling), never);
+        let mut crosses = mask64x4::splat(simd, false);
+        reaching.clear();
+        for (index, light) in self.lights.iter().enumerate() {
+            let to_light = Field::new(&light.towards, places);
+            let side = bound::side(normal, &to_light);
+            if side.dark.all_true() {
+                continue;
+            }
+            let mut error = bound::cosine_error(normal, &to_light) * light.diffuse.max_element();
+            let mut shines = mask64x4::splat(simd, false);
+            if light.specular != DVec3::ZERO {
+                let reflection = bound::reflection(normal, &to_light, eye, side.cosine);
+                shines = self.shines(reflection.most, side.dark);
+                let power = bound::power(&self.gloss.every, reflection.most);
+                let mut highlight = power;
+                if shines.any_true() {
+                    let bound = &self.gloss.bound;
+                    let bound = bound.error(normal, &to_light, eye, &reflection, power);
+                    highlight = shines.select(bound, power);
+                }
+                error += highlight * light.specular.max_element();
+            }
+            // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
+            let idle = mask64x4::splat(simd, light.diffuse == DVec3::ZERO) & !shines;
+            let cut = !(side.lit | side.dark | idle | shines | crosses);
+            crosses |= cut;
+            let sure = to_light.is_calm() & (side.lit | side.dark | idle | cut);
+            budget -= side.dark.select(zero, error);
+            budget = sure.select(budget, never);
+            if !budget.simd_gt(0.0).any_true() {
+                return None;
+            }
+            reaching.push(Reaching {
+                light: index,
+                squares: [side.lit, shines, cut].map(|squares| squares.to_bitmask()),
+            });
+        }
+        Some(budget)
     }
 
     /// See [`super::Shader::evaluate`].

@@ -311,7 +311,7 @@ impl Drawing<'_, '_> {
         let tried = squares.each_ref().map(|square| square.pixels > self.few);
         let interpolant = if (0..4).any(|index| seen[index] && tried[index]) {
             let places = Places::new(simd, squares, self.picture);
-            self.shader.interpolate(simd, &places)
+            self.shader.interpolate(simd, &places, self.scratch)
         } else {
             None
         };

@@ -194,7 +194,8 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
         side,
         levels: Vec::new(),
     };
-    if let Some(interpolant) = shader.interpolate(simd, &places)
+    let mut scratch = Scratch::default();
+    if let Some(interpolant) = shader.interpolate(simd, &places, &mut scratch)
         && let Some(form) = interpolant.forms[2]
     {
         interpolation::draw(simd, &interpolant, 2, form, &square, &mut shown);
@@ -209,7 +210,6 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
         from: &from,
         to: &to,
     };
-    let mut scratch = Scratch::default();
     let pixels = (0..side * side).map(|pixel| [pixel % side, pixel / side]);
     let region = Region {
         square: &square,
@@ -329,7 +329,7 @@ fn a_sliver_is_never_interpolated() {
         let places = Places::single(simd, middle, square.half());
         let shader = Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, 8.0));
         let form = shader
-            .interpolate(simd, &places)
+            .interpolate(simd, &places, &mut Scratch::default())
             .and_then(|interpolant| interpolant.forms[2]);
         assert_eq!(form, None, "seed {seed}");
     }
