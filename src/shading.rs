@@ -127,7 +127,6 @@ pub const EXACT: f64 = 0.05;
 pub const MIN_TOLERANCE: f64 = 1e-4;
 
 /// How far a pixel may err, in levels: the tolerance, or what is called exact where that is 0.
-#[inline(always)]
 pub(crate) fn limit(tolerance: f64) -> f64 {
     if tolerance > 0.0 { tolerance } else { EXACT }
 }

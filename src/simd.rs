@@ -1,6 +1,7 @@
 //! The SIMD levels by name, a word of the command line in, a level this machine has out.
 //!
-//! Rule: a level the machine lacks is never replaced by another one.
+//! Rules: a level the machine lacks is never replaced by another one. A function that takes lanes is `#[inline(always)]`, for
+//! compiled by itself it would have no level; other functions only where leaving that out was measured to cost.
 
 use fearless_simd::{Level, Simd};
 

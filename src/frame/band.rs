@@ -34,7 +34,6 @@ impl Drawn {
     }
 
     /// After clearing: notes that some of the pixels from..to may be drawn.
-    #[inline(always)]
     pub fn drew(&mut self, from: usize, to: usize) {
         self.by_last = joined(self.by_last, from, to);
     }
@@ -160,7 +159,6 @@ impl Band<'_> {
     }
 
     /// Which of some rows of the picture are here.
-    #[inline(always)]
     pub fn held(&self, rows: Range<usize>) -> Range<usize> {
         rows.start.max(self.rows.start)..rows.end.min(self.rows.end)
     }
@@ -171,14 +169,12 @@ impl Band<'_> {
     }
 
     /// Where the pixel `x` of a row of the picture stands in the slices.
-    #[inline(always)]
     pub fn index(&self, x: usize, row: usize) -> usize {
         (row - self.rows.start) * self.width + x
     }
 }
 
 /// The least range that holds both.
-#[inline(always)]
 fn joined(range: [u32; 2], from: usize, to: usize) -> [u32; 2] {
     [range[0].min(from as u32), range[1].max(to as u32)]
 }
@@ -189,7 +185,6 @@ fn split<T>(slice: &mut [T], index: usize) -> (&mut [T], &mut [T]) {
     slice.split_at_mut(index)
 }
 
-#[inline(always)]
 fn fill<T: Copy>(slice: &mut [T], range: Range<usize>, value: T) {
     if !slice.is_empty() {
         slice[range].fill(value);

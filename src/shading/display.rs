@@ -59,7 +59,6 @@ impl Listed {
     }
 
     /// Those of a row that are `seen`, which is told how far each is from the first; the first stands at `x`, `y`.
-    #[inline(always)]
     pub fn extend(
         &mut self,
         [mut x, y]: [f32; 2],

@@ -39,7 +39,6 @@ impl<'a, 'b> Store<'a, 'b> {
     }
 
     /// The rows of the square that are covered and in the band.
-    #[inline(always)]
     fn rows(&self) -> Range<usize> {
         self.band.held(self.square.covered_rows())
     }
