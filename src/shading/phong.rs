@@ -23,7 +23,7 @@ use super::rounding::{Extent, Rounding};
 use super::square::Region;
 use super::{Evaluations, Scratch, Surface, TileKind, U, limit};
 use crate::components::{PointLight, length, unit};
-use crate::simd::{outlined, two};
+use crate::simd::{outlined, three, two};
 
 /// A point light as a face sees it.
 #[derive(Clone, Copy, Debug)]
@@ -164,7 +164,7 @@ impl<'a> Phong<'a> {
         let mut crossing = [zero; 3];
         let mut crosses = 0;
         for light in reaching.iter() {
-            let [lit, shines, cut] = light.squares.map(|bits| mask64x4::from_bitmask(simd, bits));
+            let [lit, shines, cut] = three!(|set| mask64x4::from_bitmask(simd, light.squares[set]));
             let light = &self.lights[light.light];
             let to_light = Field::new(&light.towards, places);
             let [mut cosines, mut powers]: [Nine<S>; 2] = [[[zero; 3]; 3]; 2];
@@ -260,9 +260,10 @@ impl<'a> Phong<'a> {
             if !budget.simd_gt(0.0).any_true() {
                 return None;
             }
+            let squares = [side.lit, shines, cut];
             reaching.push(Reaching {
                 light: index,
-                squares: [side.lit, shines, cut].map(|squares| squares.to_bitmask()),
+                squares: three!(|set| squares[set].to_bitmask()),
             });
         }
         Some(budget)
