@@ -5,9 +5,9 @@
 
 use glam::DVec3;
 
-use super::judge::KnownPixel;
+use super::Case;
+use super::judge::{KnownPixel, known_pixels, proven, same_picture};
 use super::scene_spec::{RenderConfig, SceneSpec, around, cuboid, light, lights_at, scene};
-use super::{Case, known_pixels, proven, same_picture};
 use crate::components::{LightKind, Material, Projection};
 use crate::scene::EMERALD;
 

@@ -9,8 +9,6 @@ use rayon::ThreadPoolBuildError;
 use super::scene_spec::{RenderConfig, SceneSpec};
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
-use crate::memory::OutOfMemory;
-use crate::scene::Scene;
 use crate::systems;
 
 /// Draws scenes as levels and as a window shows them.
@@ -55,14 +53,6 @@ impl Renderer {
     pub fn picture(&mut self, spec: &SceneSpec, config: RenderConfig) -> anyhow::Result<Picture> {
         let mut scene = spec.parse()?;
         let view = spec.view(&scene, config);
-        Ok(self.draw(&mut scene, view)?)
-    }
-
-    /// Draws a picture of levels.
-    ///
-    /// # Errors
-    /// When it does not fit in memory.
-    pub fn draw(&mut self, scene: &mut Scene, view: View) -> Result<Picture, OutOfMemory> {
         systems::draw(&mut scene.world, &view, &mut self.levels)?;
         Ok(Picture {
             view,

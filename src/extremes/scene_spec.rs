@@ -29,7 +29,7 @@ pub struct RenderConfig {
 }
 
 /// The modes that a scene can ask for.
-pub const MODES: [ShadingMode; 2] = [ShadingMode::Gouraud, ShadingMode::Phong];
+const MODES: [ShadingMode; 2] = [ShadingMode::Gouraud, ShadingMode::Phong];
 
 impl RenderConfig {
     /// Exact Phong in perspective.
@@ -89,12 +89,13 @@ pub fn lights_at(position: impl Into<DVec3>) -> Vec<LightRecord> {
     ]
 }
 
-/// Methods that return the value with one field replaced.
+/// Methods that return the value changed by another.
 macro_rules! setters {
-    ($($name:ident: $type:ty => $($field:ident).+),*) => {$(
+    ($($name:ident: $type:ty => |$this:ident, $value:ident| $change:expr;)*) => {$(
         #[must_use]
-        pub fn $name(mut self, value: impl Into<$type>) -> Self {
-            self.$($field).+ = value.into();
+        pub fn $name(mut self, $value: impl Into<$type>) -> Self {
+            let ($this, $value) = (&mut self, $value.into());
+            $change;
             self
         }
     )*};
@@ -102,15 +103,10 @@ macro_rules! setters {
 
 impl CuboidRecord {
     setters!(
-        rotation: DVec3 => rotation.value,
-        shininess: f64 => material.shininess.value
+        rotation: DVec3 => |cuboid, degrees| *cuboid.rotation = degrees;
+        material: Material => |cuboid, material| cuboid.material = key(material.into());
+        shininess: f64 => |cuboid, shininess| *cuboid.material.shininess = shininess;
     );
-
-    #[must_use]
-    pub fn material(mut self, material: Material) -> Self {
-        self.material = key(material.into());
-        self
-    }
 
     /// The same cuboid with ambient, diffuse and specular coefficients multiplied.
     #[must_use]
@@ -124,29 +120,19 @@ impl CuboidRecord {
 
 impl SceneSpec {
     setters!(
-        lights: Vec<LightRecord> => lights,
-        eye: DVec3 => camera.position.value,
-        target: DVec3 => camera.target.value,
-        fov: f64 => camera.fov.value,
-        height: f64 => camera.height.value,
-        size: [usize; 2] => size
+        lights: Vec<LightRecord> => |scene, lights| scene.lights = lights;
+        eye: DVec3 => |scene, eye| *scene.camera.position = eye;
+        target: DVec3 => |scene, target| *scene.camera.target = target;
+        up: DVec3 => |scene, up| scene.camera.up = Some(key(up));
+        fov: f64 => |scene, degrees| *scene.camera.fov = degrees;
+        height: f64 => |scene, height| *scene.camera.height = height;
+        near: f64 => |scene, near| scene.camera.near = Some(key(near));
+        size: [usize; 2] => |scene, size| scene.size = size;
     );
 
     #[must_use]
     pub fn cuboids(mut self, all: impl IntoIterator<Item: Borrow<CuboidRecord>>) -> Self {
         self.cuboids = all.into_iter().map(|it| it.borrow().clone()).collect();
-        self
-    }
-
-    #[must_use]
-    pub fn up(mut self, up: DVec3) -> Self {
-        self.camera.up = Some(key(up));
-        self
-    }
-
-    #[must_use]
-    pub fn near(mut self, near: f64) -> Self {
-        self.camera.near = Some(key(near));
         self
     }
 

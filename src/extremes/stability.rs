@@ -25,7 +25,7 @@ use serde::Serialize;
 
 use super::Options;
 use super::judge::enclosures;
-use super::renderer::Renderer;
+use super::renderer::{Picture, Renderer};
 use super::scene_spec::{RenderConfig, SceneSpec};
 use crate::output::{Output, print, say};
 use crate::prove::{Verdict, nearest, shown_face};
@@ -142,26 +142,23 @@ fn errors(spec: &SceneSpec, level: Level) -> anyhow::Result<Errors> {
     let mut renderer = Renderer::new(level, 1, false)?;
     let exact = renderer.picture(spec, RenderConfig::EXACT_PHONG)?;
     let half = renderer.picture(spec, half_a_level)?;
-    let (scene, view) = (spec.parse()?, exact.view);
+    let (scene, view) = (spec.parse()?, &exact.view);
     let rows = 0..view.size[1];
-    let truth = reference::picture(&scene.world, &view, rows, &|| false, &|_| ())
+    let truth = reference::picture(&scene.world, view, rows, &|| false, &|_| ())
         .context("the reference was cancelled")?;
     let textbook = Textbook::new(spec);
     let mut errors = Errors::default();
-    for (pixel, seen) in enclosures(&scene, &view).iter().enumerate() {
+    for (pixel, seen) in enclosures(&scene, view).iter().enumerate() {
         let place = [pixel % view.size[0], pixel / view.size[0]];
         let met = seen.iter().find_map(Seen::face);
-        let levels = |levels: [f32; 3]| levels.map(f64::from);
+        let drawn = |picture: &Picture| {
+            let face = shown_face(picture.triangles[pixel]);
+            Some((face, picture.levels[pixel].map(f64::from)))
+        };
         let shown = [
-            met.map(|face| (Some(face), levels(textbook.levels(face, place)))),
-            Some((
-                shown_face(exact.triangles[pixel]),
-                levels(exact.levels[pixel]),
-            )),
-            Some((
-                shown_face(half.triangles[pixel]),
-                levels(half.levels[pixel]),
-            )),
+            met.map(|face| (Some(face), textbook.levels(face, place).map(f64::from))),
+            drawn(&exact),
+            drawn(&half),
             Some((shown_face(truth.triangles[pixel]), truth.levels[pixel])),
         ];
         for (worst, shown) in errors.iter_mut().zip(shown) {
