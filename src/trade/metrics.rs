@@ -81,14 +81,9 @@ pub fn displayed(level: f64) -> f64 {
 
 /// The error of one pixel in levels, 0..=255.
 pub fn pixel_error<T: Into<f64>, U: Into<f64>>(left: [T; 3], right: [U; 3]) -> f64 {
-    let [left, right] = [
-        left.map(|level| displayed(level.into())),
-        right.map(|level| displayed(level.into())),
-    ];
-    left.iter()
-        .zip(right)
-        .map(|(left, right)| (left - right).abs())
-        .fold(0.0, f64::max)
+    let channels = left.into_iter().zip(right);
+    let errors = channels.map(|(left, right)| displayed(left.into()) - displayed(right.into()));
+    errors.map(f64::abs).fold(0.0, f64::max)
 }
 
 impl<T> Picture<'_, T> {

@@ -29,7 +29,7 @@ const LEGEND: &str = "ms: the least time of a whole frame. ns/px: the same for e
 
 /// How time grows with a quantity, by method.
 fn growth(series: &Series) -> String {
-    let exponent = |fit: &Fit| match (fit.power.exponent, fit.power.standard_error) {
+    let exponent = |fit: &Fit| match (fit.exponent, fit.standard_error) {
         (None, _) => format!("- ({})", fit.id),
         (Some(exponent), None) => format!("{exponent:.2} ({})", fit.id),
         (Some(exponent), Some(error)) => format!("{exponent:.2} \u{b1} {error:.2} ({})", fit.id),
