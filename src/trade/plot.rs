@@ -13,7 +13,7 @@ use std::ops::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::chart::{self, Area, Axis, BLUE, Borders, FAINT, GREEN, INK, ORANGE, text_style};
+use super::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, text_style};
 use super::export::{place, subject};
 use super::record::{Measurement, Report};
 use crate::canvas::Rect;
@@ -28,13 +28,6 @@ const CEILING: f64 = 500.0;
 const ERRORS: [f64; 7] = [FLOOR, 0.01, 0.1, 1.0, 10.0, 100.0, 255.0];
 
 const SIZE: (u32, u32) = (960, 600);
-const BORDERS: Borders = Borders {
-    top: 108,
-    right: 24,
-    other: 12,
-    labels: [52, 72],
-    letters: 12.0,
-};
 
 /// One method as it is drawn.
 struct Point<'a> {
@@ -115,9 +108,9 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
             }
         },
     };
-    let mut chart = chart::on(area, &BORDERS, time, error)?;
+    let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, time, error)?;
     let front = front(points, times.end);
-    chart.draw_series([PathElement::new(front.clone(), FAINT.stroke_width(2))])?;
+    chart.draw_series([PathElement::new(front, FAINT.stroke_width(2))])?;
     for point in points {
         let timing = &point.measured.timing;
         let scale = point.time / timing.median;
@@ -183,26 +176,29 @@ fn dot(area: &Area, at: (i32, i32), color: RGBColor, filled: bool) -> anyhow::Re
 
 /// What colours, dots and lines mean.
 fn key(area: &Area) -> anyhow::Result<()> {
+    let mode = |mode| Some((color(mode), true));
     let mut x = 30;
-    let mut explain = |meaning: &str, draw: &dyn Fn(i32) -> anyhow::Result<()>| {
-        draw(x)?;
+    for (meaning, dot_like) in [
+        ("Gouraud", mode(ShadingMode::Gouraud)),
+        ("Phong", mode(ShadingMode::Phong)),
+        (
+            "unit vectors, not renormalised",
+            mode(ShadingMode::UnitVectors),
+        ),
+        ("on the front", Some((FAINT, true))),
+        ("beaten by another", Some((FAINT, false))),
+        ("where the time may lie", None),
+    ] {
+        if let Some((color, filled)) = dot_like {
+            dot(area, (x, 90), color, filled)?;
+        } else {
+            let ends = [(x - 8, 90), (x + 6, 90)];
+            area.draw(&PathElement::new(ends, FAINT.stroke_width(1)))?;
+        }
         area.draw_text(meaning, &text_style(12.0, INK), (x + 11, 84))?;
         x += 38 + label_width(meaning) * 4 / 5;
-        anyhow::Ok(())
-    };
-    for (meaning, mode) in [
-        ("Gouraud", ShadingMode::Gouraud),
-        ("Phong", ShadingMode::Phong),
-        ("unit vectors, not renormalised", ShadingMode::UnitVectors),
-    ] {
-        explain(meaning, &|x| dot(area, (x, 90), color(mode), true))?;
     }
-    explain("on the front", &|x| dot(area, (x, 90), FAINT, true))?;
-    explain("beaten by another", &|x| dot(area, (x, 90), FAINT, false))?;
-    explain("where the time may lie", &|x| {
-        let line = PathElement::new([(x - 8, 90), (x + 6, 90)], FAINT.stroke_width(1));
-        Ok(area.draw(&line)?)
-    })
+    Ok(())
 }
 
 /// The times shown: all of them, with room for labels.
