@@ -104,11 +104,8 @@ where
         .filter(|pixel| left.shows_as(&right, *pixel))
         .map(|pixel| (pixel_error(left.levels[pixel], right.levels[pixel]), pixel))
         .collect();
-    let edges = left
-        .triangles
-        .iter()
-        .zip(right.triangles)
-        .filter(|(left, right)| face(**left) != face(**right));
+    let triangles = left.triangles.iter().zip(right.triangles);
+    let edges = triangles.filter(|(left, right)| face(**left) != face(**right));
     Difference {
         error: statistics(&mut errors, left.width),
         compared_pixels: errors.len() as u64,

@@ -9,7 +9,8 @@ use crate::trade::words::{counted, listed, short};
 
 /// What a terminal shows.
 pub fn table(scaling: &Scaling) -> String {
-    let mut paragraphs = vec![wrapped(&subject(scaling)) + "\n" + &wrapped(&place(scaling))];
+    let view = scaling.subject.view() + " where it is not pixels that vary";
+    let mut paragraphs = vec![wrapped(&view) + "\n" + &wrapped(&place(scaling))];
     for series in &scaling.series {
         let rows: Vec<_> = series.points.iter().map(|one| row(series, one)).collect();
         paragraphs.push(aligned(&head(series), &rows));
@@ -40,14 +41,6 @@ fn growth(series: &Series) -> String {
     format!(
         "Time grows as {name} to the power of {}, from {from} on.",
         listed(&exponents)
-    )
-}
-
-/// What was measured.
-fn subject(scaling: &Scaling) -> String {
-    format!(
-        "{} where it is not pixels that vary",
-        scaling.subject.view()
     )
 }
 
