@@ -11,8 +11,8 @@ use super::renderer::{Renderer, wrong_pixel};
 use super::scene_spec::{RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene};
 use super::{Case, case};
 use crate::components::{Projection, ShadingMode};
-use crate::frame::NO_TRIANGLE;
-use crate::prove::{self, Shown, Verdict};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use crate::prove::nearest;
 use crate::reference::{Interval, Reference};
 use crate::scene::{CuboidRecord, EMERALD};
 use crate::simd;
@@ -101,15 +101,12 @@ fn largest(renderer: &mut Renderer) -> Result<String> {
     let side = if renderer.full { 16_384 } else { 1024 };
     let spec = scene().size([side, side]);
     let mut scene = spec.parse()?;
-    let config = RenderConfig {
-        tolerance: 0.5,
-        ..RenderConfig::EXACT_PHONG
-    };
-    let view = spec.view(&scene, config);
-    // A renderer of its own, whose memory is given back at the end.
+    let view = spec.view(&scene, RenderConfig::phong(Projection::Perspective, 0.5));
+    // A frame of its own, whose memory is given back at the end.
     let workers = renderer.workers();
-    let mut large = Renderer::new(workers.level(), workers.threads(), false)?;
-    if let Err(full) = systems::draw(&mut scene.world, &view, &mut large.display) {
+    let workers = Workers::new(workers.threads(), workers.level())?;
+    let mut large = Frame::new(Keep::Display, workers);
+    if let Err(full) = systems::draw(&mut scene.world, &view, &mut large) {
         return Ok(format!("said of itself: {full}"));
     }
     let reference = Reference::<Interval>::new(&scene.world, &view);
@@ -120,24 +117,19 @@ fn largest(renderer: &mut Renderer) -> Result<String> {
             .map(|share: f64| (share * f64::from(step)).fract() * side as f64)
             .map(|coordinate| coordinate as usize);
         let pixel = y * side + x;
-        let [_, bytes @ ..] = large.display.pixels()[pixel].to_be_bytes();
+        let [_, bytes @ ..] = large.pixels()[pixel].to_be_bytes();
         // Only the bytes are known, not the face: it is one that may be seen.
         let all = reference.at(place);
-        let judged = all.iter().map(|seen| {
-            let shown = Shown {
-                face: seen.face(),
-                levels: bytes.map(f64::from),
-                bytes: None,
-            };
-            prove::judge(shown, &all, view.tolerance + 0.5)
+        let mut errors = all.iter().filter_map(|seen| {
+            let [_, most] = nearest(seen.face(), bytes.map(f64::from), &all)?;
+            Some((seen.face(), most))
         });
-        let mut proven = judged.filter(|(mark, _)| mark.verdict == Verdict::Proven);
-        let Some((mark, error)) = proven.next() else {
+        let Some((face, error)) = errors.find(|(_, error)| *error <= view.tolerance + 0.5) else {
             let what = format!("is {bytes:?}, not {all:?}");
             return Err(wrong_pixel(&view, pixel, &what));
         };
         worst = worst.max(error);
-        covered += u64::from(mark.is_covered);
+        covered += u64::from(face.is_some());
     }
     expect_covered(covered)?;
     Ok(format!(

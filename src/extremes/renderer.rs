@@ -75,13 +75,13 @@ impl Picture {
     /// # Errors
     /// When there is one.
     pub fn expect(&self, is_right: impl Fn(u32, [f32; 3]) -> bool) -> anyhow::Result<()> {
-        let mut pixels = self.triangles.iter().zip(&self.levels).enumerate();
-        let wrong =
-            pixels.find(|(_, (id, levels))| **id != NO_TRIANGLE && !is_right(**id, **levels));
-        wrong.map_or(Ok(()), |(pixel, (id, levels))| {
-            let what = format!("shows {} with levels {levels:?}", name(*id));
-            Err(wrong_pixel(&self.view, pixel, &what))
-        })
+        for (pixel, (&id, &levels)) in self.triangles.iter().zip(&self.levels).enumerate() {
+            if id != NO_TRIANGLE && !is_right(id, levels) {
+                let what = format!("shows {} with levels {levels:?}", name(id));
+                return Err(wrong_pixel(&self.view, pixel, &what));
+            }
+        }
+        Ok(())
     }
 
     /// Compares with a picture that must have the same bits.
@@ -89,14 +89,13 @@ impl Picture {
     /// # Errors
     /// When a pixel differs.
     pub fn expect_bits_of(&self, other: &Picture) -> anyhow::Result<()> {
-        let bits = |levels: &[f32; 3]| levels.map(f32::to_bits);
-        let differing = (0..self.triangles.len()).find(|&pixel| {
-            self.triangles[pixel] != other.triangles[pixel]
-                || bits(&self.levels[pixel]) != bits(&other.levels[pixel])
-        });
-        differing.map_or(Ok(()), |pixel| {
-            Err(wrong_pixel(&self.view, pixel, "differs"))
-        })
+        for pixel in 0..self.triangles.len() {
+            let bits = |it: &Picture| (it.triangles[pixel], it.levels[pixel].map(f32::to_bits));
+            if bits(self) != bits(other) {
+                return Err(wrong_pixel(&self.view, pixel, "differs"));
+            }
+        }
+        Ok(())
     }
 }
 

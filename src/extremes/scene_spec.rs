@@ -32,12 +32,13 @@ pub struct RenderConfig {
 const MODES: [ShadingMode; 2] = [ShadingMode::Gouraud, ShadingMode::Phong];
 
 impl RenderConfig {
-    /// Exact Phong in perspective.
-    pub const EXACT_PHONG: RenderConfig = RenderConfig {
-        projection: Projection::Perspective,
-        mode: ShadingMode::Phong,
-        tolerance: 0.0,
-    };
+    pub fn phong(projection: Projection, tolerance: f64) -> RenderConfig {
+        RenderConfig {
+            projection,
+            mode: ShadingMode::Phong,
+            tolerance,
+        }
+    }
 
     /// Every projection and mode, exactly and within half a level.
     pub fn all() -> impl Iterator<Item = RenderConfig> {
