@@ -4,7 +4,7 @@
 //! Alternating Images", HPG 2020, with the constants of the authors' code (github.com/NVlabs/flip).
 //!
 //! ```text
-//! levels -> opponent colours --+-- contrast filters -> Hunt-adjusted Lab ---- colour difference --+
+//! bytes --> opponent colours --+-- contrast filters -> Hunt-adjusted Lab ---- colour difference --+
 //!                              |                                                                  +--> 0..=1
 //!                              +-- edge and point filters of the luminance -- feature difference -+
 //! ```
@@ -51,7 +51,7 @@ where
     let [columns, rows] = rectangle(left.width, (0..left.levels.len()).filter(counts))?;
     let observer = Observer::new(pixels_per_degree);
     let starts: Vec<usize> = rows.clone().step_by(BAND).collect();
-    let bands: Vec<(f64, usize)> = starts
+    let sums: Vec<f64> = starts
         .into_par_iter()
         .map(|start| {
             let band = start..(start + BAND).min(rows.end);
@@ -63,13 +63,11 @@ where
                 .zip(looks_left.iter().zip(&looks_right))
                 .filter(|(pixel, _)| counts(pixel))
                 .map(|(_, (left, right))| f64::from(observer.difference(left, right)))
-                .fold((0.0, 0), |(sum, count), flip| (sum + flip, count + 1))
+                .sum()
         })
         .collect();
-    let (sum, count) = bands.iter().fold((0.0, 0), |(sum, count), band| {
-        (sum + band.0, count + band.1)
-    });
-    Some(sum / count as f64)
+    let count = (0..left.levels.len()).filter(counts).count();
+    Some(sums.iter().sum::<f64>() / count as f64)
 }
 
 /// The smallest range of columns and of rows that holds these pixels.
