@@ -93,7 +93,6 @@ pub fn lights_at(position: impl Into<DVec3>) -> Vec<LightRecord> {
 /// Methods that return the value changed by another.
 macro_rules! setters {
     ($($name:ident: $type:ty => |$this:ident, $value:ident| $change:expr;)*) => {$(
-        #[must_use]
         pub fn $name(mut self, $value: impl Into<$type>) -> Self {
             let ($this, $value) = (&mut self, $value.into());
             $change;
@@ -110,7 +109,6 @@ impl CuboidRecord {
     );
 
     /// The same cuboid with ambient, diffuse and specular coefficients multiplied.
-    #[must_use]
     pub fn reflecting(mut self, factor: f64) -> Self {
         *self.material.ambient *= factor;
         *self.material.diffuse *= factor;
@@ -131,27 +129,23 @@ impl SceneSpec {
         size: [usize; 2] => |scene, size| scene.size = size;
     );
 
-    #[must_use]
     pub fn cuboids(mut self, all: impl IntoIterator<Item: Borrow<CuboidRecord>>) -> Self {
         self.cuboids = all.into_iter().map(|it| it.borrow().clone()).collect();
         self
     }
 
     /// The same scene with another cuboid in place of all.
-    #[must_use]
     pub fn cuboid(self, cuboid: CuboidRecord) -> Self {
         self.cuboids([cuboid])
     }
 
     /// The same scene with a change to each of its lights.
-    #[must_use]
     pub fn with_lights(mut self, change: impl Fn(&mut LightRecord)) -> Self {
         self.lights.iter_mut().for_each(change);
         self
     }
 
     /// Every place and length multiplied.
-    #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
         for cuboid in &mut self.cuboids {
             *cuboid.size *= scale;
@@ -162,7 +156,6 @@ impl SceneSpec {
     }
 
     /// Every place shifted.
-    #[must_use]
     pub fn moved(self, shift: DVec3) -> Self {
         self.with_places(|place| place + shift)
     }
@@ -187,19 +180,18 @@ impl SceneSpec {
 
     /// The text of a scene file, in which cuboids and lights are named by their numbers.
     pub fn text(&self) -> String {
-        let (mut cuboids, mut lights) = (self.cuboids.clone(), self.lights.clone());
-        for (index, cuboid) in cuboids.iter_mut().enumerate() {
-            *cuboid.name = index.to_string();
-        }
-        for (index, light) in lights.iter_mut().enumerate() {
-            *light.name = index.to_string();
-        }
-        let record = SceneRecord {
+        let mut record = SceneRecord {
             background: key(DVec3::new(20.0, 20.0, 24.0)),
-            cuboid: key(cuboids),
-            light: key(lights),
+            cuboid: key(self.cuboids.clone()),
+            light: key(self.lights.clone()),
             camera: key(vec![self.camera.clone()]),
         };
+        for (index, cuboid) in record.cuboid.iter_mut().enumerate() {
+            *cuboid.name = index.to_string();
+        }
+        for (index, light) in record.light.iter_mut().enumerate() {
+            *light.name = index.to_string();
+        }
         record.write()
     }
 
