@@ -83,9 +83,8 @@ pub fn features(pixels_per_degree: f64, reach: usize) -> [[Filter; 2]; 2] {
 
 /// The weight at every pixel as far as `radius`, and none beyond.
 fn weights(radius: usize, reach: usize, weight: impl Fn(f64) -> f64) -> Vec<f64> {
-    let place = |i: usize| i as f64 - reach as f64;
-    (0..=2 * reach)
-        .map(place)
+    let places = (0..=2 * reach).map(|index| index as f64 - reach as f64);
+    places
         .map(|x| {
             if x.abs() <= radius as f64 {
                 weight(x)
