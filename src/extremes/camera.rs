@@ -1,7 +1,5 @@
 //! Where the eye is, what it looks at and how wide: the near plane, the cuboid's own surface, lenses and rotations.
 
-use std::array::from_fn;
-
 use glam::DVec3;
 
 use super::judge::{Fact, difference, known, proven, same_bits, same_picture};
@@ -21,8 +19,10 @@ pub fn cases() -> Vec<Case> {
 
 fn near_plane() -> Vec<Case> {
     // Beyond the sixth corner no more than a tip is left.
-    let depths: [f64; 6] = from_fn(|corner| corner_depths()[corner]);
-    let between: [f64; 5] = from_fn(|index| f64::midpoint(depths[index], depths[index + 1]));
+    let depths = &corner_depths()[..6];
+    let between = depths
+        .windows(2)
+        .map(|ends| f64::midpoint(ends[0], ends[1]));
     vec![
         proven(
             "near plane through one, two or three corners of triangles",
@@ -30,7 +30,7 @@ fn near_plane() -> Vec<Case> {
         ),
         proven(
             "near plane through each corner, and an ulp to either side",
-            depths.into_iter().flat_map(around).map(cut_at),
+            depths.iter().copied().flat_map(around).map(cut_at),
         ),
         same_bits(
             "near plane in a face's own plane",
