@@ -30,9 +30,7 @@ use serde::Serialize;
 use crate::memory;
 use crate::output::print;
 use crate::trade::progress::{OnProgress, with_bar};
-use judge::{Fact, KnownPixel, levels_text};
 use renderer::Renderer;
-use scene_spec::{RenderConfig, SceneSpec};
 
 /// Bytes that the cases take, without the largest picture, which asks for its own.
 const MEMORY: usize = 512 << 20;
@@ -91,58 +89,6 @@ fn case(
         expected: expected.into(),
         examine: Box::new(examine),
     }
-}
-
-/// A case whose every pixel is proven in every projection and mode, at every tolerance.
-fn proven(name: &'static str, scenes: impl IntoIterator<Item = SceneSpec>) -> Case {
-    let scenes = Vec::from_iter(scenes);
-    case(name, "every pixel proven", move |renderer| {
-        judge::proven(renderer, &scenes)
-    })
-}
-
-/// A case whose scenes have the same bits as the first one, which is not extreme.
-fn same_bits(name: &'static str, scenes: impl IntoIterator<Item = SceneSpec>) -> Case {
-    let scenes = Vec::from_iter(scenes);
-    case(name, "the same bits as without it", move |renderer| {
-        judge::same_bits(renderer, &scenes)
-    })
-}
-
-/// A case whose scenes are within so many levels of the first one, which is not extreme.
-fn same_picture(
-    name: &'static str,
-    levels: f64,
-    scenes: impl IntoIterator<Item = SceneSpec>,
-) -> Case {
-    let scenes = Vec::from_iter(scenes);
-    let expected = format!("within {levels} level of the picture without it");
-    case(name, expected, move |renderer| {
-        judge::same_picture(renderer, levels, &scenes)
-    })
-}
-
-/// A case of which one fact is known about every scene, however it is drawn.
-fn known(
-    name: &'static str,
-    expected: &str,
-    fact: Fact,
-    scenes: impl IntoIterator<Item = SceneSpec>,
-) -> Case {
-    let scenes = Vec::from_iter(scenes);
-    case(name, expected, move |renderer| {
-        judge::known(renderer, fact, RenderConfig::all(), &scenes)
-    })
-}
-
-/// A case of pictures of each of which the levels of one pixel are known.
-fn known_pixels(name: &'static str, pixels: impl IntoIterator<Item = KnownPixel>) -> Case {
-    let pixels = Vec::from_iter(pixels);
-    let levels: Vec<String> = pixels.iter().map(|it| levels_text(it.levels)).collect();
-    let expected = format!("on paper {}", levels.join(", "));
-    case(name, expected, move |renderer| {
-        judge::known_pixels(renderer, &pixels)
-    })
 }
 
 /// Who draws.

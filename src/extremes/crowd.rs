@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::judge::{self, Fact};
+use super::judge::{Fact, known, prove_scenes, proven, same_bits, same_picture};
 use super::renderer::Renderer;
 use super::scene_spec::{SceneSpec, cuboid, default_cuboid, light, lights_at, scene};
-use super::{Case, case, known, proven, same_bits, same_picture};
+use super::{Case, case};
 use crate::components::LightKind;
 
 /// The cases.
@@ -108,7 +108,7 @@ fn many_cuboids_are_proven(renderer: &mut Renderer) -> anyhow::Result<String> {
         cuboid([0.3, 0.2, 0.25], place).rotation(DVec3::new(7.0, 13.0, 29.0) * f64::from(index))
     });
     let scene = scene().fov(45.0).cuboids(cuboids.collect::<Vec<_>>());
-    judge::proven(renderer, &[scene])
+    prove_scenes(renderer, &[scene])
 }
 
 /// One cuboid written in three ways, in several orders and places.

@@ -1,4 +1,4 @@
-//! Scenes in; whether their pictures are right out.
+//! Scenes in; cases that say whether their pictures are right out.
 //!
 //! ```text
 //! scenes --Renderer--> pictures --+-- proven: enclosures of every pixel's exact levels
@@ -8,12 +8,13 @@
 //!
 //! Rule: what is right never comes from what is tried. A picture that shows too little proves nothing, and fails.
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 use rayon::prelude::*;
 
-use super::renderer::{Picture, Renderer, name, wrong_pixel};
-use super::scene_spec::{MODES, RenderConfig, SceneSpec};
-use crate::components::{LightKind, Projection, View};
+use super::renderer::{Renderer, name, wrong_pixel};
+use super::scene_spec::{RenderConfig, SceneSpec};
+use super::{Case, case};
+use crate::components::{Projection, View};
 use crate::prove::{self, Shown, Verdict, shown_face};
 use crate::reference::{Interval, Reference, Seen};
 use crate::scene::Scene;
@@ -27,12 +28,14 @@ const MIN_COVERED: u64 = 100;
 /// What is known of every picture of a scene without drawing it.
 #[derive(Clone, Copy)]
 pub enum Fact {
-    /// No cuboid is seen.
-    Background,
+    /// No cuboid is seen in these projections.
+    Background(&'static [Projection]),
     /// Wherever a cuboid is seen, it is this one.
     Cuboid(u32),
-    /// Wherever a cuboid is seen, each channel has this level. Lights that send nothing cost nothing.
+    /// Wherever a cuboid is seen, each channel has this level.
     Everywhere(f64),
+    /// The same, and no power is evaluated.
+    Unlit(f64),
 }
 
 /// A picture of which the levels of one pixel are known.
@@ -56,11 +59,44 @@ struct Distance {
     outline: u64,
 }
 
-pub fn proven(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String> {
+/// A case whose every pixel is proven in every projection and mode, at every tolerance.
+pub fn proven(name: &'static str, scenes: impl IntoIterator<Item = SceneSpec>) -> Case {
+    let scenes = Vec::from_iter(scenes);
+    case(name, "every pixel proven", move |renderer| {
+        prove_scenes(renderer, &scenes)
+    })
+}
+
+/// Proves every pixel in every projection and mode and at every tolerance. Unless everything is to be drawn, each
+/// projection has one of the modes, the other in every second scene, and half of the tolerances.
+///
+/// # Errors
+/// When a pixel is not proven, or a scene shows too little.
+pub fn prove_scenes(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String> {
+    let tolerances: &[f64] = if renderer.full {
+        &[0.0, 0.25, 0.5, 1.0, 2.0, 4.0]
+    } else {
+        &[0.0, 0.5, 4.0]
+    };
     let mut distance = Distance::default();
     for (index, spec) in scenes.iter().enumerate() {
         let covered = distance.covered;
-        prove_scene(renderer, spec, index, &mut distance)?;
+        let mut scene = spec.parse()?;
+        for config in RenderConfig::all().filter(|config| config.tolerance == 0.0) {
+            let parity = config.projection as usize + config.mode as usize + index;
+            if !renderer.full && parity % 2 == 1 {
+                continue;
+            }
+            let exact = spec.view(&scene, config);
+            let enclosures = enclosures(&scene, &exact);
+            for &tolerance in tolerances {
+                let view = View {
+                    tolerance,
+                    ..exact.clone()
+                };
+                prove_picture(renderer, &mut scene, &view, &enclosures, &mut distance)?;
+            }
+        }
         expect_covered(distance.covered - covered)?;
     }
     Ok(format!(
@@ -70,43 +106,6 @@ pub fn proven(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String> {
         distance.exact,
         100.0 * distance.share
     ))
-}
-
-/// Proves every pixel in every projection and mode and at every tolerance. Unless everything is to be drawn, each
-/// projection has one of the modes, the other at an odd `index`, and half of the tolerances.
-fn prove_scene(
-    renderer: &mut Renderer,
-    spec: &SceneSpec,
-    index: usize,
-    distance: &mut Distance,
-) -> Result<()> {
-    let tolerances: &[f64] = if renderer.full {
-        &[0.0, 0.25, 0.5, 1.0, 2.0, 4.0]
-    } else {
-        &[0.0, 0.5, 4.0]
-    };
-    let mut scene = spec.parse()?;
-    for (first, projection) in Projection::ALL.into_iter().enumerate() {
-        for (second, mode) in MODES.into_iter().enumerate() {
-            if !renderer.full && (first + second + index) % 2 == 1 {
-                continue;
-            }
-            let view = |tolerance| {
-                let config = RenderConfig {
-                    projection,
-                    mode,
-                    tolerance,
-                };
-                spec.view(&scene, config)
-            };
-            let views: Vec<View> = tolerances.iter().copied().map(view).collect();
-            let enclosures = enclosures(&scene, &views[0]);
-            for view in &views {
-                prove_picture(renderer, &mut scene, view, &enclosures, distance)?;
-            }
-        }
-    }
-    Ok(())
 }
 
 /// Draws a picture and judges every pixel by what it may show.
@@ -148,31 +147,42 @@ pub fn enclosures(scene: &Scene, view: &View) -> Vec<Vec<Seen<Interval>>> {
     rows.collect::<Vec<_>>().concat()
 }
 
-pub fn same_bits(renderer: &mut Renderer, scenes: &[SceneSpec]) -> Result<String> {
-    let mut covered = 0;
-    for config in RenderConfig::all() {
-        let plain = renderer.picture(&scenes[0], config)?;
-        covered += plain.covered();
-        for spec in &scenes[1..] {
-            renderer.picture(spec, config)?.expect_bits_of(&plain)?;
+/// A case whose scenes have the same bits as the first one, which is not extreme.
+pub fn same_bits(name: &'static str, scenes: impl IntoIterator<Item = SceneSpec>) -> Case {
+    let scenes = Vec::from_iter(scenes);
+    case(name, "the same bits as without it", move |renderer| {
+        let mut covered = 0;
+        for config in RenderConfig::all() {
+            let plain = renderer.picture(&scenes[0], config)?;
+            covered += plain.covered();
+            for spec in &scenes[1..] {
+                renderer.picture(spec, config)?.expect_bits_of(&plain)?;
+            }
         }
-    }
-    expect_covered(covered)?;
-    Ok(format!(
-        "the same: {covered} pixels, {} scenes",
-        scenes.len()
-    ))
+        expect_covered(covered)?;
+        let count = scenes.len();
+        Ok(format!("the same: {covered} pixels, {count} scenes"))
+    })
 }
 
-pub fn same_picture(renderer: &mut Renderer, levels: f64, scenes: &[SceneSpec]) -> Result<String> {
-    let mut worst = 0.0_f64;
-    for config in RenderConfig::all() {
-        for spec in &scenes[1..] {
-            let both = [(&scenes[0], config), (spec, config)];
-            worst = worst.max(difference(renderer, both, levels)?);
+/// A case whose scenes are within so many levels of the first one, which is not extreme.
+pub fn same_picture(
+    name: &'static str,
+    levels: f64,
+    scenes: impl IntoIterator<Item = SceneSpec>,
+) -> Case {
+    let scenes = Vec::from_iter(scenes);
+    let expected = format!("within {levels} level of the picture without it");
+    case(name, expected, move |renderer| {
+        let mut worst = 0.0_f64;
+        for config in RenderConfig::all() {
+            for spec in &scenes[1..] {
+                let both = [(&scenes[0], config), (spec, config)];
+                worst = worst.max(difference(renderer, both, levels)?);
+            }
         }
-    }
-    Ok(format!("{worst:.2e} levels in {} scenes", scenes.len()))
+        Ok(format!("{worst:.2e} levels in {} scenes", scenes.len()))
+    })
 }
 
 /// The largest difference between two pictures, the plain one first, where they show the same face.
@@ -204,77 +214,75 @@ pub fn difference(
     Ok(worst)
 }
 
-/// Draws every scene in every way, and says what the fact is about.
-///
-/// # Errors
-/// When a picture is not as the fact has it.
+/// A case of which one fact is known about every scene, however it is drawn.
 pub fn known(
-    renderer: &mut Renderer,
+    name: &'static str,
+    expected: &str,
     fact: Fact,
-    configs: impl Iterator<Item = RenderConfig>,
-    scenes: &[SceneSpec],
-) -> Result<String> {
-    let mut covered = 0;
-    for config in configs {
-        for scene in scenes {
-            let picture = renderer.picture(scene, config)?;
-            fact.expect_of(&picture, scene)?;
-            covered += picture.covered();
+    scenes: impl IntoIterator<Item = SceneSpec>,
+) -> Case {
+    let scenes = Vec::from_iter(scenes);
+    let is_known = move |config: &RenderConfig| match fact {
+        Fact::Background(projections) => projections.contains(&config.projection),
+        _ => true,
+    };
+    case(name, expected, move |renderer| {
+        let mut all = 0;
+        for config in RenderConfig::all().filter(is_known) {
+            for scene in &scenes {
+                let picture = renderer.picture(scene, config)?;
+                let covered = picture.covered();
+                picture.expect(|id, levels| match fact {
+                    Fact::Background(_) => false,
+                    Fact::Cuboid(cuboid) => id / 12 == cuboid,
+                    Fact::Everywhere(level) | Fact::Unlit(level) => {
+                        are_near(levels, [level; 3], 1e-4)
+                    }
+                })?;
+                match fact {
+                    Fact::Background(_) => {}
+                    Fact::Unlit(_) if picture.specular_evaluations > 0 => {
+                        bail!("powers are evaluated")
+                    }
+                    _ => expect_covered(covered)?,
+                }
+                all += covered;
+            }
         }
-    }
-    Ok(match fact {
-        Fact::Background => "nothing".to_owned(),
-        Fact::Cuboid(cuboid) => format!("cuboid {cuboid} at all of {covered} pixels"),
-        Fact::Everywhere(level) => format!("{level} levels at all of {covered} pixels"),
+        Ok(match fact {
+            Fact::Background(_) => "nothing".to_owned(),
+            Fact::Cuboid(cuboid) => format!("cuboid {cuboid} at all of {all} pixels"),
+            Fact::Everywhere(level) | Fact::Unlit(level) => {
+                format!("{level} levels at all of {all} pixels")
+            }
+        })
     })
 }
 
-impl Fact {
-    fn expect_of(self, picture: &Picture, spec: &SceneSpec) -> Result<()> {
-        match self {
-            Fact::Background => picture.expect(|_, _| false),
-            Fact::Cuboid(cuboid) => {
-                expect_covered(picture.covered())?;
-                picture.expect(|id, _| id / 12 == cuboid)
+/// A case of pictures of each of which the levels of one pixel are known.
+pub fn known_pixels(name: &'static str, pixels: impl IntoIterator<Item = KnownPixel>) -> Case {
+    let pixels = Vec::from_iter(pixels);
+    let levels: Vec<String> = pixels.iter().map(|it| levels_text(it.levels)).collect();
+    let expected = format!("on paper {}", levels.join(", "));
+    case(name, expected, move |renderer| {
+        let mut observed = Vec::new();
+        for known in &pixels {
+            let picture = renderer.picture(&known.scene, known.config)?;
+            let [x, y] = known.pixel;
+            let pixel = y * known.scene.size[0] + x;
+            let levels = picture.levels[pixel];
+            if !are_near(levels, known.levels, EXACT) {
+                let what = format!("has levels {levels:?}");
+                return Err(wrong_pixel(&picture.view, pixel, &what));
             }
-            Fact::Everywhere(level) => {
-                expect_covered(picture.covered())?;
-                let sends_nothing = spec
-                    .lights
-                    .iter()
-                    .all(|light| *light.kind == LightKind::Ambient || *light.intensity == 0.0);
-                ensure!(
-                    !sends_nothing || picture.specular_evaluations == 0,
-                    "powers are evaluated"
-                );
-                picture.expect(|_, levels| are_near(levels, [level; 3], 1e-4))
-            }
+            observed.push(levels_text(levels.map(f64::from)));
         }
-    }
-}
-
-/// Draws the pictures, and gives the levels found.
-///
-/// # Errors
-/// When a pixel is not as known.
-pub fn known_pixels(renderer: &mut Renderer, pixels: &[KnownPixel]) -> Result<String> {
-    let mut observed = Vec::new();
-    for known in pixels {
-        let picture = renderer.picture(&known.scene, known.config)?;
-        let [x, y] = known.pixel;
-        let pixel = y * known.scene.size[0] + x;
-        let levels = picture.levels[pixel];
-        if !are_near(levels, known.levels, EXACT) {
-            let what = format!("has levels {levels:?}");
-            return Err(wrong_pixel(&picture.view, pixel, &what));
-        }
-        observed.push(levels_text(levels.map(f64::from)));
-    }
-    Ok(observed.join(", "))
+        Ok(observed.join(", "))
+    })
 }
 
 /// Whether levels are within `limit` of the expected ones; NaN is not.
-pub fn are_near(levels: [f32; 3], expected: [f64; 3], limit: f64) -> bool {
+fn are_near(levels: [f32; 3], expected: [f64; 3], limit: f64) -> bool {
     let mut channels = levels.into_iter().zip(expected);
     channels.all(|(level, expected)| (f64::from(level) - expected).abs() <= limit)
 }
@@ -292,7 +300,7 @@ pub fn expect_covered(pixels: u64) -> Result<()> {
 }
 
 /// Three levels, or one where they are alike.
-pub fn levels_text(levels: [f64; 3]) -> String {
+fn levels_text(levels: [f64; 3]) -> String {
     let [red, green, blue] = levels.map(|level| format!("{level:.3}"));
     if red == green && green == blue {
         red

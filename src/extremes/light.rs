@@ -5,9 +5,9 @@
 
 use glam::DVec3;
 
-use super::judge::KnownPixel;
+use super::Case;
+use super::judge::{KnownPixel, known_pixels, proven, same_picture};
 use super::scene_spec::{RenderConfig, SceneSpec, around, cuboid, light, lights_at, scene};
-use super::{Case, known_pixels, proven, same_picture};
 use crate::components::{LightKind, Material, Projection};
 use crate::scene::EMERALD;
 
@@ -125,10 +125,7 @@ fn straight_down([x, y]: [f64; 2], place: [f64; 3], shininess: f64, levels: f64)
         .size([11, 11]);
     KnownPixel {
         scene,
-        config: RenderConfig {
-            projection: Projection::Orthographic,
-            ..RenderConfig::EXACT_PHONG
-        },
+        config: RenderConfig::phong(Projection::Orthographic, 0.0),
         pixel: [(5.0 + 2.0 * x) as usize, (5.0 - 2.0 * y) as usize],
         levels: [levels; 3],
     }

@@ -6,13 +6,13 @@ use anyhow::{Result, bail, ensure};
 use fearless_simd::Level;
 use glam::DVec3;
 
-use super::judge::{KnownPixel, expect_covered};
+use super::judge::{KnownPixel, expect_covered, known_pixels, proven};
 use super::renderer::{Renderer, wrong_pixel};
-use super::scene_spec::{MODES, RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene};
-use super::{Case, case, known_pixels, proven};
+use super::scene_spec::{RenderConfig, SceneSpec, cuboid, default_cuboid, lights_at, scene};
+use super::{Case, case};
 use crate::components::{Projection, ShadingMode};
-use crate::frame::NO_TRIANGLE;
-use crate::prove::{self, Shown, Verdict};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use crate::prove::nearest;
 use crate::reference::{Interval, Reference};
 use crate::scene::{CuboidRecord, EMERALD};
 use crate::simd;
@@ -65,17 +65,17 @@ pub fn cases() -> Vec<Case> {
             "the same bits",
             |renderer| {
                 let levels: Vec<Level> = simd::NAMES.into_iter().filter_map(simd::named).collect();
-                for level in &levels {
-                    expect_same(renderer, &mut Renderer::new(*level, 1, false)?)?;
+                for &level in &levels {
+                    expect_same(renderer, level, 1)?;
                 }
                 let names: Vec<_> = levels.into_iter().map(simd::name).collect();
                 Ok(format!("the same: {}", names.join(", ")))
             },
         ),
         case("2, 3 and 7 threads", "the same bits", |renderer| {
+            let level = renderer.workers().level();
             for threads in [2, 3, 7] {
-                let level = renderer.workers().level();
-                expect_same(renderer, &mut Renderer::new(level, threads, false)?)?;
+                expect_same(renderer, level, threads)?;
             }
             Ok("the same".to_owned())
         }),
@@ -101,15 +101,12 @@ fn largest(renderer: &mut Renderer) -> Result<String> {
     let side = if renderer.full { 16_384 } else { 1024 };
     let spec = scene().size([side, side]);
     let mut scene = spec.parse()?;
-    let config = RenderConfig {
-        tolerance: 0.5,
-        ..RenderConfig::EXACT_PHONG
-    };
-    let view = spec.view(&scene, config);
-    // A renderer of its own, whose memory is given back at the end.
+    let view = spec.view(&scene, RenderConfig::phong(Projection::Perspective, 0.5));
+    // A frame of its own, whose memory is given back at the end.
     let workers = renderer.workers();
-    let mut large = Renderer::new(workers.level(), workers.threads(), false)?;
-    if let Err(full) = systems::draw(&mut scene.world, &view, &mut large.display) {
+    let workers = Workers::new(workers.threads(), workers.level())?;
+    let mut large = Frame::new(Keep::Display, workers);
+    if let Err(full) = systems::draw(&mut scene.world, &view, &mut large) {
         return Ok(format!("said of itself: {full}"));
     }
     let reference = Reference::<Interval>::new(&scene.world, &view);
@@ -120,24 +117,19 @@ fn largest(renderer: &mut Renderer) -> Result<String> {
             .map(|share: f64| (share * f64::from(step)).fract() * side as f64)
             .map(|coordinate| coordinate as usize);
         let pixel = y * side + x;
-        let [_, bytes @ ..] = large.display.pixels()[pixel].to_be_bytes();
+        let [_, bytes @ ..] = large.pixels()[pixel].to_be_bytes();
         // Only the bytes are known, not the face: it is one that may be seen.
         let all = reference.at(place);
-        let judged = all.iter().map(|seen| {
-            let shown = Shown {
-                face: seen.face(),
-                levels: bytes.map(f64::from),
-                bytes: None,
-            };
-            prove::judge(shown, &all, view.tolerance + 0.5)
+        let mut errors = all.iter().filter_map(|seen| {
+            let [_, most] = nearest(seen.face(), bytes.map(f64::from), &all)?;
+            Some((seen.face(), most))
         });
-        let mut proven = judged.filter(|(mark, _)| mark.verdict == Verdict::Proven);
-        let Some((mark, error)) = proven.next() else {
+        let Some((face, error)) = errors.find(|(_, error)| *error <= view.tolerance + 0.5) else {
             let what = format!("is {bytes:?}, not {all:?}");
             return Err(wrong_pixel(&view, pixel, &what));
         };
         worst = worst.max(error);
-        covered += u64::from(mark.is_covered);
+        covered += u64::from(face.is_some());
     }
     expect_covered(covered)?;
     Ok(format!(
@@ -160,19 +152,12 @@ fn count_halves(
         .eye(DVec3::Z * 10.0)
         .size([21, 21])
         .height(21.0);
-    for mode in MODES {
-        let config = RenderConfig {
-            projection: Projection::Orthographic,
-            mode,
-            tolerance: 0.0,
-        };
+    let is_flat = |config: &RenderConfig| config.projection == Projection::Orthographic;
+    for config in RenderConfig::all().filter(is_flat) {
         let picture = renderer.picture(&scene, config)?;
         let count = |id: u32| {
-            picture
-                .triangles
-                .iter()
-                .filter(|other| **other == id)
-                .count()
+            let triangles = picture.triangles.iter();
+            triangles.filter(|other| **other == id).count()
         };
         let counts = [8, 9].map(count);
         if counts != expected || counts[0] + counts[1] + count(NO_TRIANGLE) != 21 * 21 {
@@ -182,9 +167,10 @@ fn count_halves(
     Ok(format!("{} and {} pixels", expected[0], expected[1]))
 }
 
-/// Compares what two renderers draw of one and of three cuboids, near enough that the picture is worth sharing among
-/// threads.
-fn expect_same(renderer: &mut Renderer, other: &mut Renderer) -> Result<()> {
+/// Compares with what another renderer draws of one and of three cuboids, near enough that the picture is worth sharing
+/// among threads.
+fn expect_same(renderer: &mut Renderer, level: Level, threads: usize) -> Result<()> {
+    let mut other = Renderer::new(level, threads, false)?;
     let cuboids = [10.0, 50.0, 100.0].map(|x| default_cuboid().rotation([x, 20.0, 30.0]));
     let close_up = |cuboids: &[CuboidRecord]| -> SceneSpec {
         let scene = scene().cuboids(cuboids.to_vec()).size([400, 320]);

@@ -9,8 +9,6 @@ use rayon::ThreadPoolBuildError;
 use super::scene_spec::{RenderConfig, SceneSpec};
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
-use crate::memory::OutOfMemory;
-use crate::scene::Scene;
 use crate::systems;
 
 /// Draws scenes as levels and as a window shows them.
@@ -55,14 +53,6 @@ impl Renderer {
     pub fn picture(&mut self, spec: &SceneSpec, config: RenderConfig) -> anyhow::Result<Picture> {
         let mut scene = spec.parse()?;
         let view = spec.view(&scene, config);
-        Ok(self.draw(&mut scene, view)?)
-    }
-
-    /// Draws a picture of levels.
-    ///
-    /// # Errors
-    /// When it does not fit in memory.
-    pub fn draw(&mut self, scene: &mut Scene, view: View) -> Result<Picture, OutOfMemory> {
         systems::draw(&mut scene.world, &view, &mut self.levels)?;
         Ok(Picture {
             view,
@@ -85,13 +75,13 @@ impl Picture {
     /// # Errors
     /// When there is one.
     pub fn expect(&self, is_right: impl Fn(u32, [f32; 3]) -> bool) -> anyhow::Result<()> {
-        let mut pixels = self.triangles.iter().zip(&self.levels).enumerate();
-        let wrong =
-            pixels.find(|(_, (id, levels))| **id != NO_TRIANGLE && !is_right(**id, **levels));
-        wrong.map_or(Ok(()), |(pixel, (id, levels))| {
-            let what = format!("shows {} with levels {levels:?}", name(*id));
-            Err(wrong_pixel(&self.view, pixel, &what))
-        })
+        for (pixel, (&id, &levels)) in self.triangles.iter().zip(&self.levels).enumerate() {
+            if id != NO_TRIANGLE && !is_right(id, levels) {
+                let what = format!("shows {} with levels {levels:?}", name(id));
+                return Err(wrong_pixel(&self.view, pixel, &what));
+            }
+        }
+        Ok(())
     }
 
     /// Compares with a picture that must have the same bits.
@@ -99,14 +89,13 @@ impl Picture {
     /// # Errors
     /// When a pixel differs.
     pub fn expect_bits_of(&self, other: &Picture) -> anyhow::Result<()> {
-        let bits = |levels: &[f32; 3]| levels.map(f32::to_bits);
-        let differing = (0..self.triangles.len()).find(|&pixel| {
-            self.triangles[pixel] != other.triangles[pixel]
-                || bits(&self.levels[pixel]) != bits(&other.levels[pixel])
-        });
-        differing.map_or(Ok(()), |pixel| {
-            Err(wrong_pixel(&self.view, pixel, "differs"))
-        })
+        for pixel in 0..self.triangles.len() {
+            let bits = |it: &Picture| (it.triangles[pixel], it.levels[pixel].map(f32::to_bits));
+            if bits(self) != bits(other) {
+                return Err(wrong_pixel(&self.view, pixel, "differs"));
+            }
+        }
+        Ok(())
     }
 }
 

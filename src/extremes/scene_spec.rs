@@ -29,15 +29,16 @@ pub struct RenderConfig {
 }
 
 /// The modes that a scene can ask for.
-pub const MODES: [ShadingMode; 2] = [ShadingMode::Gouraud, ShadingMode::Phong];
+const MODES: [ShadingMode; 2] = [ShadingMode::Gouraud, ShadingMode::Phong];
 
 impl RenderConfig {
-    /// Exact Phong in perspective.
-    pub const EXACT_PHONG: RenderConfig = RenderConfig {
-        projection: Projection::Perspective,
-        mode: ShadingMode::Phong,
-        tolerance: 0.0,
-    };
+    pub fn phong(projection: Projection, tolerance: f64) -> RenderConfig {
+        RenderConfig {
+            projection,
+            mode: ShadingMode::Phong,
+            tolerance,
+        }
+    }
 
     /// Every projection and mode, exactly and within half a level.
     pub fn all() -> impl Iterator<Item = RenderConfig> {
@@ -89,12 +90,12 @@ pub fn lights_at(position: impl Into<DVec3>) -> Vec<LightRecord> {
     ]
 }
 
-/// Methods that return the value with one field replaced.
+/// Methods that return the value changed by another.
 macro_rules! setters {
-    ($($name:ident: $type:ty => $($field:ident).+),*) => {$(
-        #[must_use]
-        pub fn $name(mut self, value: impl Into<$type>) -> Self {
-            self.$($field).+ = value.into();
+    ($($name:ident: $type:ty => |$this:ident, $value:ident| $change:expr;)*) => {$(
+        pub fn $name(mut self, $value: impl Into<$type>) -> Self {
+            let ($this, $value) = (&mut self, $value.into());
+            $change;
             self
         }
     )*};
@@ -102,18 +103,12 @@ macro_rules! setters {
 
 impl CuboidRecord {
     setters!(
-        rotation: DVec3 => rotation.value,
-        shininess: f64 => material.shininess.value
+        rotation: DVec3 => |cuboid, degrees| *cuboid.rotation = degrees;
+        material: Material => |cuboid, material| cuboid.material = key(material.into());
+        shininess: f64 => |cuboid, shininess| *cuboid.material.shininess = shininess;
     );
 
-    #[must_use]
-    pub fn material(mut self, material: Material) -> Self {
-        self.material = key(material.into());
-        self
-    }
-
     /// The same cuboid with ambient, diffuse and specular coefficients multiplied.
-    #[must_use]
     pub fn reflecting(mut self, factor: f64) -> Self {
         *self.material.ambient *= factor;
         *self.material.diffuse *= factor;
@@ -124,47 +119,33 @@ impl CuboidRecord {
 
 impl SceneSpec {
     setters!(
-        lights: Vec<LightRecord> => lights,
-        eye: DVec3 => camera.position.value,
-        target: DVec3 => camera.target.value,
-        fov: f64 => camera.fov.value,
-        height: f64 => camera.height.value,
-        size: [usize; 2] => size
+        lights: Vec<LightRecord> => |scene, lights| scene.lights = lights;
+        eye: DVec3 => |scene, eye| *scene.camera.position = eye;
+        target: DVec3 => |scene, target| *scene.camera.target = target;
+        up: DVec3 => |scene, up| scene.camera.up = Some(key(up));
+        fov: f64 => |scene, degrees| *scene.camera.fov = degrees;
+        height: f64 => |scene, height| *scene.camera.height = height;
+        near: f64 => |scene, near| scene.camera.near = Some(key(near));
+        size: [usize; 2] => |scene, size| scene.size = size;
     );
 
-    #[must_use]
     pub fn cuboids(mut self, all: impl IntoIterator<Item: Borrow<CuboidRecord>>) -> Self {
         self.cuboids = all.into_iter().map(|it| it.borrow().clone()).collect();
         self
     }
 
-    #[must_use]
-    pub fn up(mut self, up: DVec3) -> Self {
-        self.camera.up = Some(key(up));
-        self
-    }
-
-    #[must_use]
-    pub fn near(mut self, near: f64) -> Self {
-        self.camera.near = Some(key(near));
-        self
-    }
-
     /// The same scene with another cuboid in place of all.
-    #[must_use]
     pub fn cuboid(self, cuboid: CuboidRecord) -> Self {
         self.cuboids([cuboid])
     }
 
     /// The same scene with a change to each of its lights.
-    #[must_use]
     pub fn with_lights(mut self, change: impl Fn(&mut LightRecord)) -> Self {
         self.lights.iter_mut().for_each(change);
         self
     }
 
     /// Every place and length multiplied.
-    #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
         for cuboid in &mut self.cuboids {
             *cuboid.size *= scale;
@@ -175,7 +156,6 @@ impl SceneSpec {
     }
 
     /// Every place shifted.
-    #[must_use]
     pub fn moved(self, shift: DVec3) -> Self {
         self.with_places(|place| place + shift)
     }
@@ -200,19 +180,18 @@ impl SceneSpec {
 
     /// The text of a scene file, in which cuboids and lights are named by their numbers.
     pub fn text(&self) -> String {
-        let (mut cuboids, mut lights) = (self.cuboids.clone(), self.lights.clone());
-        for (index, cuboid) in cuboids.iter_mut().enumerate() {
-            *cuboid.name = index.to_string();
-        }
-        for (index, light) in lights.iter_mut().enumerate() {
-            *light.name = index.to_string();
-        }
-        let record = SceneRecord {
+        let mut record = SceneRecord {
             background: key(DVec3::new(20.0, 20.0, 24.0)),
-            cuboid: key(cuboids),
-            light: key(lights),
+            cuboid: key(self.cuboids.clone()),
+            light: key(self.lights.clone()),
             camera: key(vec![self.camera.clone()]),
         };
+        for (index, cuboid) in record.cuboid.iter_mut().enumerate() {
+            *cuboid.name = index.to_string();
+        }
+        for (index, light) in record.light.iter_mut().enumerate() {
+            *light.name = index.to_string();
+        }
         record.write()
     }
 

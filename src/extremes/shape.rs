@@ -4,8 +4,9 @@ use std::iter::once;
 
 use glam::DVec3;
 
+use super::Case;
+use super::judge::{proven, same_bits, same_picture};
 use super::scene_spec::{SceneSpec, cuboid, default_cuboid, light, lights_at, scene};
-use super::{Case, proven, same_bits, same_picture};
 use crate::components::{LightKind, Transform};
 
 /// The cases.

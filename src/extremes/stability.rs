@@ -25,8 +25,9 @@ use serde::Serialize;
 
 use super::Options;
 use super::judge::enclosures;
-use super::renderer::Renderer;
+use super::renderer::{Picture, Renderer};
 use super::scene_spec::{RenderConfig, SceneSpec};
+use crate::components::Projection;
 use crate::output::{Output, print, say};
 use crate::prove::{Verdict, nearest, shown_face};
 use crate::reference::{self, Seen};
@@ -74,8 +75,7 @@ type Errors = [[f64; 2]; EVALUATIONS.len()];
 impl Curve {
     /// The least and the largest value.
     pub fn range(&self) -> [f64; 2] {
-        let ends = self.points.first().zip(self.points.last());
-        ends.map_or([1.0; 2], |(first, last)| [first.value, last.value])
+        ends(&self.points).unwrap_or([1.0; 2])
     }
 
     fn new(sweep: &Sweep, evaluation: usize, errors: &[(f64, Errors)]) -> Self {
@@ -91,16 +91,19 @@ impl Curve {
         let points: Vec<Point> = points.collect();
         let runs = points.split(|point| point.verdict != Verdict::Proven);
         let longest = runs.max_by_key(|run| run.len()).unwrap_or_default();
-        let ends = longest.first().zip(longest.last());
         Curve {
             number: sweep.number,
             unit: sweep.unit,
             evaluation: id,
             limit,
-            keeps: ends.map(|(first, last)| [first.value, last.value]),
+            keeps: ends(longest),
             points,
         }
     }
+}
+
+fn ends(points: &[Point]) -> Option<[f64; 2]> {
+    Some([points.first()?.value, points.last()?.value])
 }
 
 /// Sweeps numbers on rayon's current threads; four curves of each, in the order of [`EVALUATIONS`].
@@ -114,54 +117,44 @@ pub fn measure(
 ) -> anyhow::Result<Vec<Curve>> {
     let total: usize = sweeps.iter().map(|sweep| sweep.values().len()).sum();
     let done = AtomicUsize::new(0);
-    let at = |sweep: &Sweep, value: f64| -> anyhow::Result<(f64, Errors)> {
-        let errors = errors(&(sweep.scene)(value), level)?;
-        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        on_progress("sweeping numbers", done as f64 / total as f64);
-        Ok((value, errors))
-    };
-    let curves = sweeps.par_iter().map(|sweep| {
-        let values = sweep.values().into_par_iter();
-        let errors = values.map(|value| at(sweep, value));
+    let mut curves = Vec::new();
+    for sweep in sweeps {
+        let errors = sweep.values().into_par_iter().map(|value| {
+            let errors = errors(&(sweep.scene)(value), level)?;
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            on_progress("sweeping numbers", done as f64 / total as f64);
+            Ok((value, errors))
+        });
         let errors = errors.collect::<anyhow::Result<Vec<_>>>()?;
         let evaluations = 0..EVALUATIONS.len();
-        Ok(evaluations
-            .map(|evaluation| Curve::new(sweep, evaluation, &errors))
-            .collect())
-    });
-    let curves = curves.collect::<anyhow::Result<Vec<Vec<Curve>>>>()?;
-    Ok(curves.into_iter().flatten().collect())
+        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, &errors)));
+    }
+    Ok(curves)
 }
 
 /// How far each evaluation errs in one picture.
 fn errors(spec: &SceneSpec, level: Level) -> anyhow::Result<Errors> {
-    let half_a_level = RenderConfig {
-        tolerance: 0.5,
-        ..RenderConfig::EXACT_PHONG
-    };
+    let phong = |tolerance| RenderConfig::phong(Projection::Perspective, tolerance);
     let mut renderer = Renderer::new(level, 1, false)?;
-    let exact = renderer.picture(spec, RenderConfig::EXACT_PHONG)?;
-    let half = renderer.picture(spec, half_a_level)?;
-    let (scene, view) = (spec.parse()?, exact.view);
+    let exact = renderer.picture(spec, phong(0.0))?;
+    let half = renderer.picture(spec, phong(0.5))?;
+    let (scene, view) = (spec.parse()?, &exact.view);
     let rows = 0..view.size[1];
-    let truth = reference::picture(&scene.world, &view, rows, &|| false, &|_| ())
+    let truth = reference::picture(&scene.world, view, rows, &|| false, &|_| ())
         .context("the reference was cancelled")?;
     let textbook = Textbook::new(spec);
     let mut errors = Errors::default();
-    for (pixel, seen) in enclosures(&scene, &view).iter().enumerate() {
+    for (pixel, seen) in enclosures(&scene, view).iter().enumerate() {
         let place = [pixel % view.size[0], pixel / view.size[0]];
         let met = seen.iter().find_map(Seen::face);
-        let levels = |levels: [f32; 3]| levels.map(f64::from);
+        let drawn = |picture: &Picture| {
+            let face = shown_face(picture.triangles[pixel]);
+            Some((face, picture.levels[pixel].map(f64::from)))
+        };
         let shown = [
-            met.map(|face| (Some(face), levels(textbook.levels(face, place)))),
-            Some((
-                shown_face(exact.triangles[pixel]),
-                levels(exact.levels[pixel]),
-            )),
-            Some((
-                shown_face(half.triangles[pixel]),
-                levels(half.levels[pixel]),
-            )),
+            met.map(|face| (Some(face), textbook.levels(face, place).map(f64::from))),
+            drawn(&exact),
+            drawn(&half),
             Some((shown_face(truth.triangles[pixel]), truth.levels[pixel])),
         ];
         for (worst, shown) in errors.iter_mut().zip(shown) {

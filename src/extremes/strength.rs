@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::judge::Fact;
+use super::Case;
+use super::judge::{Fact, known, proven, same_picture};
 use super::scene_spec::{SceneSpec, default_cuboid, light, lights_at, scene};
-use super::{Case, known, proven, same_picture};
 use crate::components::LightKind;
 use crate::shading::EXACT;
 
@@ -28,7 +28,7 @@ pub fn cases() -> Vec<Case> {
         known(
             "intensity 0",
             "ambient light alone, without a power evaluated",
-            Fact::Everywhere(30.0),
+            Fact::Unlit(30.0),
             [with_intensity(0.0)],
         ),
         known(
@@ -70,7 +70,7 @@ pub fn cases() -> Vec<Case> {
         known(
             "no light at all",
             "0 levels, without a power evaluated",
-            Fact::Everywhere(0.0),
+            Fact::Unlit(0.0),
             [scene().lights([])],
         ),
         known(

@@ -52,9 +52,9 @@ pub struct PhongError {
     pub flip_mean: Option<f64>,
 }
 
-/// What a pixel takes at most while pictures are compared, in bytes: three truths of 28, a frame with depths of 24, two
-/// displayed pictures of 3, two lists of errors of 16, a highlight of 3, and a map of 1 for every method.
-const BYTES_PER_PIXEL: usize = 3 * 28 + 24 + 2 * 3 + 2 * 16 + 3 + METHODS.len();
+/// What a pixel takes at most while pictures are compared, in bytes: three truths of 28, a frame with depths of 24, two lists
+/// of errors of 16, and a map of 1 for every method.
+const BYTES_PER_PIXEL: usize = 3 * 28 + 24 + 2 * 16 + METHODS.len();
 
 /// Whether there is room to compare pictures of this size.
 ///
@@ -68,8 +68,6 @@ pub(super) fn check_memory(size: [usize; 2]) -> Result<(), OutOfMemory> {
 }
 
 /// The accuracy of `methods`, in their order; `on_progress` is told, from any thread, the share done, 0..=1.
-///
-/// The scene is left with its specular lights alone.
 ///
 /// # Errors
 /// When the picture does not fit in memory, or `cancelled` says yes.
@@ -88,75 +86,55 @@ pub(super) fn of_methods(
         .map(|method| method.mode)
         .chain([ShadingMode::Phong])
         .collect();
-    let steps = modes.len() + methods.len() + 1;
+    let steps = 1 + modes.len() + methods.len();
     let told = |done: usize, share: f64| on_progress((done as f64 + share) / steps as f64);
-    let truths: HashMap<ShadingMode, Truth> = modes
-        .iter()
-        .enumerate()
-        .map(|(done, &mode)| {
-            let row_done = |rows| told(done, rows as f64 / height as f64);
-            truth(scene, view, mode, cancelled, &row_done)
-                .map(|truth| (mode, truth))
-                .ok_or(TradeError::Cancelled)
-        })
-        .collect::<Result<_, _>>()?;
+    let truth = |scene: &Scene, view: &View, done: usize| {
+        let row_done = |rows| told(done, rows as f64 / height as f64);
+        reference::picture(&scene.world, view, 0..height, cancelled, &row_done)
+            .ok_or(TradeError::Cancelled)
+    };
+    let highlights = {
+        let (mut scene, view) = highlight_of(scene, view);
+        let whole = truth(&scene, &view.shaded(ShadingMode::Phong), 0)?;
+        let kept = methods.iter().map(|method| {
+            systems::draw(&mut scene.world, &drawn_by(method, &view), &mut frame)?;
+            Ok(share_kept(frame.levels(), &whole.levels))
+        });
+        kept.collect::<Result<Vec<_>, OutOfMemory>>()?
+    };
+    let truths = (1..)
+        .zip(modes)
+        .map(|(done, mode)| Ok((mode, truth(scene, &view.shaded(mode), done)?)));
+    let truths: HashMap<ShadingMode, Truth> = truths.collect::<Result<_, TradeError>>()?;
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
-    let exact_bytes = bytes(exact.levels);
     let mut accuracies = Vec::with_capacity(methods.len());
-    for (index, method) in methods.iter().enumerate() {
+    for (method, highlight_kept) in methods.iter().zip(highlights) {
         if cancelled() {
             return Err(TradeError::Cancelled);
         }
         systems::draw(&mut scene.world, &drawn_by(method, view), &mut frame)?;
+        let drawn = Picture::from(&frame);
         let own = Picture::from(&truths[&method.mode]);
-        accuracies.push(accuracy(Picture::from(&frame), exact, &exact_bytes, own));
-        told(modes.len() + index, 1.0);
-    }
-    // Their memory is needed for another.
-    drop(truths);
-    let row_done = |rows| told(steps - 1, rows as f64 / height as f64);
-    let highlights = highlights_kept(methods, scene, view, &mut frame, cancelled, &row_done)?;
-    for (accuracy, kept) in accuracies.iter_mut().zip(highlights) {
-        accuracy.highlight_kept = kept;
+        let (flip_mean, (error, own_error, map)) = rayon::join(
+            || flip::mean(drawn, exact, flip::PIXELS_PER_DEGREE),
+            || {
+                let [error, own_error] = [exact, own].map(|truth| metrics::compare(drawn, truth));
+                (error, own_error.error, ErrorMap::between(drawn, exact))
+            },
+        );
+        accuracies.push(Accuracy {
+            error: PhongError {
+                levels: error.error,
+                flip_mean,
+            },
+            own_error,
+            highlight_kept,
+            edge_pixels: error.edge_pixels,
+            map,
+        });
+        told(1 + truths.len() + accuracies.len(), 0.0);
     }
     Ok(accuracies)
-}
-
-/// Everything but the highlight.
-fn accuracy(
-    drawn: Picture<f32>,
-    exact: Picture<f64>,
-    exact_bytes: &[[u8; 3]],
-    own: Picture<f64>,
-) -> Accuracy {
-    let flip = || {
-        let drawn_bytes = bytes(drawn.levels);
-        let shown = |levels, triangles| Picture {
-            width: exact.width,
-            levels,
-            triangles,
-        };
-        flip::mean(
-            shown(&drawn_bytes, drawn.triangles),
-            shown(exact_bytes, exact.triangles),
-            flip::PIXELS_PER_DEGREE,
-        )
-    };
-    let compared_to = |truth| move || metrics::compare(drawn, truth);
-    let differences = || rayon::join(compared_to(exact), compared_to(own));
-    let map = || ErrorMap::between(drawn, exact);
-    let (flip_mean, ((error, own_error), map)) =
-        rayon::join(flip, || rayon::join(differences, map));
-    Accuracy {
-        error: PhongError {
-            levels: error.error,
-            flip_mean,
-        },
-        own_error: own_error.error,
-        highlight_kept: None,
-        edge_pixels: error.edge_pixels,
-        map,
-    }
 }
 
 /// `view` as `method` draws it.
@@ -167,31 +145,9 @@ pub(super) fn drawn_by(method: &Method, view: &View) -> View {
     }
 }
 
-fn truth(
-    scene: &Scene,
-    view: &View,
-    mode: ShadingMode,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(usize) + Sync),
-) -> Option<Truth> {
-    let view = view.shaded(mode);
-    reference::picture(&scene.world, &view, 0..view.size[1], cancelled, progress)
-}
-
-fn bytes<T: Into<f64> + Copy>(levels: &[[T; 3]]) -> Vec<[u8; 3]> {
-    let shown = |levels: &[T; 3]| levels.map(|level| display_step(level.into()));
-    levels.iter().map(shown).collect()
-}
-
-/// For each method the share of the highlight of exact Phong in f64 that it shows where exact Phong shows it.
-fn highlights_kept(
-    methods: &[Method],
-    scene: &mut Scene,
-    view: &View,
-    frame: &mut Frame,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    on_progress: &(dyn Fn(usize) + Sync),
-) -> Result<Vec<Option<f64>>, TradeError> {
+/// The scene with its specular lights alone, before black.
+fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
+    let mut scene = scene.snapshot();
     for light in scene.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;
     }
@@ -199,22 +155,17 @@ fn highlights_kept(
         background: DVec3::ZERO,
         ..view.clone()
     };
-    let exact = truth(scene, &view, ShadingMode::Phong, cancelled, on_progress);
-    let whole = bytes(&exact.ok_or(TradeError::Cancelled)?.levels);
-    methods
-        .iter()
-        .map(|method| {
-            systems::draw(&mut scene.world, &drawn_by(method, &view), frame)?;
-            Ok(share_kept(&bytes(frame.levels()), &whole))
-        })
-        .collect()
+    (scene, view)
 }
 
-/// The part of the light in `whole` that is in `kept` too, at the same pixel and channel; `None` where there is none.
-pub fn share_kept(kept: &[[u8; 3]], whole: &[[u8; 3]]) -> Option<f64> {
-    let sum = |bytes: &mut dyn Iterator<Item = u8>| -> u64 { bytes.map(u64::from).sum() };
-    let pairs = kept.as_flattened().iter().zip(whole.as_flattened());
-    let all = sum(&mut whole.as_flattened().iter().copied());
-    let common = sum(&mut pairs.map(|(kept, whole)| *kept.min(whole)));
+/// The part of the displayed light of `whole` that `kept` shows too, at the same pixel and channel; `None` where there is
+/// none.
+pub fn share_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> Option<f64> {
+    let (mut common, mut all) = (0, 0);
+    for (kept, whole) in kept.as_flattened().iter().zip(whole.as_flattened()) {
+        let [kept, whole] = [f64::from(*kept), *whole].map(|it| u64::from(display_step(it)));
+        common += kept.min(whole);
+        all += whole;
+    }
     (all > 0).then(|| common as f64 / all as f64)
 }

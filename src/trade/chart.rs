@@ -80,30 +80,21 @@ pub struct Axis<'a> {
     pub label: &'a dyn Fn(&f64) -> String,
 }
 
-/// What is left free around a chart, in pixels.
-pub struct Borders {
-    pub top: u32,
-    pub right: u32,
-    /// At the left and the bottom, outside of the labels.
-    pub other: u32,
-    /// For the labels below, and for those on the left.
-    pub labels: [u32; 2],
-    /// The size of a tick's letters; an axis' name is a pixel larger.
-    pub letters: f64,
-}
-
-/// Draws the axes and their grid.
+/// Draws the axes and their grid, so many pixels left for the labels below and for those on the left, whose ticks have
+/// letters of this size; an axis' name is a pixel larger.
 ///
 /// # Errors
 /// Those of the plotting library, which has no reason to give one.
-pub fn on<'a>(area: &Area<'a>, borders: &Borders, x: Axis, y: Axis) -> anyhow::Result<Chart<'a>> {
+pub fn on<'a>(
+    area: &Area<'a>,
+    [below, left]: [u32; 2],
+    letters: f64,
+    x: Axis,
+    y: Axis,
+) -> anyhow::Result<Chart<'a>> {
     let mut chart = ChartBuilder::on(area)
-        .margin_top(borders.top)
-        .margin_right(borders.right)
-        .margin_bottom(borders.other)
-        .margin_left(borders.other)
-        .x_label_area_size(borders.labels[0])
-        .y_label_area_size(borders.labels[1])
+        .x_label_area_size(below)
+        .y_label_area_size(left)
         .build_cartesian_2d(
             x.range.log_scale().with_key_points(x.ticks),
             y.range.log_scale().with_key_points(y.ticks),
@@ -113,8 +104,8 @@ pub fn on<'a>(area: &Area<'a>, borders: &Borders, x: Axis, y: Axis) -> anyhow::R
         .bold_line_style(GRID)
         .light_line_style(TRANSPARENT)
         .axis_style(FAINT)
-        .label_style(text_style(borders.letters, INK))
-        .axis_desc_style(text_style(borders.letters + 1.0, INK))
+        .label_style(text_style(letters, INK))
+        .axis_desc_style(text_style(letters + 1.0, INK))
         .x_desc(x.name)
         .y_desc(y.name)
         .x_label_formatter(x.label)

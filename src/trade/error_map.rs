@@ -6,8 +6,6 @@
 
 mod legend;
 
-use std::ops::RangeInclusive;
-
 use super::metrics::{Picture, pixel_error};
 use crate::frame::{NO_TRIANGLE, display_pixel};
 
@@ -43,48 +41,38 @@ pub enum Pixel {
 /// Which colours errors have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The top is one level over this power of ten, or all 255.
-    narrow: Option<i32>,
+    /// The largest error that has a colour of its own, in levels.
+    top: f64,
 }
 
 impl Scale {
     /// All errors there are.
-    pub const WIDEST: Scale = Scale { narrow: None };
-    /// From ten levels down to a thousandth.
-    const POWERS: RangeInclusive<i32> = -1..=3;
+    pub const WIDEST: Scale = Scale { top: 255.0 };
+    const NARROW_TOPS: [f64; 5] = [0.001, 0.01, 0.1, 1.0, 10.0];
     /// The top over the error well below which the scale is even in the error itself, and above in its logarithm.
     const RANGE: f64 = 1020.0;
 
     /// The narrowest one that holds errors up to this one.
     pub fn holding(error: f64) -> Scale {
-        let mut powers = Scale::POWERS.rev();
-        Scale {
-            narrow: powers.find(|power| error <= 10_f64.powi(-power)),
-        }
-    }
-
-    /// The largest error that has a colour of its own, in levels.
-    pub fn top(self) -> f64 {
-        self.narrow.map_or(255.0, |power| 1.0 / 10_f64.powi(power))
+        let mut tops = Scale::NARROW_TOPS.into_iter();
+        let top = tops.find(|top| error <= *top);
+        top.map_or(Scale::WIDEST, |top| Scale { top })
     }
 
     /// The errors that are written beside the colours, in levels.
     pub fn ticks(self) -> Vec<f64> {
-        match self.narrow {
-            None => [0.0, 0.5]
-                .into_iter()
-                .chain((0..8).map(|power| f64::from(1 << power)))
-                .chain([255.0])
-                .collect(),
-            Some(power) => [0.0, 5.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
-                .map(|thousandths| thousandths / 10_f64.powi(power + 3))
-                .to_vec(),
+        if self == Scale::WIDEST {
+            vec![0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0]
+        } else {
+            [0.0, 5.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
+                .map(|thousandths| thousandths * self.top / 1000.0)
+                .to_vec()
         }
     }
 
     /// How far up the scale an error in levels stands, 0..=1.
     pub fn position(self, error: f64) -> f64 {
-        ((error / self.top() * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
+        ((error / self.top * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
     }
 
     /// The colour of a pixel, 0x00RRGGBB.
@@ -228,7 +216,7 @@ mod tests {
             (10.1, 255.0, "0.5"),
         ] {
             let scale = Scale::holding(error);
-            assert_eq!(scale.top(), top, "{error}");
+            assert_eq!(scale.top, top, "{error}");
             assert_eq!(scale.ticks()[1].to_string(), first);
             assert_eq!(scale.ticks().last(), Some(&top));
             assert_eq!(scale.position(top), 1.0);

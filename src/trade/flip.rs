@@ -4,7 +4,7 @@
 //! Alternating Images", HPG 2020, with the constants of the authors' code (github.com/NVlabs/flip).
 //!
 //! ```text
-//! levels -> opponent colours --+-- contrast filters -> Hunt-adjusted Lab ---- colour difference --+
+//! bytes --> opponent colours --+-- contrast filters -> Hunt-adjusted Lab ---- colour difference --+
 //!                              |                                                                  +--> 0..=1
 //!                              +-- edge and point filters of the luminance -- feature difference -+
 //! ```
@@ -19,7 +19,8 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::metrics::{Picture, displayed};
+use super::metrics::Picture;
+use crate::frame::display_step;
 use color::{distance, hunt_lab, linear_from_opponent, opponent_from_srgb};
 use filter::{Filter, Plane};
 
@@ -38,7 +39,7 @@ const BAND: usize = 64;
 
 /// Mean FLIP, 0..=1, over the pixels where both pictures show the same face; `None` where there is no such pixel.
 ///
-/// The pictures are of one size; their levels are taken as displayed, unrounded, and as sRGB. Only the rectangle around
+/// The pictures are of one size; their levels are taken as displayed bytes, and as sRGB. Only the rectangle around
 /// the pixels of the mean is evaluated, though what lies beside them (background, edges) takes part as surroundings.
 /// Beyond the border of the picture its outermost pixels repeat. `pixels_per_degree` is at least 1.
 pub fn mean<T, U>(left: Picture<T>, right: Picture<U>, pixels_per_degree: f64) -> Option<f64>
@@ -50,7 +51,7 @@ where
     let [columns, rows] = rectangle(left.width, (0..left.levels.len()).filter(counts))?;
     let observer = Observer::new(pixels_per_degree);
     let starts: Vec<usize> = rows.clone().step_by(BAND).collect();
-    let bands: Vec<(f64, usize)> = starts
+    let sums: Vec<f64> = starts
         .into_par_iter()
         .map(|start| {
             let band = start..(start + BAND).min(rows.end);
@@ -62,13 +63,11 @@ where
                 .zip(looks_left.iter().zip(&looks_right))
                 .filter(|(pixel, _)| counts(pixel))
                 .map(|(_, (left, right))| f64::from(observer.difference(left, right)))
-                .fold((0.0, 0), |(sum, count), flip| (sum + flip, count + 1))
+                .sum()
         })
         .collect();
-    let (sum, count) = bands.iter().fold((0.0, 0), |(sum, count), band| {
-        (sum + band.0, count + band.1)
-    });
-    Some(sum / count as f64)
+    let count = (0..left.levels.len()).filter(counts).count();
+    Some(sums.iter().sum::<f64>() / count as f64)
 }
 
 /// The smallest range of columns and of rows that holds these pixels.
@@ -160,13 +159,11 @@ impl Observer {
         for row in reached(rows, height) {
             for column in reached(columns, picture.width) {
                 let levels = picture.levels[row * picture.width + column];
-                let opponent = opponent_from_srgb(
-                    levels.map(|level| (displayed(level.into()) / 255.0) as f32),
-                );
-                planes
-                    .iter_mut()
-                    .zip(opponent)
-                    .for_each(|(plane, value)| plane.values.push(value));
+                let bytes = levels.map(|level| f64::from(display_step(level.into())));
+                let opponent = opponent_from_srgb(bytes.map(|byte| (byte / 255.0) as f32));
+                for (plane, value) in planes.iter_mut().zip(opponent) {
+                    plane.values.push(value);
+                }
             }
         }
         planes

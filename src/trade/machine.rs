@@ -1,5 +1,6 @@
 //! Where a measurement was made: what a reader must know before comparing times.
 
+use std::env::consts::{ARCH, OS};
 use std::fs;
 
 use fearless_simd::Level;
@@ -28,22 +29,16 @@ pub struct Machine {
 impl Machine {
     /// This one, drawing at `level`.
     pub fn this(level: Level) -> Self {
-        let read = |path, key| {
-            fs::read_to_string(path)
-                .ok()
-                .and_then(|text| value_of(key, &text))
+        let read = |path, key, otherwise: &str| {
+            let text = fs::read_to_string(path).unwrap_or_default();
+            value_of(key, &text).unwrap_or(otherwise).to_owned()
         };
-        let system = read("/etc/os-release", "PRETTY_NAME");
+        let system = read("/etc/os-release", "PRETTY_NAME", OS);
         Machine {
-            cpu: read("/proc/cpuinfo", "model name")
-                .unwrap_or_else(|| std::env::consts::ARCH.to_owned()),
+            cpu: read("/proc/cpuinfo", "model name", ARCH),
             cores: all_cores(),
             lanes: simd::name(level),
-            os: format!(
-                "{} {}",
-                system.as_deref().unwrap_or(std::env::consts::OS),
-                std::env::consts::ARCH
-            ),
+            os: format!("{system} {ARCH}"),
             rustc: env!("SHADETRADE_RUSTC"),
             profile: if cfg!(debug_assertions) {
                 "debug"
@@ -55,15 +50,14 @@ impl Machine {
 }
 
 /// What stands after `key` and `=` or `:` in the first line that begins so, without quotes.
-fn value_of(key: &str, text: &str) -> Option<String> {
-    text.lines()
-        .find_map(|line| {
-            line.strip_prefix(key)?
-                .trim_start()
-                .strip_prefix(['=', ':'])
-        })
-        .map(|value| value.trim().trim_matches('"').to_owned())
-        .filter(|value| !value.is_empty())
+fn value_of<'a>(key: &str, text: &'a str) -> Option<&'a str> {
+    let after_key = |line: &'a str| {
+        line.strip_prefix(key)?
+            .trim_start()
+            .strip_prefix(['=', ':'])
+    };
+    let value = text.lines().find_map(after_key)?;
+    Some(value.trim().trim_matches('"')).filter(|value| !value.is_empty())
 }
 
 #[cfg(test)]
@@ -73,13 +67,10 @@ mod tests {
     #[test]
     fn facts_are_read_from_both_kinds_of_file() {
         let cpuinfo = "processor\t: 0\nmodel\t\t: 17\nmodel name\t: Some CPU @ 2 GHz\n";
-        assert_eq!(
-            value_of("model name", cpuinfo).as_deref(),
-            Some("Some CPU @ 2 GHz")
-        );
+        assert_eq!(value_of("model name", cpuinfo), Some("Some CPU @ 2 GHz"));
         let release = "NAME=\"Debian\"\nPRETTY_NAME=\"Debian GNU/Linux 12\"\n";
         assert_eq!(
-            value_of("PRETTY_NAME", release).as_deref(),
+            value_of("PRETTY_NAME", release),
             Some("Debian GNU/Linux 12")
         );
         assert_eq!(value_of("model name", release), None);

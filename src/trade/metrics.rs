@@ -81,14 +81,9 @@ pub fn displayed(level: f64) -> f64 {
 
 /// The error of one pixel in levels, 0..=255.
 pub fn pixel_error<T: Into<f64>, U: Into<f64>>(left: [T; 3], right: [U; 3]) -> f64 {
-    let [left, right] = [
-        left.map(|level| displayed(level.into())),
-        right.map(|level| displayed(level.into())),
-    ];
-    left.iter()
-        .zip(right)
-        .map(|(left, right)| (left - right).abs())
-        .fold(0.0, f64::max)
+    let channels = left.into_iter().zip(right);
+    let errors = channels.map(|(left, right)| displayed(left.into()) - displayed(right.into()));
+    errors.map(f64::abs).fold(0.0, f64::max)
 }
 
 impl<T> Picture<'_, T> {
@@ -109,11 +104,8 @@ where
         .filter(|pixel| left.shows_as(&right, *pixel))
         .map(|pixel| (pixel_error(left.levels[pixel], right.levels[pixel]), pixel))
         .collect();
-    let edges = left
-        .triangles
-        .iter()
-        .zip(right.triangles)
-        .filter(|(left, right)| face(**left) != face(**right));
+    let triangles = left.triangles.iter().zip(right.triangles);
+    let edges = triangles.filter(|(left, right)| face(**left) != face(**right));
     Difference {
         error: statistics(&mut errors, left.width),
         compared_pixels: errors.len() as u64,

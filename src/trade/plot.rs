@@ -13,9 +13,10 @@ use std::ops::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::chart::{self, Area, Axis, BLUE, Borders, FAINT, GREEN, INK, ORANGE, text_style};
+use super::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, text_style};
 use super::export::{place, subject};
 use super::record::{Measurement, Report};
+use crate::canvas::Rect;
 use crate::components::ShadingMode;
 
 /// The least error that the plot tells from none, in levels.
@@ -27,39 +28,28 @@ const CEILING: f64 = 500.0;
 const ERRORS: [f64; 7] = [FLOOR, 0.01, 0.1, 1.0, 10.0, 100.0, 255.0];
 
 const SIZE: (u32, u32) = (960, 600);
-const BORDERS: Borders = Borders {
-    top: 108,
-    right: 24,
-    other: 12,
-    labels: [52, 72],
-    letters: 12.0,
-};
 
 /// One method as it is drawn.
 struct Point<'a> {
-    id: &'a str,
-    color: RGBColor,
-    on_front: bool,
-    /// ns per covered pixel: the median, and the interval around it.
+    measured: &'a Measurement,
+    /// ns per covered pixel.
     time: f64,
-    interval: [f64; 2],
     /// Levels, at least [`FLOOR`].
     error: f64,
 }
 
 impl<'a> Point<'a> {
     /// `None` where there is no error or no time to draw.
-    fn of(one: &'a Measurement) -> Option<Self> {
-        let time = one.ns_per_covered_pixel.filter(|time| *time > 0.0)?;
-        let scale = time / one.timing.median;
+    fn of(measured: &'a Measurement) -> Option<Self> {
         Some(Point {
-            id: one.method.id,
-            color: color(one.method.mode),
-            on_front: one.on_front,
-            time,
-            interval: one.timing.interval.map(|end| end * scale),
-            error: one.max_error()?.max(FLOOR),
+            measured,
+            time: measured.ns_per_covered_pixel.filter(|time| *time > 0.0)?,
+            error: measured.max_error()?.max(FLOOR),
         })
+    }
+
+    fn color(&self) -> RGBColor {
+        color(self.measured.method.mode)
     }
 }
 
@@ -118,59 +108,52 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
             }
         },
     };
-    let mut chart = chart::on(area, &BORDERS, time, error)?;
+    let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, time, error)?;
     let front = front(points, times.end);
-    chart.draw_series([PathElement::new(front.clone(), FAINT.stroke_width(2))])?;
+    chart.draw_series([PathElement::new(front, FAINT.stroke_width(2))])?;
     for point in points {
-        let within = |end: f64| (end.clamp(times.start, times.end), point.error);
-        let ends = point.interval.map(within);
-        chart.draw_series([PathElement::new(ends, point.color.stroke_width(1))])?;
+        let timing = &point.measured.timing;
+        let scale = point.time / timing.median;
+        let within = |end: f64| ((end * scale).clamp(times.start, times.end), point.error);
+        let ends = timing.interval.map(within);
+        chart.draw_series([PathElement::new(ends, point.color().stroke_width(1))])?;
     }
     let plot = chart.plotting_area();
     let columns = plot.get_pixel_range().0;
-    let places: Vec<(i32, i32)> = points
-        .iter()
-        .map(|point| plot.map_coordinate(&(point.time, point.error)))
-        .collect();
-    for ((point, at), label) in points
-        .iter()
-        .zip(&places)
-        .zip(labels(points, &places, columns))
-    {
+    let mut taken = Vec::new();
+    for point in points {
+        let at = plot.map_coordinate(&(point.time, point.error));
+        let label = label(point, at, &columns, &taken);
         let style = ("monospace", chart::font(LABEL))
             .into_font()
-            .color(&point.color);
-        area.draw_text(point.id, &style, label)?;
-        dot(area, *at, point.color, point.on_front)?;
+            .color(&point.color());
+        area.draw_text(point.measured.method.id, &style, (label.x, label.y))?;
+        dot(area, at, point.color(), point.measured.on_front)?;
+        taken.push(label);
     }
     key(area)
 }
 
-/// The upper left corners of the labels of points at these `places`, within these `columns`.
+/// Where the label of a point at this place stands, within these `columns`.
 ///
 /// On the front a label stands below its point, to the left, where no point is: it would beat this one. Others stand
-/// above theirs, to the right. One that would cover an earlier label moves up until it does not.
-fn labels(points: &[Point], places: &[(i32, i32)], columns: Range<i32>) -> Vec<(i32, i32)> {
-    let height = (1.25 * LABEL) as i32;
-    let mut taken: Vec<(i32, i32, i32)> = Vec::new();
-    for (point, (x, y)) in points.iter().zip(places) {
-        let width = label_width(point.id);
-        let (left, mut top) = if point.on_front {
-            (x - width - 4, y + 4)
-        } else {
-            (x + 6, y - 4 - height)
-        };
-        let left = left.min(columns.end - width).max(columns.start + 2);
-        let covers = |top: i32, &(other_left, other_top, other_width): &(i32, i32, i32)| {
-            let beside = left + width <= other_left || other_left + other_width <= left;
-            !beside && (top - other_top).abs() < height
-        };
-        while taken.iter().any(|other| covers(top, other)) {
-            top -= 1;
-        }
-        taken.push((left, top, width));
+/// above theirs, to the right. One that would cover a label that is there moves up until it does not.
+fn label(point: &Point, (x, y): (i32, i32), columns: &Range<i32>, taken: &[Rect]) -> Rect {
+    let (width, height) = (label_width(point.measured.method.id), (1.25 * LABEL) as i32);
+    let (left, top) = if point.measured.on_front {
+        (x - width - 4, y + 4)
+    } else {
+        (x + 6, y - 4 - height)
+    };
+    let left = left.min(columns.end - width).max(columns.start + 2);
+    let mut label = Rect::new(left, top, width, height);
+    while taken
+        .iter()
+        .any(|other| !label.intersection(other).is_empty())
+    {
+        label.y -= 1;
     }
-    taken.iter().map(|(left, top, _)| (*left, *top)).collect()
+    label
 }
 
 /// The size of a label's letters, in pixels.
@@ -193,26 +176,29 @@ fn dot(area: &Area, at: (i32, i32), color: RGBColor, filled: bool) -> anyhow::Re
 
 /// What colours, dots and lines mean.
 fn key(area: &Area) -> anyhow::Result<()> {
+    let mode = |mode| Some((color(mode), true));
     let mut x = 30;
-    let mut explain = |meaning: &str, draw: &dyn Fn(i32) -> anyhow::Result<()>| {
-        draw(x)?;
+    for (meaning, dot_like) in [
+        ("Gouraud", mode(ShadingMode::Gouraud)),
+        ("Phong", mode(ShadingMode::Phong)),
+        (
+            "unit vectors, not renormalised",
+            mode(ShadingMode::UnitVectors),
+        ),
+        ("on the front", Some((FAINT, true))),
+        ("beaten by another", Some((FAINT, false))),
+        ("where the time may lie", None),
+    ] {
+        if let Some((color, filled)) = dot_like {
+            dot(area, (x, 90), color, filled)?;
+        } else {
+            let ends = [(x - 8, 90), (x + 6, 90)];
+            area.draw(&PathElement::new(ends, FAINT.stroke_width(1)))?;
+        }
         area.draw_text(meaning, &text_style(12.0, INK), (x + 11, 84))?;
         x += 38 + label_width(meaning) * 4 / 5;
-        anyhow::Ok(())
-    };
-    for (meaning, mode) in [
-        ("Gouraud", ShadingMode::Gouraud),
-        ("Phong", ShadingMode::Phong),
-        ("unit vectors, not renormalised", ShadingMode::UnitVectors),
-    ] {
-        explain(meaning, &|x| dot(area, (x, 90), color(mode), true))?;
     }
-    explain("on the front", &|x| dot(area, (x, 90), FAINT, true))?;
-    explain("beaten by another", &|x| dot(area, (x, 90), FAINT, false))?;
-    explain("where the time may lie", &|x| {
-        let line = PathElement::new([(x - 8, 90), (x + 6, 90)], FAINT.stroke_width(1));
-        Ok(area.draw(&line)?)
-    })
+    Ok(())
 }
 
 /// The times shown: all of them, with room for labels.
@@ -224,11 +210,14 @@ fn axis(points: &[Point]) -> Range<f64> {
 
 /// The least error that is to be had for each time, as a line of steps from the top to the right `end`.
 fn front(points: &[Point], end: f64) -> Vec<(f64, f64)> {
-    let mut best: Vec<&Point> = points.iter().filter(|point| point.on_front).collect();
+    let mut best: Vec<&Point> = points
+        .iter()
+        .filter(|point| point.measured.on_front)
+        .collect();
     best.sort_by(|a, b| a.time.total_cmp(&b.time));
     let mut error = CEILING;
     let mut line = Vec::new();
-    for point in best.iter().filter(|point| point.error < CEILING) {
+    for point in best {
         if point.error < error {
             line.extend([(point.time, error), (point.time, point.error)]);
             error = point.error;

@@ -132,9 +132,8 @@ impl Times {
 impl Series {
     /// With costs and fits, which follow from the times.
     pub fn new(quantity: Quantity, mut points: Vec<Point>) -> Self {
-        let first: Vec<f64> = points.first().map_or(Vec::new(), |point| {
-            point.methods.iter().map(Times::ms).collect()
-        });
+        let first = points.iter().take(1).flat_map(|point| &point.methods);
+        let first: Vec<f64> = first.map(Times::ms).collect();
         for point in &mut points {
             for (times, first) in point.methods.iter_mut().zip(&first) {
                 let cost = match quantity {

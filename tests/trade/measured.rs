@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{Light, LightKind, ShadingMode, View};
-use shadetrade::frame::{Frame, Keep, Workers, display_step};
+use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference;
 use shadetrade::shading::METHODS;
 use shadetrade::systems::{self, FRAME};
@@ -142,20 +142,11 @@ fn the_share_of_the_highlight_is_judged_by_the_reference() {
     let phong = view(ShadingMode::Phong, 0.0);
     let truth = reference::picture(&lit.world, &phong, 0..240, &|| false, &|_| ())
         .expect("it is not cancelled");
-    let whole: Vec<_> = truth
-        .levels
-        .iter()
-        .map(|levels| levels.map(display_step))
-        .collect();
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     let expected = METHODS.iter().map(|method| {
         let view = view(method.mode, method.tolerance);
         systems::draw(&mut lit.world, &view, &mut frame).expect("a small picture fits");
-        let levels = frame.levels().iter();
-        let shown: Vec<_> = levels
-            .map(|levels| levels.map(|level| display_step(level.into())))
-            .collect();
-        share_kept(&shown, &whole)
+        share_kept(frame.levels(), &truth.levels)
     });
     let expected: Vec<_> = expected.collect();
     let report = measured(request());
@@ -274,9 +265,8 @@ fn a_picture_beyond_all_memory_is_an_error_and_leaves_an_empty_folder() {
     let huge = request(scene(GREEN, CENTRE, true), [1 << 24, 1 << 24], 1);
     let error = trade::run(huge, Some(&folder)).expect_err("no machine holds it");
     let message = format!("{error:#}");
-    // For every pixel three truths of 28 bytes, a frame of 24, two pictures of 3, two errors of 16, a highlight of 3, and a
-    // byte of each method's map.
-    let bytes = (84 + 24 + 6 + 32 + 3 + METHODS.len()) as f64 * 2.0_f64.powi(48);
+    // For every pixel three truths of 28 bytes, a frame of 24, two errors of 16, and a byte of each method's map.
+    let bytes = (84 + 24 + 32 + METHODS.len()) as f64 * 2.0_f64.powi(48);
     let expected = format!(
         "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in memory: it takes {:.0} MB",
         bytes / 1e6

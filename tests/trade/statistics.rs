@@ -116,13 +116,15 @@ fn where_nothing_is_drawn_there_is_no_front() {
 
 #[test]
 fn a_highlight_is_kept_as_far_as_it_is_where_it_belongs() {
-    let whole = [[100, 50, 50], [0, 0, 0]];
-    assert_eq!(share_kept(&whole, &whole), Some(1.0));
+    let whole = [[100.0, 50.0, 50.0], [0.0; 3]];
+    // As displayed: rounded, and nothing below black.
+    let shown = [[100.4, 49.6, 50.0], [-9.0; 3]];
+    assert_eq!(share_kept(&shown, &whole), Some(1.0));
     // 40 + 50 + 10 of 200: what is too bright or elsewhere adds nothing.
     assert_eq!(
-        share_kept(&[[40, 90, 10], [200, 200, 200]], &whole),
+        share_kept(&[[40.0, 90.0, 10.0], [200.0; 3]], &whole),
         Some(0.5)
     );
-    assert_eq!(share_kept(&[[0; 3], [255; 3]], &whole), Some(0.0));
-    assert_eq!(share_kept(&whole, &[[0; 3]; 2]), None);
+    assert_eq!(share_kept(&[[0.0; 3], [255.0; 3]], &whole), Some(0.0));
+    assert_eq!(share_kept(&shown, &[[0.0; 3]; 2]), None);
 }

@@ -15,23 +15,13 @@ use plotters::prelude::*;
 
 use super::{Curve, EVALUATIONS, Point};
 use crate::prove::Verdict;
-use crate::trade::chart::{
-    self, Area, Axis, BLUE, Borders, FAINT, GREEN, INK, ORANGE, PURPLE, text_style,
-};
+use crate::trade::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
 
 const SIZE: (u32, u32) = (1080, 900);
 const HEADER: u32 = 84;
 
 const ABOUT: &str = "Phong, each pixel against an interval that encloses its exact value; one number of a scene \
     varies in each panel.";
-
-const BORDERS: Borders = Borders {
-    top: 30,
-    right: 34,
-    other: 6,
-    labels: [40, 52],
-    letters: 10.0,
-};
 
 /// By evaluation.
 const COLORS: [RGBColor; 4] = [ORANGE, BLUE, PURPLE, GREEN];
@@ -84,7 +74,7 @@ fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
         range,
         label: &|value| power(*value),
     });
-    let mut chart = chart::on(area, &BORDERS, across, up)?;
+    let mut chart = chart::on(&area.margin(30, 6, 6, 34), [40, 52], 10.0, across, up)?;
     let undecided = curves.iter().flat_map(|curve| &curve.points);
     let undecided = undecided.filter(|point| point.verdict == Verdict::Undecided);
     let step = (to / from).powf(0.5 / (curves[0].points.len() - 1) as f64);

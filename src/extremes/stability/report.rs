@@ -51,19 +51,18 @@ fn span(ends: [f64; 2]) -> String {
 /// # Errors
 /// Those of the CSV library, which has no reason to give one.
 pub fn csv(curves: &[Curve]) -> anyhow::Result<String> {
-    let points = curves
-        .iter()
-        .flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
-    export::csv_of(points.map(|(curve, point)| {
-        json!({
-            "number": curve.number,
-            "unit": curve.unit,
-            "value": point.value,
-            "evaluation": curve.evaluation,
-            "limit": curve.limit,
-            "least_error": point.error[0],
-            "largest_error": point.error[1],
-            "verdict": point.verdict,
+    export::csv_of(curves.iter().flat_map(|curve| {
+        curve.points.iter().map(|point| {
+            json!({
+                "number": curve.number,
+                "unit": curve.unit,
+                "value": point.value,
+                "evaluation": curve.evaluation,
+                "limit": curve.limit,
+                "least_error": point.error[0],
+                "largest_error": point.error[1],
+                "verdict": point.verdict,
+            })
         })
     }))
 }

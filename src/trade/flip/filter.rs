@@ -45,22 +45,16 @@ pub fn feature_radius(pixels_per_degree: f64) -> usize {
 pub fn contrast(pixels_per_degree: f64, reach: usize) -> [Filter; 3] {
     let radius = contrast_radius(pixels_per_degree);
     CONTRAST.map(|gaussians| {
-        let parts: Vec<(f64, Vec<f64>)> = gaussians
-            .iter()
-            .map(|[a, b]| {
-                let gaussian = |x: f64| (-(PI * x / pixels_per_degree).powi(2) / b).exp();
-                (a * (PI / b).sqrt(), weights(radius, reach, gaussian))
-            })
-            .collect();
-        let whole: f64 = parts
-            .iter()
-            .map(|(amplitude, taps)| amplitude * taps.iter().sum::<f64>().powi(2))
-            .sum();
-        let taps = |(amplitude, taps): &(f64, Vec<f64>)| {
-            let across = taps
-                .iter()
-                .map(|weight| (weight * (amplitude / whole).sqrt()) as f32)
-                .collect::<Taps>();
+        let parts = gaussians.iter().map(|[a, b]| {
+            let amplitude = (a * (PI / b).sqrt()).sqrt();
+            let gaussian = |x: f64| (-(PI * x / pixels_per_degree).powi(2) / b).exp();
+            weights(radius, reach, |x| amplitude * gaussian(x))
+        });
+        let parts: Vec<Vec<f64>> = parts.collect();
+        let sums = parts.iter().map(|taps| taps.iter().sum::<f64>());
+        let whole = sums.map(|sum| sum * sum).sum::<f64>().sqrt();
+        let taps = |taps: &Vec<f64>| {
+            let across: Taps = taps.iter().map(|weight| (weight / whole) as f32).collect();
             [across.clone(), across]
         };
         Filter(parts.iter().map(taps).collect())
@@ -89,9 +83,8 @@ pub fn features(pixels_per_degree: f64, reach: usize) -> [[Filter; 2]; 2] {
 
 /// The weight at every pixel as far as `radius`, and none beyond.
 fn weights(radius: usize, reach: usize, weight: impl Fn(f64) -> f64) -> Vec<f64> {
-    let place = |i: usize| i as f64 - reach as f64;
-    (0..=2 * reach)
-        .map(place)
+    let places = (0..=2 * reach).map(|index| index as f64 - reach as f64);
+    places
         .map(|x| {
             if x.abs() <= radius as f64 {
                 weight(x)

@@ -12,21 +12,13 @@ use super::{Point, Times};
 pub struct Fit {
     /// The method's.
     pub id: &'static str,
-    /// `None` where there is none to be had.
-    #[serde(flatten)]
-    pub power: Power,
-    /// The first number that was fitted.
-    pub from: usize,
-}
-
-/// An exponent, and how sure it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Power {
     /// `None` where fewer than two numbers differ, or a time is not positive.
     pub exponent: Option<f64>,
     /// `None` where two points, which a line always meets, or fewer were fitted. It knows the scatter of the points about a power
     /// law, not whether the law is one.
     pub standard_error: Option<f64>,
+    /// The first number that was fitted.
+    pub from: usize,
 }
 
 /// The fits of all methods.
@@ -35,23 +27,24 @@ pub fn fits(points: &[Point]) -> Vec<Fit> {
     let Some(first) = upper.first() else {
         return Vec::new();
     };
-    let fit = |(method, times): (usize, &Times)| Fit {
-        id: times.id,
-        power: power(
-            &upper
-                .iter()
-                .map(|point| [point.number as f64, point.methods[method].ms()])
-                .collect::<Vec<_>>(),
-        ),
-        from: first.number,
+    let fit = |(method, times): (usize, &Times)| {
+        let at = |point: &Point| [point.number as f64, point.methods[method].ms()];
+        let times_by_number: Vec<[f64; 2]> = upper.iter().map(at).collect();
+        let [exponent, standard_error] = power(&times_by_number);
+        Fit {
+            id: times.id,
+            exponent,
+            standard_error,
+            from: first.number,
+        }
     };
     first.methods.iter().enumerate().map(fit).collect()
 }
 
 /// The exponent e of y = c x^e by least squares on the logarithms, and its standard error sqrt(SSE / (n - 2) / Sxx).
-pub fn power(points: &[[f64; 2]]) -> Power {
+pub fn power(points: &[[f64; 2]]) -> [Option<f64>; 2] {
     if points.iter().flatten().any(|value| *value <= 0.0) {
-        return Power::default();
+        return [None; 2];
     }
     let logs: Vec<[f64; 2]> = points.iter().map(|point| point.map(f64::ln)).collect();
     let count = logs.len() as f64;
@@ -65,8 +58,8 @@ pub fn power(points: &[[f64; 2]]) -> Power {
     let slope = sum(&|x, y| x * y) / squares;
     let rest = sum(&|x, y| (y - slope * x).powi(2));
     let error = (rest / (count - 2.0) / squares).sqrt();
-    Power {
-        exponent: slope.is_finite().then_some(slope),
-        standard_error: (count > 2.0 && error.is_finite()).then_some(error),
-    }
+    [
+        slope.is_finite().then_some(slope),
+        (count > 2.0 && error.is_finite()).then_some(error),
+    ]
 }

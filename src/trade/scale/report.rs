@@ -9,7 +9,8 @@ use crate::trade::words::{counted, listed, short};
 
 /// What a terminal shows.
 pub fn table(scaling: &Scaling) -> String {
-    let mut paragraphs = vec![wrapped(&subject(scaling)) + "\n" + &wrapped(&place(scaling))];
+    let view = scaling.subject.view() + " where it is not pixels that vary";
+    let mut paragraphs = vec![wrapped(&view) + "\n" + &wrapped(&place(scaling))];
     for series in &scaling.series {
         let rows: Vec<_> = series.points.iter().map(|one| row(series, one)).collect();
         paragraphs.push(aligned(&head(series), &rows));
@@ -29,7 +30,7 @@ const LEGEND: &str = "ms: the least time of a whole frame. ns/px: the same for e
 
 /// How time grows with a quantity, by method.
 fn growth(series: &Series) -> String {
-    let exponent = |fit: &Fit| match (fit.power.exponent, fit.power.standard_error) {
+    let exponent = |fit: &Fit| match (fit.exponent, fit.standard_error) {
         (None, _) => format!("- ({})", fit.id),
         (Some(exponent), None) => format!("{exponent:.2} ({})", fit.id),
         (Some(exponent), Some(error)) => format!("{exponent:.2} \u{b1} {error:.2} ({})", fit.id),
@@ -40,14 +41,6 @@ fn growth(series: &Series) -> String {
     format!(
         "Time grows as {name} to the power of {}, from {from} on.",
         listed(&exponents)
-    )
-}
-
-/// What was measured.
-fn subject(scaling: &Scaling) -> String {
-    format!(
-        "{} where it is not pixels that vary",
-        scaling.subject.view()
     )
 }
 
