@@ -73,13 +73,14 @@ pub struct Meeting {
 
 /// The point of a face that a line of sight meets.
 pub struct Place<R> {
-    /// How high above the face the line starts, in world units, and how much of that it loses for each unit of depth.
-    pub height: R,
-    pub slope: R,
+    /// The point from the eye.
+    pub point: Vector<R>,
     /// The coordinates from the cuboid's centre over the lengths of its edges: -1/2..=1/2 within the face.
     pub share: Vector<R>,
-    /// The point itself, from the eye, where it is not on the line but held inside the face.
-    pub point: Option<Vector<R>>,
+    /// o.
+    pub to_eye: Vector<R>,
+    /// Whether it is on the first triangle of the face, not on the second; an interval that holds the diagonal is undecided.
+    pub is_on_first: Option<bool>,
 }
 
 impl Meeting {
@@ -295,61 +296,46 @@ impl<R: Real> Solid<R> {
     }
 
     /// Where the line meets the plane of a face.
-    pub fn place(&self, face: usize, line: &Line<R>) -> Place<R> {
-        let [height, slope] = self.approach(face, line);
-        let (axis, outwards) = across(face);
-        let depth = height / slope;
-        let share = std::array::from_fn(|i| {
-            if i == axis {
-                R::of(0.5 * outwards)
-            } else {
-                let from = self.eye.0[i] + line.offset.0[i];
-                (from + line.along.0[i] * depth) * self.per_edge[i]
-            }
-        });
+    pub fn place(&self, number: usize, line: &Line<R>) -> Place<R> {
+        let [height, slope] = self.approach(number, line);
+        let point = line.offset + line.along * (height / slope);
+        let face = self.faces[number].as_ref();
         Place {
-            height,
-            slope,
-            share: Vector(share),
-            point: None,
+            point,
+            share: self.share(number, point),
+            to_eye: -line.along.unit(),
+            is_on_first: face.and_then(|face| face.diagonal.side(line.pixel, 0.0)),
         }
     }
 
     /// The place held inside the face: each coordinate along it stops at the edge.
-    pub fn held(&self, face: usize, line: &Line<R>) -> Place<R> {
-        let place = self.place(face, line);
-        let depth = place.height / place.slope;
+    pub fn held(&self, face: usize, place: &Place<R>) -> Place<R> {
         let (axis, outwards) = across(face);
         let end = |i: usize, sign: f64| R::of(sign * self.half[i]) - self.eye.0[i];
-        let point: [R; 3] = std::array::from_fn(|i| {
+        let point = Vector(std::array::from_fn(|i| {
             if i == axis {
                 end(i, outwards)
             } else {
-                let on_line = line.offset.0[i] + line.along.0[i] * depth;
-                on_line.max(end(i, -1.0)).min(end(i, 1.0))
+                place.point.0[i].max(end(i, -1.0)).min(end(i, 1.0))
             }
-        });
-        let mut share = Vector(std::array::from_fn(|i| {
-            (self.eye.0[i] + point[i]) * self.per_edge[i]
         }));
-        share.0[axis] = place.share.0[axis];
+        let share = self.share(face, point);
+        let [u, v] = along(axis).map(|axis| share.0[axis]);
+        let order = signed(outwards, u - v).sign(0.0);
         Place {
+            point,
             share,
-            point: Some(Vector(point)),
-            ..place
+            to_eye: self.to_eye(point),
+            is_on_first: order.map(|order| order != Ordering::Less),
         }
     }
 
-    /// Whether the line sees a place on the first triangle of a face, not on the second; an interval that holds the diagonal is
-    /// undecided.
-    pub fn is_on_first(&self, face: usize, line: &Line<R>, place: &Place<R>) -> Option<bool> {
-        if place.point.is_none() {
-            return self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0);
-        }
+    /// The coordinates of a point of a face, given from the eye, as shares of the edges.
+    fn share(&self, face: usize, point: Vector<R>) -> Vector<R> {
         let (axis, outwards) = across(face);
-        let [u, v] = along(axis).map(|axis| place.share.0[axis]);
-        let order = signed(outwards, u - v).sign(0.0)?;
-        Some(order != Ordering::Less)
+        let mut share = (self.eye + point).zip(Vector(self.per_edge), R::mul);
+        share.0[axis] = R::of(0.5 * outwards);
+        share
     }
 
     /// The corners of one of a face's two triangles, and their weights at a place: together 1, each 0..=1 within it.
