@@ -109,14 +109,12 @@ impl Scene {
     pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
         // Some editors put a byte order mark before the text; it is in no line and no column.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        memory::check_for(
-            || "what it describes".to_owned(),
-            text.len() * BYTES_PER_BYTE,
-        )
-        .map_err(|full| SceneError::Unreadable {
-            path: name.to_owned(),
-            cause: io::Error::new(io::ErrorKind::OutOfMemory, full),
-            hint: String::new(),
+        memory::check_for("what it describes", text.len() * BYTES_PER_BYTE).map_err(|full| {
+            SceneError::Unreadable {
+                path: name.to_owned(),
+                cause: io::Error::new(io::ErrorKind::OutOfMemory, full),
+                hint: String::new(),
+            }
         })?;
         match SceneRecord::read(text) {
             Ok(record) => {
