@@ -104,9 +104,10 @@ impl DrawingOptions {
         }
         let camera = match &self.camera {
             None => 0,
-            Some(name) => scene
-                .find_camera(name)
-                .ok_or_else(|| unknown_camera(name, &scene))?,
+            Some(name) => scene.find_camera(name).ok_or_else(|| {
+                let cameras = scene.camera_names();
+                Failure::Usage(scene::unknown("camera", name, &cameras))
+            })?,
         };
         if let Some(lights) = &self.lights {
             scene.switch_lights(lights).map_err(Failure::Usage)?;
@@ -141,13 +142,6 @@ pub fn keep(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
-}
-
-fn unknown_camera(name: &str, scene: &Scene) -> Failure {
-    Failure::Usage(anyhow!(
-        "no camera is named {name:?}; the scene's cameras are {}",
-        scene::listed(&scene.camera_names())
-    ))
 }
 
 fn projection() -> impl TypedValueParser<Value = Projection> {
