@@ -10,6 +10,7 @@ use anyhow::anyhow;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use fearless_simd::Level;
+use serde::de::DeserializeOwned;
 
 use super::Failure;
 use crate::components::{Projection, ShadingMode};
@@ -32,10 +33,10 @@ pub struct DrawingOptions {
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
     /// How the picture is projected
-    #[arg(long, default_value = "perspective", value_name = "PROJECTION", value_parser = projection())]
+    #[arg(long, default_value = "perspective", value_name = "PROJECTION", value_parser = one_of::<Projection>(Projection::ALL.map(Projection::name)))]
     pub projection: Projection,
     /// How all objects are shaded [default: each as the scene says]
-    #[arg(long, value_name = "SHADING", value_parser = shading())]
+    #[arg(long, value_name = "SHADING", value_parser = one_of::<ShadingMode>([ShadingMode::Gouraud, ShadingMode::Phong].map(ShadingMode::name)))]
     pub shading: Option<ShadingMode>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
@@ -144,29 +145,12 @@ pub fn keep(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
     }
 }
 
-fn projection() -> impl TypedValueParser<Value = Projection> {
-    one_of(Projection::ALL, Projection::name)
-}
-
-fn shading() -> impl TypedValueParser<Value = ShadingMode> {
-    one_of(
-        [ShadingMode::Gouraud, ShadingMode::Phong],
-        ShadingMode::name,
-    )
-}
-
-/// One of `choices`, called by its name.
-fn one_of<T, const COUNT: usize>(
-    choices: [T; COUNT],
-    name: fn(T) -> &'static str,
-) -> impl TypedValueParser<Value = T>
+/// One of these names, of what serde calls so.
+fn one_of<T>(names: [&'static str; 2]) -> impl TypedValueParser<Value = T>
 where
-    T: Copy + Send + Sync + 'static,
+    T: DeserializeOwned + Clone + Send + Sync + 'static,
 {
-    PossibleValuesParser::new(choices.map(name)).try_map(move |word| {
-        let meant = choices.into_iter().find(|choice| name(*choice) == word);
-        meant.ok_or("it is none of the choices")
-    })
+    PossibleValuesParser::new(names).try_map(|name| serde_json::from_value(name.into()))
 }
 
 fn level() -> impl TypedValueParser<Value = Level> {
