@@ -46,7 +46,10 @@ pub fn run(
     as_json: bool,
 ) -> anyhow::Result<()> {
     let (scene, views) = (scene(drawing), views(drawing, orbit));
-    let subject = subject(drawing, &scene, &views);
+    let subject = drawing.subject(&match orbit {
+        1 => String::new(),
+        views => format!(", {views} views round its target"),
+    });
     let rows = rows(drawing, &scene, &views)?;
     let record = json!({
         "scene": scene.name,
@@ -90,23 +93,6 @@ fn views(drawing: &Drawing, count: usize) -> Vec<View> {
         }
     };
     (0..count).map(turned).collect()
-}
-
-/// What is looked at.
-fn subject(drawing: &Drawing, scene: &Scene, views: &[View]) -> String {
-    let [width, height] = drawing.size;
-    let orbit = match views.len() {
-        1 => String::new(),
-        views => format!(", {views} views round its target"),
-    };
-    format!(
-        "{}, camera {}{orbit}, {}, {width}x{height}, {}, tolerance {}",
-        scene.name,
-        scene.camera_names()[0],
-        drawing.projection.name(),
-        drawing.mode(),
-        drawing.tolerance
-    )
 }
 
 /// A row for each part.
