@@ -154,21 +154,19 @@ where
 }
 
 fn level() -> impl TypedValueParser<Value = Level> {
-    PossibleValuesParser::new(std::iter::once("auto").chain(simd::NAMES)).try_map(|name| match name
-        .as_str()
-    {
-        "auto" => Ok(Level::new()),
-        name => simd::named(name).ok_or_else(|| {
-            let present = simd::NAMES
-                .iter()
-                .filter(|name| simd::named(name).is_some())
-                .copied()
-                .collect::<Vec<_>>();
+    let names = ["auto"].into_iter().chain(simd::NAMES);
+    PossibleValuesParser::new(names).try_map(|name| {
+        if name == "auto" {
+            return Ok(Level::new());
+        }
+        simd::named(&name).ok_or_else(|| {
+            let mut present = simd::NAMES.to_vec();
+            present.retain(|name| simd::named(name).is_some());
             format!(
                 "this machine does not have it; it has {}",
                 present.join(", ")
             )
-        }),
+        })
     })
 }
 
@@ -185,15 +183,10 @@ fn size(text: &str) -> Result<[usize; 2], String> {
     let (width, height) = text
         .split_once('x')
         .ok_or("it is WIDTHxHEIGHT in pixels, such as 960x720")?;
-    match (
-        whole_number(width, MAX_SIDE),
-        whole_number(height, MAX_SIDE),
-    ) {
-        (Some(width), Some(height)) => Ok([width, height]),
-        _ => Err(format!(
-            "it is WIDTHxHEIGHT in pixels, 1x1 to {MAX_SIDE}x{MAX_SIDE}"
-        )),
-    }
+    whole_number(width, MAX_SIDE)
+        .zip(whole_number(height, MAX_SIDE))
+        .map(<[usize; 2]>::from)
+        .ok_or_else(|| format!("it is WIDTHxHEIGHT in pixels, 1x1 to {MAX_SIDE}x{MAX_SIDE}"))
 }
 
 fn threads(text: &str) -> Result<usize, String> {
