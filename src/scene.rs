@@ -116,15 +116,12 @@ impl Scene {
                 hint: String::new(),
             }
         })?;
-        match SceneRecord::read(text) {
-            Ok(record) => {
-                let mut scene = Scene::spawn(name.to_owned(), &record);
-                let slip = record.slip().map(|slip| slip.locate(name, text));
-                scene.warning = slip.map(|slip| slip.to_string());
-                Ok(scene)
-            }
-            Err(fault) => Err(fault.locate(name, text)),
-        }
+        let record = SceneRecord::read(text).map_err(|fault| fault.locate(name, text))?;
+        let slip = record.slip().map(|slip| slip.locate(name, text));
+        Ok(Scene {
+            warning: slip.map(|slip| slip.to_string()),
+            ..Scene::spawn(name.to_owned(), &record)
+        })
     }
 
     /// The scene of what `record` says, which must be within the ranges of the format.
