@@ -1,6 +1,6 @@
 //! The truth: the picture evaluated in f64, one line of sight per pixel.
 //!
-//! A ray through every pixel centre is met with the cuboids' faces (`intersection`) and the model is evaluated where it
+//! A ray through every pixel centre is met with the cuboids' faces (`sight`) and the model is evaluated where it
 //! arrives (`illumination`). Nothing is rasterised, snapped or approximated.
 //!
 //! ```text
