@@ -69,6 +69,19 @@ impl Drawing {
         }
     }
 
+    /// What is drawn, in words; `from` says more about where from.
+    pub fn subject(&self, from: &str) -> String {
+        let [width, height] = self.size;
+        format!(
+            "{}, camera {}{from}, {}, {width}x{height}, {}, tolerance {}",
+            self.scene.name,
+            self.scene.camera_names()[self.camera],
+            self.projection.name(),
+            self.mode(),
+            self.tolerance
+        )
+    }
+
     /// Who draws it.
     ///
     /// # Errors

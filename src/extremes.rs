@@ -112,7 +112,7 @@ pub fn examine(
     on_progress: OnProgress,
 ) -> anyhow::Result<Vec<Outcome>> {
     if options.full {
-        memory::check_for(|| "the table of extremes".to_owned(), MEMORY)?;
+        memory::check_for("the table of extremes", MEMORY)?;
     }
     let mut renderer = Renderer::new(options.level, options.threads, options.full)
         .context("cannot start the threads that draw")?;

@@ -1,10 +1,12 @@
 //! How many bytes a picture takes -> whether this machine has them.
 //!
 //! Rule: what is large is asked for here before it is allocated. An allocation itself says nothing: Linux grants more
-//! than there is and kills the program once that is written to (overcommit). Elsewhere the allocation alone decides.
+//! than there is and kills the program once that is written to (overcommit). Other systems, which lack the files that are
+//! read here, refuse an allocation that they cannot back, or swap for it.
 
 use std::collections::TryReserveError;
-#[cfg(target_os = "linux")]
+use std::fmt::Display;
+use std::fs;
 use std::path::Path;
 
 /// Allocations up to this, in bytes, are not checked.
@@ -29,30 +31,27 @@ pub struct OutOfMemory {
 /// # Errors
 /// When the system says that there are fewer.
 pub fn check(size: [usize; 2], needed: usize) -> Result<(), OutOfMemory> {
-    check_for(|| picture(size), needed)
+    let [width, height] = size;
+    check_for(format_args!("a picture of {width}x{height} pixels"), needed)
 }
 
 /// Whether `needed` bytes more can be had for `what`.
 ///
 /// # Errors
 /// When the system says that there are fewer.
-pub fn check_for(what: impl Fn() -> String, needed: usize) -> Result<(), OutOfMemory> {
+pub fn check_for(what: impl Display, needed: usize) -> Result<(), OutOfMemory> {
     if needed <= LARGE {
         return Ok(());
     }
     let left = available().map(|bytes| bytes.saturating_sub(SPARE));
     match left {
         Some(bytes) if bytes < needed => Err(OutOfMemory {
-            what: what(),
+            what: what.to_string(),
             needed,
             left,
         }),
         _ => Ok(()),
     }
-}
-
-fn picture([width, height]: [usize; 2]) -> String {
-    format!("a picture of {width}x{height} pixels")
 }
 
 /// An empty list with room for a value of every pixel of a picture of `size`.
@@ -70,9 +69,12 @@ pub fn reserve_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
 }
 
 /// What an allocation for a picture of `size` pixels, `needed` bytes in all, fails with.
-pub fn refused(size: [usize; 2], needed: usize) -> impl Fn(TryReserveError) -> OutOfMemory {
+pub fn refused(
+    [width, height]: [usize; 2],
+    needed: usize,
+) -> impl Fn(TryReserveError) -> OutOfMemory {
     move |_| OutOfMemory {
-        what: picture(size),
+        what: format!("a picture of {width}x{height} pixels"),
         needed,
         left: None,
     }
@@ -80,37 +82,21 @@ pub fn refused(size: [usize; 2], needed: usize) -> impl Fn(TryReserveError) -> O
 
 /// Bytes that can be had without anything being swapped or killed: of the machine, of the control groups that the
 /// process is in, and of its own address space.
-#[cfg(target_os = "linux")]
 fn available() -> Option<usize> {
-    let read = |path: &Path| std::fs::read_to_string(path).ok();
-    [
-        left_on_machine(&read),
-        left_in_groups(&read),
-        left_of_addresses(&read),
-    ]
-    .into_iter()
-    .flatten()
-    .min()
-}
-
-/// Other systems refuse an allocation that they cannot back, or swap for it.
-#[cfg(not(target_os = "linux"))]
-fn available() -> Option<usize> {
-    None
+    let read = |path: &Path| fs::read_to_string(path).ok();
+    let left = [left_on_machine, left_in_groups, left_of_addresses];
+    left.iter().filter_map(|left| left(&read)).min()
 }
 
 /// What a file says, where it can be read.
-#[cfg(target_os = "linux")]
 type Read<'a> = &'a dyn Fn(&Path) -> Option<String>;
 
 /// The kernel's own estimate (proc_meminfo(5), `MemAvailable`, since Linux 3.14).
-#[cfg(target_os = "linux")]
 fn left_on_machine(read: Read) -> Option<usize> {
     kibibytes(&read(Path::new("/proc/meminfo"))?, "MemAvailable:")
 }
 
 /// What `ulimit -v` leaves (proc_pid_limits(5), proc_pid_status(5)).
-#[cfg(target_os = "linux")]
 fn left_of_addresses(read: Read) -> Option<usize> {
     let limits = read(Path::new("/proc/self/limits"))?;
     let limit: usize = first_number(&limits, "Max address space")?;
@@ -118,53 +104,55 @@ fn left_of_addresses(read: Read) -> Option<usize> {
     Some(limit.saturating_sub(used))
 }
 
-/// What the group of the process and every group around it leaves (cgroups(7); the kernel's admin-guide/cgroup-v2 and
-/// cgroup-v1/memory). Cached files count as used there, though those long unread give way.
-#[cfg(target_os = "linux")]
+/// Where control groups of version 2, whose rows name no controller, and of version 1 are: the controller, the folder, and
+/// what is called there limit, usage, and cached files long unread (cgroups(7); the kernel's admin-guide/cgroup-v2 and
+/// cgroup-v1/memory).
+const CONTROL_GROUPS: [[&str; 5]; 2] = [
+    [
+        "",
+        "/sys/fs/cgroup",
+        "memory.max",
+        "memory.current",
+        "inactive_file",
+    ],
+    [
+        "memory",
+        "/sys/fs/cgroup/memory",
+        "memory.limit_in_bytes",
+        "memory.usage_in_bytes",
+        "total_inactive_file",
+    ],
+];
+
+/// What the group of the process and every group around it leaves. Cached files count as used there, though those long
+/// unread give way.
 fn left_in_groups(read: Read) -> Option<usize> {
     let groups = read(Path::new("/proc/self/cgroup"))?;
-    let mut left = None;
-    for row in groups.lines() {
-        let mut parts = row.splitn(3, ':').skip(1);
-        let (Some(controllers), Some(path)) = (parts.next(), parts.next()) else {
-            continue;
-        };
-        let (root, limit, usage, cached) = if controllers.is_empty() {
-            (
-                "/sys/fs/cgroup",
-                "memory.max",
-                "memory.current",
-                "inactive_file",
-            )
-        } else if controllers.split(',').any(|name| name == "memory") {
-            let (limit, usage) = ("memory.limit_in_bytes", "memory.usage_in_bytes");
-            ("/sys/fs/cgroup/memory", limit, usage, "total_inactive_file")
-        } else {
-            continue;
-        };
-        for group in Path::new(path.trim_start_matches('/')).ancestors() {
+    let left = |row: &str| {
+        let (controllers, path) = row.split_once(':')?.1.split_once(':')?;
+        let is_named = |controller| controllers.split(',').any(|name| name == controller);
+        let version = CONTROL_GROUPS.iter().find(|version| is_named(version[0]));
+        let [_, root, limit, usage, cached] = *version?;
+        let of_group = |group: &Path| {
             let file = |name: &str| read(&Path::new(root).join(group).join(name));
             let bytes = |name: &str| first_number(&file(name)?, "");
-            if let (Some(limit), Some(usage)) = (bytes(limit), bytes(usage)) {
-                let cached = file("memory.stat").and_then(|stat| first_number(&stat, cached));
-                let used = usage.saturating_sub(cached.unwrap_or(0));
-                let here = limit.saturating_sub(used);
-                left = Some(left.map_or(here, |left: usize| left.min(here)));
-            }
-        }
-    }
-    left
+            let unread = file("memory.stat").and_then(|stat| first_number(&stat, cached));
+            let used = bytes(usage)?.saturating_sub(unread.unwrap_or(0));
+            Some(bytes(limit)?.saturating_sub(used))
+        };
+        let groups = Path::new(path.trim_start_matches('/')).ancestors();
+        groups.filter_map(of_group).min()
+    };
+    groups.lines().filter_map(left).min()
 }
 
 /// The number after `key` in the row that starts with it.
-#[cfg(target_os = "linux")]
 fn first_number(table: &str, key: &str) -> Option<usize> {
     let row = table.lines().find_map(|row| row.strip_prefix(key))?;
     row.split_whitespace().next()?.parse().ok()
 }
 
 /// The same of a row such as `MemAvailable:   17482340 kB`, in bytes.
-#[cfg(target_os = "linux")]
 fn kibibytes(table: &str, key: &str) -> Option<usize> {
     first_number(table, key)?.checked_mul(1024)
 }
@@ -182,7 +170,7 @@ fn left_text(left: Option<usize>) -> String {
     )
 }
 
-#[cfg(all(test, target_os = "linux"))]
+#[cfg(test)]
 mod tests {
     use std::collections::HashMap;
     use std::path::PathBuf;
@@ -247,6 +235,7 @@ mod tests {
     }
 
     #[test]
+    #[cfg(target_os = "linux")]
     fn what_no_machine_has_is_refused_with_both_numbers() {
         let error =
             check([16384, 16384], usize::MAX / 2).expect_err("nobody has half of all addresses");

@@ -7,7 +7,7 @@
 mod animation;
 
 use std::borrow::Cow;
-use std::fs::{self, File, Metadata, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -59,9 +59,10 @@ impl Output {
         content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> anyhow::Result<()> {
         match self {
-            Output::Stdout => standard_output()
-                .and_then(|file| buffered(Stdout(file), content))
-                .context("cannot write to standard output"),
+            Output::Stdout => match standard_output().and_then(|file| buffered(file, content)) {
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+                written => written.context("cannot write to standard output"),
+            },
             Output::File(path) => write_file(path, content)
                 .with_context(|| format!("cannot write {}", path.display())),
         }
@@ -163,25 +164,6 @@ fn standard_output() -> io::Result<File> {
     Ok(File::from(handle))
 }
 
-/// Standard output that takes everything once its reader has gone.
-struct Stdout(File);
-
-impl Write for Stdout {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self.0.write(bytes) {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(bytes.len()),
-            written => written,
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self.0.flush() {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-            flushed => flushed,
-        }
-    }
-}
-
 /// Writes `content` through a buffer, and notices what fails only when it is emptied.
 fn buffered(
     writer: impl Write,
@@ -192,44 +174,34 @@ fn buffered(
     writer.flush()
 }
 
+/// Puts a new file in the place of what `path` leads to, which need not exist; what is no file is written as it is.
 fn write_file(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> anyhow::Result<()> {
-    match fs::metadata(path) {
+    let old = match fs::metadata(path) {
         Ok(found) if found.is_dir() => bail!("it is a folder; give the name of a file"),
         Ok(found) if found.is_file() && !is_descriptor(path) => {
             // What a plain write would be refused, a replacement is refused too.
             OpenOptions::new().write(true).open(path)?;
-            replace(&follow_links(path)?, Some(&found), content)
+            Some(found)
         }
-        Ok(_) => Ok(buffered(
-            OpenOptions::new().append(true).open(path)?,
-            content,
-        )?),
-        Err(error) if error.kind() == ErrorKind::NotFound => {
-            replace(&follow_links(path)?, None, content)
+        Ok(_) => {
+            let file = OpenOptions::new().append(true).open(path)?;
+            return Ok(buffered(file, content)?);
         }
-        Err(error) => Err(error.into()),
+        Err(error) if error.kind() == ErrorKind::NotFound => None,
+        Err(error) => return Err(error.into()),
+    };
+    let mut target = path.to_path_buf();
+    while let Ok(next) = fs::read_link(&target) {
+        target = folder_of(&target).join(next);
     }
-}
-
-/// Whether the path names an open file of a process, such as /dev/fd/3, which may have no name any more.
-fn is_descriptor(path: &Path) -> bool {
-    fs::canonicalize(folder_of(path)).is_ok_and(|folder| folder.starts_with("/proc"))
-}
-
-/// Puts a new file in the place of `target`, which need not exist; `old` is what was there.
-fn replace(
-    target: &Path,
-    old: Option<&Metadata>,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> anyhow::Result<()> {
     ensure!(
         !target.to_string_lossy().ends_with(std::path::is_separator),
         "that is the name of a folder"
     );
-    let folder = folder_of(target);
+    let folder = folder_of(&target);
     ensure!(folder.is_dir(), "there is no folder {}", folder.display());
     let file = temporary_file(folder)?;
     buffered(file.as_file(), content)?;
@@ -243,8 +215,13 @@ fn replace(
         file.as_file().set_permissions(old.permissions())?;
     }
     file.as_file().sync_all()?;
-    file.persist(target).map_err(|error| error.error)?;
+    file.persist(&target).map_err(|error| error.error)?;
     Ok(())
+}
+
+/// Whether the path names an open file of a process, such as /dev/fd/3, which may have no name any more.
+fn is_descriptor(path: &Path) -> bool {
+    fs::canonicalize(folder_of(path)).is_ok_and(|folder| folder.starts_with("/proc"))
 }
 
 /// Writes a new file into `folder` under the first of the names that `name` gives for 1, 2, ... and nobody has taken;
@@ -283,22 +260,6 @@ fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
         .make_in(folder, |path| {
             OpenOptions::new().write(true).create_new(true).open(path)
         })
-}
-
-/// Where `path` leads once it is no symbolic link any more, whether or not something is there.
-fn follow_links(path: &Path) -> io::Result<PathBuf> {
-    // As many as Linux follows.
-    const MAX_LINKS: usize = 40;
-    let mut target = path.to_path_buf();
-    for _ in 0..MAX_LINKS {
-        match fs::read_link(&target) {
-            Ok(next) => target = folder_of(&target).join(next),
-            Err(_) => return Ok(target),
-        }
-    }
-    Err(io::Error::other(
-        "too many symbolic links, one after the other",
-    ))
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -110,57 +110,51 @@ pub fn at(
     }
     let (object, triangle) = (id / 12, id % 12);
     let cuboid = scene.cuboids[object as usize];
-    let name = scene
-        .world
-        .get::<&Name>(cuboid)
-        .map_or_else(|_| String::new(), |name| name.0.clone());
-    let material = scene.world.get::<&Material>(cuboid).ok();
+    let name = scene.world.get::<&Name>(cuboid).map(|name| name.0.clone());
+    let material: Option<Material> = scene.get(cuboid);
     let sample = reference::at_pixel(&scene.world, view, x, y)
         .filter(|sample| face((12 * sample.object + sample.triangle) as u32) == face(id));
-    // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
-    let finite = |levels: [f64; 3], exact: fn(&reference::Sample) -> DVec3| {
-        std::array::from_fn(|channel| match &sample {
-            Some(sample) if !levels[channel].is_finite() => exact(sample)[channel],
-            _ => levels[channel],
-        })
+    let sample = sample.as_ref();
+    let lights = sample.map_or(&[][..], |sample| &sample.lights);
+    let shaded = |drawn: [f64; 3],
+                  exact: fn(&reference::Sample) -> DVec3,
+                  term: fn(&LightSample) -> DVec3| {
+        // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
+        let levels = [0, 1, 2].map(|channel: usize| match sample {
+            Some(sample) if !drawn[channel].is_finite() => exact(sample)[channel],
+            _ => drawn[channel],
+        });
+        let terms = lights.iter();
+        let terms = terms.map(|light| (light.name.clone(), term(light).to_array()));
+        Shaded {
+            levels,
+            terms: terms.collect(),
+            bytes: levels.map(display_step),
+        }
     };
-    let (gouraud, phong) = (
-        finite(gouraud, |sample| sample.gouraud),
-        finite(phong, |sample| sample.phong),
-    );
-    let shaded = |levels: [f64; 3], term: fn(&reference::LightSample) -> DVec3| Shaded {
-        levels,
-        terms: sample
-            .iter()
-            .flat_map(|sample| &sample.lights)
-            .map(|light| (light.name.clone(), term(light).to_array()))
-            .collect(),
-        bytes: levels.map(display_step),
+    let levels = |exact: fn(&reference::Sample) -> DVec3| {
+        sample.map(|sample| Levels {
+            levels: exact(sample).to_array(),
+        })
     };
     let surface = Surface {
         triangle,
-        position: sample.as_ref().map(|sample| sample.position),
-        normal: sample.as_ref().map(|sample| sample.normal),
-        to_eye: sample.as_ref().map(|sample| sample.to_eye),
+        position: sample.map(|sample| sample.position),
+        normal: sample.map(|sample| sample.normal),
+        to_eye: sample.map(|sample| sample.to_eye),
         shininess: material.map_or(0.0, |material| material.shininess),
-        lights: sample
-            .as_ref()
-            .map_or(Vec::new(), |sample| sample.lights.clone()),
-        gouraud: shaded(gouraud, |light| light.gouraud),
-        phong: shaded(phong, |light| light.phong),
+        lights: lights.to_vec(),
+        gouraud: shaded(gouraud, |it| it.gouraud, |it| it.gouraud),
+        phong: shaded(phong, |it| it.phong, |it| it.phong),
         reference: Reference {
-            triangle: sample.as_ref().map(|sample| sample.triangle as u32),
-            gouraud: sample.as_ref().map(|sample| Levels {
-                levels: sample.gouraud.to_array(),
-            }),
-            phong: sample.as_ref().map(|sample| Levels {
-                levels: sample.phong.to_array(),
-            }),
+            triangle: sample.map(|sample| sample.triangle as u32),
+            gouraud: levels(|sample| sample.gouraud),
+            phong: levels(|sample| sample.phong),
         },
     };
     Ok(Probe {
         pixel: [x, y],
-        object: Some(name),
+        object: name.ok(),
         surface: Some(surface),
     })
 }

@@ -1,6 +1,6 @@
 //! The truth: the picture evaluated in f64, one line of sight per pixel.
 //!
-//! A ray through every pixel centre is met with the cuboids' faces (`intersection`) and the model is evaluated where it
+//! A ray through every pixel centre is met with the cuboids' faces (`sight`) and the model is evaluated where it
 //! arrives (`illumination`). Nothing is rasterised, snapped or approximated.
 //!
 //! ```text
@@ -185,11 +185,11 @@ impl<R: Real> Reference<R> {
             for face in meeting.faces() {
                 let place = cuboid.solid.place(face, line);
                 // Where an edge is near, the centre may lie beside the face: its plane is seen there, or what is nearest.
-                let held = (!meeting.well_conditioned()).then(|| cuboid.solid.held(face, line));
+                let held = (!meeting.well_conditioned()).then(|| cuboid.solid.held(face, &place));
                 for place in [Some(place), held].into_iter().flatten() {
-                    for &is_first in cuboid.triangles(face, line, &place) {
+                    for &is_first in cuboid.triangles(&place) {
                         let mut see = |open| {
-                            let lit = cuboid.lit(face, is_first, line, &place, open);
+                            let lit = cuboid.lit(face, is_first, &place, open);
                             let triangle = 2 * face + usize::from(!is_first);
                             seen.push(Seen {
                                 triangle: Some(cuboid.number * TRIANGLES.len() + triangle),
@@ -262,9 +262,9 @@ struct Met<'a, R> {
 }
 
 impl<R: Real> Cuboid<R> {
-    /// Which triangles of a face the line may see: both where the diagonal is near, and Phong's are one.
-    fn triangles(&self, face: usize, line: &Line<R>, place: &Place<R>) -> &'static [bool] {
-        match self.solid.is_on_first(face, line, place) {
+    /// Which triangles of its face a place may be on: both where the diagonal is near, and Phong's are one.
+    fn triangles(&self, place: &Place<R>) -> &'static [bool] {
+        match place.is_on_first {
             None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
                 &[true, false]
             }
@@ -273,17 +273,10 @@ impl<R: Real> Cuboid<R> {
         }
     }
 
-    /// What the line sees on a triangle of a face, or on its plane beyond the diagonal.
-    fn lit(
-        &self,
-        face: usize,
-        is_first: bool,
-        line: &Line<R>,
-        place: &Place<R>,
-        open: Open,
-    ) -> Lit<R> {
+    /// What is seen at a place on a triangle of a face, or on its plane beyond the diagonal.
+    fn lit(&self, face: usize, is_first: bool, place: &Place<R>, open: Open) -> Lit<R> {
         if self.mode == ShadingMode::Phong && self.is_perspective_correct {
-            return self.phong(place, line, open);
+            return self.surface.phong(place, open);
         }
         let (corners, weights) = Solid::weights(face, is_first, place);
         let depths = self.solid.depths(corners, &self.mesh);
@@ -296,29 +289,23 @@ impl<R: Real> Cuboid<R> {
             ShadingMode::Gouraud => self.surface.gouraud(corners, weights, open),
             ShadingMode::UnitVectors => self.surface.unit_vectors(corners, weights),
             ShadingMode::Phong => {
-                let place = self.blended(corners, weights, place);
-                self.phong(&place, line, open)
+                let place = self.blended(corners, weights);
+                self.surface.phong(&place, open)
             }
         }
     }
 
-    fn phong(&self, place: &Place<R>, line: &Line<R>, open: Open) -> Lit<R> {
-        let to_eye = match place.point {
-            Some(point) => self.solid.to_eye(point),
-            None => -line.along.unit(),
-        };
-        self.surface.phong(place, line, to_eye, open)
-    }
-
-    /// The place that interpolation of the corners gives; `place` is where the line meets their face.
-    fn blended(&self, corners: [usize; 3], weights: [R; 3], place: &Place<R>) -> Place<R> {
+    /// The place that interpolation of the corners gives.
+    fn blended(&self, corners: [usize; 3], weights: [R; 3]) -> Place<R> {
         let [a, b, c] = corners.map(|corner| Vector::exact(self.mesh.corners[corner]));
         let share = |corner: usize| Vector::exact(self.mesh.corners[corner].signum() / 2.0);
+        // The eye may be so far away that it must not be weighted.
+        let point = a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2];
         Place {
+            point,
             share: blend(corners.map(share), weights),
-            // The eye may be so far away that it must not be weighted.
-            point: Some(a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2]),
-            ..*place
+            to_eye: self.solid.to_eye(point),
+            is_on_first: None,
         }
     }
 }

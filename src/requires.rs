@@ -18,7 +18,6 @@ mod command;
 mod least;
 mod share;
 
-use std::convert::Infallible;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -64,8 +63,8 @@ pub struct Change {
 /// A face that a pixel may show, and the least and the largest displayed level of each channel.
 type Shown = (Option<usize>, [[f64; 2]; 3]);
 
-/// What a row of a picture errs against what the full picture may show in each of its columns.
-type Compare = Box<dyn Fn(usize, &[Vec<Shown>]) -> Change + Sync>;
+/// What each pixel of a row of a picture may show.
+type Rows = Box<dyn Fn(usize) -> Vec<Vec<Shown>> + Sync>;
 
 /// The parts of the model that a scene is drawn with and what they are called, in the order in which they are reported.
 pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
@@ -128,51 +127,58 @@ impl Change {
     }
 }
 
-/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads. `progress` is told which
-/// share of it is done.
+/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads; `None` as soon as
+/// `cancelled` says yes. `progress` is told which share of it is done.
 ///
 /// The view leaves each cuboid its own shading.
 pub fn changes(
     scene: &Scene,
     view: &View,
     left_out: &[Vec<Part>],
+    cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(f64) + Sync),
-) -> Vec<Change> {
-    let progress = |share| {
-        progress(share);
-        Ok::<_, Infallible>(())
-    };
-    let Ok(changes) = try_changes(scene, view, left_out, &progress);
-    changes
-}
-
-/// The same, as long as `progress` allows.
-fn try_changes<E: Send>(
-    scene: &Scene,
-    view: &View,
-    left_out: &[Vec<Part>],
-    progress: &(dyn Fn(f64) -> Result<(), E> + Sync),
-) -> Result<Vec<Change>, E> {
-    let full = Reference::<Interval>::new(&scene.world, view);
+) -> Option<Vec<Change>> {
+    let full = rows(Reference::<Interval>::new(&scene.world, view));
+    let limit = limit(view.tolerance);
     let all = left_out.len().div_ceil(AT_ONCE) * view.size[1];
     let done = AtomicUsize::new(0);
     let mut changes = Vec::with_capacity(left_out.len());
     for some in left_out.chunks(AT_ONCE) {
-        let picture = |parts: &Vec<Part>| compare(scene, view, parts);
-        let pictures: Vec<Compare> = some.iter().map(picture).collect();
-        let row = |y: usize| {
-            let mut pixels = Vec::with_capacity(view.size[0]);
-            full.row(y, |_, seen| pixels.push(shown(seen)));
-            let changes = pictures.iter().map(|compare| compare(y, &pixels)).collect();
-            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64)?;
-            Ok(changes)
+        let picture = |parts: &Vec<Part>| {
+            let (world, rule) = (&without(scene, parts).world, rule(parts));
+            if parts.contains(&Part::F64SetUp) {
+                (rows(Reference::<f32>::without(world, view, rule)), false)
+            } else {
+                let picture = Reference::<Interval>::without(world, view, rule);
+                (rows(picture), true)
+            }
         };
-        let rows = (0..view.size[1]).into_par_iter().map(row);
-        let rows: Vec<Vec<Change>> = rows.collect::<Result<_, E>>()?;
-        let of_picture = |number: usize| Change::sum(rows.iter().map(|row| row[number]));
+        let pictures: Vec<(Rows, bool)> = some.iter().map(picture).collect();
+        let row = |y: usize| {
+            if cancelled() {
+                return None;
+            }
+            let full = full(y);
+            let change = |(picture, is_enclosed): &(Rows, bool)| {
+                let pixels = full.iter().zip(picture(y));
+                Change::sum(pixels.map(|(full, without)| {
+                    let largest_error = error(full, &without, *is_enclosed);
+                    Change {
+                        largest_error,
+                        pixels: u64::from(largest_error[0] > limit),
+                    }
+                }))
+            };
+            let changes = pictures.iter().map(change).collect();
+            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64);
+            Some(changes)
+        };
+        let by_row = (0..view.size[1]).into_par_iter().map(row);
+        let by_row: Vec<Vec<Change>> = by_row.collect::<Option<_>>()?;
+        let of_picture = |number: usize| Change::sum(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
     }
-    Ok(changes)
+    Some(changes)
 }
 
 /// A part, what it is called, and what the picture errs without it.
@@ -193,11 +199,7 @@ pub fn ranked(
 ) -> Option<Vec<PartChange>> {
     let parts = parts(scene);
     let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let progress = |share| {
-        progress(share);
-        if cancelled() { Err(()) } else { Ok(()) }
-    };
-    let changes = try_changes(scene, view, &left_out, &progress).ok()?;
+    let changes = changes(scene, view, &left_out, cancelled, progress)?;
     let part_change = |((part, name), change)| PartChange { part, name, change };
     let mut ranked: Vec<_> = parts.into_iter().zip(changes).map(part_change).collect();
     ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
@@ -211,40 +213,19 @@ pub fn picture_without(
     part: Part,
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<Vec<u32>> {
-    let world = &without(scene, &[part]).world;
-    let rule = rule(&[part]);
-    let pixels = match part {
-        Part::F64SetUp => pixels(
-            &Reference::<f32>::without(world, view, rule),
-            view,
-            cancelled,
-        ),
-        _ => pixels(
-            &Reference::<f64>::without(world, view, rule),
-            view,
-            cancelled,
-        ),
+    let (world, rule) = (&without(scene, &[part]).world, rule(&[part]));
+    let picture = match part {
+        Part::F64SetUp => rows(Reference::<f32>::without(world, view, rule)),
+        _ => rows(Reference::<f64>::without(world, view, rule)),
     };
-    Some(pixels?.concat())
-}
-
-/// The first that each pixel may show, row by row.
-fn pixels<R: Real>(
-    picture: &Reference<R>,
-    view: &View,
-    cancelled: &(dyn Fn() -> bool + Sync),
-) -> Option<Vec<Vec<u32>>> {
     let row = |y| {
-        let mut row = Vec::with_capacity(view.size[0]);
-        picture.row(y, |_, seen| {
-            let levels = seen
-                .first()
-                .map(|seen| seen.levels.map(|level| level.endpoints()[0]));
-            row.push(display_pixel(levels.unwrap_or(view.background.to_array())));
-        });
-        (!cancelled()).then_some(row)
+        let pixels = picture(y).into_iter();
+        let pixel = |seen: Vec<Shown>| display_pixel(seen[0].1.map(|[least, _]| least));
+        (!cancelled()).then(|| pixels.map(pixel).collect())
     };
-    (0..view.size[1]).into_par_iter().map(row).collect()
+    let rows = (0..view.size[1]).into_par_iter().map(row);
+    let rows: Vec<Vec<u32>> = rows.collect::<Option<_>>()?;
+    Some(rows.concat())
 }
 
 /// The rule among parts that are left out, if any.
@@ -255,43 +236,20 @@ fn rule(left_out: &[Part]) -> Option<Rule> {
     })
 }
 
-fn compare(scene: &Scene, view: &View, left_out: &[Part]) -> Compare {
-    let world = &without(scene, left_out).world;
-    let rule = rule(left_out);
-    let limit = limit(view.tolerance);
-    if left_out.contains(&Part::F64SetUp) {
-        compare_in(Reference::<f32>::without(world, view, rule), limit, false)
-    } else {
-        compare_in(
-            Reference::<Interval>::without(world, view, rule),
-            limit,
-            true,
-        )
-    }
-}
-
-/// An enclosed picture may show several things, one in f32 shows one of what the full picture may show.
-fn compare_in<R: Real + 'static>(picture: Reference<R>, limit: f64, is_enclosed: bool) -> Compare {
-    Box::new(move |y, full| {
-        let mut changes = Vec::with_capacity(full.len());
-        picture.row(y, |x, seen| {
-            let largest_error = error(&full[x], &shown(seen), is_enclosed);
-            let pixels = u64::from(largest_error[0] > limit);
-            changes.push(Change {
-                largest_error,
-                pixels,
-            });
-        });
-        Change::sum(changes)
+/// The rows of a picture, for their displayed levels alone: an enclosed one may show several things at a pixel, any other shows
+/// one.
+fn rows<R: Real + 'static>(picture: Reference<R>) -> Rows {
+    Box::new(move |y| {
+        let mut row = Vec::new();
+        let ends = |seen: &Seen<R>| seen.levels.map(|level| level.endpoints().map(displayed));
+        let shown = |seen: &Seen<R>| (seen.face(), ends(seen));
+        picture.row(y, |_, seen| row.push(seen.iter().map(shown).collect()));
+        row
     })
 }
 
-fn shown<R: Real>(seen: &[Seen<R>]) -> Vec<Shown> {
-    let ends = |seen: &Seen<R>| seen.levels.map(|level| level.endpoints().map(displayed));
-    seen.iter().map(|seen| (seen.face(), ends(seen))).collect()
-}
-
-/// The least and the largest error of a pixel by what it may show in full and without a part.
+/// The least and the largest error of a pixel by what it may show in full and without a part; without enclosures it shows one
+/// of what it may show in full.
 fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
     let mut error = [f64::INFINITY, 0.0_f64];
     let mut compare = |pixel: &[Shown], other: &[Shown]| {
@@ -301,11 +259,9 @@ fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
                 let [least, most] = difference(shown, other);
                 error[0] = error[0].min(least);
                 farthest = farthest.max(most);
-                nearest = if shown.0 == other.0 {
-                    nearest.min(most)
-                } else {
-                    nearest
-                };
+                if shown.0 == other.0 {
+                    nearest = nearest.min(most);
+                }
             }
             error[1] = error[1].max(nearest.min(farthest));
         }

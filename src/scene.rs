@@ -18,7 +18,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use anyhow::bail;
+use anyhow::{anyhow, bail};
 use glam::DVec3;
 use hecs::{Component, Entity, Query, World};
 
@@ -109,24 +109,19 @@ impl Scene {
     pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
         // Some editors put a byte order mark before the text; it is in no line and no column.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        memory::check_for(
-            || "what it describes".to_owned(),
-            text.len() * BYTES_PER_BYTE,
-        )
-        .map_err(|full| SceneError::Unreadable {
-            path: name.to_owned(),
-            cause: io::Error::new(io::ErrorKind::OutOfMemory, full),
-            hint: String::new(),
-        })?;
-        match SceneRecord::read(text) {
-            Ok(record) => {
-                let mut scene = Scene::spawn(name.to_owned(), &record);
-                let slip = record.slip().map(|slip| slip.locate(name, text));
-                scene.warning = slip.map(|slip| slip.to_string());
-                Ok(scene)
+        memory::check_for("what it describes", text.len() * BYTES_PER_BYTE).map_err(|full| {
+            SceneError::Unreadable {
+                path: name.to_owned(),
+                cause: io::Error::new(io::ErrorKind::OutOfMemory, full),
+                hint: String::new(),
             }
-            Err(fault) => Err(fault.locate(name, text)),
-        }
+        })?;
+        let record = SceneRecord::read(text).map_err(|fault| fault.locate(name, text))?;
+        let slip = record.slip().map(|slip| slip.locate(name, text));
+        Ok(Scene {
+            warning: slip.map(|slip| slip.to_string()),
+            ..Scene::spawn(name.to_owned(), &record)
+        })
     }
 
     /// The scene of what `record` says, which must be within the ranges of the format.
@@ -192,10 +187,8 @@ impl Scene {
     /// them.
     pub fn to_toml_with_view(&self) -> String {
         let mut record = self.record(|scene, camera| scene.camera(camera).0);
-        let taken = self.camera_names();
-        let mut name = "view".to_owned();
-        let mut number = 1;
-        while taken.contains(&name) {
+        let (mut name, mut number) = ("view".to_owned(), 1);
+        while self.find_camera(&name).is_some() {
             number += 1;
             name = format!("view-{number}");
         }
@@ -344,22 +337,13 @@ impl Scene {
     pub fn switch_lights(&mut self, which: &LightChoice) -> anyhow::Result<()> {
         if let LightChoice::Names(names) = which {
             let lights = self.light_names();
-            let unknown = names.iter().find(|&name| !lights.contains(name));
-            match unknown {
-                Some(name) if lights.is_empty() => {
-                    bail!("no light is named {name:?}; the scene has no lights")
-                }
-                Some(name) => bail!(
-                    "no light is named {name:?}; the scene's lights are {}",
-                    listed(&lights)
-                ),
-                None => {}
+            if let Some(name) = names.iter().find(|&name| !lights.contains(name)) {
+                return Err(unknown("light", name, &lights));
             }
         }
         for (Name(name), light) in self.world.query_mut::<(&Name, &mut Light)>() {
             light.on = match which {
                 LightChoice::All => true,
-                LightChoice::None => false,
                 LightChoice::Names(names) => names.contains(name),
             };
         }
@@ -390,9 +374,7 @@ impl Scene {
 pub enum LightChoice {
     /// Every light.
     All,
-    /// No light.
-    None,
-    /// These and no others.
+    /// These and no others; none of them is no light.
     Names(Vec<String>),
 }
 
@@ -408,7 +390,7 @@ impl FromStr for LightChoice {
             ),
             Some(name) if names.len() > 1 => bail!("`{name}` stands by itself"),
             Some(&"all") => Ok(LightChoice::All),
-            Some(_) => Ok(LightChoice::None),
+            Some(_) => Ok(LightChoice::Names(Vec::new())),
             None => Ok(LightChoice::Names(
                 names.into_iter().map(str::to_owned).collect(),
             )),
@@ -416,16 +398,19 @@ impl FromStr for LightChoice {
     }
 }
 
-/// The names for a message: quoted, and no more than a person reads.
-pub fn listed(names: &[String]) -> String {
+/// What is wrong when none of `names`, which are those of a `kind`, is `name`.
+pub fn unknown(kind: &str, name: &str, names: &[String]) -> anyhow::Error {
+    /// No more than a person reads.
     const MAX_LISTED: usize = 20;
-    let quoted: Vec<String> = names
-        .iter()
-        .take(MAX_LISTED)
-        .map(|name| format!("{name:?}"))
-        .collect();
-    match names.len().saturating_sub(MAX_LISTED) {
-        0 => quoted.join(", "),
-        more => format!("{} and {more} more", quoted.join(", ")),
+    if names.is_empty() {
+        return anyhow!("no {kind} is named {name:?}; the scene has no {kind}s");
     }
+    let quoted = names.iter().take(MAX_LISTED);
+    let listed: Vec<String> = quoted.map(|name| format!("{name:?}")).collect();
+    let listed = listed.join(", ");
+    let more = match names.len().saturating_sub(MAX_LISTED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    anyhow!("no {kind} is named {name:?}; the scene's {kind}s are {listed}{more}")
 }

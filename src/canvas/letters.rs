@@ -61,30 +61,26 @@ pub fn fit(text: &str, letters: usize) -> String {
 
 /// `text` in lines of at most `letters`, broken between words where that is possible.
 pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    let mut free = letters;
+    let (mut lines, mut line, mut used) = (Vec::new(), String::new(), 0);
     for word in text.split_whitespace() {
         let length = word.chars().count();
-        if free < letters && length < free {
-            if let Some(line) = lines.last_mut() {
-                line.push(' ');
-            }
-            free -= 1;
-        } else if free < letters {
-            lines.push(String::new());
-            free = letters;
+        if used > 0 && used + length < letters {
+            line.push(' ');
+            used += 1;
+        } else if used > 0 {
+            lines.push(std::mem::take(&mut line));
+            used = 0;
         }
         for letter in word.chars() {
-            if free == 0 {
-                lines.push(String::new());
-                free = letters;
+            if used == letters {
+                lines.push(std::mem::take(&mut line));
+                used = 0;
             }
-            if let Some(line) = lines.last_mut() {
-                line.push(letter);
-            }
-            free -= 1;
+            line.push(letter);
+            used += 1;
         }
     }
+    lines.push(line);
     lines
 }
 

@@ -153,14 +153,12 @@ impl TradeOptions {
     }
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds = text
-        .parse()
-        .ok()
-        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+fn seconds(text: &str) -> Result<Duration, &'static str> {
+    let seconds = text.parse().ok();
     seconds
+        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
         .filter(|time| time.as_secs() <= 86_400)
-        .ok_or_else(|| "it is a number of seconds from 0 to 86400".to_owned())
+        .ok_or("it is a number of seconds from 0 to 86400")
 }
 
 /// The options of `probe`.

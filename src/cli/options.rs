@@ -10,6 +10,7 @@ use anyhow::anyhow;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use fearless_simd::Level;
+use serde::de::DeserializeOwned;
 
 use super::Failure;
 use crate::components::{Projection, ShadingMode};
@@ -32,10 +33,10 @@ pub struct DrawingOptions {
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
     /// How the picture is projected
-    #[arg(long, default_value = "perspective", value_name = "PROJECTION", value_parser = projection())]
+    #[arg(long, default_value = "perspective", value_name = "PROJECTION", value_parser = one_of::<Projection>(Projection::ALL.map(Projection::name)))]
     pub projection: Projection,
     /// How all objects are shaded [default: each as the scene says]
-    #[arg(long, value_name = "SHADING", value_parser = shading())]
+    #[arg(long, value_name = "SHADING", value_parser = one_of::<ShadingMode>([ShadingMode::Gouraud, ShadingMode::Phong].map(ShadingMode::name)))]
     pub shading: Option<ShadingMode>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
@@ -104,9 +105,10 @@ impl DrawingOptions {
         }
         let camera = match &self.camera {
             None => 0,
-            Some(name) => scene
-                .find_camera(name)
-                .ok_or_else(|| unknown_camera(name, &scene))?,
+            Some(name) => scene.find_camera(name).ok_or_else(|| {
+                let cameras = scene.camera_names();
+                Failure::Usage(scene::unknown("camera", name, &cameras))
+            })?,
         };
         if let Some(lights) = &self.lights {
             scene.switch_lights(lights).map_err(Failure::Usage)?;
@@ -143,54 +145,28 @@ pub fn keep(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
     }
 }
 
-fn unknown_camera(name: &str, scene: &Scene) -> Failure {
-    Failure::Usage(anyhow!(
-        "no camera is named {name:?}; the scene's cameras are {}",
-        scene::listed(&scene.camera_names())
-    ))
-}
-
-fn projection() -> impl TypedValueParser<Value = Projection> {
-    one_of(Projection::ALL, Projection::name)
-}
-
-fn shading() -> impl TypedValueParser<Value = ShadingMode> {
-    one_of(
-        [ShadingMode::Gouraud, ShadingMode::Phong],
-        ShadingMode::name,
-    )
-}
-
-/// One of `choices`, called by its name.
-fn one_of<T, const COUNT: usize>(
-    choices: [T; COUNT],
-    name: fn(T) -> &'static str,
-) -> impl TypedValueParser<Value = T>
+/// One of these names, of what serde calls so.
+fn one_of<T>(names: [&'static str; 2]) -> impl TypedValueParser<Value = T>
 where
-    T: Copy + Send + Sync + 'static,
+    T: DeserializeOwned + Clone + Send + Sync + 'static,
 {
-    PossibleValuesParser::new(choices.map(name)).try_map(move |word| {
-        let meant = choices.into_iter().find(|choice| name(*choice) == word);
-        meant.ok_or("it is none of the choices")
-    })
+    PossibleValuesParser::new(names).try_map(|name| serde_json::from_value(name.into()))
 }
 
 fn level() -> impl TypedValueParser<Value = Level> {
-    PossibleValuesParser::new(std::iter::once("auto").chain(simd::NAMES)).try_map(|name| match name
-        .as_str()
-    {
-        "auto" => Ok(Level::new()),
-        name => simd::named(name).ok_or_else(|| {
-            let present = simd::NAMES
-                .iter()
-                .filter(|name| simd::named(name).is_some())
-                .copied()
-                .collect::<Vec<_>>();
+    let names = ["auto"].into_iter().chain(simd::NAMES);
+    PossibleValuesParser::new(names).try_map(|name| {
+        if name == "auto" {
+            return Ok(Level::new());
+        }
+        simd::named(&name).ok_or_else(|| {
+            let mut present = simd::NAMES.to_vec();
+            present.retain(|name| simd::named(name).is_some());
             format!(
                 "this machine does not have it; it has {}",
                 present.join(", ")
             )
-        }),
+        })
     })
 }
 
@@ -207,15 +183,10 @@ fn size(text: &str) -> Result<[usize; 2], String> {
     let (width, height) = text
         .split_once('x')
         .ok_or("it is WIDTHxHEIGHT in pixels, such as 960x720")?;
-    match (
-        whole_number(width, MAX_SIDE),
-        whole_number(height, MAX_SIDE),
-    ) {
-        (Some(width), Some(height)) => Ok([width, height]),
-        _ => Err(format!(
-            "it is WIDTHxHEIGHT in pixels, 1x1 to {MAX_SIDE}x{MAX_SIDE}"
-        )),
-    }
+    whole_number(width, MAX_SIDE)
+        .zip(whole_number(height, MAX_SIDE))
+        .map(<[usize; 2]>::from)
+        .ok_or_else(|| format!("it is WIDTHxHEIGHT in pixels, 1x1 to {MAX_SIDE}x{MAX_SIDE}"))
 }
 
 fn threads(text: &str) -> Result<usize, String> {

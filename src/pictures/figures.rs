@@ -47,7 +47,7 @@ const COMPONENTS: [(&str, &str, &str, &str); 4] = [
 /// # Errors
 /// When the folder cannot be made or a file cannot be written; the files before it are then there.
 pub fn figures(folder: &Path) -> Result<()> {
-    memory::check_for(|| "the sheet of figures".to_owned(), MEMORY)?;
+    memory::check_for("the sheet of figures", MEMORY)?;
     make_folder(folder)?;
     let mut scene = Scene::load(None)?;
     let workers = Workers::new(all_cores(), fearless_simd::Level::new())

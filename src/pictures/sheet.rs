@@ -64,14 +64,10 @@ pub fn half(picture: &Picture) -> Picture {
             pixel(x + 1, y + 1),
         ];
         let mean = |shift: u32| {
-            (four
-                .iter()
-                .map(|color| (color >> shift) & 0xff)
-                .sum::<u32>()
-                + 2)
-                / 4
+            let sum: u32 = four.iter().map(|color| color >> shift & 0xff).sum();
+            ((sum + 2) / 4) << shift
         };
-        (mean(16) << 16) | (mean(8) << 8) | mean(0)
+        mean(16) | mean(8) | mean(0)
     });
     Picture {
         size: [width, height],

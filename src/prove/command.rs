@@ -67,7 +67,7 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
         pixels: proof.marks.len(),
         proof: &proof,
     };
-    print(&record, as_json, || lines(&record).join("\n"))?;
+    print(&record, as_json, || lines(drawing, &record).join("\n"))?;
     if proof.refuted > 0 {
         bail!("{} of {} pixels are refuted", proof.refuted, record.pixels);
     }
@@ -84,13 +84,10 @@ fn color(pixel: u32, mark: Mark) -> u32 {
     }
 }
 
-fn lines(record: &Record) -> Vec<String> {
-    let ([width, height], proof) = (record.size, record.proof);
+fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
+    let proof = record.proof;
     let mut lines = vec![
-        format!(
-            "{}, camera {}, {}, {width}x{height}, {}, tolerance {}",
-            record.scene, record.camera, record.projection, record.mode, record.tolerance
-        ),
+        drawing.subject(""),
         format!("proven     {} of {} pixels", proof.proven, record.pixels),
         format!("refuted    {}", proof.refuted),
         format!("undecided  {}", proof.undecided),

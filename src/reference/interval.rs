@@ -182,23 +182,13 @@ impl Add for Interval {
         let sum = |a: f64, b: f64| {
             let sum = a + b;
             let part = sum - a;
-            (sum, (a - (sum - part)) + (b - part))
+            // The error of an infinite sum is no number.
+            (sum, (a - (sum - part)) + (b - part) == 0.0)
         };
-        let (least, below) = sum(self.least, other.least);
-        let (largest, above) = sum(self.largest, other.largest);
-        // An error that is no number is one of an infinite sum.
-        Interval::new(
-            if below >= 0.0 {
-                least
-            } else {
-                least.next_down()
-            },
-            if above <= 0.0 {
-                largest
-            } else {
-                largest.next_up()
-            },
-        )
+        Interval::around([
+            sum(self.least, other.least),
+            sum(self.largest, other.largest),
+        ])
     }
 }
 

@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number of the formula.
+/// A number of the formula; what is not said of a type is that of one that stands for one value.
 pub trait Real:
     Copy
     + Send
@@ -28,13 +28,19 @@ pub trait Real:
     fn sign(self, margin: f64) -> Option<Ordering>;
 
     /// Whether a specular light with this n.l is seen. An interval within 1e-6 of 0 is open if `tied` says so.
-    fn gate(self, tied: bool) -> Option<bool>;
+    fn gate(self, _tied: bool) -> Option<bool> {
+        Some(self.sign(0.0) == Some(Ordering::Greater))
+    }
 
     /// Whether the gate is tied.
-    fn is_tied(self) -> bool;
+    fn is_tied(self) -> bool {
+        false
+    }
 
     /// The square, at least 0.
-    fn square(self) -> Self;
+    fn square(self) -> Self {
+        self * self
+    }
 
     /// The square root.
     fn sqrt(self) -> Self;
@@ -52,10 +58,14 @@ pub trait Real:
     fn power(self, exponent: f64) -> Self;
 
     /// A number that two expressions give: what both enclose.
-    fn both(self, other: Self) -> Self;
+    fn both(self, _other: Self) -> Self {
+        self
+    }
 
     /// A number that is one of two: what encloses either.
-    fn either(self, other: Self) -> Self;
+    fn either(self, _other: Self) -> Self {
+        self
+    }
 }
 
 /// Rounds every operation to the nearest number of the type.
@@ -72,18 +82,6 @@ macro_rules! float {
 
             fn sign(self, _margin: f64) -> Option<Ordering> {
                 self.partial_cmp(&0.0)
-            }
-
-            fn gate(self, _tied: bool) -> Option<bool> {
-                Some(self > 0.0)
-            }
-
-            fn is_tied(self) -> bool {
-                false
-            }
-
-            fn square(self) -> Self {
-                self * self
             }
 
             fn sqrt(self) -> Self {
@@ -104,14 +102,6 @@ macro_rules! float {
 
             fn power(self, exponent: f64) -> Self {
                 self.powf(exponent as $float)
-            }
-
-            fn both(self, _other: Self) -> Self {
-                self
-            }
-
-            fn either(self, _other: Self) -> Self {
-                self
             }
         }
     };

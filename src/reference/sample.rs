@@ -4,7 +4,7 @@ use glam::DVec3;
 use hecs::World;
 use serde::Serialize;
 
-use super::illumination::{Incidence, blend, reflection};
+use super::illumination::{blend, reflection};
 use super::sight::Solid;
 use super::vector::Vector;
 use super::{Cuboid, Reference, in_file_order};
@@ -64,11 +64,11 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
     reference.meet([x, y], &cuboids, &mut met);
     let met = met.first()?;
     let Cuboid { solid, surface, .. } = met.cuboid;
-    let (line, face) = (&met.line, met.meeting.faces().next()?);
-    let place = solid.place(face, line);
-    let is_first = solid.is_on_first(face, line, &place)?;
+    let face = met.meeting.faces().next()?;
+    let place = solid.place(face, &met.line);
+    let is_first = place.is_on_first?;
     let (corners, weights) = Solid::weights(face, is_first, &place);
-    let [normal, to_eye] = [place.share.unit(), -line.along.unit()];
+    let (normal, to_eye) = (place.share.unit(), place.to_eye);
     let to_world = |v: Vector<f64>| {
         let [x, y, z] = v.0;
         (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
@@ -76,52 +76,33 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
     let mut query = world.query::<(&FileOrder, &Name, &Light)>();
     let names = query.iter().filter(|(_, _, light)| light.on);
     let names = in_file_order(names.map(|(order, name, _)| (*order, name.0.clone())));
-    let lights = surface
-        .light_terms
-        .iter()
-        .zip(names)
-        .map(|(light_term, name)| {
-            let factor = |incidence: Incidence<f64>| match light_term.kind {
-                LightKind::Ambient => 1.0,
-                LightKind::Diffuse => incidence.diffuse,
-                LightKind::Specular => incidence.specular,
-            };
-            let term = |incidence| light_term.levels * factor(incidence);
-            let to_light = light_term
-                .source
-                .map(|source| surface.to_light(source, &place, line));
-            let to_light = to_light.filter(|to_light| to_light.to_dvec3() != DVec3::ZERO);
-            let nothing = Incidence {
-                diffuse: 0.0,
-                specular: 0.0,
-            };
-            let at_point = to_light.map_or(nothing, |to_light| {
-                surface.incidence(normal, to_eye, to_light, false)
-            });
-            let at_corners = corners.map(|corner| {
-                let source = light_term.source;
-                term(source.map_or(nothing, |source| surface.at_corner(corner, source)))
-            });
-            LightSample {
-                name,
-                kind: light_term.kind,
-                to_light: to_light.map(to_world),
-                reflected: to_light.map(|to_light| to_world(reflection(normal, to_light))),
-                factor: factor(at_point),
-                strength: light_term.levels.to_dvec3(),
-                gouraud: blend(at_corners, weights).to_dvec3(),
-                phong: term(at_point).to_dvec3(),
-            }
-        });
+    let lights = surface.lights.iter().zip(names).enumerate();
+    let lights = lights.map(|(index, (light, name))| {
+        let to_light = surface.to_light(index, &place);
+        let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
+        let at_corners =
+            corners.map(|corner| light.levels * surface.factor_at_corner(index, corner));
+        let is_directed = light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
+        let directed = |vector| is_directed.then(|| to_world(vector));
+        LightSample {
+            name,
+            kind: light.kind,
+            to_light: directed(to_light),
+            reflected: directed(reflection(normal, to_light)),
+            factor,
+            strength: light.levels.to_dvec3(),
+            gouraud: blend(at_corners, weights).to_dvec3(),
+            phong: (light.levels * factor).to_dvec3(),
+        }
+    });
     Some(Sample {
         object: met.cuboid.number,
         triangle: 2 * face + usize::from(!is_first),
-        position: reference.sight.eye
-            + to_world(line.offset + line.along * (place.height / place.slope)),
+        position: reference.sight.eye + to_world(place.point),
         normal: to_world(normal),
         to_eye: to_world(to_eye),
         lights: lights.collect(),
         gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
-        phong: surface.phong(&place, line, to_eye, 0).levels.to_dvec3(),
+        phong: surface.phong(&place, 0).levels.to_dvec3(),
     })
 }

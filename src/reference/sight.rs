@@ -69,15 +69,6 @@ impl<R: Real> Sight<R> {
             size: view.size,
         }
     }
-
-    /// From the picture's centre to the centre of pixel (`x`, `y`): pixels right and down.
-    fn offset(&self, x: usize, y: usize) -> [f64; 2] {
-        let [width, height] = self.size.map(|pixels| pixels as f64);
-        [
-            ((2 * x + 1) as f64 - width) / 2.0,
-            ((2 * y + 1) as f64 - height) / 2.0,
-        ]
-    }
 }
 
 /// A cuboid's axes in world space, the columns of Rz * Ry * Rx.

@@ -2,6 +2,7 @@
 //!
 //! Rule: the file is a scene that is read as it stands; comments say what was left out of it and what that errs.
 
+use anyhow::Context;
 use serde::Serialize;
 use serde_json::json;
 
@@ -45,7 +46,10 @@ pub fn run(
     as_json: bool,
 ) -> anyhow::Result<()> {
     let (scene, views) = (scene(drawing), views(drawing, orbit));
-    let subject = subject(drawing, &scene, &views);
+    let subject = drawing.subject(&match orbit {
+        1 => String::new(),
+        views => format!(", {views} views round its target"),
+    });
     let rows = rows(drawing, &scene, &views)?;
     let record = json!({
         "scene": scene.name,
@@ -91,23 +95,6 @@ fn views(drawing: &Drawing, count: usize) -> Vec<View> {
     (0..count).map(turned).collect()
 }
 
-/// What is looked at.
-fn subject(drawing: &Drawing, scene: &Scene, views: &[View]) -> String {
-    let [width, height] = drawing.size;
-    let orbit = match views.len() {
-        1 => String::new(),
-        views => format!(", {views} views round its target"),
-    };
-    format!(
-        "{}, camera {}{orbit}, {}, {width}x{height}, {}, tolerance {}",
-        scene.name,
-        scene.camera_names()[0],
-        drawing.projection.name(),
-        drawing.mode(),
-        drawing.tolerance
-    )
-}
-
 /// A row for each part.
 fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<Row>> {
     let parts = parts(scene);
@@ -125,11 +112,13 @@ fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<
     let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
     let by_view: Vec<Vec<Change>> = with_bar(|on_progress| {
         let of_view = |(number, view)| {
-            changes(scene, view, &left_out, &|share| {
+            let progress = |share| {
                 on_progress("leaving out", (number as f64 + share) / views.len() as f64);
-            })
+            };
+            changes(scene, view, &left_out, &|| false, &progress)
         };
-        anyhow::Ok(views.iter().enumerate().map(of_view).collect())
+        let by_view: Option<_> = views.iter().enumerate().map(of_view).collect();
+        by_view.context("the comparison was cancelled")
     })?;
     let row = |(index, ((left_out, part), time_share)): (usize, ((Part, String), _))| {
         let changes: Vec<Change> = by_view.iter().map(|view| view[index]).collect();
@@ -200,7 +189,8 @@ fn write_least(
     let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
     let (left_out, change) = with_bar(|on_progress| {
         let progress = |share| on_progress("looking for the least scene", share);
-        anyhow::Ok(least(scene, views, &candidates, &progress))
+        let least = least(scene, views, &candidates, &|| false, &progress);
+        least.context("the search was cancelled")
     })?;
     rows.retain(|row| left_out.contains(&row.left_out));
     let names: Vec<String> = rows.into_iter().map(|row| row.part).collect();

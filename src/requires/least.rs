@@ -9,13 +9,14 @@ use crate::components::View;
 use crate::scene::Scene;
 
 /// Leaves out one candidate after the other, as long as every view keeps its tolerance and a cuboid remains; also what that
-/// does to the pictures. `progress` is told which share of it is done.
+/// does to the pictures; `None` as soon as `cancelled` says yes. `progress` is told which share of it is done.
 pub fn least(
     scene: &Scene,
     views: &[View],
     candidates: &[Part],
+    cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(f64) + Sync),
-) -> (Vec<Part>, Change) {
+) -> Option<(Vec<Part>, Change)> {
     let (mut left_out, mut change) = (Vec::new(), Change::default());
     let all = (candidates.len() * views.len()) as f64;
     for (index, part) in candidates.iter().enumerate() {
@@ -24,14 +25,17 @@ pub fn least(
             continue;
         }
         let one = std::slice::from_ref(&tried);
-        let tries = views.iter().enumerate().flat_map(|(number, view)| {
+        let of_view = |(number, view)| {
             let before = (index * views.len() + number) as f64;
-            changes(scene, view, one, &|share| progress((before + share) / all))
-        });
-        let sum = Change::sum(tries);
+            let progress = |share| progress((before + share) / all);
+            changes(scene, view, one, cancelled, &progress)
+        };
+        let by_view = views.iter().enumerate().map(of_view);
+        let by_view: Vec<Vec<Change>> = by_view.collect::<Option<_>>()?;
+        let sum = Change::sum(by_view.concat());
         if views.iter().all(|view| sum.keeps(view.tolerance)) {
             (left_out, change) = (tried, sum);
         }
     }
-    (left_out, change)
+    Some((left_out, change))
 }

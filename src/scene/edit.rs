@@ -85,6 +85,22 @@ impl Parameter {
     }
 }
 
+/// What is shown together of a light that has a place, of a cuboid twice, and of a camera.
+const LIGHT: &[Property] = &[
+    Property::Position,
+    Property::Color,
+    Property::Intensity,
+    Property::Gain,
+];
+const SHAPE: &[Property] = &[Property::Size, Property::Position, Property::Rotation];
+const MATERIAL: &[Property] = &[
+    Property::Ambient,
+    Property::Diffuse,
+    Property::Specular,
+    Property::Shininess,
+];
+const CAMERA: &[Property] = &[Property::FieldOfView, Property::Height, Property::Near];
+
 /// The numbers of an entity that are shown together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
@@ -131,46 +147,33 @@ impl Editable {
 }
 
 impl Scene {
-    /// How many pages there are: one a light, two a cuboid, one a camera.
-    pub fn pages(&self) -> usize {
-        self.lights.len() + 2 * self.cuboids.len() + self.cameras.len()
+    /// Every page by its entity, its kind and its properties: lights come first, then cuboids, then cameras, each in file
+    /// order.
+    fn all_pages(&self) -> impl Iterator<Item = (Entity, &'static str, &'static [Property])> {
+        let light = |&entity: &Entity| match self.copy::<&Light, _>(entity, |light| light.kind) {
+            LightKind::Ambient => (entity, "ambient light", &LIGHT[1..]),
+            LightKind::Diffuse => (entity, "diffuse light", LIGHT),
+            LightKind::Specular => (entity, "specular light", LIGHT),
+        };
+        let cuboid = |&entity: &Entity| [(entity, "cuboid", SHAPE), (entity, "material", MATERIAL)];
+        let camera = |&entity: &Entity| (entity, "camera", CAMERA);
+        let cuboids = self.cuboids.iter().flat_map(cuboid);
+        let cameras = self.cameras.iter().map(camera);
+        self.lights.iter().map(light).chain(cuboids).chain(cameras)
     }
 
-    /// A page: lights come first, then cuboids, then cameras, each in file order.
+    /// How many pages there are: one a light, two a cuboid, one a camera.
+    pub fn pages(&self) -> usize {
+        self.all_pages().count()
+    }
+
+    /// The page of this number.
     ///
     /// # Panics
     /// When there are no more than `index` pages.
     pub fn page(&self, index: usize) -> Page {
-        let cuboids = self.lights.len();
-        let cameras = cuboids + 2 * self.cuboids.len();
-        let (entity, kind, properties): (_, _, &[Property]) = if index < cuboids {
-            let entity = self.lights[index];
-            let all: &[_] = &[
-                Property::Position,
-                Property::Color,
-                Property::Intensity,
-                Property::Gain,
-            ];
-            match self.copy::<&Light, _>(entity, |light| light.kind) {
-                LightKind::Ambient => (entity, "ambient light", &all[1..]),
-                LightKind::Diffuse => (entity, "diffuse light", all),
-                LightKind::Specular => (entity, "specular light", all),
-            }
-        } else if index >= cameras {
-            let all = &[Property::FieldOfView, Property::Height, Property::Near];
-            (self.cameras[index - cameras], "camera", all)
-        } else if (index - cuboids).is_multiple_of(2) {
-            let all = &[Property::Size, Property::Position, Property::Rotation];
-            (self.cuboids[(index - cuboids) / 2], "cuboid", all)
-        } else {
-            let all = &[
-                Property::Ambient,
-                Property::Diffuse,
-                Property::Specular,
-                Property::Shininess,
-            ];
-            (self.cuboids[(index - cuboids) / 2], "material", all)
-        };
+        let page = self.all_pages().nth(index);
+        let (entity, kind, properties) = page.expect("there are more pages");
         let numbers = |&property: &Property| {
             let axes = 0..property.key().1.len();
             axes.map(move |axis| Parameter {

@@ -167,11 +167,6 @@ fn shortened(mut characters: impl Iterator<Item = char>, widest: usize) -> Strin
 
 /// `text` without what would move the cursor or worse: one column for every character.
 fn printable(text: &str) -> String {
-    text.chars()
-        .map(|character| match character {
-            '\t' | '\n' | '\r' => ' ',
-            control if control.is_control() => char::REPLACEMENT_CHARACTER,
-            other => other,
-        })
-        .collect()
+    text.replace(['\t', '\n', '\r'], " ")
+        .replace(char::is_control, "\u{fffd}")
 }

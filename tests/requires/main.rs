@@ -59,7 +59,8 @@ fn in_file_order<C: Component>(world: &World) -> Vec<Entity> {
 
 /// What the picture errs without a part.
 fn change(scene: &Scene, view: &View, part: Part) -> Change {
-    changes(scene, view, &[vec![part]], &|_| ())[0]
+    let changes = changes(scene, view, &[vec![part]], &|| false, &|_| ());
+    changes.expect("nobody cancels it")[0]
 }
 
 /// Every part of a scene that the picture requires, by name.

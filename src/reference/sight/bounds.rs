@@ -32,21 +32,13 @@ impl Sight<Interval> {
             return self.size.map(|side| 0..side);
         }
         [0, 1].map(|axis| {
-            let places = seen.map(|point| {
-                let place = if is_perspective {
-                    point[axis] / point[2]
-                } else {
-                    point[axis]
-                };
-                (place / self.pitch).endpoints()
-            });
-            let [mut least, mut largest] = places[0];
-            for [low, high] in places {
-                (least, largest) = (least.min(low), largest.max(high));
-            }
-            if axis == 1 {
-                (least, largest) = (-largest, -least);
-            }
+            let place = |[x, y, depth]: [Interval; 3]| {
+                let place = if axis == 0 { x } else { -y };
+                let place = if is_perspective { place / depth } else { place };
+                place / self.pitch
+            };
+            let places = seen.map(place).into_iter().reduce(Interval::either);
+            let [least, largest] = places.unwrap_or(Interval::ALL).endpoints();
             let middle = self.size[axis] as f64 / 2.0;
             // One pixel more for edges; the conversion to integers saturates.
             let end = ((middle + largest + 2.0) as usize).min(self.size[axis]);

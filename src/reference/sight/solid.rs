@@ -73,13 +73,14 @@ pub struct Meeting {
 
 /// The point of a face that a line of sight meets.
 pub struct Place<R> {
-    /// How high above the face the line starts, in world units, and how much of that it loses for each unit of depth.
-    pub height: R,
-    pub slope: R,
+    /// The point from the eye.
+    pub point: Vector<R>,
     /// The coordinates from the cuboid's centre over the lengths of its edges: -1/2..=1/2 within the face.
     pub share: Vector<R>,
-    /// The point itself, from the eye, where it is not on the line but held inside the face.
-    pub point: Option<Vector<R>>,
+    /// o.
+    pub to_eye: Vector<R>,
+    /// Whether it is on the first triangle of the face, not on the second; an interval that holds the diagonal is undecided.
+    pub is_on_first: Option<bool>,
 }
 
 impl Meeting {
@@ -177,8 +178,8 @@ impl<R: Real> Solid<R> {
         // The way from the eye to a place on the face: where an edge across `axis` is, or the middle.
         let to = |axis: usize, end: f64| {
             let mut way = -self.eye;
-            way.0[k] = R::of(outwards * self.half[k]) - self.eye.0[k];
-            way.0[axis] = R::of(end * self.half[axis]) - self.eye.0[axis];
+            way.0[k] = self.end(k, outwards);
+            way.0[axis] = self.end(axis, end);
             way
         };
         // How far a line passes that place along `axis`, times its pace towards the face.
@@ -229,7 +230,8 @@ impl<R: Real> Solid<R> {
 
     /// The line of sight through the centre of pixel (`x`, `y`).
     pub fn line(&self, sight: &Sight<R>, x: usize, y: usize) -> Line<R> {
-        let pixel = sight.offset(x, y);
+        let [width, height] = sight.size.map(|pixels| pixels as f64 / 2.0);
+        let pixel = [x as f64 + 0.5 - width, y as f64 + 0.5 - height];
         let moved = self.step[0] * R::of(pixel[0]) + self.step[1] * R::of(pixel[1]);
         let (offset, along) = match self.projection {
             Projection::Perspective => (Vector::exact(DVec3::ZERO), self.forward + moved),
@@ -273,10 +275,7 @@ impl<R: Real> Solid<R> {
 
     /// How far away the line meets the cuboid, along the view direction, in world units.
     pub fn depth(&self, meeting: Meeting, line: &Line<R>) -> Option<R> {
-        let depths = meeting.faces().map(|face| {
-            let [height, slope] = self.approach(face, line);
-            height / slope
-        });
+        let depths = meeting.faces().map(|face| self.depth_of_face(face, line));
         depths.reduce(R::either)
     }
 
@@ -286,70 +285,54 @@ impl<R: Real> Solid<R> {
         faces.filter_map(|(number, face)| Some((number, face.as_ref()?)))
     }
 
-    /// The height and the slope of a [`Place`].
-    fn approach(&self, face: usize, line: &Line<R>) -> [R; 2] {
+    /// How far away the line meets the plane of a face, along the view direction: H / w.
+    fn depth_of_face(&self, face: usize, line: &Line<R>) -> R {
         let (axis, outwards) = across(face);
-        let slope = signed(-outwards, line.along.0[axis]);
         let height = self.height(face) + signed(outwards, line.offset.0[axis]);
-        [height, slope]
+        height / signed(-outwards, line.along.0[axis])
+    }
+
+    /// From the eye to where the cuboid ends along an axis, on the side of this sign.
+    fn end(&self, axis: usize, sign: f64) -> R {
+        R::of(sign * self.half[axis]) - self.eye.0[axis]
     }
 
     /// Where the line meets the plane of a face.
-    pub fn place(&self, face: usize, line: &Line<R>) -> Place<R> {
-        let [height, slope] = self.approach(face, line);
-        let (axis, outwards) = across(face);
-        let depth = height / slope;
-        let share = std::array::from_fn(|i| {
-            if i == axis {
-                R::of(0.5 * outwards)
-            } else {
-                let from = self.eye.0[i] + line.offset.0[i];
-                (from + line.along.0[i] * depth) * self.per_edge[i]
-            }
-        });
+    pub fn place(&self, number: usize, line: &Line<R>) -> Place<R> {
+        let (axis, outwards) = across(number);
+        let mut point = line.offset + line.along * self.depth_of_face(number, line);
+        point.0[axis] = self.end(axis, outwards);
+        let face = self.faces[number].as_ref();
         Place {
-            height,
-            slope,
-            share: Vector(share),
-            point: None,
+            point,
+            share: self.share(number, point),
+            to_eye: -line.along.unit(),
+            is_on_first: face.and_then(|face| face.diagonal.side(line.pixel, 0.0)),
         }
     }
 
     /// The place held inside the face: each coordinate along it stops at the edge.
-    pub fn held(&self, face: usize, line: &Line<R>) -> Place<R> {
-        let place = self.place(face, line);
-        let depth = place.height / place.slope;
+    pub fn held(&self, face: usize, place: &Place<R>) -> Place<R> {
         let (axis, outwards) = across(face);
-        let end = |i: usize, sign: f64| R::of(sign * self.half[i]) - self.eye.0[i];
-        let point: [R; 3] = std::array::from_fn(|i| {
-            if i == axis {
-                end(i, outwards)
-            } else {
-                let on_line = line.offset.0[i] + line.along.0[i] * depth;
-                on_line.max(end(i, -1.0)).min(end(i, 1.0))
-            }
-        });
-        let mut share = Vector(std::array::from_fn(|i| {
-            (self.eye.0[i] + point[i]) * self.per_edge[i]
-        }));
-        share.0[axis] = place.share.0[axis];
+        let ends = [-1.0, 1.0].map(|sign| Vector([0, 1, 2].map(|axis| self.end(axis, sign))));
+        let point = place.point.zip(ends[0], R::max).zip(ends[1], R::min);
+        let share = self.share(face, point);
+        let [u, v] = along(axis).map(|axis| share.0[axis]);
+        let order = signed(outwards, u - v).sign(0.0);
         Place {
+            point,
             share,
-            point: Some(Vector(point)),
-            ..place
+            to_eye: self.to_eye(point),
+            is_on_first: order.map(|order| order != Ordering::Less),
         }
     }
 
-    /// Whether the line sees a place on the first triangle of a face, not on the second; an interval that holds the diagonal is
-    /// undecided.
-    pub fn is_on_first(&self, face: usize, line: &Line<R>, place: &Place<R>) -> Option<bool> {
-        if place.point.is_none() {
-            return self.faces[face].as_ref()?.diagonal.side(line.pixel, 0.0);
-        }
+    /// The coordinates of a point of a face, given from the eye, as shares of the edges.
+    fn share(&self, face: usize, point: Vector<R>) -> Vector<R> {
         let (axis, outwards) = across(face);
-        let [u, v] = along(axis).map(|axis| place.share.0[axis]);
-        let order = signed(outwards, u - v).sign(0.0)?;
-        Some(order != Ordering::Less)
+        let mut share = (self.eye + point).zip(Vector(self.per_edge), R::mul);
+        share.0[axis] = R::of(0.5 * outwards);
+        share
     }
 
     /// The corners of one of a face's two triangles, and their weights at a place: together 1, each 0..=1 within it.
