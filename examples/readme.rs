@@ -70,13 +70,12 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     let mut composition = Composition::new(workers()?);
     composition.draw(&mut session, size)?;
     composition.time(&mut session)?;
-    let mut request = session.reference_request(size);
-    if let Some(result) = examine(&mut request, workers()?, &|| false) {
-        let revision = result.revision;
-        session.on_progress(Progress::Examined(result));
-        let (world, view) = (&mut request.scene.world, &request.view);
+    let mut snapshot = session.snapshot(size);
+    if let Some(result) = examine(&mut snapshot, workers()?, &|| false) {
+        session.on_progress(snapshot.revision, Progress::Examined(result));
+        let (world, view) = (&mut snapshot.scene.world, &snapshot.view);
         if let Some(proof) = prove(world, view, Level::new(), &|| false, &|_| ())? {
-            session.on_progress(Progress::Proven(revision, proof));
+            session.on_progress(snapshot.revision, Progress::Proven(proof));
         }
     }
     let (mut picture, mut pixels) = (Vec::new(), Vec::new());

@@ -200,34 +200,6 @@ pub enum Section {
     Editor,
 }
 
-impl Section {
-    /// Every section, in the order in which they are shown.
-    pub const ALL: [Section; 8] = [
-        Section::Lights,
-        Section::Shading,
-        Section::Camera,
-        Section::View,
-        Section::Motion,
-        Section::Scene,
-        Section::Editor,
-        Section::Window,
-    ];
-
-    /// What stands above the section's rows.
-    pub fn title(self) -> &'static str {
-        match self {
-            Section::Lights => "lights",
-            Section::Shading => "shading",
-            Section::Camera => "camera",
-            Section::View => "view",
-            Section::Motion => "move",
-            Section::Scene => "scene",
-            Section::Editor => "numbers of the scene",
-            Section::Window => "window",
-        }
-    }
-}
-
 /// One command and how it is called up.
 #[derive(Debug)]
 pub struct Binding {
@@ -245,21 +217,12 @@ pub struct Binding {
     pub says: &'static str,
     /// Whether the panel has it too; the help has all.
     pub on_panel: bool,
-    /// What happens while its key is held.
-    pub hold: Hold,
+    /// Whether it goes on while its key is held.
+    pub repeats: bool,
+    /// What happens when its key goes up, if anything.
+    pub on_release: Option<Action>,
     /// What is held with it.
     pub modifiers: Modifiers,
-}
-
-/// What happens while a key is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hold {
-    /// Nothing more.
-    Rests,
-    /// The command goes on.
-    Repeats,
-    /// What the command began lasts, and ends with it.
-    Lasts,
 }
 
 impl Binding {
@@ -280,7 +243,8 @@ impl Binding {
             action,
             says,
             on_panel: false,
-            hold: Hold::Rests,
+            repeats: false,
+            on_release: None,
             modifiers: Modifiers::NONE,
         }
     }
@@ -293,7 +257,7 @@ impl Binding {
 
     /// The same row, going on while its key is held.
     const fn repeats(mut self) -> Self {
-        self.hold = Hold::Repeats;
+        self.repeats = true;
         self
     }
 
@@ -309,9 +273,9 @@ impl Binding {
         self
     }
 
-    /// The same row, lasting as long as its key is held.
-    const fn lasts(mut self) -> Self {
-        self.hold = Hold::Lasts;
+    /// The same row, whose key does this when it goes up.
+    const fn on_release(mut self, action: Action) -> Self {
+        self.on_release = Some(action);
         self
     }
 }
@@ -365,7 +329,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding::new(Section::View, &["X"], &[Key::X], &['x'], Action::MagnifyBy(-1), "magnify, or Ctrl wheel"),
     Binding::new(Section::View, &["Ctrl +"], &[Key::Equal, Key::NumPadPlus], &[], Action::LettersBy(1), "size of letters").with_control(),
     Binding::new(Section::View, &["-"], &[Key::Minus, Key::NumPadMinus], &[], Action::LettersBy(-1), "size of letters").with_control(),
-    Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
+    Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().on_release(Action::EndBlink),
     Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
     Binding::new(Section::View, &["N"], &[Key::N], &['n'], Action::Requires, "what is required"),
     Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], orbit(-ORBIT_STEP, 0.0), "orbit across, or drag").repeats(),

@@ -65,7 +65,7 @@ impl Composition {
     pub fn draw(&mut self, session: &mut Session, size: [usize; 2]) -> Result<(), OutOfMemory> {
         session.update_probe(size)?;
         let times = self.draw_sides(session, size, 1)?;
-        if session.state().mode == ViewMode::Tiles {
+        if session.state.mode == ViewMode::Tiles {
             session.draw(None, size, &mut self.levels)?;
         }
         session.drawn(times, self.frame.pixels());
@@ -96,7 +96,7 @@ impl Composition {
         frames: usize,
     ) -> Result<FrameTimes, OutOfMemory> {
         let frame = &mut self.frame;
-        let sides = if session.state().mode == ViewMode::GouraudPhong {
+        let sides = if session.state.mode == ViewMode::GouraudPhong {
             let gouraud = Some(ShadingMode::Gouraud);
             let left = draw_timed(session, gouraud, size, frame, frames)?;
             self.left.clear();
@@ -118,10 +118,10 @@ impl Composition {
     pub fn compose(&self, session: &Session, pixels: &mut Vec<u32>) {
         let [width, _] = self.size();
         let picture = self.frame.pixels();
-        let state = session.state();
-        let result = session.reference();
+        let state = &session.state;
+        let result = session.reference.as_ref();
         let reference = || views::or_dimmed(result.map(|it| &it.reference), picture);
-        let left_out = session.requires().filter(|it| it.left_out.is_some());
+        let left_out = session.requires.as_ref().filter(|it| it.left_out.is_some());
         let divider = state.divider_column(width);
         pixels.clear();
         match state.mode {

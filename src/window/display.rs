@@ -29,9 +29,11 @@ pub struct NoDisplay {
 pub struct Display {
     window: minifb::Window,
     reported: Rc<RefCell<Vec<Event>>>,
-    events: Vec<Event>,
+    /// What has happened since these were last taken, in order.
+    pub events: Vec<Event>,
     is_wayland: bool,
-    active: bool,
+    /// Whether keys come to this window.
+    pub is_active: bool,
     mouse: Point,
     button: bool,
     wheel: f32,
@@ -81,7 +83,7 @@ impl Display {
             reported,
             events: Vec::new(),
             is_wayland,
-            active: false,
+            is_active: false,
             mouse: [0, 0],
             button: false,
             wheel: 0.0,
@@ -97,11 +99,6 @@ impl Display {
     /// Whether the user has not closed the window.
     pub fn is_open(&self) -> bool {
         self.window.is_open()
-    }
-
-    /// Whether keys come to this window.
-    pub fn is_active(&self) -> bool {
-        self.active
     }
 
     /// Lets the window cover the screen, or gives it its size again.
@@ -136,20 +133,10 @@ impl Display {
         self.gather();
     }
 
-    /// What has happened since this was last asked, in order.
-    pub fn take_events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
-    }
-
-    /// Whether something has happened since [`Display::take_events`].
-    pub fn has_events(&self) -> bool {
-        !self.events.is_empty()
-    }
-
     fn gather(&mut self) {
         self.gather_keys();
-        let active = self.window.is_active();
-        if std::mem::replace(&mut self.active, active) && !active {
+        let is_active = self.window.is_active();
+        if std::mem::replace(&mut self.is_active, is_active) && !is_active {
             self.events.push(Event::FocusLost);
         }
         self.gather_wheel();

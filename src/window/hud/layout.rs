@@ -42,7 +42,7 @@ impl Layout {
     }
 
     fn best(&self, versions: &[Vec<Line>], wish: Point) -> Option<(Covered, Board)> {
-        let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
+        let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect).collect();
         let obstacles: [&[Rect]; 4] = [&self.marks, &placed, &self.arrows, &[self.cuboids]];
         let versions = versions.iter().filter(|lines| !lines.is_empty());
         let best = |faces: &[Face]| {

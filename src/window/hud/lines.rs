@@ -68,13 +68,13 @@ pub const ON: u32 = 0x0034_d399;
 
 /// The panel: what is used most, and below it the facts.
 pub fn panel(session: &Session) -> Vec<Line> {
-    let name = &session.scene().name;
+    let name = &session.scene.name;
     let file = Path::new(name)
         .file_name()
         .map_or_else(|| name.clone(), |it| it.to_string_lossy().into_owned());
     let mut lines = vec![Line::Title("shadetrade", file)];
-    for sections in PANEL_SECTIONS {
-        lines.extend(under_heading(session, sections, true));
+    for (heading, sections) in PANEL {
+        lines.extend(under_heading(session, heading, sections, true));
     }
     lines.push(Line::Rule);
     lines.extend(facts::all(session));
@@ -82,31 +82,53 @@ pub fn panel(session: &Session) -> Vec<Line> {
 }
 
 /// The sections of the panel, those together that have one heading.
-const PANEL_SECTIONS: [&[Section]; 4] = [
-    &[Section::Lights],
-    &[Section::Shading],
-    &[Section::View, Section::Camera],
-    &[Section::Window, Section::Scene, Section::Motion],
+const PANEL: [(&str, &[Section]); 4] = [
+    ("lights", &[Section::Lights]),
+    ("shading", &[Section::Shading]),
+    ("view", &[Section::View, Section::Camera]),
+    (
+        "window",
+        &[Section::Window, Section::Scene, Section::Motion],
+    ),
 ];
 
-/// The commands of these sections under the title of the first: those that the panel has, or all.
-fn under_heading(session: &Session, sections: &[Section], panel: bool) -> Vec<Line> {
-    let mut lines = vec![Line::Heading(sections[0].title())];
+/// The sections of the help's two boards.
+const HELP: [&[(&str, &[Section])]; 2] = [
+    &[
+        ("lights", &[Section::Lights]),
+        ("shading", &[Section::Shading]),
+        ("camera", &[Section::Camera]),
+        ("view", &[Section::View]),
+        ("move", &[Section::Motion]),
+    ],
+    &[
+        ("scene", &[Section::Scene]),
+        ("numbers of the scene", &[Section::Editor]),
+        ("window", &[Section::Window]),
+    ],
+];
+
+/// The commands of these sections under a heading: those that the panel has, or all.
+fn under_heading(
+    session: &Session,
+    heading: &'static str,
+    sections: &[Section],
+    panel: bool,
+) -> Vec<Line> {
+    let mut lines = vec![Line::Heading(heading)];
     lines.extend(sections.iter().flat_map(|it| commands(session, *it, panel)));
     lines
 }
 
 /// The help: every command there is, in two boards side by side.
 pub fn help(session: &Session) -> [Vec<Line>; 2] {
-    let (left, right) = Section::ALL.split_at(5);
-    let halves = [("help", "", left), ("", "H or Esc closes it", right)];
-    let mut lines = halves.map(|(name, detail, sections)| {
-        let mut lines = vec![Line::Title(name, detail.to_owned())];
-        for section in sections.chunks(1) {
-            lines.extend(under_heading(session, section, false));
+    let titles = [("help", ""), ("", "H or Esc closes it")];
+    let mut lines = titles.map(|(name, detail)| vec![Line::Title(name, detail.to_owned())]);
+    for (lines, sections) in lines.iter_mut().zip(HELP) {
+        for (heading, sections) in sections {
+            lines.extend(under_heading(session, heading, sections, false));
         }
-        lines
-    });
+    }
     let mouse = [
         ("click on a row", "does what its key does"),
         ("click on the picture", "probes the pixel"),
@@ -122,11 +144,11 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
 
 /// What the window's title says; `panel` is whether there is room for it.
 pub fn title(session: &Session, panel: bool) -> String {
-    let scene = &session.scene().name;
+    let scene = &session.scene.name;
     let shading = session.shading().map_or("mixed shading", mode_label);
-    let projection = session.projection().name();
-    let camera = session.name(session.scene().cameras[session.camera()]);
-    let hint = match (session.state().panel, panel) {
+    let projection = session.projection.name();
+    let camera = session.name(session.scene.cameras[session.camera()]);
+    let hint = match (session.state.panel, panel) {
         (false, _) => "I for the panel, H for help",
         (true, false) => "no room for the panel, H for help",
         (true, true) => "H for help",
