@@ -223,36 +223,31 @@ fn press_first(events: &mut [Event]) {
 }
 
 /// Opening a window segfaults inside Xlib where `XMODIFIERS` names an input method whose server does not run, so the
-/// program starts itself anew without one; it needs none. Call it before anything is read.
+/// program starts itself anew without one; it needs none. Call it before anything is read. Other systems have no such
+/// input methods.
 ///
 /// # Errors
 /// When the program cannot be started anew.
-#[cfg(all(unix, not(target_os = "macos")))]
 pub fn restart_without_input_method() -> anyhow::Result<()> {
-    use std::os::unix::process::CommandExt;
-    const NONE: &str = "@im=none";
-    let needed = std::env::var_os("DISPLAY").is_some()
-        && std::env::var_os("XMODIFIERS").is_some_and(|value| value != NONE);
-    if !needed {
-        return Ok(());
-    }
-    let mut arguments = std::env::args_os();
-    let restarted = std::env::current_exe().map(|program| {
-        let mut command = std::process::Command::new(program);
-        if let Some(name) = arguments.next() {
-            command.arg0(name);
+    #[cfg(all(unix, not(target_os = "macos")))]
+    {
+        use std::os::unix::process::CommandExt;
+        const NONE: &str = "@im=none";
+        let is_set = std::env::var_os("XMODIFIERS").is_some_and(|value| value != NONE);
+        if is_set && std::env::var_os("DISPLAY").is_some() {
+            let mut arguments = std::env::args_os();
+            let restarted = std::env::current_exe().map(|program| {
+                let mut command = std::process::Command::new(program);
+                if let Some(name) = arguments.next() {
+                    command.arg0(name);
+                }
+                command.args(arguments).env("XMODIFIERS", NONE).exec()
+            });
+            let error = restarted.unwrap_or_else(|error| error);
+            let reason =
+                "cannot start again with XMODIFIERS=@im=none, which opening a window needs";
+            return Err(error).context(reason);
         }
-        command.args(arguments).env("XMODIFIERS", NONE).exec()
-    });
-    let error = restarted.unwrap_or_else(|error| error);
-    Err(error).context("cannot start again with XMODIFIERS=@im=none, which opening a window needs")
-}
-
-/// Other systems have no such input methods.
-///
-/// # Errors
-/// None.
-#[cfg(not(all(unix, not(target_os = "macos"))))]
-pub fn restart_without_input_method() -> anyhow::Result<()> {
+    }
     Ok(())
 }

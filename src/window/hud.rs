@@ -168,11 +168,8 @@ impl Hud {
             let place = [picture.x + x, picture.y + y];
             picture.contains(place).then_some(place)
         };
-        let cross = session
-            .probe
-            .as_ref()
-            .map(|it| it.pixel.map(|at| at as i32));
-        let cross = cross.and_then(in_window);
+        let probed = session.probe.as_ref();
+        let cross = probed.and_then(|it| in_window(it.pixel.map(|at| at as i32)));
         let lights = match state.editor {
             Some(_) => markers(session, size_of_picture),
             None => Vec::new(),
@@ -366,7 +363,7 @@ fn add_boards(layout: &mut Layout, session: &Session, area: Rect) {
     layout.add(Part::Editor, &[editor::lines(session)], above);
     layout.add(Part::Requires, &[requires::lines(session)], above);
     layout.add(Part::Legend, &[legend::lines(session)], below);
-    if let Some(probe) = session.probe.as_ref() {
+    if let Some(probe) = &session.probe {
         let lines = |worked| [false, true].map(|wide| pixel::lines(probe, wide, worked));
         if !layout.add_clear(Part::Probe, &lines(true), above) {
             layout.add(Part::Probe, &lines(false), above);

@@ -20,14 +20,13 @@ use super::history::History;
 use super::jobs::Progress;
 use super::recording::Event;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
-use crate::components::{Projection, ShadingMode, Spin, View};
+use crate::components::{Projection, Spin, View};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, display_pixel};
+use crate::frame::display_pixel;
 use crate::memory::OutOfMemory;
 use crate::probe::{self, Probe, Profile};
 use crate::requires::{Part, PartChange};
 use crate::scene::Scene;
-use crate::systems;
 use crate::trade::Report;
 
 /// How long nothing changes before the picture is timed and examined.
@@ -296,23 +295,6 @@ impl Session {
             self.state.hovered = action;
             self.wants(Redraw::Overlay);
         }
-    }
-
-    /// Draws the picture of `size` pixels into `frame`, all cuboids shaded so, or each in its own mode.
-    ///
-    /// # Errors
-    /// When it does not fit in memory.
-    pub fn draw(
-        &mut self,
-        shading: Option<ShadingMode>,
-        size: [usize; 2],
-        frame: &mut Frame,
-    ) -> Result<(), OutOfMemory> {
-        let view = View {
-            shading,
-            ..self.view(size)
-        };
-        systems::draw(&mut self.scene.world, &view, frame)
     }
 
     /// Notes what the picture of these pixels took when it was drawn first.

@@ -10,6 +10,7 @@ use shadetrade::components::{Camera, Light, Transform};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
 use shadetrade::scene::edit::{Page, Parameter, Property};
+use shadetrade::systems;
 use shadetrade::window::bindings::{Action, Modifiers, StepSize};
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Part, picture};
@@ -98,9 +99,8 @@ fn turn_to(session: &mut Session, name: &str, kind: &str) {
 
 fn drawn(session: &mut Session, size: [usize; 2]) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
-    session
-        .draw(None, size, &mut frame)
-        .expect("it fits in memory");
+    let view = session.view(size);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("it fits in memory");
     frame.pixels().to_vec()
 }
 

@@ -7,6 +7,7 @@ use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::frame::Workers;
 use shadetrade::prove::{Proof, REFUTED, UNDECIDED, Verdict, prove};
+use shadetrade::systems;
 use shadetrade::trade::error_map;
 use shadetrade::window::examination::{Errors, ReferenceResult, examine};
 use shadetrade::window::hud::lines::Line;
@@ -200,14 +201,28 @@ fn phong_errs_by_its_tolerance_at_most_and_gouraud_by_more() {
 }
 
 #[test]
+fn a_picture_all_in_phong_is_compared_with_one_reference_and_not_with_two() {
+    let mut session = default_session();
+    let rows = |session: &Session| {
+        let asked = AtomicUsize::new(0);
+        let not_cancelled = || asked.fetch_add(1, Ordering::Relaxed) == usize::MAX;
+        let workers = Workers::alone(Level::new());
+        examine(&mut session.snapshot(SMALL), workers, &not_cancelled).expect("it fits");
+        asked.into_inner()
+    };
+    let gouraud = rows(&session);
+    press(&mut session, Key::P);
+    assert_eq!(2 * rows(&session), gouraud);
+}
+
+#[test]
 fn the_reference_looks_like_the_picture() {
     let mut session = default_session();
     press(&mut session, Key::P);
     let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let mut frame = shadetrade::frame::Frame::new(shadetrade::frame::Keep::Display, workers);
-    session
-        .draw(None, SMALL, &mut frame)
-        .expect("there is memory");
+    let view = session.view(SMALL);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("there is memory");
     let reference = found(session.snapshot(SMALL)).reference;
     let far = |(drawn, exact): (&u32, &u32)| {
         let [drawn, exact] = [drawn, exact].map(|it| it.to_be_bytes());

@@ -8,6 +8,7 @@ use proptest::prelude::*;
 use shadetrade::canvas::Rect;
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::scene::{BUILT_IN, Scene};
+use shadetrade::systems;
 use shadetrade::trade;
 use shadetrade::window::bindings::Action;
 use shadetrade::window::composition::Composition;
@@ -86,9 +87,8 @@ fn cuboid(session: &mut Session, hud: &Hud) -> Rect {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     let rect = hud.picture;
     let size = rect.size();
-    session
-        .draw(None, size, &mut frame)
-        .expect("there is memory");
+    let view = session.view(size);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("there is memory");
     let ids = frame.triangles().iter().enumerate();
     let covered: Vec<usize> = ids
         .filter(|(_, id)| **id != NO_TRIANGLE)

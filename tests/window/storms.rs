@@ -14,6 +14,7 @@ use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
 use shadetrade::simd;
+use shadetrade::systems;
 use shadetrade::trade;
 use shadetrade::window::bindings::{Action, BINDINGS, StepSize};
 use shadetrade::window::composition::Composition;
@@ -473,9 +474,8 @@ fn undoable() -> Vec<(Action, Vec<Action>)> {
 /// The levels of a small picture as bits, and the triangles seen.
 fn picture(session: &mut Session) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
-    session
-        .draw(None, [96, 72], &mut frame)
-        .expect("a small picture fits");
+    let view = session.view([96, 72]);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("a small picture fits");
     let levels = frame
         .levels()
         .as_flattened()

@@ -36,7 +36,7 @@ pub fn lines(session: &Session) -> Vec<Line> {
     let known = session.reference.is_some();
     let text = |text: &str| Line::Text(text.to_owned());
     let or_waiting = |words| if known { words } else { WAITING };
-    if let Some(requires) = session.requires.as_ref()
+    if let Some(requires) = &session.requires
         && let Some(part) = requires.left_out.and_then(|it| requires.parts.get(it))
     {
         let known = requires.picture.is_some();
@@ -49,10 +49,8 @@ pub fn lines(session: &Session) -> Vec<Line> {
     match state.mode {
         ViewMode::ErrorMap => {
             let title = or_waiting("in levels, against exact Phong");
-            let scale = session
-                .reference
-                .as_ref()
-                .map_or(Scale::WIDEST, |it| it.scale);
+            let reference = session.reference.as_ref();
+            let scale = reference.map_or(Scale::WIDEST, |it| it.scale);
             let head = [Line::Title("error", title.to_owned()), Line::Scale(scale)];
             with_swatches(&head, &error_swatches(session))
         }

@@ -31,7 +31,7 @@ pub struct Plot {
 
 /// What is shown; empty where nothing is probed.
 pub fn lines(session: &Session) -> Vec<Line> {
-    let (Some(profile), Some(probe)) = (session.profile.as_ref(), session.probe.as_ref()) else {
+    let (Some(profile), Some(probe)) = (&session.profile, &session.probe) else {
         return Vec::new();
     };
     let [column, row] = probe.pixel;

@@ -12,7 +12,7 @@ const ROWS: usize = 16;
 
 /// What is shown; empty where nothing is.
 pub fn lines(session: &Session) -> Vec<Line> {
-    let Some(requires) = session.requires.as_ref() else {
+    let Some(requires) = &session.requires else {
         return Vec::new();
     };
     let tolerance = session.tolerance;

@@ -129,8 +129,10 @@ impl Session {
             Action::Step { row, steps, size } => self.step_number(row, steps, size),
             Action::Type(letter) => self.type_letter(letter),
             Action::Enter => self.enter(),
-            Action::Erase => self.erase(),
-            Action::Forget => self.forget_typed(),
+            Action::Erase => self.edit_typed(|typed| {
+                typed.pop();
+            }),
+            Action::Forget => self.edit_typed(String::clear),
             Action::Undo => self.travel(History::undo, "nothing to undo"),
             Action::Redo => self.travel(History::redo, "nothing to redo"),
             Action::DragLight {

@@ -46,27 +46,16 @@ impl Session {
 
     /// Takes a letter of a number.
     pub(super) fn type_letter(&mut self, letter: char) {
-        self.edit(|editor| {
-            if editor.row > 0 {
-                editor.error = None;
-                editor.typed.push(letter);
-            }
-        });
+        if self.state.editor.as_ref().is_some_and(|it| it.row > 0) {
+            self.edit_typed(|typed| typed.push(letter));
+        }
     }
 
-    /// Takes back the last letter of a number.
-    pub(super) fn erase(&mut self) {
+    /// Changes what is typed.
+    pub(super) fn edit_typed(&mut self, change: impl FnOnce(&mut String)) {
         self.edit(|editor| {
             editor.error = None;
-            editor.typed.pop();
-        });
-    }
-
-    /// Forgets what was typed.
-    pub(super) fn forget_typed(&mut self) {
-        self.edit(|editor| {
-            editor.error = None;
-            editor.typed.clear();
+            change(&mut editor.typed);
         });
     }
 
@@ -93,7 +82,7 @@ impl Session {
         if let Some(row) = row {
             self.choose_row(row);
         }
-        self.forget_typed();
+        self.edit_typed(String::clear);
         let Some(parameter) = self.chosen() else {
             let page = self.state.page as i64 + i64::from(steps);
             self.state.page = page.rem_euclid(self.scene.pages() as i64) as usize;
@@ -209,7 +198,7 @@ impl Session {
 
     /// The scene is another one than its history says: what was shown of it may be gone.
     pub(super) fn scene_changed(&mut self) {
-        self.forget_typed();
+        self.edit_typed(String::clear);
         self.state.page = self.state.page.min(self.scene.pages() - 1);
         self.state.drag = None;
         self.changed();
