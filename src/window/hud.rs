@@ -27,21 +27,17 @@ pub mod requires;
 use super::bindings::Action;
 use super::magnifier::{MAX_SCALE, Magnifier};
 use super::session::Session;
-use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
+use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect};
 use crate::components::{Polygon, Projected};
 use arrows::{Arrow, arrows};
 use board::{Board, TextStyle};
-use layout::{Layout, help};
-use lines::Line;
+use layout::{Layout, add_boards, help};
 use markers::{Marker, markers};
 
 /// How many letters wide the panel is; values that change never change it.
 const PANEL_LETTERS: usize = 33;
 /// The panel takes at most this share of the window's width, in percent.
 const PANEL_SHARE: i32 = 38;
-/// The widths at which words are broken, in letters, the widest first.
-const WRAPS: [usize; 2] = [60, 40];
-
 const SHADE: Ink = Ink::glass(0, 120);
 const DIVIDER: Ink = Ink::glass(0x00ff_ffff, 230);
 const DIVIDER_EDGE: Ink = Ink::glass(0, 110);
@@ -354,42 +350,6 @@ impl Hud {
         let inside = self.picture.contains(point);
         inside.then(|| self.magnifier.pixel(place))
     }
-}
-
-/// Adds what is shown beside the panel, the most important first.
-fn add_boards(layout: &mut Layout, session: &Session, area: Rect) {
-    let below = [area.x + area.width / 2, area.bottom()];
-    let above = [area.right(), area.y];
-    layout.add(Part::Editor, &[editor::lines(session)], above);
-    layout.add(Part::Requires, &[requires::lines(session)], above);
-    layout.add(Part::Legend, &[legend::lines(session)], below);
-    if let Some(probe) = &session.probe {
-        let lines = |worked| [false, true].map(|wide| pixel::lines(probe, wide, worked));
-        if !layout.add_clear(Part::Probe, &lines(true), above) {
-            layout.add(Part::Probe, &lines(false), above);
-        }
-    }
-    layout.add_clear(Part::Profile, &[profile::lines(session)], below);
-    let table = |letters| measurements::lines(&session.measuring, letters);
-    layout.add(Part::Table, &WRAPS.map(table), above);
-    if let Some(text) = &session.state.scene_error {
-        let said = |letters| scene_error(text, letters);
-        layout.add(Part::SceneError, &WRAPS.map(said), below);
-    }
-    if let Some(text) = session.state.message() {
-        let broken = |letters| wrapped(text, letters).into_iter().map(Line::Text).collect();
-        layout.add(Part::Message, &WRAPS.map(broken), below);
-    }
-}
-
-/// What is wrong with the scene's file, its message broken to so many letters.
-fn scene_error(text: &str, letters: usize) -> Vec<Line> {
-    let title = Line::Title("the file is wrong", "the last good scene stays".to_owned());
-    // What is shown of the file below the message is not broken: carets stand under it.
-    let (message, place) = text.split_once('\n').unwrap_or((text, ""));
-    let place = place.lines().map(str::to_owned);
-    let lines = wrapped(message, letters).into_iter().chain(place);
-    [title].into_iter().chain(lines.map(Line::Text)).collect()
 }
 
 /// A thin line from top to bottom, and something to hold it by.

@@ -256,10 +256,9 @@ impl Session {
         }
         // It takes longest, and would cancel the proof.
         let is_proven = self.reference.as_ref().is_some_and(|it| it.proof.is_some());
-        if let Some(requires) = self
-            .requires
-            .as_mut()
-            .filter(|it| is_proven && !it.is_asked)
+        if let Some(requires) = &mut self.requires
+            && is_proven
+            && !requires.is_asked
         {
             requires.is_asked = true;
             self.requests.push(Request::Require);

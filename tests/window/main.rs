@@ -328,7 +328,7 @@ fn every_key_and_every_character_calls_up_one_command() {
         for other in &BINDINGS[index + 1..] {
             assert!(
                 binding.modifiers != other.modifiers
-                    || (binding.section == Section::Editor) != (other.section == Section::Editor)
+                    || (binding.section == Section::EDITOR) != (other.section == Section::EDITOR)
                     || binding.keys.iter().all(|key| !other.keys.contains(key)),
                 "{binding:?}"
             );
@@ -342,7 +342,7 @@ fn every_key_and_every_character_calls_up_one_command() {
             assert_ne!(binding.action, other.action);
         }
         let named =
-            binding.section == Section::Lights || matches!(binding.action, Action::Shading(_));
+            binding.section == Section::LIGHTS || matches!(binding.action, Action::Shading(_));
         assert_eq!(binding.says.is_empty(), named, "{binding:?}");
     }
 }

@@ -40,7 +40,7 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
         }
         let [mut pressed, mut clicked] = [default_session(), default_session()];
         for session in [&mut pressed, &mut clicked] {
-            if binding.section == Section::Editor {
+            if binding.section == Section::EDITOR {
                 session.apply(Action::Editor);
                 session.apply(Action::Row(1));
                 session.apply(Action::Type('1'));
@@ -55,7 +55,7 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
         );
         let mut on_key = None;
         let mut input = Input::default();
-        input.is_editing = binding.section == Section::Editor;
+        input.is_editing = binding.section == Section::EDITOR;
         let Modifiers { shift, control } = binding.modifiers;
         let shift = shift.then_some(Key::LeftShift);
         let control = control.then_some(Key::LeftCtrl);

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use super::profile::Plot;
 use crate::trade::error_map::Scale;
-use crate::window::bindings::{Action, Section};
+use crate::window::bindings::{Action, BINDINGS, Section};
 use crate::window::session::Session;
 use crate::window::views::mode_label;
 use commands::commands;
@@ -73,8 +73,8 @@ pub fn panel(session: &Session) -> Vec<Line> {
         .file_name()
         .map_or_else(|| name.clone(), |it| it.to_string_lossy().into_owned());
     let mut lines = vec![Line::Title("shadetrade", file)];
-    for (heading, sections) in PANEL {
-        lines.extend(under_heading(session, heading, sections, true));
+    for sections in PANEL {
+        lines.extend(under_heading(session, sections, true));
     }
     lines.push(Line::Rule);
     lines.extend(facts::all(session));
@@ -82,53 +82,33 @@ pub fn panel(session: &Session) -> Vec<Line> {
 }
 
 /// The sections of the panel, those together that have one heading.
-const PANEL: [(&str, &[Section]); 4] = [
-    ("lights", &[Section::Lights]),
-    ("shading", &[Section::Shading]),
-    ("view", &[Section::View, Section::Camera]),
-    (
-        "window",
-        &[Section::Window, Section::Scene, Section::Motion],
-    ),
+const PANEL: [&[Section]; 4] = [
+    &[Section::LIGHTS],
+    &[Section::SHADING],
+    &[Section::VIEW, Section::CAMERA],
+    &[Section::WINDOW, Section::SCENE, Section::MOTION],
 ];
 
-/// The sections of the help's two boards.
-const HELP: [&[(&str, &[Section])]; 2] = [
-    &[
-        ("lights", &[Section::Lights]),
-        ("shading", &[Section::Shading]),
-        ("camera", &[Section::Camera]),
-        ("view", &[Section::View]),
-        ("move", &[Section::Motion]),
-    ],
-    &[
-        ("scene", &[Section::Scene]),
-        ("numbers of the scene", &[Section::Editor]),
-        ("window", &[Section::Window]),
-    ],
-];
-
-/// The commands of these sections under a heading: those that the panel has, or all.
-fn under_heading(
-    session: &Session,
-    heading: &'static str,
-    sections: &[Section],
-    panel: bool,
-) -> Vec<Line> {
-    let mut lines = vec![Line::Heading(heading)];
+/// The commands of these sections under the heading of the first: those that the panel has, or all.
+fn under_heading(session: &Session, sections: &[Section], panel: bool) -> Vec<Line> {
+    let mut lines = vec![Line::Heading(sections[0].0)];
     lines.extend(sections.iter().flat_map(|it| commands(session, *it, panel)));
     lines
 }
 
 /// The help: every command there is, in two boards side by side.
 pub fn help(session: &Session) -> [Vec<Line>; 2] {
-    let titles = [("help", ""), ("", "H or Esc closes it")];
-    let mut lines = titles.map(|(name, detail)| vec![Line::Title(name, detail.to_owned())]);
-    for (lines, sections) in lines.iter_mut().zip(HELP) {
-        for (heading, sections) in sections {
-            lines.extend(under_heading(session, heading, sections, false));
+    let mut sections: Vec<Section> = BINDINGS.iter().map(|it| it.section).collect();
+    sections.dedup();
+    let (left, right) = sections.split_at(5);
+    let halves = [("help", "", left), ("", "H or Esc closes it", right)];
+    let mut lines = halves.map(|(name, detail, sections)| {
+        let mut lines = vec![Line::Title(name, detail.to_owned())];
+        for section in sections.chunks(1) {
+            lines.extend(under_heading(session, section, false));
         }
-    }
+        lines
+    });
     let mouse = [
         ("click on a row", "does what its key does"),
         ("click on the picture", "probes the pixel"),

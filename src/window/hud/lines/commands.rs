@@ -39,7 +39,7 @@ pub fn commands(session: &Session, section: Section, panel: bool) -> Vec<Line> {
     }
     let mut lines: Vec<Line> = rows.into_iter().map(Line::Command).collect();
     let shown = lines.len();
-    if section == Section::Lights && session.scene.lights.len() > shown {
+    if section == Section::LIGHTS && session.scene.lights.len() > shown {
         let more = session.scene.lights.len() - shown;
         lines.push(Line::Text(format!("and {more} more without a key")));
     }
