@@ -51,7 +51,6 @@ fn main() -> anyhow::Result<()> {
 
 /// What the window shows of the built-in scene once all of `actions` are done and the picture rests.
 fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
-    let workers = || Workers::new(all_cores(), Level::new());
     let mut session = Session::new(Drawing {
         scene: Scene::load(None)?,
         camera: 0,
@@ -67,11 +66,11 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     }
     let picture = hud::picture(&session, SIZE);
     let size = picture.size();
-    let mut composition = Composition::new(workers()?);
+    let mut composition = Composition::new(Workers::new(all_cores(), Level::new())?);
     composition.draw(&mut session, size)?;
     composition.time(&mut session)?;
     let mut snapshot = session.snapshot(size);
-    if let Some(result) = examine(&mut snapshot, workers()?, &|| false) {
+    if let Some(result) = examine(&mut snapshot, Level::new(), &|| false) {
         session.on_progress(snapshot.revision, Progress::Examined(result));
         let (world, view) = (&mut snapshot.scene.world, &snapshot.view);
         if let Some(proof) = prove(world, view, Level::new(), &|| false, &|_| ())? {

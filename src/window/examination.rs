@@ -2,6 +2,8 @@
 //!
 //! Rule: the best picture of the scene is exact Phong, whatever mode draws it; a mode's own truth gives its own error only.
 
+use fearless_simd::Level;
+
 use super::session::Snapshot;
 use crate::components::ShadingMode;
 use crate::frame::{Frame, Keep, Workers, display_pixel};
@@ -41,11 +43,11 @@ pub struct ReferenceResult {
 /// Compares the picture with the reference; `None` as soon as `cancelled` says yes, or where memory does not suffice.
 pub fn examine(
     Snapshot { scene, view, .. }: &mut Snapshot,
-    workers: Workers,
+    level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<ReferenceResult> {
     let [_, height] = view.size;
-    let mut frame = Frame::new(Keep::Levels, workers);
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
     let phong = view.shaded(ShadingMode::Phong);
     let mut reference = memory::reserve_pixels(view.size).ok()?;
     let mut pixels = memory::reserve_pixels(view.size).ok()?;

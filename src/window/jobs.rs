@@ -19,7 +19,6 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::examination::{ReferenceResult, examine};
 use super::session::{Request, Snapshot};
 use crate::drawing::all_cores;
-use crate::frame::Workers;
 use crate::prove::{Proof, prove};
 use crate::requires::{self, PartChange};
 use crate::shading::METHODS;
@@ -124,8 +123,7 @@ fn work(
             // The window does it, which has the frame.
             Request::Time => {}
             Request::Examine => {
-                let workers = Workers::alone(level);
-                let Some(result) = examine(&mut snapshot, workers, &is_cancelled) else {
+                let Some(result) = examine(&mut snapshot, level, &is_cancelled) else {
                     return;
                 };
                 tell(Progress::Examined(result));

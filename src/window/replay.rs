@@ -16,7 +16,6 @@ use super::jobs::Progress;
 use super::recording::{Event, Log, LogFrame};
 use super::session::{Redraw, Session};
 use crate::drawing::Drawing;
-use crate::frame::Workers;
 use crate::output::{Animation, Output, say};
 use crate::trade::progress::with_bar;
 
@@ -80,7 +79,7 @@ impl Player {
         let state = &self.session.state;
         if (state.mode.compares() || state.shows_reference) && self.session.reference.is_none() {
             let mut snapshot = self.session.snapshot(self.size);
-            let result = examine(&mut snapshot, Workers::alone(self.level), &|| false)
+            let result = examine(&mut snapshot, self.level, &|| false)
                 .context("memory does not suffice for the reference")?;
             let progress = Progress::Examined(result);
             self.session.on_progress(snapshot.revision, progress);

@@ -22,8 +22,7 @@ use super::{default_session, press};
 const SMALL: [usize; 2] = [96, 80];
 
 fn found(mut request: Snapshot) -> ReferenceResult {
-    let workers = Workers::alone(Level::new());
-    examine(&mut request, workers, &|| false).expect("nobody cancels it")
+    examine(&mut request, Level::new(), &|| false).expect("nobody cancels it")
 }
 
 fn proof(mut request: Snapshot) -> Proof {
@@ -206,8 +205,7 @@ fn a_picture_all_in_phong_is_compared_with_one_reference_and_not_with_two() {
     let rows = |session: &Session| {
         let asked = AtomicUsize::new(0);
         let not_cancelled = || asked.fetch_add(1, Ordering::Relaxed) == usize::MAX;
-        let workers = Workers::alone(Level::new());
-        examine(&mut session.snapshot(SMALL), workers, &not_cancelled).expect("it fits");
+        examine(&mut session.snapshot(SMALL), Level::new(), &not_cancelled).expect("it fits");
         asked.into_inner()
     };
     let gouraud = rows(&session);
@@ -247,10 +245,9 @@ fn where_nothing_is_drawn_there_is_no_error() {
 fn an_examination_stops_as_soon_as_it_is_cancelled() {
     let session = default_session();
     let asked = AtomicUsize::new(0);
-    let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let cancelled = || asked.fetch_add(1, Ordering::Relaxed) >= 3;
     assert_eq!(
-        examine(&mut session.snapshot(SMALL), workers, &cancelled),
+        examine(&mut session.snapshot(SMALL), Level::new(), &cancelled),
         None
     );
 }

@@ -21,11 +21,10 @@ const SMALL: [usize; 2] = [48, 36];
 
 /// What the window asks for once its picture rests and is proven.
 fn rest(session: &mut Session) -> Vec<Request> {
-    let alone = || Workers::alone(Level::new());
     session.tick(Duration::from_secs(1));
     session.take_requests();
     let mut request = session.snapshot(SMALL);
-    let result = examine(&mut request, alone(), &|| false).expect("a small picture fits");
+    let result = examine(&mut request, Level::new(), &|| false).expect("a small picture fits");
     session.on_progress(request.revision, Progress::Examined(result));
     session.tick(Duration::from_secs(2));
     assert_eq!(session.take_requests(), [], "the proof comes first");

@@ -223,8 +223,7 @@ impl Window {
             Happening::Wait(_) => {}
             Happening::Answer => {
                 if let Some(mut asked) = self.asked.take() {
-                    let workers = Workers::alone(Level::new());
-                    let result = examine(&mut asked, workers, &|| false);
+                    let result = examine(&mut asked, Level::new(), &|| false);
                     let result = result.expect("a small picture fits");
                     let progress = Progress::Examined(result);
                     self.session.on_progress(asked.revision, progress);
