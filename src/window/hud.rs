@@ -38,6 +38,7 @@ use markers::{Marker, markers};
 const PANEL_LETTERS: usize = 33;
 /// The panel takes at most this share of the window's width, in percent.
 const PANEL_SHARE: i32 = 38;
+
 const SHADE: Ink = Ink::glass(0, 120);
 const DIVIDER: Ink = Ink::glass(0x00ff_ffff, 230);
 const DIVIDER_EDGE: Ink = Ink::glass(0, 110);

@@ -11,12 +11,9 @@ impl Session {
     /// How a picture of `size` pixels is to be drawn now.
     pub fn view(&self, size: [usize; 2]) -> View {
         View {
-            size,
-            viewpoint: self.scene.viewpoint(self.camera()),
             projection: self.projection,
-            background: self.scene.background,
-            shading: None,
             tolerance: self.tolerance,
+            ..self.scene.view(self.camera(), size)
         }
     }
 
