@@ -51,7 +51,6 @@ fn main() -> anyhow::Result<()> {
 
 /// What the window shows of the built-in scene once all of `actions` are done and the picture rests.
 fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
-    let workers = || Workers::new(all_cores(), Level::new());
     let mut session = Session::new(Drawing {
         scene: Scene::load(None)?,
         camera: 0,
@@ -67,16 +66,15 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     }
     let picture = hud::picture(&session, SIZE);
     let size = picture.size();
-    let mut composition = Composition::new(workers()?);
+    let mut composition = Composition::new(Workers::new(all_cores(), Level::new())?);
     composition.draw(&mut session, size)?;
     composition.time(&mut session)?;
-    let mut request = session.reference_request(size);
-    if let Some(result) = examine(&mut request, workers()?, &|| false) {
-        let revision = result.revision;
-        session.on_progress(Progress::Examined(result));
-        let (world, view) = (&mut request.scene.world, &request.view);
+    let mut snapshot = session.snapshot(size);
+    if let Some(result) = examine(&mut snapshot, Level::new(), &|| false) {
+        session.on_progress(snapshot.revision, Progress::Examined(result));
+        let (world, view) = (&mut snapshot.scene.world, &snapshot.view);
         if let Some(proof) = prove(world, view, Level::new(), &|| false, &|_| ())? {
-            session.on_progress(Progress::Proven(revision, proof));
+            session.on_progress(snapshot.revision, Progress::Proven(proof));
         }
     }
     let (mut picture, mut pixels) = (Vec::new(), Vec::new());

@@ -39,7 +39,6 @@ use std::time::{Duration, Instant};
 use anyhow::Context;
 
 use crate::drawing::Drawing;
-use crate::frame::Workers;
 use crate::output;
 use crate::scene::Scene;
 use bindings::Action;
@@ -47,7 +46,7 @@ use composition::Composition;
 use display::Display;
 use hud::{Hud, Part};
 use input::{Gesture, Input};
-use jobs::{Job, Jobs};
+use jobs::Jobs;
 use recording::{Event, Recorder, Start};
 use session::{Measuring, Redraw, Request, Session};
 use watch::Watch;
@@ -70,14 +69,13 @@ const PRESENT_SHARE: u32 = 200;
 /// # Errors
 /// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, or memory does not suffice.
 pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
-    restart_without_input_method()?;
-    let (size, threads, level) = (drawing.size, drawing.threads, drawing.level);
+    let (size, level, workers) = (drawing.size, drawing.level, drawing.workers()?);
     let watch = drawing.scene.path.clone().map(Watch::new);
     let mut start = Start::new(&drawing);
     let session = Session::new(drawing);
     let hud = Hud::new(&session, size);
     let title = title(&session, &hud);
-    start.size = hud.picture().size();
+    start.size = hud.picture.size();
     let display = Display::open(&title, size)?;
     let recorder = log.map(|path| Recorder::create(path, &start)).transpose();
     let window = Window {
@@ -86,9 +84,7 @@ pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
         watch,
         recorder: recorder.context("cannot begin the recording, which makes a new file")?,
         input: Input::default(),
-        composition: Composition::new(
-            Workers::new(threads, level).context("cannot start the threads that draw")?,
-        ),
+        composition: Composition::new(workers),
         jobs: Jobs::start(level)?,
         actions: Vec::new(),
         hud,
@@ -130,13 +126,13 @@ impl Window {
     fn run(mut self) -> anyhow::Result<()> {
         let start = Instant::now();
         let (mut last_event, mut present_again) = (Duration::ZERO, Duration::ZERO);
-        let (mut size, mut picture) = ([0, 0], self.hud.picture().size());
-        let mut active = false;
+        let (mut size, mut picture) = ([0, 0], self.hud.picture.size());
+        let mut was_active = false;
         let mut job_is_for = (0, false, false);
         while self.display.is_open() {
             // A log has milliseconds.
             let now = Duration::from_millis(start.elapsed().as_millis() as u64);
-            if self.display.has_events() {
+            if !self.display.events.is_empty() {
                 last_event = now;
             }
             self.react(now);
@@ -148,16 +144,14 @@ impl Window {
             if redraw > Redraw::Nothing {
                 let new_picture = hud::picture(&self.session, size).size();
                 if std::mem::replace(&mut picture, new_picture) != new_picture {
-                    self.record(now, &Event::Size(new_picture));
-                }
-                if picture != self.composition.size() {
+                    self.record(now, &Event::Size(picture));
                     self.session.changed();
-                    redraw = redraw.max(self.session.take_redraw());
+                    redraw = self.session.take_redraw();
                 }
             }
-            let measures = matches!(self.session.measuring(), Measuring::Running(..));
-            let requires = self.session.requires().is_some();
-            let wanted = (self.session.revision(), measures, requires);
+            let measures = matches!(self.session.measuring, Measuring::Running(..));
+            let requires = self.session.requires.is_some();
+            let wanted = (self.session.revision, measures, requires);
             if std::mem::replace(&mut job_is_for, wanted) != wanted {
                 self.jobs.cancel();
             }
@@ -191,21 +185,14 @@ impl Window {
                 }
             }
             for request in self.session.take_requests() {
-                let job = match request {
-                    Request::Time => {
-                        self.composition.time(&mut self.session)?;
-                        continue;
-                    }
-                    Request::Measure => Job::Measure(self.session.measurement(picture)),
-                    Request::Examine => Job::Examine(self.session.reference_request(picture)),
-                    Request::Require => Job::Require(self.session.reference_request(picture)),
-                    Request::LeaveOut(part) => {
-                        Job::LeaveOut(self.session.reference_request(picture), part)
-                    }
-                };
-                self.jobs.submit(job);
+                if request == Request::Time {
+                    self.composition.time(&mut self.session)?;
+                } else {
+                    self.jobs.submit(request, self.session.snapshot(picture));
+                }
             }
-            let raised = std::mem::replace(&mut active, self.display.is_active()) != active;
+            let is_active = self.display.is_active;
+            let raised = std::mem::replace(&mut was_active, is_active) != is_active;
             if redraw > Redraw::Nothing || raised || now >= present_again {
                 let before = start.elapsed();
                 self.display.present(&self.shown, size)?;
@@ -215,7 +202,7 @@ impl Window {
             } else {
                 self.display.poll();
             }
-            if !self.display.has_events() {
+            if self.display.events.is_empty() {
                 let busy =
                     now < last_event + BUSY_TIME || self.input.is_busy() || self.session.spin().on;
                 thread::sleep(if busy { BUSY_PAUSE } else { IDLE_PAUSE });
@@ -226,9 +213,9 @@ impl Window {
 
     /// Lets the session know what has happened.
     fn react(&mut self, now: Duration) {
-        let revision = self.session.revision();
+        let revision = self.session.revision;
         self.session.tick(now);
-        if self.session.revision() != revision {
+        if self.session.revision != revision {
             self.record(now, &Event::Time);
         }
         if let Some(path) = self.watch.as_mut().and_then(|it| it.changed(now)) {
@@ -236,12 +223,11 @@ impl Window {
             self.record(now, &event);
             self.session.happens(event);
         }
-        for progress in self.jobs.progress() {
-            self.session.on_progress(progress);
+        for (revision, progress) in self.jobs.progress() {
+            self.session.on_progress(revision, progress);
         }
-        for event in self.display.take_events() {
-            self.input
-                .set_editing(self.session.state().editor.is_some());
+        for event in std::mem::take(&mut self.display.events) {
+            self.input.is_editing = self.session.state.editor.is_some();
             if let Some(gesture) = self.input.handle(event, now) {
                 self.respond(gesture, now);
             }

@@ -179,53 +179,27 @@ impl Modifiers {
     }
 }
 
-/// The groups in which commands are shown.
+/// A group of commands, by what stands above them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Section {
-    /// Which lights are on.
-    Lights,
-    /// How surfaces are shaded.
-    Shading,
-    /// From where and how it is projected.
-    Camera,
-    /// What is shown of the scene.
-    View,
-    /// Moving about.
-    Motion,
-    /// The scene as a whole.
-    Scene,
-    /// The window itself.
-    Window,
-    /// The numbers of the scene; its keys count while these are shown.
-    Editor,
-}
+pub struct Section(pub &'static str);
 
 impl Section {
-    /// Every section, in the order in which they are shown.
-    pub const ALL: [Section; 8] = [
-        Section::Lights,
-        Section::Shading,
-        Section::Camera,
-        Section::View,
-        Section::Motion,
-        Section::Scene,
-        Section::Editor,
-        Section::Window,
-    ];
-
-    /// What stands above the section's rows.
-    pub fn title(self) -> &'static str {
-        match self {
-            Section::Lights => "lights",
-            Section::Shading => "shading",
-            Section::Camera => "camera",
-            Section::View => "view",
-            Section::Motion => "move",
-            Section::Scene => "scene",
-            Section::Editor => "numbers of the scene",
-            Section::Window => "window",
-        }
-    }
+    /// Which lights are on.
+    pub const LIGHTS: Section = Section("lights");
+    /// How surfaces are shaded.
+    pub const SHADING: Section = Section("shading");
+    /// From where and how it is projected.
+    pub const CAMERA: Section = Section("camera");
+    /// What is shown of the scene.
+    pub const VIEW: Section = Section("view");
+    /// Moving about.
+    pub const MOTION: Section = Section("move");
+    /// The scene as a whole.
+    pub const SCENE: Section = Section("scene");
+    /// The numbers of the scene; its keys count while these are shown.
+    pub const EDITOR: Section = Section("numbers of the scene");
+    /// The window itself.
+    pub const WINDOW: Section = Section("window");
 }
 
 /// One command and how it is called up.
@@ -245,21 +219,12 @@ pub struct Binding {
     pub says: &'static str,
     /// Whether the panel has it too; the help has all.
     pub on_panel: bool,
-    /// What happens while its key is held.
-    pub hold: Hold,
+    /// Whether it goes on while its key is held.
+    pub repeats: bool,
+    /// What happens when its key goes up, if anything.
+    pub on_release: Option<Action>,
     /// What is held with it.
     pub modifiers: Modifiers,
-}
-
-/// What happens while a key is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hold {
-    /// Nothing more.
-    Rests,
-    /// The command goes on.
-    Repeats,
-    /// What the command began lasts, and ends with it.
-    Lasts,
 }
 
 impl Binding {
@@ -280,7 +245,8 @@ impl Binding {
             action,
             says,
             on_panel: false,
-            hold: Hold::Rests,
+            repeats: false,
+            on_release: None,
             modifiers: Modifiers::NONE,
         }
     }
@@ -293,7 +259,7 @@ impl Binding {
 
     /// The same row, going on while its key is held.
     const fn repeats(mut self) -> Self {
-        self.hold = Hold::Repeats;
+        self.repeats = true;
         self
     }
 
@@ -309,9 +275,9 @@ impl Binding {
         self
     }
 
-    /// The same row, lasting as long as its key is held.
-    const fn lasts(mut self) -> Self {
-        self.hold = Hold::Lasts;
+    /// The same row, whose key does this when it goes up.
+    const fn on_release(mut self, action: Action) -> Self {
+        self.on_release = Some(action);
         self
     }
 }
@@ -334,69 +300,69 @@ const PHONG: Action = Action::Shading(ShadingMode::Phong);
 /// Every command, in the order in which they are shown.
 #[rustfmt::skip]
 pub const BINDINGS: &[Binding] = &[
-    Binding::new(Section::Lights, &["1"], &[Key::Key1, Key::NumPad1], &['1'], Action::Light(0), "").on_panel(),
-    Binding::new(Section::Lights, &["2"], &[Key::Key2, Key::NumPad2], &['2'], Action::Light(1), "").on_panel(),
-    Binding::new(Section::Lights, &["3"], &[Key::Key3, Key::NumPad3], &['3'], Action::Light(2), "").on_panel(),
-    Binding::new(Section::Lights, &["4"], &[Key::Key4, Key::NumPad4], &['4'], Action::Light(3), "").on_panel(),
-    Binding::new(Section::Lights, &["5"], &[Key::Key5, Key::NumPad5], &['5'], Action::Light(4), "").on_panel(),
-    Binding::new(Section::Lights, &["6"], &[Key::Key6, Key::NumPad6], &['6'], Action::Light(5), "").on_panel(),
-    Binding::new(Section::Lights, &["7"], &[Key::Key7, Key::NumPad7], &['7'], Action::Light(6), "").on_panel(),
-    Binding::new(Section::Lights, &["8"], &[Key::Key8, Key::NumPad8], &['8'], Action::Light(7), "").on_panel(),
-    Binding::new(Section::Lights, &["9"], &[Key::Key9, Key::NumPad9], &['9'], Action::Light(8), "").on_panel(),
-    Binding::new(Section::Lights, &["W"], &[Key::W], &['w'], Action::LightNamed("white"), "").on_panel(),
-    Binding::new(Section::Lights, &["R"], &[Key::R], &['r'], Action::LightNamed("red"), "").on_panel(),
-    Binding::new(Section::Lights, &["S"], &[Key::S], &['s'], Action::LightNamed("specular"), "").on_panel(),
-    Binding::new(Section::Lights, &["A"], &[Key::A], &['a'], Action::LightNamed("ambient"), "").on_panel(),
-    Binding::new(Section::Shading, &["G"], &[Key::G], &['g'], GOURAUD, "").on_panel(),
-    Binding::new(Section::Shading, &["P"], &[Key::P], &['p'], PHONG, "").on_panel(),
-    Binding::new(Section::Shading, &["F"], &[Key::F], &['f'], Action::SceneShading, "as the file says"),
-    Binding::new(Section::Shading, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "tolerance").on_panel(),
-    Binding::new(Section::Shading, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "tolerance").on_panel(),
-    Binding::new(Section::Camera, &["O"], &[Key::O], &['o'], Action::NextProjection, "projection").on_panel(),
-    Binding::new(Section::Camera, &["C"], &[Key::C], &['c'], Action::NextCamera, "camera").on_panel(),
-    Binding::new(Section::View, &["Tab"], &[Key::Tab], &[], Action::View(1), "view").on_panel(),
-    Binding::new(Section::View, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view").with_shift(),
-    Binding::new(Section::View, &["F2"], &[Key::F2], &[], Action::Show(ViewMode::Picture), "each view"),
-    Binding::new(Section::View, &["F3"], &[Key::F3], &[], Action::Show(ViewMode::GouraudPhong), "each view"),
-    Binding::new(Section::View, &["F4"], &[Key::F4], &[], Action::Show(ViewMode::MethodReference), "each view"),
-    Binding::new(Section::View, &["F5"], &[Key::F5], &[], Action::Show(ViewMode::ErrorMap), "each view"),
-    Binding::new(Section::View, &["F6"], &[Key::F6], &[], Action::Show(ViewMode::Tiles), "each view"),
-    Binding::new(Section::View, &["Z"], &[Key::Z], &['z'], Action::MagnifyBy(1), "magnify, or Ctrl wheel"),
-    Binding::new(Section::View, &["X"], &[Key::X], &['x'], Action::MagnifyBy(-1), "magnify, or Ctrl wheel"),
-    Binding::new(Section::View, &["Ctrl +"], &[Key::Equal, Key::NumPadPlus], &[], Action::LettersBy(1), "size of letters").with_control(),
-    Binding::new(Section::View, &["-"], &[Key::Minus, Key::NumPadMinus], &[], Action::LettersBy(-1), "size of letters").with_control(),
-    Binding::new(Section::View, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().lasts(),
-    Binding::new(Section::View, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
-    Binding::new(Section::View, &["N"], &[Key::N], &['n'], Action::Requires, "what is required"),
-    Binding::new(Section::Motion, &["Left"], &[Key::Left], &[], orbit(-ORBIT_STEP, 0.0), "orbit across, or drag").repeats(),
-    Binding::new(Section::Motion, &["Right"], &[Key::Right], &[], orbit(ORBIT_STEP, 0.0), "orbit across, or drag").repeats(),
-    Binding::new(Section::Motion, &["Up"], &[Key::Up], &[], orbit(0.0, ORBIT_STEP), "orbit up and down").repeats(),
-    Binding::new(Section::Motion, &["Down"], &[Key::Down], &[], orbit(0.0, -ORBIT_STEP), "orbit up and down").repeats(),
-    Binding::new(Section::Motion, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "zoom, or wheel").repeats(),
-    Binding::new(Section::Motion, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "zoom, or wheel").repeats(),
-    Binding::new(Section::Motion, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),
-    Binding::new(Section::Motion, &["Space"], &[Key::Space], &[' '], Action::Turning, "turn cuboids").on_panel(),
-    Binding::new(Section::Scene, &["E"], &[Key::E], &['e'], Action::Editor, "edit numbers").on_panel(),
-    Binding::new(Section::Scene, &["Ctrl Z"], &[Key::Z], &[], Action::Undo, "undo").with_control().repeats(),
-    Binding::new(Section::Scene, &["Ctrl Shift Z"], &[Key::Z], &[], Action::Redo, "redo").with_control().with_shift().repeats(),
-    Binding::new(Section::Scene, &["Ctrl S"], &[Key::S], &[], Action::Save, "save the scene").with_control(),
-    Binding::new(Section::Editor, &["Up"], &[Key::Up], &[], Action::Row(-1), "choose").repeats(),
-    Binding::new(Section::Editor, &["Down"], &[Key::Down], &[], Action::Row(1), "choose").repeats(),
-    Binding::new(Section::Editor, &["Left"], &[Key::Left], &[], step(-1, StepSize::Usual), "change, or wheel").repeats(),
-    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Usual), "change, or wheel").repeats(),
-    Binding::new(Section::Editor, &["Shift Left"], &[Key::Left], &[], step(-1, StepSize::Fine), "a tenth of that").with_shift().repeats(),
-    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Fine), "a tenth of that").with_shift().repeats(),
-    Binding::new(Section::Editor, &["Ctrl Left"], &[Key::Left], &[], step(-1, StepSize::Coarse), "ten times that").with_control().repeats(),
-    Binding::new(Section::Editor, &["Right"], &[Key::Right], &[], step(1, StepSize::Coarse), "ten times that").with_control().repeats(),
-    Binding::new(Section::Editor, &["0-9", "Enter"], &[Key::Enter, Key::NumPadEnter], &[], Action::Enter, "type a number"),
-    Binding::new(Section::Editor, &["Backspace"], &[Key::Backspace, Key::Delete], &[], Action::Erase, "erase a digit").repeats(),
-    Binding::new(Section::Window, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
-    Binding::new(Section::Window, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
-    Binding::new(Section::Window, &["F11"], &[Key::F11], &[], Action::FullScreen, "full screen"),
-    Binding::new(Section::Window, &["F12"], &[Key::F12], &[], Action::Screenshot, "save the window"),
-    Binding::new(Section::Window, &["Shift F12"], &[Key::F12], &[], Action::SavePicture, "save the picture").with_shift(),
-    Binding::new(Section::Window, &["Esc"], &[Key::Escape], &[], Action::Close, "close a board"),
-    Binding::new(Section::Window, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
+    Binding::new(Section::LIGHTS, &["1"], &[Key::Key1, Key::NumPad1], &['1'], Action::Light(0), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["2"], &[Key::Key2, Key::NumPad2], &['2'], Action::Light(1), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["3"], &[Key::Key3, Key::NumPad3], &['3'], Action::Light(2), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["4"], &[Key::Key4, Key::NumPad4], &['4'], Action::Light(3), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["5"], &[Key::Key5, Key::NumPad5], &['5'], Action::Light(4), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["6"], &[Key::Key6, Key::NumPad6], &['6'], Action::Light(5), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["7"], &[Key::Key7, Key::NumPad7], &['7'], Action::Light(6), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["8"], &[Key::Key8, Key::NumPad8], &['8'], Action::Light(7), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["9"], &[Key::Key9, Key::NumPad9], &['9'], Action::Light(8), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["W"], &[Key::W], &['w'], Action::LightNamed("white"), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["R"], &[Key::R], &['r'], Action::LightNamed("red"), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["S"], &[Key::S], &['s'], Action::LightNamed("specular"), "").on_panel(),
+    Binding::new(Section::LIGHTS, &["A"], &[Key::A], &['a'], Action::LightNamed("ambient"), "").on_panel(),
+    Binding::new(Section::SHADING, &["G"], &[Key::G], &['g'], GOURAUD, "").on_panel(),
+    Binding::new(Section::SHADING, &["P"], &[Key::P], &['p'], PHONG, "").on_panel(),
+    Binding::new(Section::SHADING, &["F"], &[Key::F], &['f'], Action::SceneShading, "as the file says"),
+    Binding::new(Section::SHADING, &["[", "PgDn"], &[Key::LeftBracket, Key::PageDown], &['['], Action::Tolerance(-1), "tolerance").on_panel(),
+    Binding::new(Section::SHADING, &["]", "PgUp"], &[Key::RightBracket, Key::PageUp], &[']'], Action::Tolerance(1), "tolerance").on_panel(),
+    Binding::new(Section::CAMERA, &["O"], &[Key::O], &['o'], Action::NextProjection, "projection").on_panel(),
+    Binding::new(Section::CAMERA, &["C"], &[Key::C], &['c'], Action::NextCamera, "camera").on_panel(),
+    Binding::new(Section::VIEW, &["Tab"], &[Key::Tab], &[], Action::View(1), "view").on_panel(),
+    Binding::new(Section::VIEW, &["Shift Tab"], &[Key::Tab], &[], Action::View(-1), "view").with_shift(),
+    Binding::new(Section::VIEW, &["F2"], &[Key::F2], &[], Action::Show(ViewMode::Picture), "each view"),
+    Binding::new(Section::VIEW, &["F3"], &[Key::F3], &[], Action::Show(ViewMode::GouraudPhong), "each view"),
+    Binding::new(Section::VIEW, &["F4"], &[Key::F4], &[], Action::Show(ViewMode::MethodReference), "each view"),
+    Binding::new(Section::VIEW, &["F5"], &[Key::F5], &[], Action::Show(ViewMode::ErrorMap), "each view"),
+    Binding::new(Section::VIEW, &["F6"], &[Key::F6], &[], Action::Show(ViewMode::Tiles), "each view"),
+    Binding::new(Section::VIEW, &["Z"], &[Key::Z], &['z'], Action::MagnifyBy(1), "magnify, or Ctrl wheel"),
+    Binding::new(Section::VIEW, &["X"], &[Key::X], &['x'], Action::MagnifyBy(-1), "magnify, or Ctrl wheel"),
+    Binding::new(Section::VIEW, &["Ctrl +"], &[Key::Equal, Key::NumPadPlus], &[], Action::LettersBy(1), "size of letters").with_control(),
+    Binding::new(Section::VIEW, &["-"], &[Key::Minus, Key::NumPadMinus], &[], Action::LettersBy(-1), "size of letters").with_control(),
+    Binding::new(Section::VIEW, &["B"], &[Key::B], &['b'], Action::Blink, "hold: reference").on_panel().on_release(Action::EndBlink),
+    Binding::new(Section::VIEW, &["M"], &[Key::M], &['m'], Action::Measure, "measure methods").on_panel(),
+    Binding::new(Section::VIEW, &["N"], &[Key::N], &['n'], Action::Requires, "what is required"),
+    Binding::new(Section::MOTION, &["Left"], &[Key::Left], &[], orbit(-ORBIT_STEP, 0.0), "orbit across, or drag").repeats(),
+    Binding::new(Section::MOTION, &["Right"], &[Key::Right], &[], orbit(ORBIT_STEP, 0.0), "orbit across, or drag").repeats(),
+    Binding::new(Section::MOTION, &["Up"], &[Key::Up], &[], orbit(0.0, ORBIT_STEP), "orbit up and down").repeats(),
+    Binding::new(Section::MOTION, &["Down"], &[Key::Down], &[], orbit(0.0, -ORBIT_STEP), "orbit up and down").repeats(),
+    Binding::new(Section::MOTION, &["+"], &[Key::Equal, Key::NumPadPlus], &['+'], Action::Zoom(1), "zoom, or wheel").repeats(),
+    Binding::new(Section::MOTION, &["-"], &[Key::Minus, Key::NumPadMinus], &['-'], Action::Zoom(-1), "zoom, or wheel").repeats(),
+    Binding::new(Section::MOTION, &["Home"], &[Key::Home], &[], Action::ResetView, "reset view").on_panel(),
+    Binding::new(Section::MOTION, &["Space"], &[Key::Space], &[' '], Action::Turning, "turn cuboids").on_panel(),
+    Binding::new(Section::SCENE, &["E"], &[Key::E], &['e'], Action::Editor, "edit numbers").on_panel(),
+    Binding::new(Section::SCENE, &["Ctrl Z"], &[Key::Z], &[], Action::Undo, "undo").with_control().repeats(),
+    Binding::new(Section::SCENE, &["Ctrl Shift Z"], &[Key::Z], &[], Action::Redo, "redo").with_control().with_shift().repeats(),
+    Binding::new(Section::SCENE, &["Ctrl S"], &[Key::S], &[], Action::Save, "save the scene").with_control(),
+    Binding::new(Section::EDITOR, &["Up"], &[Key::Up], &[], Action::Row(-1), "choose").repeats(),
+    Binding::new(Section::EDITOR, &["Down"], &[Key::Down], &[], Action::Row(1), "choose").repeats(),
+    Binding::new(Section::EDITOR, &["Left"], &[Key::Left], &[], step(-1, StepSize::Usual), "change, or wheel").repeats(),
+    Binding::new(Section::EDITOR, &["Right"], &[Key::Right], &[], step(1, StepSize::Usual), "change, or wheel").repeats(),
+    Binding::new(Section::EDITOR, &["Shift Left"], &[Key::Left], &[], step(-1, StepSize::Fine), "a tenth of that").with_shift().repeats(),
+    Binding::new(Section::EDITOR, &["Right"], &[Key::Right], &[], step(1, StepSize::Fine), "a tenth of that").with_shift().repeats(),
+    Binding::new(Section::EDITOR, &["Ctrl Left"], &[Key::Left], &[], step(-1, StepSize::Coarse), "ten times that").with_control().repeats(),
+    Binding::new(Section::EDITOR, &["Right"], &[Key::Right], &[], step(1, StepSize::Coarse), "ten times that").with_control().repeats(),
+    Binding::new(Section::EDITOR, &["0-9", "Enter"], &[Key::Enter, Key::NumPadEnter], &[], Action::Enter, "type a number"),
+    Binding::new(Section::EDITOR, &["Backspace"], &[Key::Backspace, Key::Delete], &[], Action::Erase, "erase a digit").repeats(),
+    Binding::new(Section::WINDOW, &["I"], &[Key::I], &['i'], Action::Panel, "panel").on_panel(),
+    Binding::new(Section::WINDOW, &["H", "?", "F1"], &[Key::H, Key::F1], &['h', '?'], Action::Help, "help").on_panel(),
+    Binding::new(Section::WINDOW, &["F11"], &[Key::F11], &[], Action::FullScreen, "full screen"),
+    Binding::new(Section::WINDOW, &["F12"], &[Key::F12], &[], Action::Screenshot, "save the window"),
+    Binding::new(Section::WINDOW, &["Shift F12"], &[Key::F12], &[], Action::SavePicture, "save the picture").with_shift(),
+    Binding::new(Section::WINDOW, &["Esc"], &[Key::Escape], &[], Action::Close, "close a board"),
+    Binding::new(Section::WINDOW, &["Q"], &[Key::Q], &['q'], Action::Quit, "quit"),
 ];
 
 /// What a press of `key` calls up while these keys are held; the editor's keys come first while it is shown.
@@ -405,7 +371,7 @@ pub fn bound_to_key(key: Key, modifiers: Modifiers, editing: bool) -> Option<&'s
         BINDINGS.iter().find(|binding| {
             binding.keys.contains(&key)
                 && binding.modifiers == modifiers
-                && (binding.section == Section::Editor) == editor
+                && (binding.section == Section::EDITOR) == editor
         })
     };
     let of_editor = || find(true, modifiers).filter(|_| editing);

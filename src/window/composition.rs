@@ -10,11 +10,14 @@
 
 use std::time::{Duration, Instant};
 
+use hecs::World;
+
 use super::session::Session;
 use super::views::{self, ViewMode};
-use crate::components::ShadingMode;
+use crate::components::{ShadingMode, View};
 use crate::frame::{Counts, Frame, Keep, Workers};
 use crate::memory::OutOfMemory;
+use crate::systems;
 
 /// How many warm frames are timed once the picture rests.
 pub const FRAMES: usize = 9;
@@ -65,8 +68,9 @@ impl Composition {
     pub fn draw(&mut self, session: &mut Session, size: [usize; 2]) -> Result<(), OutOfMemory> {
         session.update_probe(size)?;
         let times = self.draw_sides(session, size, 1)?;
-        if session.state().mode == ViewMode::Tiles {
-            session.draw(None, size, &mut self.levels)?;
+        if session.state.mode == ViewMode::Tiles {
+            let view = session.view(size);
+            systems::draw(&mut session.scene.world, &view, &mut self.levels)?;
         }
         session.drawn(times, self.frame.pixels());
         Ok(())
@@ -95,17 +99,16 @@ impl Composition {
         size: [usize; 2],
         frames: usize,
     ) -> Result<FrameTimes, OutOfMemory> {
-        let frame = &mut self.frame;
-        let sides = if session.state().mode == ViewMode::GouraudPhong {
-            let gouraud = Some(ShadingMode::Gouraud);
-            let left = draw_timed(session, gouraud, size, frame, frames)?;
+        let view = session.view(size);
+        let (world, frame) = (&mut session.scene.world, &mut self.frame);
+        let sides = if session.state.mode == ViewMode::GouraudPhong {
+            let left = draw_timed(world, &view.shaded(ShadingMode::Gouraud), frame, frames)?;
             self.left.clear();
             self.left.extend_from_slice(frame.pixels());
-            let phong = Some(ShadingMode::Phong);
-            [left, draw_timed(session, phong, size, frame, frames)?]
+            let right = draw_timed(world, &view.shaded(ShadingMode::Phong), frame, frames)?;
+            [left, right]
         } else {
-            let own = draw_timed(session, None, size, frame, frames)?;
-            [own, Vec::new()]
+            [draw_timed(world, &view, frame, frames)?, Vec::new()]
         };
         Ok(FrameTimes {
             sides,
@@ -118,19 +121,18 @@ impl Composition {
     pub fn compose(&self, session: &Session, pixels: &mut Vec<u32>) {
         let [width, _] = self.size();
         let picture = self.frame.pixels();
-        let state = session.state();
-        let result = session.reference();
-        let reference = || views::or_dimmed(result.map(|it| &it.reference), picture);
-        let left_out = session.requires().filter(|it| it.left_out.is_some());
+        let state = &session.state;
+        let result = session.reference.as_ref();
+        let or_dimmed = |known| views::or_dimmed(known, picture);
+        let reference = || or_dimmed(result.map(|it| &it.reference));
         let divider = state.divider_column(width);
         pixels.clear();
+        if let Some(requires) = &session.requires
+            && requires.left_out.is_some()
+        {
+            return pixels.extend_from_slice(&or_dimmed(requires.picture.as_ref()));
+        }
         match state.mode {
-            _ if left_out.is_some() => {
-                pixels.extend_from_slice(&views::or_dimmed(
-                    left_out.and_then(|it| it.picture.as_ref()),
-                    picture,
-                ));
-            }
             _ if state.shows_reference => pixels.extend_from_slice(&reference()),
             ViewMode::Picture => pixels.extend_from_slice(picture),
             ViewMode::GouraudPhong => views::wipe(pixels, &self.left, picture, width, divider),
@@ -138,8 +140,7 @@ impl Composition {
                 views::wipe(pixels, picture, &reference(), width, divider);
             }
             ViewMode::ErrorMap => {
-                pixels
-                    .extend_from_slice(&views::or_dimmed(result.map(|it| &it.error_map), picture));
+                pixels.extend_from_slice(&or_dimmed(result.map(|it| &it.error_map)));
             }
             ViewMode::Tiles => {
                 pixels.extend_from_slice(picture);
@@ -151,9 +152,8 @@ impl Composition {
 
 /// Draws the same picture so many times, or until [`TIMING_BUDGET`] is used up; returns what each took.
 fn draw_timed(
-    session: &mut Session,
-    shading: Option<ShadingMode>,
-    size: [usize; 2],
+    world: &mut World,
+    view: &View,
     frame: &mut Frame,
     frames: usize,
 ) -> Result<Vec<Duration>, OutOfMemory> {
@@ -161,7 +161,7 @@ fn draw_timed(
     let mut spent = Duration::ZERO;
     while times.is_empty() || times.len() < frames && spent < TIMING_BUDGET {
         let start = Instant::now();
-        session.draw(shading, size, frame)?;
+        systems::draw(world, view, frame)?;
         let time = start.elapsed();
         times.push(time);
         spent += time;

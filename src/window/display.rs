@@ -29,9 +29,11 @@ pub struct NoDisplay {
 pub struct Display {
     window: minifb::Window,
     reported: Rc<RefCell<Vec<Event>>>,
-    events: Vec<Event>,
+    /// What has happened since these were last taken, in order.
+    pub events: Vec<Event>,
     is_wayland: bool,
-    active: bool,
+    /// Whether keys come to this window.
+    pub is_active: bool,
     mouse: Point,
     button: bool,
     wheel: f32,
@@ -81,7 +83,7 @@ impl Display {
             reported,
             events: Vec::new(),
             is_wayland,
-            active: false,
+            is_active: false,
             mouse: [0, 0],
             button: false,
             wheel: 0.0,
@@ -97,11 +99,6 @@ impl Display {
     /// Whether the user has not closed the window.
     pub fn is_open(&self) -> bool {
         self.window.is_open()
-    }
-
-    /// Whether keys come to this window.
-    pub fn is_active(&self) -> bool {
-        self.active
     }
 
     /// Lets the window cover the screen, or gives it its size again.
@@ -136,20 +133,10 @@ impl Display {
         self.gather();
     }
 
-    /// What has happened since this was last asked, in order.
-    pub fn take_events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
-    }
-
-    /// Whether something has happened since [`Display::take_events`].
-    pub fn has_events(&self) -> bool {
-        !self.events.is_empty()
-    }
-
     fn gather(&mut self) {
         self.gather_keys();
-        let active = self.window.is_active();
-        if std::mem::replace(&mut self.active, active) && !active {
+        let is_active = self.window.is_active();
+        if std::mem::replace(&mut self.is_active, is_active) && !is_active {
             self.events.push(Event::FocusLost);
         }
         self.gather_wheel();
@@ -236,36 +223,31 @@ fn press_first(events: &mut [Event]) {
 }
 
 /// Opening a window segfaults inside Xlib where `XMODIFIERS` names an input method whose server does not run, so the
-/// program starts itself anew without one; it needs none. Call it before anything is read.
+/// program starts itself anew without one; it needs none. Call it before anything is read. Other systems have no such
+/// input methods.
 ///
 /// # Errors
 /// When the program cannot be started anew.
-#[cfg(all(unix, not(target_os = "macos")))]
 pub fn restart_without_input_method() -> anyhow::Result<()> {
-    use std::os::unix::process::CommandExt;
-    const NONE: &str = "@im=none";
-    let needed = std::env::var_os("DISPLAY").is_some()
-        && std::env::var_os("XMODIFIERS").is_some_and(|value| value != NONE);
-    if !needed {
-        return Ok(());
-    }
-    let mut arguments = std::env::args_os();
-    let restarted = std::env::current_exe().map(|program| {
-        let mut command = std::process::Command::new(program);
-        if let Some(name) = arguments.next() {
-            command.arg0(name);
+    #[cfg(all(unix, not(target_os = "macos")))]
+    {
+        use std::os::unix::process::CommandExt;
+        const NONE: &str = "@im=none";
+        let is_set = std::env::var_os("XMODIFIERS").is_some_and(|value| value != NONE);
+        if is_set && std::env::var_os("DISPLAY").is_some() {
+            let mut arguments = std::env::args_os();
+            let restarted = std::env::current_exe().map(|program| {
+                let mut command = std::process::Command::new(program);
+                if let Some(name) = arguments.next() {
+                    command.arg0(name);
+                }
+                command.args(arguments).env("XMODIFIERS", NONE).exec()
+            });
+            let error = restarted.unwrap_or_else(|error| error);
+            let reason =
+                "cannot start again with XMODIFIERS=@im=none, which opening a window needs";
+            return Err(error).context(reason);
         }
-        command.args(arguments).env("XMODIFIERS", NONE).exec()
-    });
-    let error = restarted.unwrap_or_else(|error| error);
-    Err(error).context("cannot start again with XMODIFIERS=@im=none, which opening a window needs")
-}
-
-/// Other systems have no such input methods.
-///
-/// # Errors
-/// None.
-#[cfg(not(all(unix, not(target_os = "macos"))))]
-pub fn restart_without_input_method() -> anyhow::Result<()> {
+    }
     Ok(())
 }

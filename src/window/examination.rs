@@ -2,27 +2,20 @@
 //!
 //! Rule: the best picture of the scene is exact Phong, whatever mode draws it; a mode's own truth gives its own error only.
 
-use crate::components::{ShadingMode, View};
+use fearless_simd::Level;
+
+use super::session::Snapshot;
+use crate::components::ShadingMode;
 use crate::frame::{Frame, Keep, Workers, display_pixel};
 use crate::memory;
 use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
 use crate::reference;
-use crate::scene::Scene;
 use crate::systems;
 use crate::trade::error_map::{self, Scale};
 use crate::trade::metrics::{self, Difference, Picture};
 
 /// Rows that are compared at once: what a picture of any size takes beside the two that are kept.
 const BAND: usize = 64;
-
-/// A picture to be compared with the reference.
-pub struct ReferenceRequest {
-    /// A copy of the scene, of its own.
-    pub scene: Scene,
-    pub view: View,
-    /// Which state of the session that is.
-    pub revision: u64,
-}
 
 /// Largest and mean error in levels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,8 +27,6 @@ pub struct Errors {
 /// What the reference says of one state of the session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReferenceResult {
-    /// Which state that is.
-    pub revision: u64,
     /// Exact Phong in f64, 0x00RRGGBB.
     pub reference: Vec<u32>,
     /// Where the picture errs from exact Phong, in the colours of the scale.
@@ -51,41 +42,46 @@ pub struct ReferenceResult {
 
 /// Compares the picture with the reference; `None` as soon as `cancelled` says yes, or where memory does not suffice.
 pub fn examine(
-    request: &mut ReferenceRequest,
-    workers: Workers,
+    Snapshot { scene, view, .. }: &mut Snapshot,
+    level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<ReferenceResult> {
-    let view = request.view.clone();
     let [_, height] = view.size;
-    let mut frame = Frame::new(Keep::Levels, workers);
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
     let phong = view.shaded(ShadingMode::Phong);
     let mut reference = memory::reserve_pixels(view.size).ok()?;
     let mut pixels = memory::reserve_pixels(view.size).ok()?;
+    let modes = scene.world.query_mut::<&ShadingMode>();
+    let is_phong = modes.into_iter().all(|mode| *mode == ShadingMode::Phong);
     let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
     for start in (0..height).step_by(BAND) {
         let rows = start..(start + BAND).min(height);
-        systems::draw_rows(&mut request.scene.world, &view, rows.clone(), &mut frame).ok()?;
+        systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame).ok()?;
         let truth = |view| {
             let rows = rows.clone();
-            reference::picture(&request.scene.world, view, rows, cancelled, &|_| ())
+            reference::picture(&scene.world, view, rows, cancelled, &|_| ())
         };
         let exact = truth(&phong)?;
-        let own = truth(&view)?;
         let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
         errors.add(&metrics::compare(drawn, compared));
-        own_errors.add(&metrics::compare(drawn, Picture::from(&own)));
+        if !is_phong {
+            own_errors.add(&metrics::compare(drawn, Picture::from(&truth(view)?)));
+        }
         pixels.extend(error_map::compared(drawn, compared));
         reference.extend(exact.levels.iter().copied().map(display_pixel));
     }
     let errors = errors.statistics();
     let scale = Scale::holding(errors.map_or(0.0, |errors| errors.max));
     Some(ReferenceResult {
-        revision: request.revision,
         reference,
         error_map: pixels.into_iter().map(|it| scale.color(it)).collect(),
         scale,
         errors,
-        own_errors: own_errors.statistics(),
+        own_errors: if is_phong {
+            errors
+        } else {
+            own_errors.statistics()
+        },
         proof: None,
     })
 }

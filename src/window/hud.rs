@@ -27,20 +27,17 @@ pub mod requires;
 use super::bindings::Action;
 use super::magnifier::{MAX_SCALE, Magnifier};
 use super::session::Session;
-use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect, wrapped};
+use crate::canvas::{Canvas, FACES, Face, Ink, Point, Rect};
 use crate::components::{Polygon, Projected};
 use arrows::{Arrow, arrows};
 use board::{Board, TextStyle};
-use layout::{Layout, help};
-use lines::Line;
+use layout::{Layout, add_boards, help};
 use markers::{Marker, markers};
 
 /// How many letters wide the panel is; values that change never change it.
 const PANEL_LETTERS: usize = 33;
 /// The panel takes at most this share of the window's width, in percent.
 const PANEL_SHARE: i32 = 38;
-/// The widths at which words are broken, in letters, the widest first.
-const WRAPS: [usize; 2] = [60, 40];
 
 const SHADE: Ink = Ink::glass(0, 120);
 const DIVIDER: Ink = Ink::glass(0x00ff_ffff, 230);
@@ -76,8 +73,10 @@ pub enum Part {
 #[derive(Debug)]
 pub struct Hud {
     size: [usize; 2],
-    picture: Rect,
-    magnifier: Magnifier,
+    /// Where the picture stands.
+    pub picture: Rect,
+    /// How large pixels are seen.
+    pub magnifier: Magnifier,
     /// The upper ones last.
     boards: Vec<(Part, Board)>,
     /// The divider's column in the window.
@@ -108,12 +107,12 @@ fn strips(session: &Session, size: [usize; 2]) -> (Option<Board>, Rect, Face) {
         let pitch = (room / rows).clamp(tight.pitch, face.height() * 5 / 4);
         fits.then_some(TextStyle { pitch, ..tight })
     };
-    let chosen = session.state().letters;
+    let chosen = session.state.letters;
     let faces = chosen.map_or(&FACES[..], |size| &FACES[size..=size]);
     let Some(style) = faces.iter().rev().find_map(style) else {
         return (None, window, faces[0]);
     };
-    if !session.state().panel {
+    if !session.state.panel {
         return (None, window, style.face);
     }
     let strip = Rect {
@@ -132,7 +131,7 @@ pub fn picture(session: &Session, size: [usize; 2]) -> Rect {
 /// What the cuboids take of the picture as it was last drawn, in its pixels; empty where nothing is seen.
 fn seen_part(session: &Session) -> Rect {
     let mut seen: Option<[i32; 4]> = None;
-    let mut cuboids = session.scene().world.query::<&Projected>();
+    let mut cuboids = session.scene.world.query::<&Projected>();
     let polygons = cuboids.iter().flat_map(|projected| &projected.polygons);
     for [x, y] in polygons.flat_map(Polygon::vertices) {
         // Vertices are in 1/256 pixel.
@@ -149,7 +148,7 @@ impl Hud {
     /// Lays out what `session` shows in a window of `size` pixels, after its picture was drawn.
     pub fn new(session: &Session, size: [usize; 2]) -> Hud {
         let (panel, picture, face) = strips(session, size);
-        let state = session.state();
+        let state = &session.state;
         let size_of_picture = picture.size();
         let magnifier = state.magnifier.within(size_of_picture);
         let seen = seen_part(session);
@@ -166,19 +165,15 @@ impl Hud {
             let place = [picture.x + x, picture.y + y];
             picture.contains(place).then_some(place)
         };
-        let cross = session.probed().map(|it| it.pixel.map(|at| at as i32));
-        let cross = cross.and_then(in_window);
-        let mut markers = if state.editor.is_some() {
-            markers(session, size_of_picture)
-        } else {
-            Vec::new()
+        let probed = session.probe.as_ref();
+        let cross = probed.and_then(|it| in_window(it.pixel.map(|at| at as i32)));
+        let lights = match state.editor {
+            Some(_) => markers(session, size_of_picture),
+            None => Vec::new(),
         };
-        markers.retain_mut(|marker| {
-            let place = in_window(marker.at);
-            marker.at = place.unwrap_or(marker.at);
-            place.is_some()
-        });
-        let arrows = arrows(session, &session.scene().viewpoint(session.camera()));
+        let in_place = |it: Marker| in_window(it.at).map(|at| Marker { at, ..it });
+        let markers: Vec<Marker> = lights.into_iter().filter_map(in_place).collect();
+        let arrows = arrows(session, &session.scene.viewpoint(session.camera()));
         let discs = markers.iter().map(|it| it.rect(picture, face));
         let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
         let margin = FACES[0].advance();
@@ -221,11 +216,6 @@ impl Hud {
             cross,
             hovered: state.hovered,
         }
-    }
-
-    /// Where the picture stands.
-    pub fn picture(&self) -> Rect {
-        self.picture
     }
 
     /// The boards of this kind.
@@ -316,11 +306,6 @@ impl Hud {
         FACES.iter().take_while(|it| **it != self.face).count()
     }
 
-    /// How large pixels are seen.
-    pub fn magnifier(&self) -> Magnifier {
-        self.magnifier
-    }
-
     /// The probed pixel in the window, or the middle of the picture.
     pub fn focus(&self) -> Point {
         let picture = self.picture;
@@ -334,7 +319,7 @@ impl Hud {
     /// The uppermost board at `point`.
     pub fn board_at(&self, point: Point) -> Option<(Part, &Board)> {
         let mut boards = self.boards.iter().rev();
-        let at = boards.find(|(_, board)| board.rect().contains(point));
+        let at = boards.find(|(_, board)| board.rect.contains(point));
         at.map(|(part, board)| (*part, board))
     }
 
@@ -366,42 +351,6 @@ impl Hud {
         let inside = self.picture.contains(point);
         inside.then(|| self.magnifier.pixel(place))
     }
-}
-
-/// Adds what is shown beside the panel, the most important first.
-fn add_boards(layout: &mut Layout, session: &Session, area: Rect) {
-    let below = [area.x + area.width / 2, area.bottom()];
-    let above = [area.right(), area.y];
-    layout.add(Part::Editor, &[editor::lines(session)], above);
-    layout.add(Part::Requires, &[requires::lines(session)], above);
-    layout.add(Part::Legend, &[legend::lines(session)], below);
-    if let Some(probe) = session.probed() {
-        let lines = |worked| [false, true].map(|wide| pixel::lines(probe, wide, worked));
-        if !layout.add_clear(Part::Probe, &lines(true), above) {
-            layout.add(Part::Probe, &lines(false), above);
-        }
-    }
-    layout.add_clear(Part::Profile, &[profile::lines(session)], below);
-    let table = |letters| measurements::lines(session.measuring(), letters);
-    layout.add(Part::Table, &WRAPS.map(table), above);
-    if let Some(text) = &session.state().scene_error {
-        let said = |letters| scene_error(text, letters);
-        layout.add(Part::SceneError, &WRAPS.map(said), below);
-    }
-    if let Some(text) = session.state().message() {
-        let broken = |letters| wrapped(text, letters).into_iter().map(Line::Text).collect();
-        layout.add(Part::Message, &WRAPS.map(broken), below);
-    }
-}
-
-/// What is wrong with the scene's file, its message broken to so many letters.
-fn scene_error(text: &str, letters: usize) -> Vec<Line> {
-    let title = Line::Title("the file is wrong", "the last good scene stays".to_owned());
-    // What is shown of the file below the message is not broken: carets stand under it.
-    let (message, place) = text.split_once('\n').unwrap_or((text, ""));
-    let place = place.lines().map(str::to_owned);
-    let lines = wrapped(message, letters).into_iter().chain(place);
-    [title].into_iter().chain(lines.map(Line::Text)).collect()
 }
 
 /// A thin line from top to bottom, and something to hold it by.

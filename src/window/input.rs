@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use minifb::Key;
 
-use super::bindings::{Action, Binding, Hold, Modifiers, bound_to_character, bound_to_key};
+use super::bindings::{Action, Binding, Modifiers, bound_to_character, bound_to_key};
 use crate::canvas::Point;
 
 /// From how many pixels on a press that moves is a drag.
@@ -46,10 +46,8 @@ pub enum Event {
 /// What the user meant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gesture {
-    /// A key called this up.
+    /// A key called this up, by going down, going up or being held; or a drag ended.
     Command(Action),
-    /// The key that called this up, and that it lasts as long as, went up.
-    Released(Action),
     /// The mouse moved to here, no button held.
     Hover(Point),
     /// A press and its release, here.
@@ -62,8 +60,6 @@ pub enum Gesture {
         by: Point,
         modifiers: Modifiers,
     },
-    /// A drag ended.
-    EndDrag,
     /// The wheel turned while the mouse was at `at`.
     Wheel {
         /// Where the mouse is.
@@ -72,17 +68,19 @@ pub enum Gesture {
         notches: i32,
         modifiers: Modifiers,
     },
-    /// A letter of a number was typed into the editor.
-    Typed(char),
 }
 
-/// A key that is down, when what it does goes on, and what ends with it.
-#[derive(Clone, Copy)]
+/// A key that is down, what it called up, and when that goes on if it does.
 struct Held {
     key: Key,
-    repeat: Option<(Action, Duration)>,
-    /// What ends when it goes up.
-    lasting: Option<Action>,
+    binding: Option<&'static Binding>,
+    due: Duration,
+}
+
+impl Held {
+    fn repeating(&self) -> Option<&'static Binding> {
+        self.binding.filter(|it| it.repeats)
+    }
 }
 
 /// A button that is down.
@@ -113,15 +111,11 @@ pub struct Input {
     last_character: Option<(char, Duration)>,
     mouse: Point,
     press: Option<Press>,
-    editing: bool,
+    /// Whether numbers are typed into the editor.
+    pub is_editing: bool,
 }
 
 impl Input {
-    /// From now on numbers are typed into the editor, or no longer.
-    pub fn set_editing(&mut self, editing: bool) {
-        self.editing = editing;
-    }
-
     /// What `event` at the time `now` means, if anything.
     pub fn handle(&mut self, event: Event, now: Duration) -> Option<Gesture> {
         match event {
@@ -144,7 +138,7 @@ impl Input {
                 let press = self.press.take()?;
                 Some(match press.told {
                     None => Gesture::Click(press.from),
-                    Some(_) => Gesture::EndDrag,
+                    Some(_) => Gesture::Command(Action::EndDrag),
                 })
             }
             Event::Wheel(notches) => Some(Gesture::Wheel {
@@ -158,40 +152,37 @@ impl Input {
     /// What goes on at the time `now` because its key is held; ask until there is nothing more.
     pub fn repeated(&mut self, now: Duration) -> Option<Gesture> {
         self.held.iter_mut().find_map(|held| {
-            let (action, due) = held.repeat.as_mut()?;
-            if now < *due {
-                return None;
-            }
+            let binding = held.repeating().filter(|_| now >= held.due)?;
             // After a pause it goes on from now: what was missed is not made up for.
-            let next = *due + REPEAT_INTERVAL;
-            *due = if next > now {
+            let next = held.due + REPEAT_INTERVAL;
+            held.due = if next > now {
                 next
             } else {
                 now + REPEAT_INTERVAL
             };
-            Some(Gesture::Command(*action))
+            Some(Gesture::Command(binding.action))
         })
     }
 
     /// Whether a key or the button is down.
     pub fn is_busy(&self) -> bool {
-        self.press.is_some() || self.held.iter().any(|held| held.repeat.is_some())
+        self.press.is_some() || self.held.iter().any(|held| held.repeating().is_some())
     }
 
     /// Forgets those keys; returns what ends with them: there is one key of that kind, so it is one thing.
     fn release(&mut self, of: impl Fn(&Held) -> bool) -> Option<Gesture> {
         let released = self.held.extract_if(.., |held| of(held));
-        let lasting = released.filter_map(|held| held.lasting).last();
-        lasting.map(Gesture::Released)
+        let ends = released.filter_map(|held| held.binding?.on_release).last();
+        ends.map(Gesture::Command)
     }
 
     fn key_down(&mut self, key: Key, now: Duration) -> Option<Gesture> {
         let modifiers = self.modifiers();
         let types = |binding: &Binding| {
             let mut characters = binding.characters.iter();
-            self.editing && !modifiers.control && characters.any(|it| NUMBERS.contains(*it))
+            self.is_editing && !modifiers.control && characters.any(|it| NUMBERS.contains(*it))
         };
-        let binding = bound_to_key(key, modifiers, self.editing).filter(|it| !types(it));
+        let binding = bound_to_key(key, modifiers, self.is_editing).filter(|it| !types(it));
         let again = self.held.iter().any(|held| held.key == key);
         self.last_press = if again || binding.is_some() {
             LastPress::Answered
@@ -201,12 +192,8 @@ impl Input {
         if again {
             return None;
         }
-        let held_as = |hold| binding.filter(|binding| binding.hold == hold);
-        self.held.push(Held {
-            key,
-            repeat: held_as(Hold::Repeats).map(|it| (it.action, now + REPEAT_DELAY)),
-            lasting: held_as(Hold::Lasts).map(|it| it.action),
-        });
+        let due = now + REPEAT_DELAY;
+        self.held.push(Held { key, binding, due });
         binding.map(|binding| Gesture::Command(binding.action))
     }
 
@@ -220,8 +207,8 @@ impl Input {
             LastPress::Unknown if repeated => return None,
             LastPress::Unknown | LastPress::Unbound => {}
         }
-        if self.editing && NUMBERS.contains(character) {
-            return Some(Gesture::Typed(character));
+        if self.is_editing && NUMBERS.contains(character) {
+            return Some(Gesture::Command(Action::Type(character)));
         }
         bound_to_character(character).map(|binding| Gesture::Command(binding.action))
     }

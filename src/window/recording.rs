@@ -19,7 +19,7 @@ use anyhow::{Context, bail};
 use fearless_simd::Level;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize, Serializer};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::bindings::Action;
 use crate::components::{Projection, ShadingMode};
@@ -191,8 +191,8 @@ impl Log {
                 Some(_) => read_event(line, &mut frames),
                 None => read_start(line, threads, level).map(|read| start = Some(read)),
             };
-            if let Err(Fault { at, reason }) = read {
-                let column = line.get(..at).unwrap_or(line).chars().count() + 1;
+            if let Err((rest, reason)) = read {
+                let column = line[..line.len() - rest.len()].chars().count() + 1;
                 bail!("{name}:{number}:{column}: {reason}");
             }
         }
@@ -206,40 +206,24 @@ impl Log {
     }
 }
 
-/// What is wrong with a line, from this byte on.
-struct Fault {
-    at: usize,
-    reason: String,
-}
+/// The rest of a line from where it is wrong on, and why it is.
+type Fault<'a> = (&'a str, String);
 
-impl Fault {
-    /// In what belongs to the name: the end of the line.
-    fn in_argument(line: &str, argument: &str, reason: String) -> Self {
-        let at = line.len() - argument.len();
-        Fault { at, reason }
-    }
-}
-
-fn read_start(line: &str, threads: usize, level: Level) -> Result<Drawing, Fault> {
+fn read_start(line: &str, threads: usize, level: Level) -> Result<Drawing, Fault<'_>> {
     let (_, name, argument) = parts(line)?;
     if name != "start" {
-        let reason = "the first line is `start`".to_owned();
-        return Err(Fault { at: 0, reason });
+        return Err((line, "the first line is `start`".to_owned()));
     }
-    start(argument, threads, level).map_err(|reason| Fault::in_argument(line, argument, reason))
+    start(argument, threads, level).map_err(|reason| (argument, reason))
 }
 
 /// Adds what happened to the last frame, or begins another.
-fn read_event(line: &str, frames: &mut Vec<LogFrame>) -> Result<(), Fault> {
+fn read_event<'a>(line: &'a str, frames: &mut Vec<LogFrame>) -> Result<(), Fault<'a>> {
     let (time, name, argument) = parts(line)?;
-    let event =
-        event(name, argument).map_err(|reason| Fault::in_argument(line, argument, reason))?;
+    let event = event(name, argument).map_err(|reason| (argument, reason))?;
     match frames.last_mut() {
         Some(last) if last.time == time => last.events.push(event),
-        Some(last) if last.time > time => {
-            let reason = "times do not go back".to_owned();
-            return Err(Fault { at: 0, reason });
-        }
+        Some(last) if last.time > time => return Err((line, "times do not go back".to_owned())),
         _ => frames.push(LogFrame {
             time,
             events: vec![event],
@@ -249,7 +233,7 @@ fn read_event(line: &str, frames: &mut Vec<LogFrame>) -> Result<(), Fault> {
 }
 
 /// The time, the name and the JSON of a line.
-fn parts(line: &str) -> Result<(Duration, &str, &str), Fault> {
+fn parts(line: &str) -> Result<(Duration, &str, &str), Fault<'_>> {
     let (time, rest) = line.split_once(' ').unwrap_or((line, ""));
     let seconds = time.parse().ok();
     let time = seconds
@@ -257,19 +241,17 @@ fn parts(line: &str) -> Result<(Duration, &str, &str), Fault> {
         .filter(|time| *time <= MAX_TIME)
         .ok_or_else(|| {
             let most = MAX_TIME.as_secs();
-            let reason = format!("a line begins with seconds, 0 to {most}");
-            Fault { at: 0, reason }
+            (line, format!("a line begins with seconds, 0 to {most}"))
         })?;
     let (name, argument) = rest.split_once(' ').unwrap_or((rest, ""));
     if name.is_empty() {
-        let reason = "after the time comes what happened".to_owned();
-        return Err(Fault::in_argument(line, rest, reason));
+        return Err((rest, "after the time comes what happened".to_owned()));
     }
     Ok((time, name, argument))
 }
 
 fn start(argument: &str, threads: usize, level: Level) -> Result<Drawing, String> {
-    let start: Start = json(argument)?;
+    let start: Start = parsed(argument)?;
     if !is_tolerance(start.tolerance) {
         return Err(format!("no tolerance is {}", start.tolerance));
     }
@@ -290,27 +272,25 @@ fn start(argument: &str, threads: usize, level: Level) -> Result<Drawing, String
 fn event(name: &str, argument: &str) -> Result<Event, String> {
     Ok(match name {
         "scene" => {
-            let text: SceneText = json(argument)?;
+            let text: SceneText = parsed(argument)?;
             let scene = Scene::parse(&text.name, &text.scene).map_err(|error| error.to_string())?;
             Event::Scene(Box::new(scene))
         }
-        "scene-error" => Event::SceneError(json(argument)?),
-        "size" => Event::Size(checked(json(argument)?)?),
-        "say" => Event::Say(json(argument)?),
+        "scene-error" => Event::SceneError(parsed(argument)?),
+        "size" => Event::Size(checked(parsed(argument)?)?),
+        "say" => Event::Say(parsed(argument)?),
         "time" => Event::Time,
-        _ if argument.is_empty() => Event::Action(named(Value::String(name.to_owned()))?),
         _ => {
-            let argument: Value = json(argument)?;
-            let named_argument = [(name.to_owned(), argument)];
-            Event::Action(named(Value::Object(named_argument.into_iter().collect()))?)
+            let action = if argument.is_empty() {
+                json!(name)
+            } else {
+                json!({ name: parsed::<Value>(argument)? })
+            };
+            Event::Action(serde_json::from_value(action).map_err(|error| {
+                let reason = without_line(&error);
+                format!("no command, with what belongs to it, as in `light 0`: {reason}")
+            })?)
         }
-    })
-}
-
-fn named(action: Value) -> Result<Action, String> {
-    serde_json::from_value(action).map_err(|error| {
-        let reason = without_line(&error);
-        format!("no command, with what belongs to it, as in `light 0`: {reason}")
     })
 }
 
@@ -320,7 +300,7 @@ fn checked(size: [usize; 2]) -> Result<[usize; 2], String> {
         .ok_or_else(|| format!("a size is 1, 1 to {MAX_SIDE}, {MAX_SIDE}"))
 }
 
-fn json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     serde_json::from_str(text).map_err(|error| without_line(&error))
 }
 

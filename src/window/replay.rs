@@ -12,11 +12,10 @@ use fearless_simd::Level;
 use super::composition::Composition;
 use super::examination::examine;
 use super::hud::Hud;
-use super::jobs;
+use super::jobs::Progress;
 use super::recording::{Event, Log, LogFrame};
 use super::session::{Redraw, Session};
 use crate::drawing::Drawing;
-use crate::frame::Workers;
 use crate::output::{Animation, Output, say};
 use crate::trade::progress::with_bar;
 
@@ -29,9 +28,11 @@ pub struct Player {
     composition: Composition,
     level: Level,
     /// Of the picture, in pixels.
-    size: [usize; 2],
-    picture: Vec<u32>,
-    shown: Vec<u32>,
+    pub size: [usize; 2],
+    /// The picture alone.
+    pub picture: Vec<u32>,
+    /// What is seen, 0x00RRGGBB, row by row from the top.
+    pub shown: Vec<u32>,
 }
 
 impl Player {
@@ -41,9 +42,12 @@ impl Player {
     /// When the system gives no threads.
     pub fn new(start: Drawing) -> anyhow::Result<Self> {
         let (size, level) = (start.size, start.level);
+        let composition = Composition::new(start.workers()?);
+        let mut session = Session::new(start);
+        session.state.panel = false;
         Ok(Player {
-            composition: Composition::new(start.workers()?),
-            session: Session::new(start).without_panel(),
+            session,
+            composition,
             level,
             size,
             picture: Vec::new(),
@@ -65,20 +69,6 @@ impl Player {
         }
         // Nobody is there to time frames or to save them.
         self.session.take_requests();
-        self.draw()
-    }
-
-    /// The picture alone.
-    pub fn picture(&self) -> &[u32] {
-        &self.picture
-    }
-
-    /// What is seen, 0x00RRGGBB, row by row from the top, and its size.
-    pub fn shown(&self) -> (&[u32], [usize; 2]) {
-        (&self.shown, self.size)
-    }
-
-    fn draw(&mut self) -> anyhow::Result<()> {
         let redraw = self.session.take_redraw();
         if redraw == Redraw::Nothing {
             return Ok(());
@@ -86,12 +76,13 @@ impl Player {
         if redraw == Redraw::Picture {
             self.composition.draw(&mut self.session, self.size)?;
         }
-        let state = self.session.state();
-        if (state.mode.compares() || state.shows_reference) && self.session.reference().is_none() {
-            let mut request = self.session.reference_request(self.size);
-            let result = examine(&mut request, Workers::alone(self.level), &|| false)
+        let state = &self.session.state;
+        if (state.mode.compares() || state.shows_reference) && self.session.reference.is_none() {
+            let mut snapshot = self.session.snapshot(self.size);
+            let result = examine(&mut snapshot, self.level, &|| false)
                 .context("memory does not suffice for the reference")?;
-            self.session.on_progress(jobs::Progress::Examined(result));
+            let progress = Progress::Examined(result);
+            self.session.on_progress(snapshot.revision, progress);
         }
         self.composition.compose(&self.session, &mut self.picture);
         let hud = Hud::new(&self.session, self.size);
@@ -124,8 +115,11 @@ pub fn run(
         let mut play = |player: &mut Player, frame: LogFrame| {
             let time = frame.time.as_secs_f64();
             player.play(frame)?;
-            let (pixels, _) = player.shown();
-            let bytes: Vec<u8> = pixels.iter().flat_map(|it| it.to_be_bytes()).collect();
+            let bytes: Vec<u8> = player
+                .shown
+                .iter()
+                .flat_map(|it| it.to_be_bytes())
+                .collect();
             writeln!(hashes, "{time:.3} {:08x}", crc32fast::hash(&bytes))?;
             done += 1;
             on_progress("replaying", done as f64 / count as f64);
@@ -137,8 +131,7 @@ pub fn run(
                 for (frame, end) in frames {
                     let time = end.saturating_sub(frame.time);
                     play(&mut player, frame).map_err(io::Error::other)?;
-                    let (pixels, size) = player.shown();
-                    animation.add(pixels, size, time)?;
+                    animation.add(&player.shown, player.size, time)?;
                 }
                 animation.finish()
             }),
@@ -146,8 +139,7 @@ pub fn run(
                 for (frame, _) in frames {
                     play(&mut player, frame)?;
                 }
-                let (pixels, size) = player.shown();
-                output.map_or(Ok(()), |output| output.write_png(pixels, size))
+                output.map_or(Ok(()), |it| it.write_png(&player.shown, player.size))
             }
         }
     })?;

@@ -17,21 +17,20 @@ pub fn respond(session: &mut Session, gesture: Gesture, hud: &Hud) -> Option<Act
     if let Gesture::Hover(point) = gesture {
         session.hover(hud.action_at(point));
     }
-    let action = session.resolved(meaning(gesture, session.state(), hud)?);
+    let action = session.resolved(meaning(gesture, &session.state, hud)?);
     session.apply(action);
     Some(action)
 }
 
 fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
-    let picture = hud.picture();
-    let (magnifier, size) = (hud.magnifier(), picture.size());
+    let picture = hud.picture;
+    let (magnifier, size) = (hud.magnifier, picture.size());
     let magnified = |steps, at: Point| {
         let place = [at[0] - picture.x, at[1] - picture.y];
         Action::Magnify(magnifier.stepped(steps, place, size))
     };
     let action = match gesture {
         Gesture::Command(action) => Some(action),
-        Gesture::Released(action) => (action == Action::Blink).then_some(Action::EndBlink),
         Gesture::Hover(_) => None,
         Gesture::Click(point) => hud.action_at(point).or_else(|| match hud.board_at(point) {
             Some((Part::Probe | Part::Profile, _)) => Some(Action::Probe(None)),
@@ -41,7 +40,6 @@ fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
             Some(_) => None,
             None => Some(Action::Probe(hud.pixel_at(point))),
         }),
-        Gesture::Typed(letter) => Some(Action::Type(letter)),
         Gesture::Drag {
             from,
             by,
@@ -80,7 +78,6 @@ fn meaning(gesture: Gesture, state: &ViewState, hud: &Hud) -> Option<Action> {
                 }),
             }
         }
-        Gesture::EndDrag => Some(Action::EndDrag),
         Gesture::Wheel {
             at,
             notches,

@@ -25,7 +25,7 @@ pub fn save_picture(folder: &Path, pixels: &[u32], size: [usize; 2]) -> io::Resu
 /// # Errors
 /// When the folder cannot be written to or has no number left.
 pub fn save_scene(folder: &Path, session: &Session) -> io::Result<PathBuf> {
-    let scene = session.scene();
+    let scene = &session.scene;
     let stem = Path::new(&scene.name).file_stem().unwrap_or_default();
     let stem = stem.to_string_lossy().replace(char::is_control, "_");
     let text = scene.to_toml_with_view();
@@ -41,8 +41,8 @@ pub fn command(session: &Session, name: &str, [width, height]: [usize; 2]) -> St
     format!(
         "shadetrade render {} --projection {} --tolerance {} --size {width}x{height} -o {}",
         quoted(&format!("./{name}")),
-        session.projection().name(),
-        session.tolerance(),
+        session.projection.name(),
+        session.tolerance,
         quoted(&Path::new(name).with_extension("png").to_string_lossy()),
     )
 }

@@ -15,30 +15,25 @@ use fearless_simd::Level;
 
 use super::bindings::Action;
 use super::composition::FrameTimes;
-use super::examination::{ReferenceRequest, ReferenceResult};
+use super::examination::ReferenceResult;
 use super::history::History;
 use super::jobs::Progress;
 use super::recording::Event;
 use super::view_state::{MESSAGE_TIME, READING_TIME, ViewState};
-use crate::components::{Projection, ShadingMode, Spin, View};
+use crate::components::{Projection, Spin, View};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, display_pixel};
+use crate::frame::display_pixel;
 use crate::memory::OutOfMemory;
 use crate::probe::{self, Probe, Profile};
 use crate::requires::{Part, PartChange};
 use crate::scene::Scene;
-use crate::shading::METHODS;
-use crate::systems;
-use crate::trade::{self, Report};
+use crate::trade::Report;
 
 /// How long nothing changes before the picture is timed and examined.
 pub const REST: Duration = Duration::from_millis(100);
 
 /// How often a running measurement is shown: drawing the window takes time from what is measured.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(300);
-
-/// How long the frames of a measurement are timed, the comparison with the reference apart.
-const MEASURING_TIME: Duration = Duration::from_millis(1500);
 
 /// A measurement as it is shown.
 #[derive(Debug, Default)]
@@ -93,38 +88,50 @@ pub enum Request {
     LeaveOut(Part),
 }
 
+/// A picture that something is to be found out about.
+pub struct Snapshot {
+    /// A copy of the scene, of its own.
+    pub scene: Scene,
+    pub view: View,
+    /// Which state of the session that is.
+    pub revision: u64,
+}
+
 /// How long a cuboid that spins takes for one degree, as in the assignment's program.
 const DEGREE_TIME: Duration = Duration::from_millis(30);
 
-/// The scene, whose components keys write, and what is the window's own.
+/// The scene, whose components keys write, and what is the window's own. Others read it: what changes goes through
+/// [`Session::happens`] and the other functions here, which note what has to be done anew.
 pub struct Session {
-    scene: Scene,
-    projection: Projection,
-    tolerance: f64,
+    pub scene: Scene,
+    pub projection: Projection,
+    /// How far the picture may err from its own mode, in levels.
+    pub tolerance: f64,
     /// When what spins has turned by one degree more.
     next_degree: Duration,
-    state: ViewState,
+    /// How the scene is looked at.
+    pub state: ViewState,
     /// What was changed in the scene.
     history: History,
-    /// The page that the editor showed when it was closed.
-    last_page: usize,
     /// What is known of the pixel that is probed.
-    probe: Option<Probe>,
+    pub probe: Option<Probe>,
     /// The levels along its row.
-    profile: Option<Profile>,
-    times: FrameTimes,
+    pub profile: Option<Profile>,
+    /// What frames of what is shown take.
+    pub times: FrameTimes,
     /// When what is shown was drawn, until its frames are timed.
     to_be_timed: Option<Duration>,
     /// Whether the drawn picture has one colour beside the background.
-    flat: bool,
+    pub is_flat: bool,
     /// The number of the present picture: every change makes it larger.
-    revision: u64,
+    pub revision: u64,
     /// When it changed, until the reference is asked about it.
     to_be_examined: Option<Duration>,
-    reference: Option<ReferenceResult>,
-    measuring: Measuring,
+    /// What the reference says of the present picture.
+    pub reference: Option<ReferenceResult>,
+    pub measuring: Measuring,
     /// Where it is shown.
-    requires: Option<Requires>,
+    pub requires: Option<Requires>,
     /// When the progress of a measurement is shown next.
     next_progress: Duration,
     level: Level,
@@ -150,12 +157,11 @@ impl Session {
                 ..ViewState::default()
             },
             history: History::default(),
-            last_page: 0,
             probe: None,
             profile: None,
             times: FrameTimes::default(),
             to_be_timed: None,
-            flat: false,
+            is_flat: false,
             revision: 0,
             to_be_examined: Some(Duration::ZERO),
             reference: None,
@@ -167,12 +173,6 @@ impl Session {
             redraw: Redraw::Picture,
             requests: Vec::new(),
         }
-    }
-
-    /// The same without the panel.
-    pub fn without_panel(mut self) -> Self {
-        self.state.panel = false;
-        self
     }
 
     /// Probes the pixel that is looked at anew, in a picture of `size` pixels; one outside is no longer looked at.
@@ -192,14 +192,14 @@ impl Session {
         Ok(())
     }
 
-    /// Takes what a job has come to, unless it is about a picture that has changed since, or is no longer wanted.
-    pub fn on_progress(&mut self, progress: Progress) {
+    /// Takes what a job about the picture of this `revision` has come to, unless that has changed since, or it is no
+    /// longer wanted.
+    pub fn on_progress(&mut self, revision: u64, progress: Progress) {
         let measures = matches!(self.measuring, Measuring::Running(..));
         match progress {
-            Progress::Examined(result) if result.revision == self.revision => {
-                self.reference = Some(result);
-            }
-            Progress::Proven(revision, proof) if revision == self.revision => {
+            _ if revision != self.revision => return,
+            Progress::Examined(result) => self.reference = Some(result),
+            Progress::Proven(proof) => {
                 if let Some(result) = &mut self.reference {
                     result.add_proof(proof);
                 }
@@ -221,12 +221,12 @@ impl Session {
                     requires.share = share;
                 }
             }
-            Progress::Required(revision, parts) if revision == self.revision => {
+            Progress::Required(parts) => {
                 if let Some(requires) = &mut self.requires {
                     requires.parts = parts;
                 }
             }
-            Progress::LeftOut(revision, picture) if revision == self.revision => {
+            Progress::LeftOut(picture) => {
                 if let Some(requires) = &mut self.requires {
                     requires.picture = Some(picture);
                 }
@@ -256,10 +256,9 @@ impl Session {
         }
         // It takes longest, and would cancel the proof.
         let is_proven = self.reference.as_ref().is_some_and(|it| it.proof.is_some());
-        if let Some(requires) = self
-            .requires
-            .as_mut()
-            .filter(|it| is_proven && !it.is_asked)
+        if let Some(requires) = &mut self.requires
+            && is_proven
+            && !requires.is_asked
         {
             requires.is_asked = true;
             self.requests.push(Request::Require);
@@ -297,64 +296,12 @@ impl Session {
         }
     }
 
-    /// How a picture of `size` pixels is to be drawn now.
-    pub fn view(&self, size: [usize; 2]) -> View {
-        View {
-            size,
-            viewpoint: self.scene.viewpoint(self.camera()),
-            projection: self.projection,
-            background: self.scene.background,
-            shading: None,
-            tolerance: self.tolerance,
-        }
-    }
-
-    /// Draws the picture of `size` pixels into `frame`, all cuboids shaded so, or each in its own mode.
-    ///
-    /// # Errors
-    /// When it does not fit in memory.
-    pub fn draw(
-        &mut self,
-        shading: Option<ShadingMode>,
-        size: [usize; 2],
-        frame: &mut Frame,
-    ) -> Result<(), OutOfMemory> {
-        let view = View {
-            shading,
-            ..self.view(size)
-        };
-        systems::draw(&mut self.scene.world, &view, frame)
-    }
-
-    /// What is to be measured of a picture of `size` pixels: every method, on one thread.
-    pub fn measurement(&self, size: [usize; 2]) -> trade::Request {
-        trade::Request {
-            scene: self.scene.snapshot(),
-            camera: self.name(self.scene.cameras[self.camera()]),
-            view: self.view(size),
-            methods: METHODS.to_vec(),
-            threads: 1,
-            level: self.level,
-            time: MEASURING_TIME,
-            command: String::new(),
-        }
-    }
-
-    /// What the reference is to be asked about a picture of `size` pixels.
-    pub fn reference_request(&self, size: [usize; 2]) -> ReferenceRequest {
-        ReferenceRequest {
-            scene: self.scene.snapshot(),
-            view: self.view(size),
-            revision: self.revision,
-        }
-    }
-
     /// Notes what the picture of these pixels took when it was drawn first.
     pub fn drawn(&mut self, times: FrameTimes, pixels: &[u32]) {
         let background = display_pixel(self.scene.background.to_array());
         let mut covered = pixels.iter().filter(|pixel| **pixel != background);
         let first = covered.next();
-        self.flat = first.is_some_and(|first| covered.all(|pixel| pixel == first));
+        self.is_flat = first.is_some_and(|first| covered.all(|pixel| pixel == first));
         self.times = times;
         self.to_be_timed = Some(self.now);
     }

@@ -24,11 +24,9 @@ pub enum Drag {
     Lights(Vec<usize>),
 }
 
-/// Which numbers of the scene are shown, and what is typed.
+/// Which number of a page is changed, and what is typed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Editor {
-    /// See [`crate::scene::Scene::page`].
-    pub page: usize,
     /// The row that keys change: the first one goes through the pages.
     pub row: usize,
     /// What is typed for the row's number, or nothing.
@@ -56,6 +54,8 @@ pub struct ViewState {
     pub help: bool,
     /// The numbers of the scene, where they are shown.
     pub editor: Option<Editor>,
+    /// Which of them the editor shows, or showed last; see [`crate::scene::Scene::page`].
+    pub page: usize,
     /// The action whose row the mouse is over.
     pub hovered: Option<Action>,
     /// What is wrong with the scene's file as it is now.

@@ -38,10 +38,10 @@ fn panel_commands(window: &RgbImage, size: [usize; 2]) -> RgbImage {
     let session = default_session();
     let hud = Hud::new(&session, size);
     let panel = board(&hud, Part::Panel);
-    let rows = panel.rows().iter();
+    let rows = panel.rows.iter();
     let facts = rows.clone().find(|(line, _)| *line == Line::Rule);
     let (_, facts) = facts.expect("facts follow");
-    let width = panel.rect().width as u32;
+    let width = panel.rect.width as u32;
     image::imageops::crop_imm(window, 0, 0, width, facts.y as u32).to_image()
 }
 
@@ -169,7 +169,7 @@ fn every_row_of_the_panel_does_something_in_every_common_window() {
         let parts = |window: &RgbImage| {
             let Rect {
                 x, width, height, ..
-            } = hud.picture();
+            } = hud.picture;
             let [x, width, height] = [x, width, height].map(|it| it as u32);
             let picture = image::imageops::crop_imm(window, x, 0, width, height);
             (panel_commands(window, size), picture.to_image())

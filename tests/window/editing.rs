@@ -10,6 +10,7 @@ use shadetrade::components::{Camera, Light, Transform};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
 use shadetrade::scene::edit::{Page, Parameter, Property};
+use shadetrade::systems;
 use shadetrade::window::bindings::{Action, Modifiers, StepSize};
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Part, picture};
@@ -36,7 +37,7 @@ fn types(session: &mut Session, text: &str) {
             _ => panic!("no key for {letter}"),
         };
         let mut input = Input::default();
-        input.set_editing(session.state().editor.is_some());
+        input.is_editing = session.state.editor.is_some();
         let events = [Event::KeyDown(key), Event::Character(letter)];
         let gestures = events.map(|event| input.handle(event, Duration::ZERO));
         for gesture in gestures.into_iter().flatten() {
@@ -48,7 +49,7 @@ fn types(session: &mut Session, text: &str) {
 /// Presses a key while others are held.
 fn press_with(session: &mut Session, held: &[Key], key: Key) {
     let mut input = Input::default();
-    input.set_editing(session.state().editor.is_some());
+    input.is_editing = session.state.editor.is_some();
     for key in held.iter().chain([&key]) {
         if let Some(gesture) = input.handle(Event::KeyDown(*key), Duration::ZERO) {
             does(session, gesture);
@@ -68,7 +69,7 @@ fn pause(session: &mut Session, seconds: &mut u64) {
 
 /// Opens the editor and chooses this number of the page.
 fn choose(session: &mut Session, property: Property, axis: usize) -> Parameter {
-    if session.state().editor.is_none() {
+    if session.state.editor.is_none() {
         press(session, Key::E);
     }
     let page = session.page().expect("the editor is open");
@@ -80,7 +81,7 @@ fn choose(session: &mut Session, property: Property, axis: usize) -> Parameter {
 
 /// Goes to the page of the entity of this name.
 fn turn_to(session: &mut Session, name: &str, kind: &str) {
-    let pages = session.scene().pages();
+    let pages = session.scene.pages();
     for _ in 0..pages {
         let page = session.page().expect("the editor is open");
         if session.name(page.entity) == name && page.kind == kind {
@@ -98,15 +99,14 @@ fn turn_to(session: &mut Session, name: &str, kind: &str) {
 
 fn drawn(session: &mut Session, size: [usize; 2]) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
-    session
-        .draw(None, size, &mut frame)
-        .expect("it fits in memory");
+    let view = session.view(size);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("it fits in memory");
     frame.pixels().to_vec()
 }
 
 fn said(session: &Session) -> String {
     let hud = hud(session, SIZE);
-    let rows = board(&hud, Part::Editor).rows();
+    let rows = &board(&hud, Part::Editor).rows;
     let words = rows.iter().map(|(line, _)| match line {
         Line::Command(it) => format!("{} {}", it.label, it.state),
         Line::Text(text) => text.clone(),
@@ -164,14 +164,14 @@ fn a_typed_number_is_taken_and_one_out_of_range_says_what_is_allowed() {
     let shininess = choose(&mut session, Property::Shininess, 0);
     types(&mut session, "5.5");
     assert!(said(&session).contains("5.5_"), "{}", said(&session));
-    assert_eq!(session.scene().number(shininess), 76.8, "not before Enter");
+    assert_eq!(session.scene.number(shininess), 76.8, "not before Enter");
     press(&mut session, Key::Enter);
-    assert_eq!(session.scene().number(shininess), 5.5);
+    assert_eq!(session.scene.number(shininess), 5.5);
     let before = drawn(&mut session, [64, 48]);
     for wrong in ["-1", "1e7", "--", "1e", "-.e"] {
         types(&mut session, wrong);
         press(&mut session, Key::Enter);
-        assert_eq!(session.scene().number(shininess), 5.5, "{wrong}");
+        assert_eq!(session.scene.number(shininess), 5.5, "{wrong}");
         assert!(said(&session).contains("0 to 1e6"), "{}", said(&session));
     }
     assert_eq!(drawn(&mut session, [64, 48]), before);
@@ -181,11 +181,11 @@ fn a_typed_number_is_taken_and_one_out_of_range_says_what_is_allowed() {
     press(&mut session, Key::Backspace);
     types(&mut session, "22");
     press(&mut session, Key::Escape);
-    assert!(session.state().editor.is_some());
+    assert!(session.state.editor.is_some());
     press(&mut session, Key::Enter);
-    assert_eq!(session.scene().number(shininess), 5.5);
+    assert_eq!(session.scene.number(shininess), 5.5);
     press(&mut session, Key::Escape);
-    assert!(session.state().editor.is_none());
+    assert!(session.state.editor.is_none());
     // Without the editor the digits switch lights.
     types(&mut session, "1");
     assert!(!session.light(0).expect("a light").on);
@@ -204,7 +204,7 @@ fn arrows_and_the_wheel_change_finely_usually_and_coarsely() {
         (vec![Key::RightCtrl], Key::Left, 9.01),
     ] {
         press_with(&mut session, &held, key);
-        assert_eq!(session.scene().number(place), expected, "{held:?} {key:?}");
+        assert_eq!(session.scene.number(place), expected, "{held:?} {key:?}");
     }
     let row = place_of(&hud(&session, SIZE), Part::Editor, Action::ChooseRow(2));
     let wheel = |notches, shift| Gesture::Wheel {
@@ -216,22 +216,22 @@ fn arrows_and_the_wheel_change_finely_usually_and_coarsely() {
         },
     };
     does(&mut session, wheel(3, false));
-    assert_eq!(session.scene().number(place), 9.31);
+    assert_eq!(session.scene.number(place), 9.31);
     does(&mut session, wheel(-1, true));
-    assert_eq!(session.scene().number(place), 9.3);
+    assert_eq!(session.scene.number(place), 9.3);
     assert_eq!(session.orbit().zoom, 0, "the picture is not zoomed");
     // Up and Down choose, and what was typed is taken on the way.
     types(&mut session, "2");
     press(&mut session, Key::Down);
-    assert_eq!(session.scene().number(place), 2.0);
+    assert_eq!(session.scene.number(place), 2.0);
     press(&mut session, Key::Right);
     let next = Parameter { axis: 2, ..place };
-    assert_eq!(session.scene().number(next), 10.1);
+    assert_eq!(session.scene.number(next), 10.1);
     // Steps of a tenth do not gather rounding.
     for _ in 0..1000 {
         press(&mut session, Key::Right);
     }
-    assert_eq!(session.scene().number(next), 110.1);
+    assert_eq!(session.scene.number(next), 110.1);
 }
 
 #[test]
@@ -245,14 +245,14 @@ fn a_thousand_steps_are_undone_to_the_first_bytes_and_redone_to_the_last() {
             break;
         }
         pause(&mut session, &mut seconds);
-        let revision = session.revision();
+        let revision = session.revision;
         let page = session.page().expect("open");
         session.apply(Action::Step {
             row: Some(1 + step % page.parameters.len()),
             steps: 1 + (step % 7) as i32,
             size: StepSize::Usual,
         });
-        changes += session.revision() - revision;
+        changes += session.revision - revision;
         if step % 3 == 0 {
             session.apply(Action::Step {
                 row: Some(0),
@@ -268,9 +268,9 @@ fn a_thousand_steps_are_undone_to_the_first_bytes_and_redone_to_the_last() {
         press_with(&mut session, &control, Key::Z);
     }
     assert_eq!(drawn(&mut session, [96, 72]), first);
-    assert_eq!(session.state().message(), None);
+    assert_eq!(session.state.message(), None);
     press_with(&mut session, &control, Key::Z);
-    assert!(session.state().message().expect("a word").contains("undo"));
+    assert!(session.state.message().expect("a word").contains("undo"));
     for _ in 0..1000 {
         press_with(&mut session, &[Key::LeftCtrl, Key::LeftShift], Key::Z);
     }
@@ -290,18 +290,18 @@ fn what_is_held_or_dragged_is_one_step_and_a_switched_light_another() {
     session.apply(Action::Light(0));
     session.apply(Action::Undo);
     assert!(session.light(0).expect("a light").on);
-    assert_eq!(session.scene().number(size), 1.6);
+    assert_eq!(session.scene.number(size), 1.6);
     session.apply(Action::Undo);
-    assert_eq!(session.scene().number(size), 1.5);
+    assert_eq!(session.scene.number(size), 1.5);
     session.apply(Action::Undo);
-    assert_eq!(session.scene().number(size), 1.0);
+    assert_eq!(session.scene.number(size), 1.0);
     session.apply(Action::Redo);
-    assert_eq!(session.scene().number(size), 1.5);
+    assert_eq!(session.scene.number(size), 1.5);
     // A new change ends what could be redone.
     pause(&mut session, &mut seconds);
     press(&mut session, Key::Left);
     session.apply(Action::Redo);
-    assert_eq!(session.scene().number(size), 1.4);
+    assert_eq!(session.scene.number(size), 1.4);
 }
 
 fn choose_size(session: &mut Session) -> Parameter {
@@ -337,7 +337,7 @@ fn disc(session: &Session) -> [i32; 2] {
 }
 
 fn places(session: &Session) -> Vec<DVec3> {
-    let scene = session.scene();
+    let scene = &session.scene;
     let place = |&light| {
         scene
             .world
@@ -388,7 +388,7 @@ fn lights_at_one_place_follow_the_mouse_together_and_come_back_in_one_step() {
         does(&mut session, drag([40, -25], true));
         let away = places(&session)[0] - before[0] - moved;
         assert!(forward.dot(away) > 0.9 * away.length() && away.length() > 0.0);
-        does(&mut session, Gesture::EndDrag);
+        does(&mut session, Gesture::Command(Action::EndDrag));
         session.apply(Action::Undo);
         assert_eq!(places(&session), before);
         assert_eq!(session.orbit().azimuth, 0.0, "the camera has not moved");
@@ -535,7 +535,7 @@ fn a_saved_scene_is_drawn_as_it_was_shown_and_replaces_nothing() {
         assert_eq!(saved.camera_names(), ["view", "1", "2"]);
         assert_eq!(
             saved.camera(1).0,
-            session.scene().camera(0).0,
+            session.scene.camera(0).0,
             "the others stand where they stood"
         );
         let mut again = session_of(saved);
@@ -555,7 +555,7 @@ fn a_saved_scene_is_drawn_as_it_was_shown_and_replaces_nothing() {
         std::fs::remove_file(twice).expect("removed");
         let line = command(&session, &name, [160, 120]);
         for word in [
-            session.projection().name(),
+            session.projection.name(),
             "--size 160x120",
             "--tolerance 0.5",
             &name,
@@ -582,7 +582,7 @@ fn a_scene_read_again_keeps_the_view_and_a_wrong_one_keeps_the_picture() {
     let (before, view) = (drawn(&mut session, [64, 48]), zoomed(&session));
     session.happens(read("size = 3\n"));
     assert_eq!(drawn(&mut session, [64, 48]), before);
-    let words = session.state().scene_error.clone().expect("it is said");
+    let words = session.state.scene_error.clone().expect("it is said");
     assert!(words.contains("mixed.toml:1:1"), "{words}");
     assert!(
         hud(&session, SIZE)
@@ -592,7 +592,7 @@ fn a_scene_read_again_keeps_the_view_and_a_wrong_one_keeps_the_picture() {
     );
     let edited = MIXED.replace("size = [1.0, 1.0, 1.0]", "size = [2.0, 1.0, 1.0]");
     session.happens(read(&edited));
-    assert_eq!(session.state().scene_error, None);
+    assert_eq!(session.state.scene_error, None);
     assert_eq!(zoomed(&session), view);
     assert_ne!(drawn(&mut session, [64, 48]), before);
     session.apply(Action::Undo);

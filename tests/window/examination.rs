@@ -7,12 +7,13 @@ use fearless_simd::Level;
 use minifb::Key;
 use shadetrade::frame::Workers;
 use shadetrade::prove::{Proof, REFUTED, UNDECIDED, Verdict, prove};
+use shadetrade::systems;
 use shadetrade::trade::error_map;
-use shadetrade::window::examination::{Errors, ReferenceRequest, ReferenceResult, examine};
+use shadetrade::window::examination::{Errors, ReferenceResult, examine};
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Part};
-use shadetrade::window::jobs::{Job, Jobs, Progress};
-use shadetrade::window::session::{Redraw, Request, Session};
+use shadetrade::window::jobs::{Jobs, Progress};
+use shadetrade::window::session::{Redraw, Request, Session, Snapshot};
 
 use super::jobs::until_heard;
 use super::{default_session, press};
@@ -20,12 +21,11 @@ use super::{default_session, press};
 /// A small picture, higher than one band of rows.
 const SMALL: [usize; 2] = [96, 80];
 
-fn found(mut request: ReferenceRequest) -> ReferenceResult {
-    let workers = Workers::alone(Level::new());
-    examine(&mut request, workers, &|| false).expect("nobody cancels it")
+fn found(mut request: Snapshot) -> ReferenceResult {
+    examine(&mut request, Level::new(), &|| false).expect("nobody cancels it")
 }
 
-fn proof(mut request: ReferenceRequest) -> Proof {
+fn proof(mut request: Snapshot) -> Proof {
     let proof = prove(
         &mut request.scene.world,
         &request.view,
@@ -42,7 +42,7 @@ fn facts(session: &Session) -> Vec<String> {
         .boards(Part::Panel)
         .next()
         .expect("there is room")
-        .rows()
+        .rows
         .iter();
     rows.filter_map(|(line, _)| match line {
         Line::Fact(_, value) => Some(value.clone()),
@@ -85,52 +85,57 @@ fn a_picture_is_examined_once_when_it_has_rested_for_a_tenth_of_a_second() {
 #[test]
 fn an_answer_about_another_picture_is_dropped() {
     let mut session = default_session();
-    let findings = found(session.reference_request(SMALL));
+    let findings = found(session.snapshot(SMALL));
+    let revision = session.revision;
     press(&mut session, Key::R);
     session.take_redraw();
-    session.on_progress(Progress::Examined(findings));
-    assert!(session.reference().is_none());
+    session.on_progress(revision, Progress::Examined(findings));
+    assert!(session.reference.is_none());
     assert_eq!(session.take_redraw(), Redraw::Nothing);
-    session.on_progress(Progress::Examined(found(session.reference_request(SMALL))));
-    assert!(session.reference().is_some());
+    session.on_progress(
+        session.revision,
+        Progress::Examined(found(session.snapshot(SMALL))),
+    );
+    assert!(session.reference.is_some());
     assert_eq!(session.take_redraw(), Redraw::Overlay);
     press(&mut session, Key::P);
-    assert!(session.reference().is_none());
+    assert!(session.reference.is_none());
 }
 
 #[test]
 fn the_panel_tells_the_error_or_why_there_is_none() {
     let mut session = default_session();
     assert_eq!(facts(&session)[3..], ["...", "..."]);
-    let mut findings = found(session.reference_request(SMALL));
+    let mut findings = found(session.snapshot(SMALL));
     findings.errors = Some(Errors {
         max: 163.4,
         mean: 9.934,
     });
     findings.own_errors = None;
-    session.on_progress(Progress::Examined(findings));
+    session.on_progress(session.revision, Progress::Examined(findings));
     assert_eq!(facts(&session)[3..], ["163 (mean 9.93)", "-"]);
 }
 
 #[test]
 fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
     let mut session = default_session();
-    session.on_progress(Progress::Proven(
-        session.revision(),
-        proof(session.reference_request(SMALL)),
-    ));
+    let early = Progress::Proven(proof(session.snapshot(SMALL)));
+    session.on_progress(session.revision, early);
     assert!(
         facts(&session)[2].starts_with("... of"),
         "a proof follows the findings"
     );
-    session.on_progress(Progress::Examined(found(session.reference_request(SMALL))));
-    let proven = proof(session.reference_request(SMALL));
-    session.on_progress(Progress::Proven(session.revision() + 1, proven.clone()));
+    session.on_progress(
+        session.revision,
+        Progress::Examined(found(session.snapshot(SMALL))),
+    );
+    let proven = proof(session.snapshot(SMALL));
+    session.on_progress(session.revision + 1, Progress::Proven(proven.clone()));
     assert!(
         facts(&session)[2].starts_with("... of"),
         "a proof of another picture"
     );
-    session.on_progress(Progress::Proven(session.revision(), proven.clone()));
+    session.on_progress(session.revision, Progress::Proven(proven.clone()));
     let covered = proven.covered.to_string();
     let told = facts(&session)[2].replace(' ', "");
     assert!(
@@ -141,17 +146,21 @@ fn the_panel_tells_how_much_is_proven_or_what_is_missing() {
     let mut lacking = proven.clone();
     lacking.undecided = 2;
     lacking.marks[3].verdict = Verdict::Undecided;
-    session.on_progress(Progress::Proven(session.revision(), lacking.clone()));
+    session.on_progress(session.revision, Progress::Proven(lacking.clone()));
     assert!(alarm(&session).contains('2'), "{}", alarm(&session));
     lacking.refuted = 7;
     lacking.marks[4].verdict = Verdict::Refuted;
-    session.on_progress(Progress::Proven(session.revision(), lacking));
+    session.on_progress(session.revision, Progress::Proven(lacking));
     assert!(
         alarm(&session).contains("7 px refuted"),
         "{}",
         alarm(&session)
     );
-    let map = &session.reference().expect("they were given").error_map;
+    let map = &session
+        .reference
+        .as_ref()
+        .expect("they were given")
+        .error_map;
     assert_eq!(map[3..5], [UNDECIDED, REFUTED]);
     assert_ne!(map[5], REFUTED);
 }
@@ -162,7 +171,7 @@ fn alarm(session: &Session) -> String {
         .boards(Part::Panel)
         .next()
         .expect("there is room")
-        .rows()
+        .rows
         .iter();
     let alarm = rows.find_map(|(line, _)| match line {
         Line::Alarm(_, value) => Some(value.clone()),
@@ -174,12 +183,12 @@ fn alarm(session: &Session) -> String {
 #[test]
 fn phong_errs_by_its_tolerance_at_most_and_gouraud_by_more() {
     let mut session = default_session();
-    let gouraud = found(session.reference_request(SMALL));
+    let gouraud = found(session.snapshot(SMALL));
     let [errors, own] = [gouraud.errors, gouraud.own_errors].map(|it| it.expect("covered"));
     assert!(errors.max > 10.0 && errors.mean > 1.0, "{errors:?}");
     assert!(own.max <= 0.5 && own.mean <= own.max, "{own:?}");
     press(&mut session, Key::P);
-    let phong = found(session.reference_request(SMALL));
+    let phong = found(session.snapshot(SMALL));
     assert_eq!(phong.errors, phong.own_errors);
     assert!(
         phong.reference == gouraud.reference,
@@ -191,15 +200,28 @@ fn phong_errs_by_its_tolerance_at_most_and_gouraud_by_more() {
 }
 
 #[test]
+fn a_picture_all_in_phong_is_compared_with_one_reference_and_not_with_two() {
+    let mut session = default_session();
+    let rows = |session: &Session| {
+        let asked = AtomicUsize::new(0);
+        let not_cancelled = || asked.fetch_add(1, Ordering::Relaxed) == usize::MAX;
+        examine(&mut session.snapshot(SMALL), Level::new(), &not_cancelled).expect("it fits");
+        asked.into_inner()
+    };
+    let gouraud = rows(&session);
+    press(&mut session, Key::P);
+    assert_eq!(2 * rows(&session), gouraud);
+}
+
+#[test]
 fn the_reference_looks_like_the_picture() {
     let mut session = default_session();
     press(&mut session, Key::P);
     let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let mut frame = shadetrade::frame::Frame::new(shadetrade::frame::Keep::Display, workers);
-    session
-        .draw(None, SMALL, &mut frame)
-        .expect("there is memory");
-    let reference = found(session.reference_request(SMALL)).reference;
+    let view = session.view(SMALL);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("there is memory");
+    let reference = found(session.snapshot(SMALL)).reference;
     let far = |(drawn, exact): (&u32, &u32)| {
         let [drawn, exact] = [drawn, exact].map(|it| it.to_be_bytes());
         drawn.iter().zip(exact).any(|(a, b)| a.abs_diff(b) > 1)
@@ -211,11 +233,11 @@ fn the_reference_looks_like_the_picture() {
 #[test]
 fn where_nothing_is_drawn_there_is_no_error() {
     let mut session = default_session();
-    let mut request = session.reference_request([1, 1]);
+    let mut request = session.snapshot([1, 1]);
     request.view.viewpoint.camera.target = request.view.viewpoint.position * 2.0;
     let findings = found(request);
     assert_eq!((findings.errors, findings.own_errors), (None, None));
-    session.on_progress(Progress::Examined(findings));
+    session.on_progress(session.revision, Progress::Examined(findings));
     assert_eq!(facts(&session)[3..], ["-", "-"]);
 }
 
@@ -223,10 +245,9 @@ fn where_nothing_is_drawn_there_is_no_error() {
 fn an_examination_stops_as_soon_as_it_is_cancelled() {
     let session = default_session();
     let asked = AtomicUsize::new(0);
-    let workers = Workers::new(1, Level::new()).expect("no thread is needed");
     let cancelled = || asked.fetch_add(1, Ordering::Relaxed) >= 3;
     assert_eq!(
-        examine(&mut session.reference_request(SMALL), workers, &cancelled),
+        examine(&mut session.snapshot(SMALL), Level::new(), &cancelled),
         None
     );
 }
@@ -237,27 +258,29 @@ fn the_newest_request_is_answered_and_what_is_cancelled_is_not() {
     let mut jobs = Jobs::start(Level::new()).expect("there are threads");
     for _ in 0..20 {
         press(&mut session, Key::R);
-        jobs.submit(Job::Examine(session.reference_request([400, 300])));
+        jobs.submit(Request::Examine, session.snapshot([400, 300]));
     }
-    until_heard(&jobs, |progress| {
+    until_heard(&jobs, |revision, progress| {
         let last = matches!(progress, Progress::Proven(..));
-        session.on_progress(progress);
+        session.on_progress(revision, progress);
         last
     });
-    assert!(session.reference().is_some_and(|it| it.proof.is_some()));
+    assert!(
+        session
+            .reference
+            .as_ref()
+            .is_some_and(|it| it.proof.is_some())
+    );
     // Cancelled at once: the next job is done all the same, and nothing else is heard of.
-    jobs.submit(Job::Examine(session.reference_request([4000, 3000])));
+    jobs.submit(Request::Examine, session.snapshot([4000, 3000]));
     jobs.cancel();
     press(&mut session, Key::R);
-    jobs.submit(Job::Examine(session.reference_request(SMALL)));
-    until_heard(&jobs, |progress| match progress {
+    jobs.submit(Request::Examine, session.snapshot(SMALL));
+    until_heard(&jobs, |_, progress| match progress {
         Progress::Examined(result) => {
             assert_eq!(result.reference.len(), SMALL[0] * SMALL[1]);
             true
         }
         other => panic!("{other:?}"),
     });
-    // Dropping it waits for the thread, which does not finish what is cancelled.
-    jobs.submit(Job::Examine(session.reference_request([4000, 3000])));
-    drop(jobs);
 }

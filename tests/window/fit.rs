@@ -8,13 +8,14 @@ use proptest::prelude::*;
 use shadetrade::canvas::Rect;
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::scene::{BUILT_IN, Scene};
+use shadetrade::systems;
 use shadetrade::trade;
 use shadetrade::window::bindings::Action;
 use shadetrade::window::composition::Composition;
 use shadetrade::window::hud::board::Board;
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Part, picture};
-use shadetrade::window::jobs::Progress;
+use shadetrade::window::jobs::{Progress, measurement};
 use shadetrade::window::session::Session;
 use shadetrade::window::views::ViewMode;
 
@@ -57,17 +58,17 @@ pub(super) fn check_fit(hud: &Hud, size: [usize; 2]) {
     let window = Rect::new(0, 0, size[0] as i32, size[1] as i32);
     let boards = boards(hud);
     for (index, (part, board)) in boards.iter().enumerate() {
-        let rect = board.rect();
+        let rect = board.rect;
         assert_eq!(rect.intersection(&window), rect, "{part:?} at {size:?}");
-        for (row, (line, place)) in board.rows().iter().enumerate() {
+        for (row, (line, place)) in board.rows.iter().enumerate() {
             assert_eq!(place.intersection(&rect), *place, "{line:?} at {size:?}");
-            for (_, other) in &board.rows()[row + 1..] {
+            for (_, other) in &board.rows[row + 1..] {
                 assert!(!overlap(*place, *other), "{line:?} at {size:?}");
             }
             let middle = [place.x + place.width / 2, place.y + place.height / 2];
             let hidden = boards[index + 1..]
                 .iter()
-                .any(|(_, upper)| upper.rect().contains(middle));
+                .any(|(_, upper)| upper.rect.contains(middle));
             if let (Line::Command(command), false) = (line, hidden) {
                 let does = command.keys.last().map(|(_, action)| *action);
                 assert_eq!(hud.action_at(middle), does, "{line:?} at {size:?}");
@@ -75,7 +76,7 @@ pub(super) fn check_fit(hud: &Hud, size: [usize; 2]) {
         }
     }
     let mut shown = Vec::new();
-    let rect = hud.picture();
+    let rect = hud.picture;
     let pixels = vec![0; (rect.width * rect.height) as usize];
     hud.draw(&pixels, false, &mut shown);
     assert_eq!(shown.len(), size[0] * size[1]);
@@ -84,11 +85,10 @@ pub(super) fn check_fit(hud: &Hud, size: [usize; 2]) {
 /// The cuboid's pixels in the window, from the picture itself.
 fn cuboid(session: &mut Session, hud: &Hud) -> Rect {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
-    let rect = hud.picture();
+    let rect = hud.picture;
     let size = rect.size();
-    session
-        .draw(None, size, &mut frame)
-        .expect("there is memory");
+    let view = session.view(size);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("there is memory");
     let ids = frame.triangles().iter().enumerate();
     let covered: Vec<usize> = ids
         .filter(|(_, id)| **id != NO_TRIANGLE)
@@ -115,14 +115,14 @@ fn in_a_common_window_the_panel_is_whole_and_the_picture_beside_it() {
             }
             let hud = drawn(&mut session, size);
             let panel = hud.boards(Part::Panel).next().expect("there is room");
-            assert!(!overlap(panel.rect(), hud.picture()), "{size:?}");
+            assert!(!overlap(panel.rect, hud.picture), "{size:?}");
             assert_eq!(
-                panel.rect().width + hud.picture().width,
+                panel.rect.width + hud.picture.width,
                 size[0] as i32,
                 "{size:?}"
             );
             let commands = panel
-                .rows()
+                .rows
                 .iter()
                 .filter(|(line, _)| matches!(line, Line::Command(_)));
             assert_eq!(commands.count(), 17, "{size:?}");
@@ -152,13 +152,13 @@ fn in_a_common_window_nothing_that_is_said_covers_the_cuboid_or_the_panel() {
                 let boards = boards(&hud);
                 assert!(boards.len() >= 2, "{size:?} {view}");
                 for (index, (part, board)) in boards.iter().enumerate() {
-                    let rect = board.rect();
+                    let rect = board.rect;
                     assert!(
                         !overlap(rect, cuboid),
                         "{part:?} at {size:?} {view} {camera}"
                     );
                     for (other, upper) in &boards[index + 1..] {
-                        let both = overlap(rect, upper.rect());
+                        let both = overlap(rect, upper.rect);
                         assert!(!both, "{part:?} and {other:?} at {size:?} {view}");
                     }
                 }
@@ -172,11 +172,11 @@ fn in_a_common_window_probe_and_table_cover_neither_the_pixel_nor_each_other_nor
     let mut measured = default_session();
     let request = trade::Request {
         time: Duration::ZERO,
-        ..measured.measurement([32, 24])
+        ..measurement(measured.snapshot([32, 24]), Level::new())
     };
     press(&mut measured, Key::M);
     let report = trade::measure(request, &|| false, &|_, _| ()).expect("there is memory");
-    measured.on_progress(Progress::Measured(Box::new(report)));
+    measured.on_progress(measured.revision, Progress::Measured(Box::new(report)));
     for size in COMMON {
         let mut session = default_session();
         let rect = picture(&session, size);
@@ -186,7 +186,7 @@ fn in_a_common_window_probe_and_table_cover_neither_the_pixel_nor_each_other_nor
             let hud = drawn(&mut session, size);
             let board = hud.boards(Part::Probe).next().expect("there is room");
             let point = [rect.x + pixel[0] as i32, rect.y + pixel[1] as i32];
-            assert!(!board.rect().contains(point), "{size:?} {pixel:?}");
+            assert!(!board.rect.contains(point), "{size:?} {pixel:?}");
             check_fit(&hud, size);
         }
         let hud = drawn(&mut measured, size);
@@ -196,11 +196,7 @@ fn in_a_common_window_probe_and_table_cover_neither_the_pixel_nor_each_other_nor
     let mut session = default_session();
     session.apply(Action::Probe(Some([5, 5])));
     let hud = drawn(&mut session, [1920, 1080]);
-    let board = hud
-        .boards(Part::Probe)
-        .next()
-        .expect("there is room")
-        .rect();
+    let board = hud.boards(Part::Probe).next().expect("there is room").rect;
     assert!(
         !overlap(board, cuboid(&mut session, &hud)),
         "there is room beside the cuboid"
@@ -248,10 +244,7 @@ fn help_fits_a_common_window_and_tiny_windows_show_the_picture() {
             let hud = drawn(&mut session, size);
             check_fit(&hud, size);
             assert_eq!(hud.boards(Part::Panel).count(), 0, "{size:?}");
-            assert_eq!(
-                hud.picture(),
-                Rect::new(0, 0, size[0] as i32, size[1] as i32)
-            );
+            assert_eq!(hud.picture, Rect::new(0, 0, size[0] as i32, size[1] as i32));
         }
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn board(hud: &Hud, part: Part) -> &Board {
 
 pub(super) fn commands(hud: &Hud, part: Part) -> Vec<(&Command, Rect)> {
     hud.boards(part)
-        .flat_map(Board::rows)
+        .flat_map(|board| &board.rows)
         .filter_map(|(line, rect)| match line {
             Line::Command(command) => Some((command, *rect)),
             _ => None,
@@ -118,7 +118,7 @@ fn lights_beyond_the_ninth_are_counted() {
         .collect();
     let session = session_of(Scene::parse("many.toml", &text).expect("a valid scene"));
     let hud = hud(&session, SIZE);
-    let rows = board(&hud, Part::Panel).rows().iter();
+    let rows = board(&hud, Part::Panel).rows.iter();
     let counted = |line: &Line| matches!(line, Line::Text(text) if text.contains("3 more"));
     assert!(rows.clone().any(|(line, _)| counted(line)));
     assert!(place_of(&hud, Part::Panel, Action::Light(8)).is_some());
@@ -130,7 +130,7 @@ fn the_help_tells_every_key_and_what_the_mouse_does() {
     session.apply(Action::Help);
     let hud = hud(&session, SIZE);
     let rows = commands(&hud, Part::Help);
-    let lights = session.scene().lights.len();
+    let lights = session.scene.lights.len();
     for binding in BINDINGS
         .iter()
         .filter(|it| !matches!(it.action, Action::Light(index) if index >= lights))
@@ -141,7 +141,7 @@ fn the_help_tells_every_key_and_what_the_mouse_does() {
             assert_eq!(rows.count(), 1, "{caption}");
         }
     }
-    let all = hud.boards(Part::Help).flat_map(Board::rows);
+    let all = hud.boards(Part::Help).flat_map(|board| &board.rows);
     let facts: Vec<_> = all
         .filter_map(|(line, _)| match line {
             Line::Fact(name, does) => Some(format!("{name}: {does}")),
@@ -181,7 +181,7 @@ fn the_help_tells_the_state_as_it_is_now() {
 /// The window's pixels around a picture of one colour.
 pub(super) fn pixels(session: &Session, picture: u32) -> Vec<u32> {
     let hud = hud(session, SIZE);
-    let rect = hud.picture();
+    let rect = hud.picture;
     let mut shown = Vec::new();
     let picture = vec![picture; (rect.width * rect.height) as usize];
     hud.draw(&picture, false, &mut shown);

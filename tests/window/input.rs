@@ -131,7 +131,10 @@ fn a_press_that_moves_four_pixels_is_a_drag_that_loses_no_movement() {
         input.handle(Event::MouseAt([100, 99]), at(4)),
         drag([-4, -1])
     );
-    assert_eq!(input.handle(Event::MouseUp, at(5)), Some(Gesture::EndDrag));
+    assert_eq!(
+        input.handle(Event::MouseUp, at(5)),
+        Some(Gesture::Command(Action::EndDrag))
+    );
     assert_eq!(
         input.handle(Event::MouseAt([90, 90]), at(6)),
         Some(Gesture::Hover([90, 90]))
@@ -142,7 +145,7 @@ fn a_press_that_moves_four_pixels_is_a_drag_that_loses_no_movement() {
 fn what_lasts_as_long_as_its_key_ends_with_it_or_with_the_focus() {
     let mut input = Input::default();
     let begins = Some(Gesture::Command(Action::Blink));
-    let ends = Some(Gesture::Released(Action::Blink));
+    let ends = Some(Gesture::Command(Action::EndBlink));
     for end in [Event::KeyUp(Key::B), Event::FocusLost] {
         assert_eq!(input.handle(Event::KeyDown(Key::B), at(0)), begins);
         assert_eq!(input.handle(Event::KeyDown(Key::W), at(1)), WHITE);

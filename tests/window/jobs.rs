@@ -12,7 +12,7 @@ use shadetrade::window::composition::FrameTimes;
 use shadetrade::window::hud::Part;
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::input::Gesture;
-use shadetrade::window::jobs::{Job, Jobs, Progress};
+use shadetrade::window::jobs::{Jobs, Progress, measurement};
 use shadetrade::window::session::{Measuring, Redraw, Request, Session};
 
 use super::hud::{board, hud};
@@ -24,7 +24,7 @@ fn table(session: &Session) -> Vec<String> {
     let rows = hud
         .boards(Part::Table)
         .next()
-        .map_or(&[][..], |board| board.rows());
+        .map_or(&[][..], |board| &board.rows);
     let text = |line: &Line| match line {
         Line::Title(name, detail) => format!("{name} {detail}"),
         Line::Text(text) => text.clone(),
@@ -39,21 +39,22 @@ fn measured() -> Session {
     press(&mut session, Key::M);
     let request = trade::Request {
         time: Duration::ZERO,
-        ..session.measurement([32, 24])
+        ..measurement(session.snapshot([32, 24]), Level::new())
     };
     let report = trade::measure(request, &|| false, &|_, _| ()).expect("there is memory");
-    session.on_progress(Progress::Measured(Box::new(report)));
+    session.on_progress(session.revision, Progress::Measured(Box::new(report)));
     session
 }
 
 fn is_open(session: &Session) -> bool {
-    !matches!(session.measuring(), Measuring::Off)
+    !matches!(session.measuring, Measuring::Off)
 }
 
 /// Waits until `wanted` says yes to what is heard.
-pub(super) fn until_heard(jobs: &Jobs, mut wanted: impl FnMut(Progress) -> bool) {
+pub(super) fn until_heard(jobs: &Jobs, mut wanted: impl FnMut(u64, Progress) -> bool) {
     let start = Instant::now();
-    while !jobs.progress().into_iter().any(&mut wanted) {
+    let mut is_wanted = |(revision, progress)| wanted(revision, progress);
+    while !jobs.progress().into_iter().any(&mut is_wanted) {
         assert!(start.elapsed() < Duration::from_secs(60), "waited in vain");
         thread::yield_now();
     }
@@ -72,7 +73,7 @@ fn m_measures_and_tells_how_far_it_is_a_few_times_a_second() {
         session.tick(Duration::from_millis(step));
         let share = step as f64 / 2000.0;
         let step = "timing frames";
-        session.on_progress(Progress::Measuring(step, share));
+        session.on_progress(session.revision, Progress::Measuring(step, share));
         redraws += usize::from(session.take_redraw() > Redraw::Nothing);
     }
     assert!(
@@ -91,7 +92,10 @@ fn a_measurement_runs_alone_and_what_it_cancels_is_asked_again() {
     session.drawn(FrameTimes::default(), &[]);
     session.tick(Duration::from_secs(5));
     assert_eq!(session.take_requests(), [Request::Measure]);
-    session.on_progress(Progress::NotMeasured("no memory".to_owned()));
+    session.on_progress(
+        session.revision,
+        Progress::NotMeasured("no memory".to_owned()),
+    );
     session.tick(Duration::from_secs(6));
     assert_eq!(session.take_requests(), [Request::Time, Request::Examine]);
 }
@@ -119,14 +123,17 @@ fn escape_m_and_every_change_end_it_but_looking_around_does_not() {
             assert!(is_open(session));
             assert_ne!(press(session, key), Some(Action::Quit));
             assert!(!is_open(session), "{key:?}");
-            session.on_progress(Progress::NotMeasured("too late".to_owned()));
-            assert_eq!(session.state().message(), None);
+            session.on_progress(
+                session.revision,
+                Progress::NotMeasured("too late".to_owned()),
+            );
+            assert_eq!(session.state.message(), None);
         }
     }
     let mut session = measured();
     press(&mut session, Key::Tab);
     assert!(is_open(&session));
-    let rect = board(&hud(&session, SIZE), Part::Table).rect();
+    let rect = board(&hud(&session, SIZE), Part::Table).rect;
     does(&mut session, Gesture::Click([rect.x + 9, rect.y + 9]));
     assert!(!is_open(&session), "a click on it closes it");
 }
@@ -136,8 +143,11 @@ fn a_failure_is_said_and_what_turns_is_not_measured() {
     let mut session = default_session();
     press(&mut session, Key::M);
     session.take_requests();
-    session.on_progress(Progress::NotMeasured("no memory".to_owned()));
-    let message = |session: &Session| session.state().message().unwrap_or_default().to_owned();
+    session.on_progress(
+        session.revision,
+        Progress::NotMeasured("no memory".to_owned()),
+    );
+    let message = |session: &Session| session.state.message().unwrap_or_default().to_owned();
     assert!(message(&session).contains("no memory"));
     assert!(!is_open(&session));
     press(&mut session, Key::Space);
@@ -150,13 +160,9 @@ fn a_failure_is_said_and_what_turns_is_not_measured() {
 #[test]
 fn a_measurement_ends_with_a_report_and_stops_when_it_is_cancelled() {
     let session = default_session();
-    let request = || trade::Request {
-        time: Duration::ZERO,
-        ..session.measurement([24, 18])
-    };
     let mut jobs = Jobs::start(Level::new()).expect("there are threads");
-    jobs.submit(Job::Measure(request()));
-    until_heard(&jobs, |progress| match progress {
+    jobs.submit(Request::Measure, session.snapshot([24, 18]));
+    until_heard(&jobs, |_, progress| match progress {
         Progress::Measured(report) => {
             assert_eq!(report.methods.len(), METHODS.len());
             assert_eq!(report.subject.size, [24, 18]);
@@ -165,6 +171,7 @@ fn a_measurement_ends_with_a_report_and_stops_when_it_is_cancelled() {
         Progress::Measuring(..) => false,
         other => panic!("{other:?}"),
     });
-    let cancelled = trade::measure(request(), &|| true, &|_, _| ());
+    let request = measurement(session.snapshot([24, 18]), Level::new());
+    let cancelled = trade::measure(request, &|| true, &|_, _| ());
     assert!(matches!(cancelled, Err(TradeError::Cancelled)));
 }

@@ -17,7 +17,7 @@ const LARGE: [usize; 2] = [1920, 1080];
 /// How high the rows of a board's words are.
 fn row_height(hud: &Hud, part: Part) -> i32 {
     let board = hud.boards(part).next().expect("it is shown");
-    let rows = board.rows().iter();
+    let rows = board.rows.iter();
     let words = rows.filter(|(line, _)| !matches!(line, Line::Rule));
     let heights = words.map(|(_, place)| place.height);
     heights.min().expect("it has rows")
@@ -65,7 +65,7 @@ fn words_are_set_in_the_letters_that_were_chosen() {
         // A panel that has no room leaves the whole window to the picture.
         match hud.boards(Part::Panel).next() {
             Some(_) => assert!(row_height(&hud, Part::Panel) >= face.height()),
-            None => assert_eq!(hud.picture().size(), LARGE),
+            None => assert_eq!(hud.picture.size(), LARGE),
         }
     }
 }

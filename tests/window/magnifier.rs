@@ -70,14 +70,14 @@ fn the_wheel_with_control_magnifies_and_a_click_probes_what_is_seen() {
     };
     drawn(&mut session, SIZE);
     let hud = Hud::new(&session, SIZE);
-    let at = [hud.picture().x + 311, 203];
+    let at = [hud.picture.x + 311, 203];
     let wheel = Gesture::Wheel {
         at,
         notches: 3,
         modifiers: control,
     };
     does(&mut session, wheel);
-    assert_eq!(session.state().magnifier.scale, 8);
+    assert_eq!(session.state.magnifier.scale, 8);
     assert_eq!(session.orbit().zoom, 0);
     // A pixel is eight of the window's across.
     for (beside, expected) in [([0, 0], [311, 203]), ([16, -8], [313, 202])] {
@@ -86,11 +86,14 @@ fn the_wheel_with_control_magnifies_and_a_click_probes_what_is_seen() {
             Gesture::Click([at[0] + beside[0], at[1] + beside[1]]),
         );
         drawn(&mut session, SIZE);
-        let probed = session.probed().expect("it is a pixel of the picture");
+        let probed = session
+            .probe
+            .as_ref()
+            .expect("it is a pixel of the picture");
         assert_eq!(probed.pixel, expected);
     }
     does(&mut session, Gesture::Command(Action::Probe(None)));
-    let corner = session.state().magnifier.corner;
+    let corner = session.state.magnifier.corner;
     let drag = Gesture::Drag {
         from: [at[0] + 200, at[1] + 300],
         by: [-16, 24],
@@ -98,11 +101,11 @@ fn the_wheel_with_control_magnifies_and_a_click_probes_what_is_seen() {
     };
     does(&mut session, drag);
     assert_eq!(
-        session.state().magnifier.corner,
+        session.state.magnifier.corner,
         [corner[0] + 2, corner[1] - 3]
     );
     press(&mut session, Key::Home);
-    assert_eq!(session.state().magnifier, Magnifier::default());
+    assert_eq!(session.state.magnifier, Magnifier::default());
 }
 
 #[test]
@@ -119,7 +122,7 @@ fn magnified_pixels_are_squares_of_their_colour_and_the_largest_say_their_bytes(
             corner: [90, 80],
         }));
         Hud::new(&session, size).draw(&picture, true, &mut shown);
-        let magnifier = session.state().magnifier.within(size);
+        let magnifier = session.state.magnifier.within(size);
         let differ = (0..256 * 192).filter(|at| {
             let [x, y] = magnifier.pixel([at % 256, at / 256]);
             shown[*at as usize] != picture[y * 256 + x]

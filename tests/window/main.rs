@@ -130,10 +130,10 @@ fn the_window_opens_on_what_the_scene_says() {
     assert_eq!(lights_on(&session), [true; 4]);
     assert_eq!(session.shading(), Some(ShadingMode::Gouraud));
     assert_eq!(session.view(SIZE).shading, None);
-    assert_eq!(session.projection(), Projection::Perspective);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
+    assert_eq!(session.projection, Projection::Perspective);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene.camera(0).0);
     assert_eq!(session.view(SIZE).tolerance, 0.5);
-    assert!(session.state().panel);
+    assert!(session.state.panel);
     assert_eq!(session.take_redraw(), Redraw::Picture);
     assert_eq!(session.take_redraw(), Redraw::Nothing);
 }
@@ -164,13 +164,13 @@ fn a_light_that_does_not_exist_is_said_for_two_seconds() {
     ] {
         session.tick(Duration::from_secs(10));
         press(&mut session, key);
-        assert_eq!(session.state().message(), Some(words));
+        assert_eq!(session.state.message(), Some(words));
         session.take_redraw();
         session.tick(Duration::from_millis(11_999));
-        assert_eq!(session.state().message(), Some(words));
+        assert_eq!(session.state.message(), Some(words));
         assert_eq!(session.take_redraw(), Redraw::Nothing);
         session.tick(Duration::from_secs(12));
-        assert_eq!(session.state().message(), None);
+        assert_eq!(session.state.message(), None);
         assert_eq!(session.take_redraw(), Redraw::Overlay);
     }
     assert_eq!(lights_on(&session), [true]);
@@ -208,7 +208,7 @@ fn modes(session: &Session) -> Vec<ShadingMode> {
 
 /// What every cuboid's component says, in file order.
 fn values<C: hecs::Component, T>(session: &Session, read: impl Fn(&C) -> T) -> Vec<T> {
-    let scene = session.scene();
+    let scene = &session.scene;
     let value = |&cuboid| read(&*scene.world.get::<&C>(cuboid).expect("a cuboid has it"));
     scene.cuboids.iter().map(value).collect()
 }
@@ -226,7 +226,7 @@ fn brackets_and_page_keys_step_the_tolerance() {
                 press(&mut session, key);
                 seen.push(session.view(SIZE).tolerance);
             }
-            (seen, session.state().message().map(str::to_owned))
+            (seen, session.state.message().map(str::to_owned))
         };
         let (seen, words) = steps(coarser);
         assert_eq!(seen, [1.0, 2.0, 4.0, 8.0, 8.0, 8.0, 8.0]);
@@ -251,12 +251,12 @@ fn c_goes_round_the_cameras_as_the_scene_has_them() {
     let mut session = default_session();
     press(&mut session, Key::Left);
     press(&mut session, Key::C);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(1).0);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene.camera(1).0);
     press(&mut session, Key::C);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene.camera(0).0);
     let mut lonely = mixed_session();
     press(&mut lonely, Key::C);
-    assert_eq!(lonely.state().message(), Some("there is one camera"));
+    assert_eq!(lonely.state.message(), Some("there is one camera"));
 }
 
 #[test]
@@ -266,10 +266,10 @@ fn home_undoes_orbit_zoom_and_turning_bit_for_bit() {
         press(&mut session, key);
     }
     session.tick(Duration::from_millis(95));
-    assert_ne!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
+    assert_ne!(session.view(SIZE).viewpoint, session.scene.camera(0).0);
     assert_eq!(angles(&session), [3]);
     press(&mut session, Key::Home);
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene.camera(0).0);
     assert_eq!(angles(&session), [0]);
 }
 
@@ -312,11 +312,11 @@ fn space_turns_one_degree_in_thirty_milliseconds_about_the_own_x_axis() {
 fn escape_closes_the_help_and_never_quits() {
     let mut session = default_session();
     press(&mut session, Key::F1);
-    assert!(session.state().help);
+    assert!(session.state.help);
     assert_eq!(press(&mut session, Key::Escape), Some(Action::Help));
-    assert!(!session.state().help);
+    assert!(!session.state.help);
     assert_eq!(press(&mut session, Key::Escape), Some(Action::Close));
-    let words = session.state().message().expect("a word");
+    let words = session.state.message().expect("a word");
     assert!(words.contains("Q quits"));
     assert_eq!(press(&mut session, Key::Q), Some(Action::Quit));
     assert_eq!(press(&mut session, Key::F12), Some(Action::Screenshot));
@@ -328,7 +328,7 @@ fn every_key_and_every_character_calls_up_one_command() {
         for other in &BINDINGS[index + 1..] {
             assert!(
                 binding.modifiers != other.modifiers
-                    || (binding.section == Section::Editor) != (other.section == Section::Editor)
+                    || (binding.section == Section::EDITOR) != (other.section == Section::EDITOR)
                     || binding.keys.iter().all(|key| !other.keys.contains(key)),
                 "{binding:?}"
             );
@@ -342,7 +342,7 @@ fn every_key_and_every_character_calls_up_one_command() {
             assert_ne!(binding.action, other.action);
         }
         let named =
-            binding.section == Section::Lights || matches!(binding.action, Action::Shading(_));
+            binding.section == Section::LIGHTS || matches!(binding.action, Action::Shading(_));
         assert_eq!(binding.says.is_empty(), named, "{binding:?}");
     }
 }
@@ -389,7 +389,7 @@ fn timed(
             .draw(session, [96, 72])
             .expect("there is memory");
     }
-    let frames = |session: &Session| session.times().sides.each_ref().map(Vec::len);
+    let frames = |session: &Session| session.times.sides.each_ref().map(Vec::len);
     let first = frames(session);
     session.tick(Duration::from_millis(now));
     let asked = session.take_requests().contains(&Request::Time);
@@ -425,10 +425,10 @@ fn whatever_is_shown_is_timed_when_it_rests_and_what_moves_is_not() {
 fn zooming_past_the_end_says_so() {
     let mut session = default_session();
     session.apply(Action::Zoom(1000));
-    assert_eq!(session.state().message(), None);
+    assert_eq!(session.state.message(), None);
     session.apply(Action::Zoom(1));
-    assert_eq!(session.state().message(), Some("no closer than this"));
+    assert_eq!(session.state.message(), Some("no closer than this"));
     session.apply(Action::Zoom(-10_000));
     session.apply(Action::Zoom(-1));
-    assert_eq!(session.state().message(), Some("no further than this"));
+    assert_eq!(session.state.message(), Some("no further than this"));
 }

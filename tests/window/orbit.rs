@@ -89,7 +89,7 @@ fn a_full_round_in_steps_ends_at_the_same_bits() {
             elevation: 0.0,
         });
     }
-    assert_eq!(session.view(SIZE).viewpoint, session.scene().camera(0).0);
+    assert_eq!(session.view(SIZE).viewpoint, session.scene.camera(0).0);
 }
 
 #[test]

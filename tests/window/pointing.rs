@@ -27,20 +27,20 @@ fn state(session: &mut Session) -> String {
         .collect();
     let turned = session.spin().degrees;
     let requests = session.take_requests();
-    let (view, state) = (session.view(SIZE), session.state());
+    let (view, state) = (session.view(SIZE), &session.state);
     format!("{:?}", (view, lights, state, turned, requests))
 }
 
 #[test]
 fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
-    let lights = default_session().scene().lights.len();
+    let lights = default_session().scene.lights.len();
     for binding in BINDINGS {
         if matches!(binding.action, Action::Light(index) if index >= lights) {
             continue;
         }
         let [mut pressed, mut clicked] = [default_session(), default_session()];
         for session in [&mut pressed, &mut clicked] {
-            if binding.section == Section::Editor {
+            if binding.section == Section::EDITOR {
                 session.apply(Action::Editor);
                 session.apply(Action::Row(1));
                 session.apply(Action::Type('1'));
@@ -55,7 +55,7 @@ fn a_click_on_a_key_in_the_help_does_what_the_key_does() {
         );
         let mut on_key = None;
         let mut input = Input::default();
-        input.set_editing(binding.section == Section::Editor);
+        input.is_editing = binding.section == Section::EDITOR;
         let Modifiers { shift, control } = binding.modifiers;
         let shift = shift.then_some(Key::LeftShift);
         let control = control.then_some(Key::LeftCtrl);
@@ -92,7 +92,7 @@ fn a_click_on_a_bracket_steps_the_tolerance_as_the_bracket_says_and_never_round(
         let key = place_of(&hud(&session, SIZE), Part::Panel, action).expect("a key");
         for tolerance in expected {
             click(&mut session, key);
-            assert_eq!(session.tolerance(), tolerance);
+            assert_eq!(session.tolerance, tolerance);
         }
     }
 }
@@ -125,14 +125,14 @@ fn panel_and_help_come_before_the_picture() {
     // The help lies over the panel.
     session.apply(Action::Help);
     let hud = hud(&session, SIZE);
-    let over = board(&hud, Part::Help).rect();
+    let over = board(&hud, Part::Help).rect;
     let phong = place_of(&hud, Part::Help, Action::Shading(ShadingMode::Phong));
     click(&mut session, phong.expect("a row"));
     assert_eq!(session.shading(), Some(ShadingMode::Phong));
     click(&mut session, [over.x + 1, over.y + 1]);
-    assert!(session.state().help, "a click beside its rows does nothing");
+    assert!(session.state.help, "a click beside its rows does nothing");
     click(&mut session, [SIZE[0] as i32 - 2, SIZE[1] as i32 - 2]);
-    assert!(!session.state().help, "a click beside it closes it");
+    assert!(!session.state.help, "a click beside it closes it");
     assert_eq!(session.take_requests(), Vec::<Request>::new());
 }
 
@@ -163,14 +163,14 @@ fn shift_and_tab_go_back() {
         }
     };
     down(&mut session, Key::Tab);
-    assert_eq!(session.state().mode, ViewMode::ALL[1]);
+    assert_eq!(session.state.mode, ViewMode::ALL[1]);
     let mut input = Input::default();
     input.handle(Event::KeyDown(Key::LeftShift), Duration::ZERO);
     for expected in [0, 4, 3] {
         let gesture = input.handle(Event::KeyDown(Key::Tab), Duration::ZERO);
         input.handle(Event::KeyUp(Key::Tab), Duration::ZERO);
         does(&mut session, gesture.expect("it is bound"));
-        assert_eq!(session.state().mode, ViewMode::ALL[expected]);
+        assert_eq!(session.state.mode, ViewMode::ALL[expected]);
     }
     // What needs no shift key does not mind it.
     let gesture = input.handle(Event::KeyDown(Key::Equal), Duration::ZERO);

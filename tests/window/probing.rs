@@ -54,23 +54,23 @@ fn a_click_looks_at_a_pixel_and_another_one_moves_on() {
     session.take_redraw();
     click(&mut session, ON_CUBOID);
     assert_eq!(session.take_redraw(), Redraw::Picture);
-    assert_eq!(session.probed().map(|it| it.pixel), Some([300, 300]));
+    assert_eq!(session.probe.as_ref().map(|it| it.pixel), Some([300, 300]));
     click(&mut session, [200, 600]);
-    assert_eq!(session.probed().map(|it| it.pixel), Some([200, 600]));
-    assert_eq!(session.revision(), 0, "looking changes nothing");
+    assert_eq!(session.probe.as_ref().map(|it| it.pixel), Some([200, 600]));
+    assert_eq!(session.revision, 0, "looking changes nothing");
 }
 
 #[test]
 fn what_is_said_follows_the_picture() {
     let mut session = default_session();
     click(&mut session, ON_CUBOID);
-    let before = session.probed().cloned();
+    let before = session.probe.clone();
     press(&mut session, Key::R);
     update(&mut session);
-    let after = session.probed().cloned();
+    let after = session.probe.clone();
     assert_ne!(before, after);
     let view = session.view(picture_size(&session));
-    let mut scene = session.scene().snapshot();
+    let mut scene = session.scene.snapshot();
     let expected = probe::at(&mut scene, &view, [300, 300], Level::new()).expect("there is memory");
     assert_eq!(after, Some(expected));
 }
@@ -80,13 +80,13 @@ fn a_click_on_what_is_said_or_escape_closes_it() {
     let mut session = default_session();
     for by_key in [true, false] {
         click(&mut session, ON_CUBOID);
-        let board = board(&hud(&session, SIZE), Part::Probe).rect();
+        let board = board(&hud(&session, SIZE), Part::Probe).rect;
         if by_key {
             press(&mut session, Key::Escape);
         } else {
             does(&mut session, Gesture::Click([board.x + 20, board.y + 20]));
         }
-        assert!(session.probed().is_none());
+        assert!(session.probe.is_none());
         assert_eq!(session.take_requests(), []);
     }
 }
@@ -96,10 +96,10 @@ fn a_pixel_that_the_window_no_longer_has_is_no_longer_looked_at() {
     let mut session = default_session();
     click(&mut session, ON_CUBOID);
     session.update_probe([250, 400]).expect("there is memory");
-    assert!(session.probed().is_none());
+    assert!(session.probe.is_none());
     click(&mut session, [-1, 5]);
     click(&mut session, [5, SIZE[1] as i32]);
-    assert!(session.probed().is_none());
+    assert!(session.probe.is_none());
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn the_pixel_itself_is_never_covered() {
     for pixel in [[300, 300], [20, 20], [500, 600], [310, 360]] {
         session.apply(Action::Probe(Some(pixel)));
         let hud = drawn(&mut session, SIZE);
-        let point = [hud.picture().x as usize + pixel[0], pixel[1]];
+        let point = [hud.picture.x as usize + pixel[0], pixel[1]];
         let shown = pixels(&session, 0x0001_0203);
         let at = |x: usize| shown[point[1] * SIZE[0] + x];
         assert_eq!(at(point[0]), 0x0001_0203, "seen within the cross");
@@ -120,7 +120,7 @@ fn the_pixel_itself_is_never_covered() {
 fn all_that_the_probe_knows_is_said() {
     let mut session = default_session();
     click(&mut session, ON_CUBOID);
-    let probe = session.probed().expect("looked at").clone();
+    let probe = session.probe.as_ref().expect("looked at").clone();
     let surface = probe.surface.clone().expect("the cuboid");
     for [wide, worked] in [[true, false], [false, false], [true, true], [false, true]] {
         let said = texts(&lines(&probe, wide, worked));
@@ -188,7 +188,7 @@ fn all_that_the_probe_knows_is_said() {
     // Without the boards of the pixel before, which may lie over this one.
     session.apply(Action::Probe(None));
     click(&mut session, [600, 10]);
-    let background = session.probed().expect("looked at");
+    let background = session.probe.as_ref().expect("looked at");
     assert!(texts(&lines(background, true, false))[1].contains("background"));
 }
 
@@ -201,7 +201,11 @@ fn lights_at_two_places_have_two_directions_and_nothing_is_said_to_be_almost_not
     );
     let mut session = session_of(Scene::parse("two.toml", &text).expect("a valid scene"));
     click(&mut session, ON_CUBOID);
-    let said = texts(&lines(session.probed().expect("looked at"), true, false));
+    let said = texts(&lines(
+        session.probe.as_ref().expect("looked at"),
+        true,
+        false,
+    ));
     assert_eq!(
         said.iter()
             .filter(|it| it.starts_with("reflected r"))
@@ -217,7 +221,7 @@ fn lights_at_two_places_have_two_directions_and_nothing_is_said_to_be_almost_not
 fn the_profile_has_what_the_probe_says_of_the_pixel_and_shows_the_highlight_gouraud_misses() {
     let mut session = default_session();
     click(&mut session, ON_CUBOID);
-    let (probe, profile) = (session.probed(), session.profile());
+    let (probe, profile) = (session.probe.as_ref(), session.profile.as_ref());
     let (probe, profile) = (probe.expect("probed"), profile.expect("probed"));
     let surface = probe.surface.as_ref().expect("a cuboid is there");
     let x = probe.pixel[0];
@@ -227,15 +231,15 @@ fn the_profile_has_what_the_probe_says_of_the_pixel_and_shows_the_highlight_gour
     assert_eq!(profile.reference[x], exact);
     for curve in [&profile.gouraud, &profile.phong, &profile.reference] {
         assert_eq!(curve.len(), picture_size(&session)[0]);
-        assert_eq!(curve[0], session.scene().background.to_array());
+        assert_eq!(curve[0], session.scene.background.to_array());
     }
     // Along the row through the highlight Phong is far above Gouraud, and as the reference.
     session.apply(Action::Probe(None));
     click(&mut session, [383, 327]);
-    let profile = session.profile().expect("probed");
+    let profile = session.profile.as_ref().expect("probed");
     let highest = |curve: &[[f64; 3]]| {
         let blue = curve.iter().map(|levels| levels[2]);
-        let lit = blue.filter(|blue| *blue != session.scene().background.z);
+        let lit = blue.filter(|blue| *blue != session.scene.background.z);
         lit.fold(0.0, f64::max)
     };
     let [gouraud, phong, exact] =
@@ -246,7 +250,7 @@ fn the_profile_has_what_the_probe_says_of_the_pixel_and_shows_the_highlight_gour
     assert!(hud.boards(Part::Profile).next().is_some());
     // It closes with the probe.
     session.apply(Action::Probe(None));
-    assert_eq!(session.profile(), None);
+    assert_eq!(session.profile.as_ref(), None);
 }
 
 #[test]
@@ -255,9 +259,9 @@ fn arrows_lean_as_the_vectors_do() {
     use shadetrade::window::hud::arrows::arrows;
     let mut session = default_session();
     click(&mut session, ON_CUBOID);
-    let viewpoint = session.scene().viewpoint(0);
+    let viewpoint = session.scene.viewpoint(0);
     let [right, up, _] = viewpoint.axes();
-    let surface = session.probed().expect("probed").surface.clone();
+    let surface = session.probe.as_ref().expect("probed").surface.clone();
     let surface = surface.expect("a cuboid is there");
     let light = surface.lights.iter().find(|it| it.to_light.is_some());
     let light = light.expect("a point light");

@@ -153,7 +153,7 @@ fn no_number_of_a_log_is_too_large() {
     let mut player = Player::new(log.start).expect("there are threads");
     for frame in log.frames {
         player.play(frame).expect("a small picture fits");
-        assert_eq!(player.shown().0.len(), 64 * 48);
+        assert_eq!(player.shown.len(), 64 * 48);
     }
 }
 
@@ -194,7 +194,7 @@ fn the_lessons_replay_alike_however_they_are_drawn() {
             let mut player = Player::new(start).expect("there are threads");
             let frames = log.frames.into_iter().map(|frame| {
                 player.play(frame).expect("a small picture fits");
-                player.shown().0.to_vec()
+                player.shown.clone()
             });
             frames.collect::<Vec<_>>()
         });

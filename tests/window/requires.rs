@@ -21,13 +21,11 @@ const SMALL: [usize; 2] = [48, 36];
 
 /// What the window asks for once its picture rests and is proven.
 fn rest(session: &mut Session) -> Vec<Request> {
-    let alone = || Workers::alone(Level::new());
     session.tick(Duration::from_secs(1));
     session.take_requests();
-    let mut request = session.reference_request(SMALL);
-    let result = examine(&mut request, alone(), &|| false).expect("a small picture fits");
-    let revision = result.revision;
-    session.on_progress(Progress::Examined(result));
+    let mut request = session.snapshot(SMALL);
+    let result = examine(&mut request, Level::new(), &|| false).expect("a small picture fits");
+    session.on_progress(request.revision, Progress::Examined(result));
     session.tick(Duration::from_secs(2));
     assert_eq!(session.take_requests(), [], "the proof comes first");
     let (world, view) = (&mut request.scene.world, &request.view);
@@ -35,17 +33,17 @@ fn rest(session: &mut Session) -> Vec<Request> {
     let proof = proof
         .expect("a small picture fits")
         .expect("nobody cancels");
-    session.on_progress(Progress::Proven(revision, proof));
+    session.on_progress(request.revision, Progress::Proven(proof));
     session.tick(Duration::from_secs(3));
     session.take_requests()
 }
 
 /// What the job answers.
 fn answer(session: &mut Session) {
-    let request = session.reference_request(SMALL);
+    let request = session.snapshot(SMALL);
     let parts = ranked(&request.scene, &request.view, &|| false, &|_| ());
     let parts = parts.expect("nobody cancels");
-    session.on_progress(Progress::Required(request.revision, parts));
+    session.on_progress(request.revision, Progress::Required(parts));
 }
 
 fn rows(session: &Session) -> Vec<(String, String)> {
@@ -55,7 +53,7 @@ fn rows(session: &Session) -> Vec<(String, String)> {
         Line::Command(command) => Some((command.label.clone(), command.state.clone())),
         _ => None,
     };
-    board.rows().iter().filter_map(command).collect()
+    board.rows.iter().filter_map(command).collect()
 }
 
 #[test]
@@ -75,7 +73,7 @@ fn the_board_ranks_the_parts_and_a_row_shows_the_picture_without_its_part() {
     );
     let row = shown.iter().position(|(name, _)| name == "light red");
     let row = row.expect("the scene has it");
-    let requires = session.requires().expect("it is shown");
+    let requires = session.requires.as_ref().expect("it is shown");
     let Part::Light(light) = requires.parts[row].part else {
         panic!("it is a light");
     };
@@ -91,10 +89,10 @@ fn the_board_ranks_the_parts_and_a_row_shows_the_picture_without_its_part() {
         session.take_requests(),
         [Request::LeaveOut(Part::Light(light))]
     );
-    let request = session.reference_request(SMALL);
+    let request = session.snapshot(SMALL);
     let picture = picture_without(&request.scene, &request.view, Part::Light(light), &|| false);
     let picture = picture.expect("nobody cancels");
-    session.on_progress(Progress::LeftOut(request.revision, picture.clone()));
+    session.on_progress(request.revision, Progress::LeftOut(picture.clone()));
     let mut seen = Vec::new();
     composition.compose(&session, &mut seen);
     assert_eq!(seen, picture);
@@ -119,7 +117,7 @@ fn the_board_ranks_the_parts_and_a_row_shows_the_picture_without_its_part() {
     assert_eq!(rows(&session), []);
     assert_eq!(rest(&mut session), [Request::Require]);
     press(&mut session, Key::Escape);
-    assert!(session.requires().is_none());
+    assert!(session.requires.is_none());
 }
 
 #[test]
@@ -160,7 +158,7 @@ fn opening_and_closing_the_board_asks_for_the_proof_again_unless_it_is_there() {
 
 #[test]
 fn what_is_cancelled_ends() {
-    let request = default_session().reference_request(SMALL);
+    let request = default_session().snapshot(SMALL);
     assert!(ranked(&request.scene, &request.view, &|| true, &|_| ()).is_none());
     let part = Part::F64SetUp;
     assert!(picture_without(&request.scene, &request.view, part, &|| true).is_none());

@@ -14,17 +14,18 @@ use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
 use shadetrade::simd;
+use shadetrade::systems;
 use shadetrade::trade;
 use shadetrade::window::bindings::{Action, BINDINGS, StepSize};
 use shadetrade::window::composition::Composition;
-use shadetrade::window::examination::{ReferenceRequest, examine};
+use shadetrade::window::examination::examine;
 use shadetrade::window::hud::{self, Hud, lines};
 use shadetrade::window::input::{Event, Gesture, Input};
-use shadetrade::window::jobs::Progress;
+use shadetrade::window::jobs::{Progress, measurement};
 use shadetrade::window::recording::{Event as Happened, Log, Recorder, Start};
 use shadetrade::window::replay::Player;
 use shadetrade::window::response::respond;
-use shadetrade::window::session::{Redraw, Request, Session};
+use shadetrade::window::session::{Redraw, Request, Session, Snapshot};
 use shadetrade::window::views::ViewMode;
 
 use super::cases::cases;
@@ -170,7 +171,7 @@ struct Window {
     hud: Hud,
     size: [usize; 2],
     now: Duration,
-    asked: Option<ReferenceRequest>,
+    asked: Option<Snapshot>,
     picture: Vec<u32>,
     shown: Vec<u32>,
     recorder: Option<Recorder>,
@@ -221,24 +222,26 @@ impl Window {
             }
             Happening::Wait(_) => {}
             Happening::Answer => {
-                let asked = self.asked.take();
-                let workers = Workers::alone(Level::new());
-                let result = asked.and_then(|mut asked| examine(&mut asked, workers, &|| false));
-                if let Some(result) = result {
-                    self.session.on_progress(Progress::Examined(result));
+                if let Some(mut asked) = self.asked.take() {
+                    let result = examine(&mut asked, Level::new(), &|| false);
+                    let result = result.expect("a small picture fits");
+                    let progress = Progress::Examined(result);
+                    self.session.on_progress(asked.revision, progress);
                 }
             }
-            Happening::Measured(done) => self.session.on_progress(if *done {
-                let request = trade::Request {
-                    time: Duration::ZERO,
-                    ..self.session.measurement([8, 6])
+            Happening::Measured(done) => {
+                let progress = if *done {
+                    let request = trade::Request {
+                        time: Duration::ZERO,
+                        ..measurement(self.session.snapshot([8, 6]), Level::new())
+                    };
+                    let report = trade::measure(request, &|| false, &|_, _| ());
+                    Progress::Measured(Box::new(report.expect("there is memory")))
+                } else {
+                    Progress::Measuring("timing frames", 0.5)
                 };
-                let report =
-                    trade::measure(request, &|| false, &|_, _| ()).expect("there is memory");
-                Progress::Measured(Box::new(report))
-            } else {
-                Progress::Measuring("timing frames", 0.5)
-            }),
+                self.session.on_progress(self.session.revision, progress);
+            }
         }
         while let Some(gesture) = self.input.repeated(self.now) {
             self.respond(gesture);
@@ -249,10 +252,10 @@ impl Window {
     /// The time goes on, and what spins turns.
     fn tick(&mut self) {
         self.now += Duration::from_millis(1);
-        let revision = self.session.revision();
+        let revision = self.session.revision;
         self.session.tick(self.now);
         if let Some(recorder) = self.recorder.as_mut()
-            && self.session.revision() != revision
+            && self.session.revision != revision
         {
             recorder
                 .note(self.now, &Happened::Time)
@@ -274,8 +277,7 @@ impl Window {
     }
 
     fn report(&mut self, event: Event) {
-        self.input
-            .set_editing(self.session.state().editor.is_some());
+        self.input.is_editing = self.session.state.editor.is_some();
         if let Some(gesture) = self.input.handle(event, self.now) {
             self.respond(gesture);
         }
@@ -309,7 +311,7 @@ impl Window {
         }
         for request in self.session.take_requests() {
             match request {
-                Request::Examine => self.asked = Some(self.session.reference_request(size)),
+                Request::Examine => self.asked = Some(self.session.snapshot(size)),
                 Request::Time => {
                     let timed = self.composition.time(&mut self.session);
                     timed.expect("a small picture fits");
@@ -324,12 +326,12 @@ impl Window {
         let Window { session, size, .. } = self;
         assert_eq!(self.shown.len(), size[0] * size[1]);
         assert_eq!(self.composition.size(), self.picture());
-        assert!((0.0..=255.0).contains(&session.tolerance()));
-        assert!(session.camera() < session.scene().cameras.len());
-        assert!(session.state().divider_column(size[0]) <= size[0]);
+        assert!((0.0..=255.0).contains(&session.tolerance));
+        assert!(session.camera() < session.scene.cameras.len());
+        assert!(session.state.divider_column(size[0]) <= size[0]);
         assert!(session.spin().degrees < 360);
         assert!(session.orbit().azimuth.abs() <= 180.0);
-        if let Some(probe) = session.probed() {
+        if let Some(probe) = session.probe.as_ref() {
             let size = self.picture();
             assert!(probe.pixel[0] < size[0] && probe.pixel[1] < size[1]);
         }
@@ -341,8 +343,7 @@ impl Window {
         for axis in viewpoint.axes() {
             assert!((axis.length() - 1.0).abs() < 1e-6, "{viewpoint:?}");
         }
-        if let Some(result) = session.reference() {
-            assert_eq!(result.revision, session.revision());
+        if let Some(result) = session.reference.as_ref() {
             let [width, height] = self.picture();
             assert_eq!(result.reference.len(), width * height);
         }
@@ -390,9 +391,9 @@ proptest! {
         window.draw();
         for happening in &happenings {
             // Views of the reference wait for it, which a recording does not.
-            let state = window.session.state();
+            let state = &window.session.state;
             let waits = state.shows_reference || state.mode.compares();
-            if !waits || window.session.reference().is_some() {
+            if !waits || window.session.reference.is_some() {
                 seen.insert(window.now, window.picture.clone());
             }
             window.happen(happening);
@@ -405,7 +406,7 @@ proptest! {
             let time = frame.time;
             player.play(frame).expect("a small picture fits");
             if let Some(picture) = seen.get(&time) {
-                prop_assert!(player.picture() == picture.as_slice(), "at {time:?}");
+                prop_assert!(player.picture == *picture, "at {time:?}");
             }
         }
     }
@@ -472,9 +473,8 @@ fn undoable() -> Vec<(Action, Vec<Action>)> {
 /// The levels of a small picture as bits, and the triangles seen.
 fn picture(session: &mut Session) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
-    session
-        .draw(None, [96, 72], &mut frame)
-        .expect("a small picture fits");
+    let view = session.view([96, 72]);
+    systems::draw(&mut session.scene.world, &view, &mut frame).expect("a small picture fits");
     let levels = frame
         .levels()
         .as_flattened()

@@ -7,7 +7,6 @@ use shadetrade::frame::{NO_TRIANGLE, OUTLINE, Workers};
 use shadetrade::scene::Scene;
 use shadetrade::window::bindings::{Action, Modifiers};
 use shadetrade::window::composition::Composition;
-use shadetrade::window::hud::board::Board;
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Part, picture};
 use shadetrade::window::input::Gesture;
@@ -57,13 +56,13 @@ fn a_picture_that_waits_is_grey_and_darker() {
 #[test]
 fn tab_goes_round_the_views_and_changes_nothing_that_is_judged() {
     let mut session = default_session();
-    let revision = session.revision();
+    let revision = session.revision;
     session.take_redraw();
     for expected in [1, 2, 3, 4, 0].map(|place| ViewMode::ALL[place]) {
         press(&mut session, Key::Tab);
-        assert_eq!(session.state().mode, expected);
+        assert_eq!(session.state.mode, expected);
         assert_eq!(session.take_redraw(), Redraw::Picture);
-        assert_eq!(session.revision(), revision);
+        assert_eq!(session.revision, revision);
     }
 }
 
@@ -82,7 +81,7 @@ fn drag(session: &mut Session, from: [i32; 2], by: [i32; 2]) {
 /// The divider's column in the window.
 fn divider(session: &Session) -> i32 {
     let rect = picture(session, SIZE);
-    rect.x + session.state().divider_column(rect.width as usize) as i32
+    rect.x + session.state.divider_column(rect.width as usize) as i32
 }
 
 #[test]
@@ -106,7 +105,7 @@ fn the_divider_follows_the_mouse_and_nothing_else_moves() {
     drag(&mut session, [start + 5, 300], [2000, 0]);
     drag(&mut session, [start + 5, 300], [-1900, 0]);
     moved_by(&session, 196);
-    does(&mut session, Gesture::EndDrag);
+    does(&mut session, Gesture::Command(Action::EndDrag));
     assert_eq!(session.orbit(), orbit);
     drag(&mut session, [start + 5, 300], [96, 0]);
     // Let go, and missed.
@@ -121,7 +120,7 @@ fn a_divider_dragged_out_of_the_picture_can_still_be_seen_and_caught() {
         press(&mut session, Key::Tab);
         let start = divider(&session);
         drag(&mut session, [start, 300], [by, 0]);
-        does(&mut session, Gesture::EndDrag);
+        does(&mut session, Gesture::Command(Action::EndDrag));
         let end = divider(&session);
         let rect = picture(&session, SIZE);
         assert!((rect.x + 4..rect.right() - 4).contains(&end), "{end}");
@@ -134,7 +133,7 @@ fn a_divider_dragged_out_of_the_picture_can_still_be_seen_and_caught() {
 /// What is said about the view.
 fn said(session: &Session) -> Vec<String> {
     let hud = hud(session, SIZE);
-    let rows = hud.boards(Part::Legend).flat_map(Board::rows);
+    let rows = hud.boards(Part::Legend).flat_map(|board| &board.rows);
     let text = |line: &Line| match line {
         Line::Text(text) | Line::Title(_, text) => text.clone(),
         _ => String::new(),
@@ -172,11 +171,11 @@ fn the_error_map_and_the_tiles_have_a_key_to_their_colours() {
         session.apply(Action::View(3));
         let map = drawn(&mut session, size);
         let has_scale = |(line, _): &&(Line, _)| matches!(line, Line::Scale(_));
-        let rows = map.boards(Part::Legend).flat_map(Board::rows);
+        let rows = map.boards(Part::Legend).flat_map(|board| &board.rows);
         assert_eq!(rows.filter(has_scale).count(), 1, "{size:?}");
         session.apply(Action::View(1));
         let tiles = drawn(&mut session, size);
-        let rows = tiles.boards(Part::Legend).flat_map(Board::rows);
+        let rows = tiles.boards(Part::Legend).flat_map(|board| &board.rows);
         let colors: Vec<u32> = rows
             .filter_map(|(line, _)| match line {
                 Line::Swatches(all) => Some(all.iter().map(|(color, _)| *color)),
@@ -197,10 +196,10 @@ fn b_shows_the_reference_as_long_as_it_is_held() {
     let mut session = default_session();
     session.take_redraw();
     press(&mut session, Key::B);
-    assert!(session.state().shows_reference);
+    assert!(session.state.shows_reference);
     assert_eq!(session.take_redraw(), Redraw::Overlay);
-    does(&mut session, Gesture::Released(Action::Blink));
-    assert!(!session.state().shows_reference);
+    does(&mut session, Gesture::Command(Action::EndBlink));
+    assert!(!session.state.shows_reference);
     assert_eq!(session.take_redraw(), Redraw::Overlay);
     assert_eq!(session.shading(), Some(ShadingMode::Gouraud));
 }
@@ -253,8 +252,8 @@ fn a_picture_of_one_colour_says_why() {
         let mut session = session_of(scene);
         drawn(&mut session, SIZE);
         let words = said(&session).concat();
-        assert_eq!(session.is_flat(), words.contains("ambient"), "{words}");
-        session.is_flat()
+        assert_eq!(session.is_flat, words.contains("ambient"), "{words}");
+        session.is_flat
     };
     assert!(flat("assignment"));
     assert!(!flat("cuboid"));

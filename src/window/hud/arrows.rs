@@ -31,7 +31,7 @@ pub struct Arrow {
 
 /// The arrows of what is probed; the later ones lie above.
 pub fn arrows(session: &Session, viewpoint: &Viewpoint) -> Vec<Arrow> {
-    let Some(surface) = session.probed().and_then(|it| it.surface.as_ref()) else {
+    let Some(surface) = session.probe.as_ref().and_then(|it| it.surface.as_ref()) else {
         return Vec::new();
     };
     let [right, up, _] = viewpoint.axes();

@@ -148,10 +148,12 @@ fn mark_size(face: Face) -> i32 {
 /// A box of rows.
 #[derive(Debug)]
 pub struct Board {
-    rect: Rect,
+    /// Where it stands.
+    pub rect: Rect,
     style: TextStyle,
     columns: Columns,
-    rows: Vec<(Line, Rect)>,
+    /// The lines, and where each stands.
+    pub rows: Vec<(Line, Rect)>,
 }
 
 impl Board {
@@ -171,16 +173,6 @@ impl Board {
             columns,
             rows: lines.into_iter().map(&mut set).collect(),
         }
-    }
-
-    /// Where it stands.
-    pub fn rect(&self) -> Rect {
-        self.rect
-    }
-
-    /// The lines, and where each stands.
-    pub fn rows(&self) -> &[(Line, Rect)] {
-        &self.rows
     }
 
     /// What a click at `point` does: what the key there does, or what the row does.

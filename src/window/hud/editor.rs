@@ -13,7 +13,7 @@ const LETTERS: usize = 34;
 
 /// What is shown; empty where nothing is.
 pub fn lines(session: &Session) -> Vec<Line> {
-    let (Some(editor), Some(page)) = (&session.state().editor, session.page()) else {
+    let (Some(editor), Some(page)) = (&session.state.editor, session.page()) else {
         return Vec::new();
     };
     let row = |row: usize, label: String, state: String| {
@@ -33,7 +33,7 @@ pub fn lines(session: &Session) -> Vec<Line> {
             state,
         })
     };
-    let pages = format!("{} of {}", editor.page + 1, session.scene().pages());
+    let pages = format!("{} of {}", session.state.page + 1, session.scene.pages());
     let mut lines = vec![
         Line::Title("edit", session.name(page.entity)),
         row(0, page.kind.to_owned(), pages),
@@ -43,7 +43,7 @@ pub fn lines(session: &Session) -> Vec<Line> {
         let value = if typed {
             format!("{}_", editor.typed)
         } else {
-            short(session.scene().number(*parameter))
+            short(session.scene.number(*parameter))
         };
         lines.push(row(index + 1, parameter.name(), value));
     }
@@ -51,7 +51,7 @@ pub fn lines(session: &Session) -> Vec<Line> {
     if let Some(allowed) = &editor.error {
         say(&format!("Refused. Allowed is {allowed}."));
     }
-    let light: Option<Light> = session.scene().get(page.entity);
+    let light: Option<Light> = session.scene.get(page.entity);
     if light.is_some_and(|light| light.kind != LightKind::Ambient) {
         say(
             "Drag a light's disc to move it, with Shift in depth. Lights behind the eye are not seen: zoom out.",

@@ -5,9 +5,12 @@
 use super::board::{Board, TextStyle};
 use super::lines::{self, Line};
 use super::place::{Covered, place};
-use super::{FACES, Part};
-use crate::canvas::{Face, Point, Rect};
+use super::{FACES, Part, editor, legend, measurements, pixel, profile, requires};
+use crate::canvas::{Face, Point, Rect, wrapped};
 use crate::window::session::Session;
+
+/// The widths at which words are broken, in letters, the widest first.
+const WRAPS: [usize; 2] = [60, 40];
 
 /// Boards being placed.
 pub struct Layout {
@@ -42,7 +45,7 @@ impl Layout {
     }
 
     fn best(&self, versions: &[Vec<Line>], wish: Point) -> Option<(Covered, Board)> {
-        let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect()).collect();
+        let placed: Vec<Rect> = self.boards.iter().map(|(_, board)| board.rect).collect();
         let obstacles: [&[Rect]; 4] = [&self.marks, &placed, &self.arrows, &[self.cuboids]];
         let versions = versions.iter().filter(|lines| !lines.is_empty());
         let best = |faces: &[Face]| {
@@ -80,6 +83,42 @@ impl Layout {
             }
         }
     }
+}
+
+/// Adds what is shown beside the panel, the most important first.
+pub fn add_boards(layout: &mut Layout, session: &Session, area: Rect) {
+    let below = [area.x + area.width / 2, area.bottom()];
+    let above = [area.right(), area.y];
+    layout.add(Part::Editor, &[editor::lines(session)], above);
+    layout.add(Part::Requires, &[requires::lines(session)], above);
+    layout.add(Part::Legend, &[legend::lines(session)], below);
+    if let Some(probe) = &session.probe {
+        let lines = |worked| [false, true].map(|wide| pixel::lines(probe, wide, worked));
+        if !layout.add_clear(Part::Probe, &lines(true), above) {
+            layout.add(Part::Probe, &lines(false), above);
+        }
+    }
+    layout.add_clear(Part::Profile, &[profile::lines(session)], below);
+    let table = |letters| measurements::lines(&session.measuring, letters);
+    layout.add(Part::Table, &WRAPS.map(table), above);
+    if let Some(text) = &session.state.scene_error {
+        let said = |letters| scene_error(text, letters);
+        layout.add(Part::SceneError, &WRAPS.map(said), below);
+    }
+    if let Some(text) = session.state.message() {
+        let broken = |letters| wrapped(text, letters).into_iter().map(Line::Text).collect();
+        layout.add(Part::Message, &WRAPS.map(broken), below);
+    }
+}
+
+/// What is wrong with the scene's file, its message broken to so many letters.
+fn scene_error(text: &str, letters: usize) -> Vec<Line> {
+    let title = Line::Title("the file is wrong", "the last good scene stays".to_owned());
+    // What is shown of the file below the message is not broken: carets stand under it.
+    let (message, place) = text.split_once('\n').unwrap_or((text, ""));
+    let place = place.lines().map(str::to_owned);
+    let lines = wrapped(message, letters).into_iter().chain(place);
+    [title].into_iter().chain(lines.map(Line::Text)).collect()
 }
 
 /// The help in the middle of the window, in the largest letters in which both its boards fit; none where they do not.

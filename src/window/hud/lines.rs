@@ -10,7 +10,7 @@ use std::path::Path;
 
 use super::profile::Plot;
 use crate::trade::error_map::Scale;
-use crate::window::bindings::{Action, Section};
+use crate::window::bindings::{Action, BINDINGS, Section};
 use crate::window::session::Session;
 use crate::window::views::mode_label;
 use commands::commands;
@@ -68,12 +68,12 @@ pub const ON: u32 = 0x0034_d399;
 
 /// The panel: what is used most, and below it the facts.
 pub fn panel(session: &Session) -> Vec<Line> {
-    let name = &session.scene().name;
+    let name = &session.scene.name;
     let file = Path::new(name)
         .file_name()
         .map_or_else(|| name.clone(), |it| it.to_string_lossy().into_owned());
     let mut lines = vec![Line::Title("shadetrade", file)];
-    for sections in PANEL_SECTIONS {
+    for sections in PANEL {
         lines.extend(under_heading(session, sections, true));
     }
     lines.push(Line::Rule);
@@ -82,23 +82,25 @@ pub fn panel(session: &Session) -> Vec<Line> {
 }
 
 /// The sections of the panel, those together that have one heading.
-const PANEL_SECTIONS: [&[Section]; 4] = [
-    &[Section::Lights],
-    &[Section::Shading],
-    &[Section::View, Section::Camera],
-    &[Section::Window, Section::Scene, Section::Motion],
+const PANEL: [&[Section]; 4] = [
+    &[Section::LIGHTS],
+    &[Section::SHADING],
+    &[Section::VIEW, Section::CAMERA],
+    &[Section::WINDOW, Section::SCENE, Section::MOTION],
 ];
 
-/// The commands of these sections under the title of the first: those that the panel has, or all.
+/// The commands of these sections under the heading of the first: those that the panel has, or all.
 fn under_heading(session: &Session, sections: &[Section], panel: bool) -> Vec<Line> {
-    let mut lines = vec![Line::Heading(sections[0].title())];
+    let mut lines = vec![Line::Heading(sections[0].0)];
     lines.extend(sections.iter().flat_map(|it| commands(session, *it, panel)));
     lines
 }
 
 /// The help: every command there is, in two boards side by side.
 pub fn help(session: &Session) -> [Vec<Line>; 2] {
-    let (left, right) = Section::ALL.split_at(5);
+    let mut sections: Vec<Section> = BINDINGS.iter().map(|it| it.section).collect();
+    sections.dedup();
+    let (left, right) = sections.split_at(5);
     let halves = [("help", "", left), ("", "H or Esc closes it", right)];
     let mut lines = halves.map(|(name, detail, sections)| {
         let mut lines = vec![Line::Title(name, detail.to_owned())];
@@ -122,11 +124,11 @@ pub fn help(session: &Session) -> [Vec<Line>; 2] {
 
 /// What the window's title says; `panel` is whether there is room for it.
 pub fn title(session: &Session, panel: bool) -> String {
-    let scene = &session.scene().name;
+    let scene = &session.scene.name;
     let shading = session.shading().map_or("mixed shading", mode_label);
-    let projection = session.projection().name();
-    let camera = session.name(session.scene().cameras[session.camera()]);
-    let hint = match (session.state().panel, panel) {
+    let projection = session.projection.name();
+    let camera = session.name(session.scene.cameras[session.camera()]);
+    let hint = match (session.state.panel, panel) {
         (false, _) => "I for the panel, H for help",
         (true, false) => "no room for the panel, H for help",
         (true, true) => "H for help",

@@ -36,8 +36,8 @@ pub struct Marker {
 pub fn markers(session: &Session, size: [usize; 2]) -> Vec<Marker> {
     let lens = Lens::new(&session.view(size));
     let mut markers: Vec<Marker> = Vec::new();
-    let world = &session.scene().world;
-    for (index, &entity) in session.scene().lights.iter().enumerate() {
+    let world = &session.scene.world;
+    for (index, &entity) in session.scene.lights.iter().enumerate() {
         let mut query = world.query_one::<(&Name, &Transform, &Light)>(entity);
         let Ok((name, transform, light)) = query.get() else {
             continue;
@@ -82,7 +82,7 @@ fn is_hidden(session: &Session, point: DVec3, lens: &Lens) -> bool {
         Projection::Perspective => lens.eye,
         Projection::Orthographic => point - lens.axes[2] * lens.seen(point).z,
     };
-    let mut cuboids = session.scene().world.query::<(&WorldTransform, &Mesh)>();
+    let mut cuboids = session.scene.world.query::<(&WorldTransform, &Mesh)>();
     cuboids.iter().any(|(place, mesh)| {
         let to_cuboid = place.axes.transpose();
         let from = to_cuboid * (eye - place.position);

@@ -31,7 +31,7 @@ pub struct Plot {
 
 /// What is shown; empty where nothing is probed.
 pub fn lines(session: &Session) -> Vec<Line> {
-    let (Some(profile), Some(probe)) = (session.profile(), session.probed()) else {
+    let (Some(profile), Some(probe)) = (&session.profile, &session.probe) else {
         return Vec::new();
     };
     let [column, row] = probe.pixel;
@@ -51,15 +51,11 @@ fn columns(profile: &Profile) -> Vec<[f32; 3]> {
     let modes = profile.gouraud.iter().zip(&profile.phong);
     let all = modes.zip(&profile.reference);
     let column = |((gouraud, phong), exact): ((&[f64; 3], &[f64; 3]), &[f64; 3])| {
-        let brighter = |one: usize, other| {
-            if exact[other] > exact[one] {
-                other
-            } else {
-                one
-            }
-        };
-        let channel = brighter(brighter(0, 1), 2);
-        [gouraud, phong, exact].map(|levels| levels[channel].clamp(0.0, 255.0) as f32)
+        let channels = [0, 1, 2].into_iter();
+        let brightest =
+            channels.reduce(|one, next| if exact[next] > exact[one] { next } else { one });
+        [gouraud, phong, exact]
+            .map(|levels| levels[brightest.unwrap_or(0)].clamp(0.0, 255.0) as f32)
     };
     all.map(column).collect()
 }

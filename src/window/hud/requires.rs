@@ -12,10 +12,10 @@ const ROWS: usize = 16;
 
 /// What is shown; empty where nothing is.
 pub fn lines(session: &Session) -> Vec<Line> {
-    let Some(requires) = session.requires() else {
+    let Some(requires) = &session.requires else {
         return Vec::new();
     };
-    let tolerance = session.tolerance();
+    let tolerance = session.tolerance;
     let mut lines = vec![Line::Title("required", format!("at tolerance {tolerance}"))];
     if requires.parts.is_empty() {
         let percent = (100.0 * requires.share).floor();

@@ -10,7 +10,6 @@ use crate::window::history::{Change, History, Saved};
 use crate::window::magnifier::Magnifier;
 use crate::window::orbit::Limits;
 use crate::window::view_state::Drag;
-use crate::window::views::ViewMode;
 
 /// The tolerances that keys step through, in levels.
 pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -76,8 +75,13 @@ impl Session {
                 self.state.magnifier = Magnifier::default();
                 self.set_orbit(Orbit::default());
             }
-            Action::View(steps) => self.show(self.state.mode.stepped(steps)),
-            Action::Show(view) => self.show(view),
+            Action::View(steps) => {
+                self.apply(Action::Show(self.state.mode.stepped(steps)));
+            }
+            Action::Show(mode) => {
+                self.state.mode = mode;
+                self.wants(Redraw::Picture);
+            }
             Action::Blink => self.state.shows_reference ^= true,
             Action::EndBlink => self.state.shows_reference = false,
             Action::Measure if !matches!(self.measuring, Measuring::Off) => self.stop_measuring(),
@@ -103,7 +107,11 @@ impl Session {
                 }
             }
             Action::Help => self.state.help ^= true,
-            Action::Probe(pixel) => self.probe(pixel),
+            Action::Probe(pixel) => {
+                self.state.pixel = pixel;
+                (self.probe, self.profile) = (None, None);
+                self.wants(Redraw::Picture);
+            }
             Action::Letters(size) => {
                 let size = size.min(FACES.len() - 1);
                 self.state.letters = Some(size);
@@ -121,8 +129,10 @@ impl Session {
             Action::Step { row, steps, size } => self.step_number(row, steps, size),
             Action::Type(letter) => self.type_letter(letter),
             Action::Enter => self.enter(),
-            Action::Erase => self.erase(),
-            Action::Forget => self.forget_typed(),
+            Action::Erase => self.edit_typed(|typed| {
+                typed.pop();
+            }),
+            Action::Forget => self.edit_typed(String::clear),
             Action::Undo => self.travel(History::undo, "nothing to undo"),
             Action::Redo => self.travel(History::redo, "nothing to redo"),
             Action::DragLight {
@@ -183,18 +193,6 @@ impl Session {
         requires.picture = None;
         self.requests
             .extend(part.map(|it| Request::LeaveOut(it.part)));
-    }
-
-    fn show(&mut self, view: ViewMode) {
-        self.state.mode = view;
-        self.wants(Redraw::Picture);
-    }
-
-    fn probe(&mut self, pixel: Option<[usize; 2]>) {
-        self.state.pixel = pixel;
-        self.probe = None;
-        self.profile = None;
-        self.wants(Redraw::Picture);
     }
 
     /// Ends a measurement or closes its table.

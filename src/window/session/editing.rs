@@ -3,7 +3,6 @@
 //! Rule: a number that the scene file would refuse says what is allowed and changes nothing.
 
 use glam::DVec3;
-use hecs::Entity;
 
 use super::Session;
 use crate::components::{Lens, LightKind, Spin};
@@ -19,21 +18,14 @@ const STEP_DIGITS: usize = 12;
 impl Session {
     /// The numbers that are shown.
     pub fn page(&self) -> Option<Page> {
-        let editor = self.state.editor.as_ref()?;
-        Some(self.scene.page(editor.page))
+        let is_shown = self.state.editor.is_some();
+        is_shown.then(|| self.scene.page(self.state.page))
     }
 
     /// Shows the numbers of the scene, or hides them.
     pub(super) fn toggle_editor(&mut self) {
-        if let Some(editor) = self.state.editor.take() {
-            self.last_page = editor.page;
-        } else {
-            let page = self.last_page.min(self.scene.pages() - 1);
-            self.state.editor = Some(Editor {
-                page,
-                ..Editor::default()
-            });
-        }
+        let is_hidden = self.state.editor.take().is_none();
+        self.state.editor = is_hidden.then(Editor::default);
     }
 
     /// Goes to the row so many rows on.
@@ -54,27 +46,16 @@ impl Session {
 
     /// Takes a letter of a number.
     pub(super) fn type_letter(&mut self, letter: char) {
-        self.edit(|editor| {
-            if editor.row > 0 {
-                editor.error = None;
-                editor.typed.push(letter);
-            }
-        });
+        if self.state.editor.as_ref().is_some_and(|it| it.row > 0) {
+            self.edit_typed(|typed| typed.push(letter));
+        }
     }
 
-    /// Takes back the last letter of a number.
-    pub(super) fn erase(&mut self) {
+    /// Changes what is typed.
+    pub(super) fn edit_typed(&mut self, change: impl FnOnce(&mut String)) {
         self.edit(|editor| {
             editor.error = None;
-            editor.typed.pop();
-        });
-    }
-
-    /// Forgets what was typed.
-    pub(super) fn forget_typed(&mut self) {
-        self.edit(|editor| {
-            editor.error = None;
-            editor.typed.clear();
+            change(&mut editor.typed);
         });
     }
 
@@ -95,16 +76,16 @@ impl Session {
 
     /// Changes the number of a row by so many steps; the first row goes through the pages.
     pub(super) fn step_number(&mut self, row: Option<usize>, steps: i32, size: StepSize) {
+        if self.state.editor.is_none() {
+            return;
+        }
         if let Some(row) = row {
             self.choose_row(row);
         }
-        self.forget_typed();
+        self.edit_typed(String::clear);
         let Some(parameter) = self.chosen() else {
-            let pages = self.scene.pages() as i64;
-            self.edit(|editor| {
-                let page = editor.page as i64 + i64::from(steps);
-                editor.page = page.rem_euclid(pages) as usize;
-            });
+            let page = self.state.page as i64 + i64::from(steps);
+            self.state.page = page.rem_euclid(self.scene.pages() as i64) as usize;
             return;
         };
         let by = f64::from(steps) * parameter.step() * size.factor();
@@ -132,24 +113,23 @@ impl Session {
             let w = lens.homogeneous(lens.seen(place)).z;
             place + way * (lens.pitch * w)
         };
-        let entities: Vec<Entity> = lights.iter().map(|it| self.scene.lights[*it]).collect();
+        let entities = lights.iter().map(|it| self.scene.lights[*it]);
+        let before: Vec<_> = entities.map(|it| (it, self.scene.editable(it))).collect();
         self.state.drag = Some(Drag::Lights(lights));
-        let before = entities.iter().map(|it| (*it, self.scene.editable(*it)));
-        let before = Saved::Entities(before.collect());
-        self.history.note(before, Change::Drag, self.now);
-        for entity in entities {
-            let parameter = |axis| Parameter {
-                entity,
-                property: Property::Position,
-                axis,
-            };
-            let place = [0, 1, 2].map(|axis| self.scene.number(parameter(axis)));
-            let place = moved(place.into());
+        for (entity, editable) in before.clone() {
+            let place = moved(editable.transform.position);
             for axis in 0..3 {
+                let parameter = Parameter {
+                    entity,
+                    property: Property::Position,
+                    axis,
+                };
                 // A light that would leave the range of the format stays.
-                let _ = self.scene.set_number(parameter(axis), place[axis]);
+                let _ = self.scene.set_number(parameter, place[axis]);
             }
         }
+        let before = Saved::Entities(before);
+        self.history.note(before, Change::Drag, self.now);
         self.changed();
     }
 
@@ -218,9 +198,8 @@ impl Session {
 
     /// The scene is another one than its history says: what was shown of it may be gone.
     pub(super) fn scene_changed(&mut self) {
-        let pages = self.scene.pages();
-        self.forget_typed();
-        self.edit(|editor| editor.page = editor.page.min(pages - 1));
+        self.edit_typed(String::clear);
+        self.state.page = self.state.page.min(self.scene.pages() - 1);
         self.state.drag = None;
         self.changed();
     }

@@ -39,8 +39,8 @@ pub fn commands(session: &Session, section: Section, panel: bool) -> Vec<Line> {
     }
     let mut lines: Vec<Line> = rows.into_iter().map(Line::Command).collect();
     let shown = lines.len();
-    if section == Section::Lights && session.scene().lights.len() > shown {
-        let more = session.scene().lights.len() - shown;
+    if section == Section::LIGHTS && session.scene.lights.len() > shown {
+        let more = session.scene.lights.len() - shown;
         lines.push(Line::Text(format!("and {more} more without a key")));
     }
     lines
@@ -49,7 +49,7 @@ pub fn commands(session: &Session, section: Section, panel: bool) -> Vec<Line> {
 /// What a command is called: lights and modes by their names; `None` for a light that the scene lacks.
 fn label(session: &Session, action: Action, says: &str) -> Option<String> {
     match action {
-        Action::Light(index) => Some(session.name(*session.scene().lights.get(index)?)),
+        Action::Light(index) => Some(session.name(*session.scene.lights.get(index)?)),
         Action::LightNamed(_) => None,
         Action::Shading(mode) => Some(mode_label(mode).to_owned()),
         _ => Some(says.to_owned()),
@@ -63,19 +63,19 @@ fn state(session: &Session, action: Action) -> (Mark, String) {
     };
     let words = |words: String| (Mark::None, words);
     let orbit = session.orbit();
-    let state = session.state();
+    let state = &session.state;
     match action {
         Action::Light(index) => session.light(index).map_or_else(
             || words(String::new()),
             |light| switch(light.on, brightest(light.color)),
         ),
         Action::Shading(mode) => (Mark::Choice(session.shading() == Some(mode)), String::new()),
-        Action::Tolerance(_) => words(tolerance(session.tolerance())),
-        Action::NextProjection => words(session.projection().name().to_owned()),
-        Action::NextCamera => words(session.name(session.scene().cameras[session.camera()])),
+        Action::Tolerance(_) => words(tolerance(session.tolerance)),
+        Action::NextProjection => words(session.projection.name().to_owned()),
+        Action::NextCamera => words(session.name(session.scene.cameras[session.camera()])),
         Action::View(_) => words(state.mode.label().to_owned()),
         Action::Blink => switch(state.shows_reference, ON),
-        Action::Measure => switch(!matches!(session.measuring(), Measuring::Off), ON),
+        Action::Measure => switch(!matches!(session.measuring, Measuring::Off), ON),
         Action::Turning => {
             let spin = session.spin();
             let (mark, _) = switch(spin.on, ON);

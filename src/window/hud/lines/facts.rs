@@ -12,9 +12,9 @@ use crate::window::views::{ViewMode, mode_label};
 
 /// What frames took, how much is proven, and how far the picture errs; always as many lines.
 pub fn all(session: &Session) -> [Line; 6] {
-    let times = session.times();
+    let times = &session.times;
     let [left, right] = &times.sides;
-    let wipe = session.state().mode == ViewMode::GouraudPhong;
+    let wipe = session.state.mode == ViewMode::GouraudPhong;
     let frames = counted(left.len(), "frame");
     let threads = counted(times.threads, "thread");
     [
@@ -34,7 +34,7 @@ pub fn all(session: &Session) -> [Line; 6] {
 /// The method that draws the picture, in words.
 pub fn shaded_by(session: &Session) -> String {
     let mode = session.shading().map_or("mixed", mode_label);
-    format!("{mode}, {}", tolerance(session.tolerance()))
+    format!("{mode}, {}", tolerance(session.tolerance))
 }
 
 /// A median with its quartiles.
@@ -58,8 +58,8 @@ pub fn quartiles(times: &[Duration]) -> Option<[Duration; 3]> {
 /// How many of the pixels that show a cuboid are proven, or what is missing.
 fn proven(session: &Session) -> Line {
     let name = "proven";
-    let covered = grouped(session.times().counts.covered_pixels);
-    let Some(proof) = session.reference().and_then(|it| it.proof.as_ref()) else {
+    let covered = grouped(session.times.counts.covered_pixels);
+    let Some(proof) = session.reference.as_ref().and_then(|it| it.proof.as_ref()) else {
         return Line::Fact(name, format!("... of {covered}"));
     };
     match (proof.refuted, proof.undecided) {
@@ -71,7 +71,7 @@ fn proven(session: &Session) -> Line {
 
 /// Errors in levels, or why there are none.
 fn errors(session: &Session, of: fn(&ReferenceResult) -> Option<Errors>) -> String {
-    match session.reference().map(of) {
+    match session.reference.as_ref().map(of) {
         None => "...".to_owned(),
         Some(None) => "-".to_owned(),
         Some(Some(errors)) => {
@@ -84,12 +84,7 @@ fn errors(session: &Session, of: fn(&ReferenceResult) -> Option<Errors>) -> Stri
 /// A number with its digits in threes.
 fn grouped(number: u64) -> String {
     let digits = number.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(' ');
-        }
-        text.push(digit);
-    }
-    text
+    let threes = digits.as_bytes().rchunks(3).rev();
+    let threes: Vec<_> = threes.map(String::from_utf8_lossy).collect();
+    threes.join(" ")
 }
