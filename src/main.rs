@@ -42,10 +42,12 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         }
         Some(Command::Trade(options)) => {
             let (request, folder) = (options.request()?, options.output.as_deref());
-            if options.scale {
-                return Ok(trade::scale::run(&request, folder)?);
-            }
-            Ok(trade::run(request, folder)?)
+            let done = match options.batch {
+                Some(number) => trade::process::run(&request, number),
+                None if options.scale => trade::scale::run(&request, folder),
+                None => trade::run(request, folder),
+            };
+            Ok(done?)
         }
         Some(Command::Probe(options)) => probe(&options),
         Some(Command::Prove(options)) => {

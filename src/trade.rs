@@ -1,7 +1,7 @@
 //! One view of a scene in; what each shading method costs and how far it errs out.
 //!
 //! ```text
-//!            +-- timing: frames by the clock, methods in turns --+
+//!            +-- timing, process: frames by the clock, in turns -+
 //! Request ---+                                                   +-- front --> Report --> export, plot, error_map
 //!            +-- accuracy: pictures against the reference -------+
 //! ```
@@ -18,6 +18,7 @@ pub mod front;
 pub mod machine;
 pub mod metrics;
 pub mod plot;
+pub mod process;
 pub(crate) mod progress;
 pub mod record;
 pub mod scale;
@@ -45,7 +46,7 @@ use crate::systems;
 use progress::OnProgress;
 use record::Subject;
 pub use record::{Measurement, Report};
-use timing::Timing;
+use timing::Batch;
 
 /// How long all frames are timed together unless asked otherwise.
 pub const USUAL_TIME: Duration = Duration::from_secs(20);
@@ -77,7 +78,12 @@ pub struct Request {
     pub time: Duration,
     /// The command line, for those who want to repeat it.
     pub command: String,
+    /// What times a batch, given its number: [`time_batch`], or [`process::in_a_process`].
+    pub time_batch: fn(&Request, usize, IsCancelled) -> Result<Batch, TradeError>,
 }
+
+/// Is asked before every frame and every row of the reference; a yes ends the measurement.
+pub type IsCancelled<'a> = &'a (dyn Fn() -> bool + Sync);
 
 impl Request {
     /// To measure `drawing` with all [`METHODS`], whatever its shading and tolerance, for about this `time`.
@@ -93,6 +99,7 @@ impl Request {
             level: drawing.level,
             time,
             command,
+            time_batch,
         }
     }
 }
@@ -106,24 +113,27 @@ pub enum TradeError {
     /// The system gives no threads.
     #[error("cannot start the threads that draw")]
     Threads(#[from] ThreadPoolBuildError),
+    /// A batch that another process was to time.
+    #[error("cannot measure in a process of its own")]
+    Process(#[source] anyhow::Error),
     /// Whoever asked no longer wants to know.
     #[error("the measurement was cancelled")]
     Cancelled,
 }
 
-/// Measures the methods of `request`. `cancelled` is asked before every frame and every row of the reference, and a yes ends
-/// it.
+/// Measures the methods of `request`.
 ///
 /// # Errors
 /// When memory or threads do not suffice, or it is cancelled.
 pub fn measure(
     mut request: Request,
-    cancelled: &(dyn Fn() -> bool + Sync),
+    cancelled: IsCancelled,
     on_progress: OnProgress,
 ) -> Result<Report, TradeError> {
     accuracy::check_memory(request.view.size)?;
     let step = |step| move |share| on_progress(step, share);
-    let timings = time_frames(&request, cancelled, step("timing frames"))?;
+    let time_batch = |number| (request.time_batch)(&request, number, cancelled);
+    let timings = timing::of_batches(time_batch, step("timing frames"))?;
     let stages = time_stages(&request, cancelled)?;
     let subject = Subject::of(&request);
     let accuracies = accuracy::of_methods(
@@ -179,23 +189,23 @@ fn prepare(request: &Request) -> Result<(Frame, Scene), TradeError> {
     Ok((Frame::new(Keep::Display, workers), request.scene.snapshot()))
 }
 
-/// The times of all methods. In a batch all draw into one frame, so that none has a better place in memory than another.
-fn time_frames(
+/// Times a batch in this process. All methods draw into one frame, so that none has a better place in memory than another.
+///
+/// # Errors
+/// When memory or threads do not suffice, or it is cancelled.
+pub fn time_batch(
     request: &Request,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    on_progress: impl Fn(f64),
-) -> Result<Vec<Timing>, TradeError> {
+    number: usize,
+    is_cancelled: IsCancelled,
+) -> Result<Batch, TradeError> {
     let views = &views(request);
-    let prepare = || {
-        let (mut frame, mut scene) = prepare(request)?;
-        Ok(move |method: usize| -> Result<(), TradeError> {
-            if cancelled() {
-                return Err(TradeError::Cancelled);
-            }
-            Ok(systems::draw(&mut scene.world, &views[method], &mut frame)?)
-        })
-    };
-    timing::in_batches(views.len(), MIN_SAMPLES, request.time, prepare, on_progress)
+    let (mut frame, mut scene) = prepare(request)?;
+    timing::batch(number, views.len(), MIN_SAMPLES, request.time, |method| {
+        if is_cancelled() {
+            return Err(TradeError::Cancelled);
+        }
+        Ok(systems::draw(&mut scene.world, &views[method], &mut frame)?)
+    })
 }
 
 /// The median milliseconds of each stage of a frame, by method, and what such a frame counts. Not of the frames timed as a
@@ -203,7 +213,7 @@ fn time_frames(
 #[expect(clippy::type_complexity, reason = "a stage is a name and a time")]
 fn time_stages(
     request: &Request,
-    cancelled: &(dyn Fn() -> bool + Sync),
+    cancelled: IsCancelled,
 ) -> Result<Vec<(Vec<(&'static str, f64)>, Counts)>, TradeError> {
     let (mut frame, mut scene) = prepare(request)?;
     let mut of_method = |view: &View| {

@@ -2,10 +2,11 @@
 //!
 //! Rule: what an option's value may be is checked here, and every message says what would be right.
 
+use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use anyhow::anyhow;
+use anyhow::{Context, anyhow};
 use clap::Args;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use image::ImageFormat;
@@ -14,8 +15,9 @@ use super::Failure;
 use super::options::{self, DrawingOptions, WorkerOptions};
 use crate::drawing::MAX_SIDE;
 use crate::output::{Output, quoted};
+use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
-use crate::trade;
+use crate::trade::{self, process};
 
 /// The options of `view`.
 #[derive(Args, Clone, Debug)]
@@ -105,6 +107,9 @@ pub struct TradeOptions {
     /// Measures time against pixels, lights, cuboids and threads instead
     #[arg(long)]
     pub scale: bool,
+    /// Times this batch, of the scene on standard input, and prints its times: what `trade` has processes of its own do
+    #[arg(long, hide = true)]
+    pub batch: Option<usize>,
 }
 
 impl TradeOptions {
@@ -123,7 +128,10 @@ impl TradeOptions {
                 "{option} does not go with `trade`, which measures every shading at its own tolerance"
             )));
         }
-        let mut drawing = self.drawing.open()?;
+        let mut drawing = match self.batch {
+            None => self.drawing.open()?,
+            Some(_) => self.drawing.apply_to(scene_from_stdin()?)?,
+        };
         if self.scale {
             let most = MAX_SIDE / trade::scale::LARGEST;
             if drawing.size.iter().any(|side| *side > most) {
@@ -144,6 +152,7 @@ impl TradeOptions {
         let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
         let command = format!("shadetrade {}", words.join(" "));
         let mut request = trade::Request::new(drawing, time, command);
+        request.time_batch = process::in_a_process;
         let measured = |method: &Method| match &self.methods {
             Some(ids) => ids.iter().any(|id| id == method.id),
             None => !self.scale || trade::scale::METHODS.contains(&method.id),
@@ -151,6 +160,11 @@ impl TradeOptions {
         request.methods.retain(measured);
         Ok(request)
     }
+}
+
+fn scene_from_stdin() -> anyhow::Result<Scene> {
+    let text = io::read_to_string(io::stdin()).context("cannot read the scene")?;
+    Ok(Scene::parse("standard input", &text)?)
 }
 
 fn seconds(text: &str) -> Result<Duration, &'static str> {

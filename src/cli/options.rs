@@ -90,7 +90,7 @@ impl DrawingOptions {
     /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light; [`Failure::Work`] when it does not fit
     /// in memory.
     pub fn open(&self) -> Result<Drawing, Failure> {
-        let mut scene = match &self.scene {
+        let scene = match &self.scene {
             Some(path) => Scene::load_path(path),
             None => Scene::load(None),
         }
@@ -103,6 +103,14 @@ impl DrawingOptions {
         if let Some(warning) = &scene.warning {
             say(&format!("warning: {warning}"));
         }
+        self.apply_to(scene)
+    }
+
+    /// Looks up in a scene what the options name, whatever scene they name.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when it has no such camera or light.
+    pub fn apply_to(&self, mut scene: Scene) -> Result<Drawing, Failure> {
         let camera = match &self.camera {
             None => 0,
             Some(name) => scene.find_camera(name).ok_or_else(|| {

@@ -14,7 +14,7 @@ use crate::memory::OutOfMemory;
 use crate::reference::Rule;
 use crate::scene::Scene;
 use crate::systems;
-use crate::trade::timing::in_batches;
+use crate::trade::timing;
 
 /// How long each part is timed, and how often at least.
 const TIME: Duration = Duration::from_millis(250);
@@ -38,19 +38,19 @@ pub fn time_share(
         Part::Rule(_) | Part::F64SetUp => return Ok(None),
         Part::Light(_) | Part::EveryPixel(_) | Part::Cuboid(_) => {}
     }
-    let prepare = || {
+    let batch = |number| {
         let mut drawn = [scene.snapshot(), without(scene, &[part])].map(|scene| {
             let frame = Frame::new(Keep::Display, Workers::alone(level));
             (scene.world, frame)
         });
-        Ok(move |which: usize| {
+        timing::batch(number, 2, MIN_SAMPLES, TIME, |which| {
             let (world, frame) = &mut drawn[which];
             views
                 .iter()
                 .try_for_each(|view| systems::draw(world, view, frame))
         })
     };
-    let times = in_batches(2, MIN_SAMPLES, TIME, prepare, |_| ())?;
+    let times = timing::of_batches(batch, |_| ())?;
     let [with, without] = [&times[0], &times[1]];
     Ok(Some(1.0 - without.min / with.min))
 }

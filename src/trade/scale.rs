@@ -11,7 +11,6 @@ pub mod growth;
 pub mod report;
 mod scenes;
 
-use std::cell::RefCell;
 use std::path::Path;
 use std::time::Duration;
 
@@ -188,13 +187,13 @@ fn time_settings(
 ) -> Result<Vec<Point>, TradeError> {
     let configurations = configurations(quantity, request);
     let methods = &request.methods;
-    let covered = RefCell::new(vec![0; configurations.len()]);
-    let prepare = || {
+    let mut covered = vec![0; configurations.len()];
+    let turns = configurations.len() * methods.len();
+    let batch = |number| {
         let scenes = configurations.iter().map(|it| it.scene.snapshot());
         let mut scenes: Vec<Scene> = scenes.collect();
         let mut frame = Frame::new(Keep::Display, Workers::alone(request.level));
-        let (configurations, covered) = (&configurations, &covered);
-        Ok(move |turn: usize| -> Result<(), TradeError> {
+        timing::batch(number, turns, MIN_SAMPLES, time, |turn| {
             let (index, method) = (turn / methods.len(), turn % methods.len());
             let Configuration { view, threads, .. } = &configurations[index];
             if frame.workers().threads() != *threads {
@@ -202,18 +201,16 @@ fn time_settings(
             }
             let view = accuracy::drawn_by(&methods[method], view);
             systems::draw(&mut scenes[index].world, &view, &mut frame)?;
-            covered.borrow_mut()[index] = frame.counts().covered_pixels;
-            Ok(())
+            covered[index] = frame.counts().covered_pixels;
+            Ok::<_, TradeError>(())
         })
     };
-    let turns = configurations.len() * methods.len();
-    let timings = timing::in_batches(turns, MIN_SAMPLES, time, prepare, on_progress)?;
+    let timings = timing::of_batches(batch, on_progress)?;
     let times = |(method, timing): (&Method, &Timing)| Times {
         id: method.id,
         timing: timing.clone(),
         cost: None,
     };
-    let covered = covered.into_inner();
     let drawn = configurations.iter().zip(covered);
     let points = drawn.zip(timings.chunks(methods.len()));
     let points = points.map(|((drawn, covered_pixels), timings)| Point {

@@ -1,7 +1,7 @@
 //! Frames drawn by the clock in, robust statistics of their times out.
 //!
-//! A run has [`BATCHES`]; each starts with a new frame and a new copy of the scene, so that placement in memory varies within
-//! a run as it does between runs. In a batch the methods take turns in random order, so that a slow moment of the machine
+//! A run has [`BATCHES`]; each starts with a new frame and a new copy of the scene, and the command `trade` has each timed by a
+//! process of its own, so that what varies between runs varies between batches too. In a batch the methods take turns in random order, so that a slow moment of the machine
 //! meets all alike. The first frame of a turn warms caches and branch predictors and is not timed.
 //!
 //! ```text
@@ -32,7 +32,7 @@ pub struct Timing {
     /// A batch's median lies below the true one with probability 1/2, so all [`BATCHES`] lie on one side of it with
     /// probability 2 / 2^8: this is the distribution-free interval of order statistics, and its confidence is 99.2 %; six
     /// batches are the fewest that give 95 %. Frames within a batch are correlated, so batches are counted, not frames (batch
-    /// means; Law, Simulation Modeling and Analysis, 9.5.3). What varies only between runs, it cannot know.
+    /// means; Law, Simulation Modeling and Analysis, 9.5.3).
     pub interval: [f64; 2],
     /// The median of the distances from the median.
     pub mad: f64,
@@ -85,51 +85,66 @@ pub fn median(values: &[f64]) -> f64 {
     f64::midpoint(sorted[(sorted.len() - 1) / 2], sorted[sorted.len() / 2])
 }
 
-/// Times `draw(0)` to `draw(methods - 1)`, where every batch has a `draw` that `prepare` made for it: as many turns as fit into
-/// `time`, but at least `min_samples` and at most [`MAX_SAMPLES`] of each method. `on_progress` is told the share done, 0..=1.
+/// The milliseconds of the frames of one batch, by method.
+pub type Batch = Vec<Vec<f64>>;
+
+/// Times `draw(0)` to `draw(methods - 1)` in one batch: as many turns as fit into its part of `time`, but so many that all
+/// batches together have at least `min_samples` and at most [`MAX_SAMPLES`] of each method.
 ///
 /// # Errors
-/// The first that `prepare` or `draw` gives.
-pub fn in_batches<E, D: FnMut(usize) -> Result<(), E>>(
+/// The first that `draw` gives.
+pub fn batch<E>(
+    number: usize,
     methods: usize,
     min_samples: usize,
     time: Duration,
-    mut prepare: impl FnMut() -> Result<D, E>,
-    on_progress: impl Fn(f64),
-) -> Result<Vec<Timing>, E> {
+    mut draw: impl FnMut(usize) -> Result<(), E>,
+) -> Result<Batch, E> {
     let frames_of_turn = min_samples.div_ceil(BATCHES).max(1);
     let max_turns = (MAX_SAMPLES / BATCHES / frames_of_turn).max(1);
-    let mut samples = vec![vec![Vec::new(); BATCHES]; methods];
+    let mut samples = vec![Vec::new(); methods];
     let mut order: Vec<usize> = (0..methods).collect();
-    let mut random = Random(0);
+    let mut random = Random(number as u64);
     let begin = Instant::now();
-    for batch in 0..BATCHES {
-        let mut draw = prepare()?;
-        let batch_begin = Instant::now();
-        let batch_end = time * (batch as u32 + 1) / BATCHES as u32;
-        let batch_time = batch_end.saturating_sub(begin.elapsed());
-        for turn in 1..=max_turns {
-            random.shuffle(&mut order);
-            for &method in &order {
+    for turn in 1..=max_turns {
+        random.shuffle(&mut order);
+        for &method in &order {
+            draw(method)?;
+            for _ in 0..frames_of_turn {
+                let start = Instant::now();
                 draw(method)?;
-                for _ in 0..frames_of_turn {
-                    let start = Instant::now();
-                    draw(method)?;
-                    samples[method][batch].push(start.elapsed().as_nanos() as f64 / 1e6);
-                }
-            }
-            let spent = batch_begin.elapsed();
-            let next = spent + spent / turn as u32;
-            let is_last = turn == max_turns || next > batch_time;
-            let share = spent.as_secs_f64() / batch_time.as_secs_f64().max(f64::MIN_POSITIVE);
-            let share = share.max(turn as f64 / max_turns as f64).min(1.0);
-            on_progress((batch as f64 + if is_last { 1.0 } else { share }) / BATCHES as f64);
-            if is_last {
-                break;
+                samples[method].push(start.elapsed().as_nanos() as f64 / 1e6);
             }
         }
+        let spent = begin.elapsed();
+        if spent + spent / turn as u32 > time / BATCHES as u32 {
+            break;
+        }
     }
-    Ok(samples.iter().map(|batches| Timing::of(batches)).collect())
+    Ok(samples)
+}
+
+/// The times of all methods, batch by batch; `on_progress` is told the share done, 0..=1.
+///
+/// # Errors
+/// The first that a batch gives.
+pub fn of_batches<E>(
+    mut batch: impl FnMut(usize) -> Result<Batch, E>,
+    on_progress: impl Fn(f64),
+) -> Result<Vec<Timing>, E> {
+    let mut by_method: Vec<Vec<Vec<f64>>> = Vec::new();
+    for number in 0..BATCHES {
+        let samples = batch(number)?;
+        by_method.resize(samples.len(), Vec::new());
+        for (batches, own) in by_method.iter_mut().zip(samples) {
+            batches.push(own);
+        }
+        on_progress((number + 1) as f64 / BATCHES as f64);
+    }
+    Ok(by_method
+        .iter()
+        .map(|batches| Timing::of(batches))
+        .collect())
 }
 
 /// The same sequence every time: SplitMix64 (Steele, Lea and Flood 2014).
@@ -162,18 +177,15 @@ mod tests {
     fn methods_take_turns_in_changing_order_in_every_batch() {
         let drawn = RefCell::new(Vec::new());
         let shares = RefCell::new(Vec::new());
-        let prepare = || {
+        let time = |number| {
             drawn.borrow_mut().push(Vec::new());
-            let draw = |method| {
+            batch(number, 3, 30, Duration::ZERO, |method| {
                 let mut batches = drawn.borrow_mut();
-                batches.last_mut().expect("it was prepared").push(method);
+                batches.last_mut().expect("it was begun").push(method);
                 Ok::<_, Infallible>(())
-            };
-            Ok(draw)
+            })
         };
-        let Ok(timings) = in_batches(3, 30, Duration::ZERO, prepare, |share| {
-            shares.borrow_mut().push(share);
-        });
+        let Ok(timings) = of_batches(time, |share| shares.borrow_mut().push(share));
         assert_eq!(timings.len(), 3);
         // Four of each of eight batches: the fewest that are at least thirty.
         assert!(timings.iter().all(|timing| timing.samples == 32));
@@ -198,14 +210,11 @@ mod tests {
 
     #[test]
     fn there_are_only_so_many_samples_and_the_first_error_ends_it() {
-        let still = || Ok::<_, Infallible>(|_| Ok(()));
-        let Ok(timings) = in_batches(1, 30, Duration::MAX / 16, still, |_| ());
+        let time = |number| batch(number, 1, 30, Duration::MAX, |_| Ok::<_, Infallible>(()));
+        let Ok(timings) = of_batches(time, |_| ());
         assert!((9_000..=MAX_SAMPLES).contains(&timings[0].samples));
-        let failing = || Ok(|_| Err("no"));
-        assert_eq!(
-            in_batches(2, 30, Duration::ZERO, failing, |_| ()),
-            Err("no")
-        );
+        assert_eq!(batch(0, 2, 30, Duration::ZERO, |_| Err("no")), Err("no"));
+        assert_eq!(of_batches(|_| Err("no"), |_| ()), Err("no"));
     }
 
     #[test]

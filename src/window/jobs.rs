@@ -166,6 +166,7 @@ pub fn measurement(snapshot: Snapshot, level: Level) -> trade::Request {
         threads: 1,
         level,
         time: MEASURING_TIME,
+        time_batch: trade::time_batch,
         command: String::new(),
     }
 }

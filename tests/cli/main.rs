@@ -9,6 +9,8 @@ mod help;
 #[cfg(unix)]
 mod names;
 mod pictures;
+#[cfg(unix)]
+mod processes;
 mod replays;
 mod requires;
 mod scale;

@@ -212,6 +212,18 @@ fn progress_goes_from_nothing_to_all_in_two_steps() {
 }
 
 #[test]
+fn a_process_that_cannot_measure_is_an_error_that_says_what_it_said() {
+    let request = Request {
+        // Calls this program of tests, which has no such option.
+        time_batch: trade::process::in_a_process,
+        ..request(scene(GREEN, CENTRE, true), [16, 12], 1)
+    };
+    let error = trade::measure(request, &|| false, &|_, _| ()).expect_err("it cannot");
+    let said = format!("{:#}", anyhow::Error::from(error));
+    assert!(said.contains("batch"), "{said}");
+}
+
+#[test]
 fn every_file_is_written_and_nothing_else() {
     let parent = tempfile::tempdir().expect("there is room for a folder");
     let folder = parent.path().join("out");
