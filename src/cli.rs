@@ -209,7 +209,7 @@ impl Command {
             .num_threads(threads)
             .use_current_thread()
             .build_global()
-            .context("cannot start the threads that draw; --threads asks for fewer")
+            .context("cannot start the threads that draw")
     }
 }
 

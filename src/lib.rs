@@ -142,7 +142,7 @@
 //! # What to touch to add ...
 //!
 //! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of [`shading::Shader`] and of the
-//!   one `match` in [`systems::rasterization`], a row of [`shading::METHODS`]; its own definition in the reference; what it is called
+//!   `match` in [`systems::rasterization`] (its listing and [`systems::lighting`] ask for one mode each), a row of [`shading::METHODS`]; its own definition in the reference; what it is called
 //!   in the window and how it is marked in the plot, which the compiler asks for;
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference and in
@@ -174,8 +174,9 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
-//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric
-//! of [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; and minifb is named in [`window`] alone.
+//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric of
+//! [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; and minifb is
+//! named in [`window`] alone.
 //!
 //! # What is not modelled, and why
 //!

@@ -16,8 +16,6 @@ use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
 use serde::Serialize;
 
-use crate::memory;
-
 pub use animation::Animation;
 
 /// Where one file's content goes.
@@ -290,7 +288,8 @@ pub(crate) fn encode_png(
 
 /// Red, green and blue of every pixel.
 fn rgb(pixels: &[u32]) -> io::Result<Vec<u8>> {
-    let mut bytes = memory::reserve_pixels([pixels.len(), 3]).map_err(io::Error::other)?;
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(3 * pixels.len())?;
     bytes.extend(pixels.iter().flat_map(|pixel| {
         let [_, red, green, blue] = pixel.to_be_bytes();
         [red, green, blue]

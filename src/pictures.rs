@@ -1,6 +1,6 @@
 //! A [`Drawing`] in, PNG files out.
 //!
-//! Rule: a picture that is written is a frame as the window would show it, byte for byte.
+//! Rule: a picture of the renderer is a frame as the window would show it, byte for byte.
 
 mod figures;
 mod sheet;

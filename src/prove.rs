@@ -7,8 +7,9 @@
 //! ```
 //!
 //! Rule: a pixel is proven if it shows a face that it may show and every value of that face's enclosure is within the limit
-//! of what is drawn: within it as levels, and half a level more as the bytes that a window gets. It is refuted if no value
-//! of what it may show is, and undecided otherwise.
+//! of what is drawn: within it as levels, and half a level more as the bytes that a window gets. It is refuted if it shows a
+//! face that it may not show, or no value of the face's enclosure is within the limit, and undecided otherwise. Differences
+//! are rounded outwards.
 
 mod command;
 
@@ -20,10 +21,10 @@ use serde::Serialize;
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
 use crate::memory::{self, OutOfMemory};
-use crate::reference::{Interval, Real, Reference, Seen};
+use crate::reference::{Interval, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
-use crate::trade::metrics::displayed;
+use crate::trade::metrics::{difference, displayed, ends};
 pub use command::run;
 
 /// Rows that are drawn, enclosed and judged at once.
@@ -128,21 +129,6 @@ pub fn shown_face(triangle: u32) -> Option<usize> {
     (triangle != NO_TRIANGLE).then_some(face(triangle) as usize)
 }
 
-/// The displayed endpoints of an enclosure, by channel.
-fn ends(seen: &Seen<Interval>) -> [[f64; 2]; 3] {
-    seen.levels.map(|level| level.endpoints().map(displayed))
-}
-
-/// The error of a pixel against the nearest value of an enclosure, and against the farthest.
-fn error(levels: [f64; 3], enclosure: [[f64; 2]; 3]) -> [f64; 2] {
-    let mut error = [0.0_f64; 2];
-    for (level, [least, largest]) in levels.map(displayed).into_iter().zip(enclosure) {
-        error[0] = error[0].max(least - level).max(level - largest);
-        error[1] = error[1].max(largest - level).max(level - least);
-    }
-    error
-}
-
 /// The least and the largest error that `levels` may have against what `seen` has of the face shown; of several, each end of
 /// the nearest. `None` if the pixel may not show it.
 pub fn nearest(
@@ -151,7 +137,7 @@ pub fn nearest(
     seen: &[Seen<Interval>],
 ) -> Option<[f64; 2]> {
     let same = seen.iter().filter(|seen| seen.face() == shown);
-    same.map(|seen| error(levels, ends(seen)))
+    same.map(|seen| difference(&ends(levels), &ends(seen.levels)))
         .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
 }
 
@@ -201,7 +187,7 @@ impl Proof {
         self.covered += u64::from(mark.is_covered);
         let widths = seen
             .iter()
-            .flat_map(ends)
+            .flat_map(|seen| ends(seen.levels))
             .map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
         if mark.verdict != Verdict::Proven && self.examples.len() < EXAMPLES {
@@ -210,7 +196,7 @@ impl Proof {
                 pixel,
                 verdict: mark.verdict,
                 drawn: shown.levels.map(displayed),
-                enclosure: ends(same.unwrap_or(&seen[0])),
+                enclosure: ends(same.unwrap_or(&seen[0]).levels),
             });
         }
         self.marks.push(mark);

@@ -28,7 +28,7 @@ use crate::frame::display_pixel;
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
-use crate::trade::metrics::displayed;
+use crate::trade::metrics::{difference, ends};
 pub use command::run;
 pub use least::least;
 
@@ -43,8 +43,8 @@ pub enum Part {
     EveryPixel(usize),
     /// A cuboid; left out, what is behind it is seen.
     Cuboid(usize),
-    /// f64; left out, the reference's formula is evaluated in f32, from the scene's numbers on. No step of it is chosen for
-    /// f32, so it errs as a textbook's does; only where on the picture a cuboid is looked for is found exactly.
+    /// f64; left out, the reference's formula is evaluated in f32, from the scene's numbers on. No step is adapted to f32, so it
+    /// errs as a textbook's does; only a cuboid's bounds on the screen are still computed in intervals.
     F64SetUp,
 }
 
@@ -130,7 +130,7 @@ impl Change {
 /// What a picture of the scene errs without each of these lists of parts, on rayon's current threads; `None` as soon as
 /// `cancelled` says yes. `progress` is told which share of it is done.
 ///
-/// The view leaves each cuboid its own shading.
+/// Each cuboid has its own shading, whatever the view's.
 pub fn changes(
     scene: &Scene,
     view: &View,
@@ -138,6 +138,10 @@ pub fn changes(
     cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(f64) + Sync),
 ) -> Option<Vec<Change>> {
+    let view = &View {
+        shading: None,
+        ..*view
+    };
     let full = rows(Reference::<Interval>::new(&scene.world, view));
     let limit = limit(view.tolerance);
     let all = left_out.len().div_ceil(AT_ONCE) * view.size[1];
@@ -241,8 +245,7 @@ fn rule(left_out: &[Part]) -> Option<Rule> {
 fn rows<R: Real + 'static>(picture: Reference<R>) -> Rows {
     Box::new(move |y| {
         let mut row = Vec::new();
-        let ends = |seen: &Seen<R>| seen.levels.map(|level| level.endpoints().map(displayed));
-        let shown = |seen: &Seen<R>| (seen.face(), ends(seen));
+        let shown = |seen: &Seen<R>| (seen.face(), ends(seen.levels));
         picture.row(y, |_, seen| row.push(seen.iter().map(shown).collect()));
         row
     })
@@ -256,7 +259,7 @@ fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
         for shown in pixel {
             let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
             for other in other {
-                let [least, most] = difference(shown, other);
+                let [least, most] = difference(&shown.1, &other.1);
                 error[0] = error[0].min(least);
                 farthest = farthest.max(most);
                 if shown.0 == other.0 {
@@ -273,45 +276,12 @@ fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
     error
 }
 
-/// The least and the largest difference of two enclosures, over the channels.
-fn difference((_, left): &Shown, (_, right): &Shown) -> [f64; 2] {
-    let mut largest = [0.0_f64; 2];
-    for (left, right) in left.iter().zip(right) {
-        let [left, right] = [left, right].map(|[least, most]| Interval::new(*least, *most));
-        let [below, above] = (left - right).endpoints();
-        let [least, most] = [below.max(-above), above.max(-below)];
-        largest = [largest[0].max(least), largest[1].max(most)];
-    }
-    largest
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn grey(face: usize, least: f64, most: f64) -> Shown {
         (Some(face), [[least, most]; 3])
-    }
-
-    #[test]
-    fn a_difference_is_at_least_the_gap_and_at_most_the_span() {
-        for (left, right, known) in [
-            ([0.0, 1.0], [3.0, 4.5], [2.0, 4.5]),
-            ([3.0, 4.5], [0.0, 1.0], [2.0, 4.5]),
-            ([0.0, 10.0], [5.0, 20.0], [0.0, 20.0]),
-            ([5.0, 6.0], [0.0, 20.0], [0.0, 15.0]),
-            ([7.0, 7.0], [7.0, 7.0], [0.0, 0.0]),
-        ] {
-            let [left, right] = [left, right].map(|[least, most]| grey(0, least, most));
-            assert_eq!(difference(&left, &right), known, "{left:?} {right:?}");
-        }
-        // The channel that differs most decides.
-        let (_, mut channels) = grey(0, 1.0, 1.0);
-        channels[2] = [6.0, 7.0];
-        assert_eq!(
-            difference(&grey(0, 1.0, 1.0), &(Some(0), channels)),
-            [5.0, 6.0]
-        );
     }
 
     #[test]

@@ -54,9 +54,6 @@ pub struct Method {
     pub mode: ShadingMode,
     /// In levels, against the exact evaluation of the same mode.
     pub tolerance: f64,
-    /// One line for a person.
-    #[serde(skip)]
-    pub help: &'static str,
 }
 
 /// The ladder from cheap to true that reports climb.
@@ -65,55 +62,46 @@ pub const METHODS: &[Method] = &[
         id: "gouraud-0",
         mode: ShadingMode::Gouraud,
         tolerance: 0.0,
-        help: "lit at the vertices, exact",
     },
     Method {
         id: "gouraud-0.5",
         mode: ShadingMode::Gouraud,
         tolerance: 0.5,
-        help: "lit at the vertices, within half a level",
     },
     Method {
         id: "phong-unit-vectors",
         mode: ShadingMode::UnitVectors,
         tolerance: 0.0,
-        help: "the assignment's shortcut: unit n, l, o interpolated, not renormalised",
     },
     Method {
         id: "phong-4",
         mode: ShadingMode::Phong,
         tolerance: 4.0,
-        help: "lit at every pixel, within four levels",
     },
     Method {
         id: "phong-2",
         mode: ShadingMode::Phong,
         tolerance: 2.0,
-        help: "lit at every pixel, within two levels",
     },
     Method {
         id: "phong-1",
         mode: ShadingMode::Phong,
         tolerance: 1.0,
-        help: "lit at every pixel, within one level",
     },
     Method {
         id: "phong-0.5",
         mode: ShadingMode::Phong,
         tolerance: 0.5,
-        help: "lit at every pixel, within half a level",
     },
     Method {
         id: "phong-0.25",
         mode: ShadingMode::Phong,
         tolerance: 0.25,
-        help: "lit at every pixel, within a quarter of a level",
     },
     Method {
         id: "phong-0",
         mode: ShadingMode::Phong,
         tolerance: 0.0,
-        help: "lit at every pixel, exact",
     },
 ];
 
@@ -185,8 +173,9 @@ impl Surface<'_> {
                 levels += diffuse * cosine;
                 if specular != DVec3::ZERO {
                     let reflected = 2.0 * cosine * normal - to_light;
-                    let lambda = (reflected - to_eye).length_squared() / 2.0;
-                    levels += specular * specular::power_exact(self.material.shininess, lambda);
+                    let one_minus_cos = (reflected - to_eye).length_squared() / 2.0;
+                    levels +=
+                        specular * specular::power_exact(self.material.shininess, one_minus_cos);
                 }
             }
         }

@@ -50,7 +50,7 @@ pub fn draw_rows(
     draw_in_stages(world, view, rows, frame, |_| ())
 }
 
-/// The same; `after_stage` is called with a stage's name when it is done, first of all with "clear". A caller with a clock
+/// The same; `after_stage` is called with a stage's name when it is done. A caller with a clock
 /// learns what each took.
 ///
 /// # Errors
@@ -64,7 +64,6 @@ pub fn draw_in_stages(
 ) -> Result<(), OutOfMemory> {
     let cuboids = world.query_mut::<&Mesh>().into_iter().count();
     frame.begin(view.size, rows, cuboids > 1)?;
-    after_stage("clear");
     for (name, run) in FRAME {
         run(world, view, frame);
         after_stage(name);

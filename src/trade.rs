@@ -5,7 +5,7 @@
 //! Request ---+                                                   +-- front --> Report --> export, plot, error_map
 //!            +-- accuracy: pictures against the reference -------+
 //! ```
-//! What time grows with is measured apart: [`scale`].
+//! [`scale`] measures how time grows with pixels, lights, cuboids and threads.
 //!
 //! Rule: measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it.
 

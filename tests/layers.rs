@@ -53,10 +53,10 @@ fn imported(code: &str) -> Vec<&str> {
 }
 
 #[test]
-fn every_room_imports_from_lower_floors_only() {
+fn every_module_imports_from_lower_layers_only() {
     let layers = layers();
     let modules = (0..).zip(&layers);
-    let floor_of: HashMap<&str, usize> = modules
+    let layer_of: HashMap<&str, usize> = modules
         .flat_map(|(layer, modules)| modules.iter().map(move |module| (*module, layer)))
         .collect();
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
@@ -70,7 +70,7 @@ fn every_room_imports_from_lower_floors_only() {
         if module == "lib" {
             continue;
         }
-        let layer = *floor_of
+        let layer = *layer_of
             .get(&*module)
             .unwrap_or_else(|| panic!("{module} is on no layer"));
         let text = fs::read_to_string(&path).expect("it can be read");
@@ -79,7 +79,7 @@ fn every_room_imports_from_lower_floors_only() {
             .filter(|line| !line.trim_start().starts_with("//"))
             .collect();
         for other in imported(&code.join("\n")) {
-            let Some(below) = floor_of.get(other).filter(|_| other != module) else {
+            let Some(below) = layer_of.get(other).filter(|_| other != module) else {
                 continue;
             };
             assert!(*below > layer, "{} imports {other}", path.display());

@@ -57,7 +57,7 @@ impl ReplayOptions {
             Some(Output::Stdout) if self.hash => Err(Failure::Usage(anyhow!(
                 "standard output takes the hashes; give -o a file, ./- is one of that name"
             ))),
-            Some(output) => options::keep(&self.log, "recording", output),
+            Some(output) => options::refuse_to_replace(&self.log, "recording", output),
             None => Ok(()),
         }
     }
@@ -107,7 +107,7 @@ pub struct TradeOptions {
     /// Measures time against pixels, lights, cuboids and threads instead
     #[arg(long)]
     pub scale: bool,
-    /// Times this batch, of the scene on standard input, and prints its times: what `trade` has processes of its own do
+    /// Times this batch of the scene on standard input and prints the times; `trade` calls itself so
     #[arg(long, hide = true)]
     pub batch: Option<usize>,
 }

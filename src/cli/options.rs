@@ -20,7 +20,7 @@ use crate::scene::{self, LightChoice, Scene, SceneError};
 use crate::shading::MIN_TOLERANCE;
 use crate::simd;
 
-/// The error allowed where none is named, in levels: no picture differs by more than one from its exact twin.
+/// The error allowed where none is named, in levels: it changes a byte by one at most.
 const DEFAULT_TOLERANCE: f64 = 0.5;
 
 /// What to draw and how, as the command line says it.
@@ -79,7 +79,7 @@ impl DrawingOptions {
         if let (Some(scene), Some(output)) = (&self.scene, output)
             && !scene::is_built_in(scene)
         {
-            keep(scene, "scene", output)?;
+            refuse_to_replace(scene, "scene", output)?;
         }
         self.open()
     }
@@ -138,7 +138,7 @@ impl DrawingOptions {
 ///
 /// # Errors
 /// [`Failure::Usage`] when that is the same file.
-pub fn keep(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
+pub fn refuse_to_replace(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
     let Output::File(file) = output else {
         return Ok(());
     };

@@ -109,8 +109,8 @@ impl Band<'_> {
         (above, below)
     }
 
-    /// Puts the background back wherever the last frame drew in some rows of the picture, except in one run of every row that the next one draws over:
-    /// all that is seen of a convex body, for its faces meet without a gap.
+    /// Puts the background back wherever the last frame drew in some rows of the picture, except in one run of every row
+    /// that the next one draws over: all that is seen of a convex body, for its faces meet without a gap.
     #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>) {
         let pixel = display_pixel(self.background.to_array());

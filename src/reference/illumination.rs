@@ -18,7 +18,8 @@ use super::vector::Vector;
 use crate::components::{Light, LightKind, Material, Mesh};
 
 /// Which tied gates are open, one bit for each corner of a triangle under Gouraud, for each specular light (by its number
-/// modulo [`TIES`]) elsewhere.
+/// modulo [`TIES`]) elsewhere. Lights that share a bit are taken to be open together: where more than that are tied at one
+/// point, which takes lights in one plane with it, not every legal picture is enclosed.
 pub type Open = usize;
 
 /// The bits of [`Open`].

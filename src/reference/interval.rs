@@ -156,7 +156,7 @@ impl Real for Interval {
         }
     }
 
-    /// That there is no number in both is a contradiction, of which nothing follows.
+    /// Disjoint intervals give all numbers, which decides nothing.
     fn both(self, other: Self) -> Self {
         Interval::new(self.least.max(other.least), self.largest.min(other.largest))
     }

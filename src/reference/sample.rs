@@ -56,7 +56,7 @@ pub struct LightSample {
     pub phong: DVec3,
 }
 
-/// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; `None` is background, or outside of it.
+/// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; which must lie in it; `None` is background.
 pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
     let reference = Reference::new(world, view);
     let cuboids: Vec<_> = reference.cuboids.iter().collect();

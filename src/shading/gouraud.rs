@@ -75,8 +75,8 @@ impl<'a> Gouraud<'a> {
             ]
         });
         let across = scaled(diagonal.centre, diagonal.dx, diagonal.dy);
-        let sway = across[1].abs() + across[2].abs();
-        let (first, second) = (across[0].simd_ge(sway), across[0].simd_le(-sway));
+        let change = across[1].abs() + across[2].abs();
+        let (first, second) = (across[0].simd_ge(change), across[0].simd_le(-change));
         let zero = Lanes::splat(simd, 0.0);
         let node = |index: usize| NODE * (index as f64 - 1.0);
         let inverses: Nine<S> =
@@ -132,18 +132,18 @@ impl<'a> Gouraud<'a> {
         } = self.face;
         let ([x, y], half) = (region.middle(), region.square.half());
         let scale = 1.0 / w.at(x, y);
-        let reach = |dx: f64, dy: f64| (dx.abs() * half[0] + dy.abs() * half[1]) * scale;
+        let change = |dx: f64, dy: f64| (dx.abs() * half[0] + dy.abs() * half[1]) * scale;
         let before = diagonal.at(x, y) * scale;
         let mut largest = 0.0_f64;
         let middle = colors.at(x, y);
         for channel in 0..3 {
-            let sway = reach(colors.dx[channel], colors.dy[channel]);
-            let fold = fold[channel].abs() * (before.abs() + reach(diagonal.dx, diagonal.dy));
-            largest = largest.max((middle[channel] * scale).abs() + sway + fold);
+            let moved = change(colors.dx[channel], colors.dy[channel]);
+            let fold = fold[channel].abs() * (before.abs() + change(diagonal.dx, diagonal.dy));
+            largest = largest.max((middle[channel] * scale).abs() + moved + fold);
         }
         let rounding = ROUNDING * largest;
         if !(self.face.is_steady_on([x, y], half)
-            && reach(w.dx, w.dy) < 0.5
+            && change(w.dx, w.dy) < 0.5
             && rounding <= limit(self.tolerance))
         {
             return None;
@@ -156,7 +156,7 @@ impl<'a> Gouraud<'a> {
                 .map(|channel| affine(middle[channel], colors.dx[channel], colors.dy[channel])),
             beyond: affine(-diagonal.at(x, y), -diagonal.dx, -diagonal.dy),
             fold: fold.as_vec3().to_array(),
-            folded: before < reach(diagonal.dx, diagonal.dy),
+            folded: before < change(diagonal.dx, diagonal.dy),
             w: affine(w.at(x, y), w.dx, w.dy),
         };
         let evaluate = inlined!(|place: [f32x16<S>; 2]| quotient.at(place));

@@ -156,7 +156,7 @@ fn list_seen(listed: &mut Listed, square: &Square, spans: &Spans, piece: &Piece,
     }
 }
 
-/// What shades a face: the one place where the mode is asked.
+/// What shades a face, by the mode of its cuboid.
 fn shader<'a>(
     list: &'a DrawList,
     object: &'a Object,
@@ -209,7 +209,7 @@ fn shader<'a>(
     }
 }
 
-/// Clears the rows of a strip that are in a band, and finds what is seen of each piece there where the band has room to say so.
+/// Clears the rows of a strip that are in a band, and writes the id of the piece seen at each pixel, if the band keeps ids.
 #[inline(always)]
 fn prepare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, lens: &Lens) {
     let deep = !band.depths.is_empty();

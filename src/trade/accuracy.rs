@@ -13,11 +13,11 @@ use std::collections::{HashMap, HashSet};
 use glam::DVec3;
 use serde::Serialize;
 
-use super::TradeError;
 use super::error_map::ErrorMap;
 use super::flip;
 use super::metrics::{self, Error, Picture};
 use super::record::error_keys;
+use super::{IsCancelled, TradeError};
 use crate::components::{Light, LightKind, ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory::{self, OutOfMemory};
@@ -52,9 +52,9 @@ pub struct PhongError {
     pub flip_mean: Option<f64>,
 }
 
-/// What a pixel takes at most while pictures are compared, in bytes: three truths of 28, a frame with depths of 24, two lists
+/// What a pixel takes at most while pictures are compared, in bytes: three truths of 28, a frame with depths of 25, two lists
 /// of errors of 16, and a map of 1 for every method.
-const BYTES_PER_PIXEL: usize = 3 * 28 + 24 + 2 * 16 + METHODS.len();
+const BYTES_PER_PIXEL: usize = 3 * 28 + 25 + 2 * 16 + METHODS.len();
 
 /// Whether there is room to compare pictures of this size.
 ///
@@ -76,7 +76,7 @@ pub(super) fn of_methods(
     scene: &mut Scene,
     view: &View,
     workers: Workers,
-    cancelled: &(dyn Fn() -> bool + Sync),
+    cancelled: IsCancelled,
     on_progress: &(dyn Fn(f64) + Sync),
 ) -> Result<Vec<Accuracy>, TradeError> {
     let [_, height] = view.size;

@@ -172,8 +172,7 @@ pub(crate) fn stages(report: &Report) -> String {
 fn legend() -> String {
     format!(
         "ms: the median time of a whole frame. \u{b1}: the farther end of its interval, which spans the medians of the run's \
-         {BATCHES} batches; times whose intervals overlap are not told apart, and another run may differ by more where the \
-         machine does. ns/px: ms for each covered pixel. max, RMSE: error in levels of 255 against exact Phong in f64. FLIP: \
+         {BATCHES} batches, each timed by a process of its own; times whose intervals overlap are not told apart. ns/px: ms for each covered pixel. max, RMSE: error in levels of 255 against exact Phong in f64. FLIP: \
          its mean at {:.0} pixels per degree. own: largest error against the method's own definition. kept: how much of the \
          highlight of exact Phong in f64 is shown where it belongs. front: nothing beats it in error and time both.",
         flip::PIXELS_PER_DEGREE

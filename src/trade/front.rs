@@ -6,8 +6,8 @@
 //!       |        o      x
 //!       +---------------- time
 //! ```
-//! Rule: noise takes no method off the front. It takes another that errs no more and is measurably faster, or one that
-//! takes no longer and errs less.
+//! Rule: a method is off the front if another errs less and its median time is no longer, or errs as much and is measurably
+//! faster.
 
 use super::record::Measurement;
 

@@ -9,7 +9,7 @@
 use serde::Serialize;
 
 use crate::frame::{Frame, NO_TRIANGLE, face};
-use crate::reference::Truth;
+use crate::reference::{Interval, Real, Truth};
 
 /// A picture to compare, row by row from the top.
 #[derive(Clone, Copy, Debug)]
@@ -77,6 +77,23 @@ pub fn displayed(level: f64) -> f64 {
     } else {
         level.clamp(0.0, 255.0)
     }
+}
+
+/// The displayed endpoints of levels, by channel: they are the same where a level is one number.
+pub fn ends<R: Real>(levels: [R; 3]) -> [[f64; 2]; 3] {
+    levels.map(|level| level.endpoints().map(displayed))
+}
+
+/// The least and the largest difference of two enclosures, over the channels; rounded outwards.
+pub fn difference(left: &[[f64; 2]; 3], right: &[[f64; 2]; 3]) -> [f64; 2] {
+    let mut largest = [0.0_f64; 2];
+    for (left, right) in left.iter().zip(right) {
+        let [left, right] = [left, right].map(|[least, most]| Interval::new(*least, *most));
+        let [below, above] = (left - right).endpoints();
+        let [least, most] = [below.max(-above), above.max(-below)];
+        largest = [largest[0].max(least), largest[1].max(most)];
+    }
+    largest
 }
 
 /// The error of one pixel in levels, 0..=255.

@@ -18,7 +18,8 @@ use super::timing::Batch;
 use super::{IsCancelled, Request, TradeError, time_batch};
 use crate::output::Output;
 
-/// Has a process of its own time a batch of the `trade` that this process was called for.
+/// Runs this program as `trade --batch N` with the arguments it was called with and the request's scene, and returns the times
+/// it prints. All of the request but the scene is in the arguments.
 ///
 /// # Errors
 /// When that cannot be started, or could not measure.

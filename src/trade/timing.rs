@@ -1,8 +1,9 @@
 //! Frames drawn by the clock in, robust statistics of their times out.
 //!
-//! A run has [`BATCHES`]; each starts with a new frame and a new copy of the scene, and the command `trade` has each timed by a
-//! process of its own, so that what varies between runs varies between batches too. In a batch the methods take turns in random order, so that a slow moment of the machine
-//! meets all alike. The first frame of a turn warms caches and branch predictors and is not timed.
+//! A run has [`BATCHES`]; each starts with a new frame and a new copy of the scene, and the command `trade` has each timed
+//! by a process of its own, so that what varies between runs varies between batches too. In a batch the methods take turns
+//! in random order, so that a slow moment of the machine meets all alike. The first frame of a turn warms caches and branch
+//! predictors and is not timed.
 //!
 //! ```text
 //! batch 1   turn 1   - C C C   - A A A   - B B B        - is not timed

@@ -58,12 +58,14 @@ pub fn measurement(
             id,
             mode,
             tolerance,
-            help: "",
         },
         threads: 1,
         timing: timing(median),
         ns_per_covered_pixel: Some(median * 1e6 / 1000.0),
-        stages: vec![("clear", 0.25 * median), ("rasterization", 0.75 * median)],
+        stages: vec![
+            ("lighting", 0.25 * median),
+            ("rasterization", 0.75 * median),
+        ],
         counts: Counts {
             covered_pixels: 1000,
             model_evaluations: 8,

@@ -3,7 +3,7 @@
 use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::trade::error_map::ErrorMap;
 use shadetrade::trade::flip;
-use shadetrade::trade::metrics::{Difference, Error, Picture, compare, pixel_error};
+use shadetrade::trade::metrics::{Difference, Error, Picture, compare, difference, pixel_error};
 
 const GRAY: [f64; 3] = [100.0; 3];
 
@@ -301,4 +301,24 @@ fn flip_takes_its_mean_row_by_row_where_the_triangle_ends_at_another_column() {
     };
     assert_eq!(mean(32), 0.0);
     assert!(mean(0) > 0.01);
+}
+
+#[test]
+fn a_difference_is_at_least_the_gap_and_at_most_the_span() {
+    for (left, right, known) in [
+        ([0.0, 1.0], [3.0, 4.5], [2.0, 4.5]),
+        ([3.0, 4.5], [0.0, 1.0], [2.0, 4.5]),
+        ([0.0, 10.0], [5.0, 20.0], [0.0, 20.0]),
+        ([5.0, 6.0], [0.0, 20.0], [0.0, 15.0]),
+        ([7.0, 7.0], [7.0, 7.0], [0.0, 0.0]),
+    ] {
+        let found = difference(&[left; 3], &[right; 3]);
+        assert_eq!(found, known, "{left:?} {right:?}");
+    }
+    // The channel that differs most decides.
+    let channels = [[1.0, 1.0], [1.0, 1.0], [6.0, 7.0]];
+    assert_eq!(difference(&[[1.0; 2]; 3], &channels), [5.0, 6.0]);
+    // 0.1 - 0.7 is no float: the floats on both sides of it are given.
+    let [least, most] = difference(&[[0.1; 2]; 3], &[[0.7; 2]; 3]);
+    assert_eq!(least.next_up().next_up(), most);
 }
