@@ -70,7 +70,7 @@ fn window_after(actions: Vec<Action>) -> anyhow::Result<Vec<u32>> {
     composition.draw(&mut session, size)?;
     composition.time(&mut session)?;
     let mut snapshot = session.snapshot(size);
-    if let Some(result) = examine(&mut snapshot, Level::new(), &|| false) {
+    if let Some(result) = examine(&mut snapshot, Level::new(), &|| false)? {
         session.on_progress(snapshot.revision, Progress::Examined(result));
         let (world, view) = (&mut snapshot.scene.world, &snapshot.view);
         if let Some(proof) = prove(world, view, Level::new(), &|| false, &|_| ())? {

@@ -7,7 +7,7 @@ use fearless_simd::Level;
 use super::session::Snapshot;
 use crate::components::ShadingMode;
 use crate::frame::{Frame, Keep, Workers, display_pixel};
-use crate::memory;
+use crate::memory::{self, OutOfMemory};
 use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
 use crate::reference;
 use crate::systems;
@@ -40,39 +40,47 @@ pub struct ReferenceResult {
     pub proof: Option<Proof>,
 }
 
-/// Compares the picture with the reference; `None` as soon as `cancelled` says yes, or where memory does not suffice.
+/// Compares the picture with the reference; `None` as soon as `cancelled` says yes.
+///
+/// # Errors
+/// When memory does not suffice.
 pub fn examine(
     Snapshot { scene, view, .. }: &mut Snapshot,
     level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
-) -> Option<ReferenceResult> {
+) -> Result<Option<ReferenceResult>, OutOfMemory> {
     let [_, height] = view.size;
     let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
     let phong = view.shaded(ShadingMode::Phong);
-    let mut reference = memory::reserve_pixels(view.size).ok()?;
-    let mut pixels = memory::reserve_pixels(view.size).ok()?;
+    let mut reference = memory::reserve_pixels(view.size)?;
+    let mut pixels = memory::reserve_pixels(view.size)?;
     let modes = scene.world.query_mut::<&ShadingMode>();
     let is_phong = modes.into_iter().all(|mode| *mode == ShadingMode::Phong);
     let (mut errors, mut own_errors) = (Sum::default(), Sum::default());
     for start in (0..height).step_by(BAND) {
         let rows = start..(start + BAND).min(height);
-        systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame).ok()?;
+        systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame)?;
         let truth = |view| {
             let rows = rows.clone();
             reference::picture(&scene.world, view, rows, cancelled, &|_| ())
         };
-        let exact = truth(&phong)?;
+        let Some(exact) = truth(&phong) else {
+            return Ok(None);
+        };
         let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
         errors.add(&metrics::compare(drawn, compared));
         if !is_phong {
-            own_errors.add(&metrics::compare(drawn, Picture::from(&truth(view)?)));
+            let Some(own) = truth(view) else {
+                return Ok(None);
+            };
+            own_errors.add(&metrics::compare(drawn, Picture::from(&own)));
         }
         pixels.extend(error_map::compared(drawn, compared));
         reference.extend(exact.levels.iter().copied().map(display_pixel));
     }
     let errors = errors.statistics();
     let scale = Scale::holding(errors.map_or(0.0, |errors| errors.max));
-    Some(ReferenceResult {
+    Ok(Some(ReferenceResult {
         reference,
         error_map: pixels.into_iter().map(|it| scale.color(it)).collect(),
         scale,
@@ -83,7 +91,7 @@ pub fn examine(
             own_errors.statistics()
         },
         proof: None,
-    })
+    }))
 }
 
 impl ReferenceResult {

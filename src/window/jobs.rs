@@ -33,6 +33,8 @@ pub enum Progress {
     Examined(ReferenceResult),
     /// The proof for that result.
     Proven(Proof),
+    /// Why the picture was not compared, or not proven.
+    NotExamined(String),
     Measuring(&'static str, f64),
     Measured(Box<Report>),
     /// How much is known of what the scene requires, 0..=1.
@@ -123,13 +125,14 @@ fn work(
             // The window does it, which has the frame.
             Request::Time => {}
             Request::Examine => {
-                let Some(result) = examine(&mut snapshot, level, &is_cancelled) else {
-                    return;
-                };
-                tell(Progress::Examined(result));
-                let (world, view) = (&mut snapshot.scene.world, &snapshot.view);
-                if let Ok(Some(proof)) = prove(world, view, level, &is_cancelled, &|_| ()) {
-                    tell(Progress::Proven(proof));
+                let examined = examine(&mut snapshot, level, &is_cancelled).and_then(|result| {
+                    result.map(Progress::Examined).into_iter().for_each(&tell);
+                    let (world, view) = (&mut snapshot.scene.world, &snapshot.view);
+                    prove(world, view, level, &is_cancelled, &|_| ())
+                });
+                match examined {
+                    Ok(proof) => proof.map(Progress::Proven).into_iter().for_each(&tell),
+                    Err(full) => tell(Progress::NotExamined(full.to_string())),
                 }
             }
             Request::Require => {
@@ -148,7 +151,9 @@ fn work(
                 let request = measurement(snapshot, level);
                 tell(match trade::measure(request, &is_cancelled, &on_progress) {
                     Ok(report) => Progress::Measured(Box::new(report)),
-                    Err(error) => Progress::NotMeasured(error.to_string()),
+                    Err(error) => {
+                        Progress::NotMeasured(format!("{:#}", anyhow::Error::from(error)))
+                    }
                 });
             }
         });

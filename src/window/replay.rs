@@ -6,7 +6,6 @@
 use std::io::{self, Write};
 use std::time::Duration;
 
-use anyhow::Context;
 use fearless_simd::Level;
 
 use super::composition::Composition;
@@ -79,10 +78,10 @@ impl Player {
         let state = &self.session.state;
         if (state.mode.compares() || state.shows_reference) && self.session.reference.is_none() {
             let mut snapshot = self.session.snapshot(self.size);
-            let result = examine(&mut snapshot, self.level, &|| false)
-                .context("memory does not suffice for the reference")?;
-            let progress = Progress::Examined(result);
-            self.session.on_progress(snapshot.revision, progress);
+            if let Some(result) = examine(&mut snapshot, self.level, &|| false)? {
+                let progress = Progress::Examined(result);
+                self.session.on_progress(snapshot.revision, progress);
+            }
         }
         self.composition.compose(&self.session, &mut self.picture);
         let hud = Hud::new(&self.session, self.size);

@@ -216,6 +216,10 @@ impl Session {
                 self.measuring = Measuring::Off;
                 self.say(format!("not measured: {reason}"));
             }
+            Progress::NotExamined(reason) => {
+                self.requires = None;
+                self.say(format!("not compared with the reference: {reason}"));
+            }
             Progress::Requiring(share) => {
                 if let Some(requires) = &mut self.requires {
                     requires.share = share;

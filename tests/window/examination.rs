@@ -9,6 +9,7 @@ use shadetrade::frame::Workers;
 use shadetrade::prove::{Proof, REFUTED, UNDECIDED, Verdict, prove};
 use shadetrade::systems;
 use shadetrade::trade::error_map;
+use shadetrade::window::bindings::Action;
 use shadetrade::window::examination::{Errors, ReferenceResult, examine};
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Part};
@@ -22,7 +23,9 @@ use super::{default_session, press};
 const SMALL: [usize; 2] = [96, 80];
 
 fn found(mut request: Snapshot) -> ReferenceResult {
-    examine(&mut request, Level::new(), &|| false).expect("nobody cancels it")
+    examine(&mut request, Level::new(), &|| false)
+        .expect("it fits")
+        .expect("nobody cancels it")
 }
 
 fn proof(mut request: Snapshot) -> Proof {
@@ -242,12 +245,24 @@ fn where_nothing_is_drawn_there_is_no_error() {
 }
 
 #[test]
+fn what_could_not_be_compared_is_said_and_nothing_waits_for_it() {
+    let mut session = default_session();
+    session.apply(Action::Requires);
+    assert!(session.requires.is_some());
+    let told = Progress::NotExamined("too large".to_owned());
+    session.on_progress(session.revision, told);
+    assert!(session.requires.is_none());
+    let (message, _) = session.state.message.as_ref().expect("it is said");
+    assert!(message.contains("too large"), "{message}");
+}
+
+#[test]
 fn an_examination_stops_as_soon_as_it_is_cancelled() {
     let session = default_session();
     let asked = AtomicUsize::new(0);
     let cancelled = || asked.fetch_add(1, Ordering::Relaxed) >= 3;
     assert_eq!(
-        examine(&mut session.snapshot(SMALL), Level::new(), &cancelled),
+        examine(&mut session.snapshot(SMALL), Level::new(), &cancelled).expect("it fits"),
         None
     );
 }

@@ -13,7 +13,7 @@ use shadetrade::window::examination::examine;
 use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{self, Part as BoardPart};
 use shadetrade::window::jobs::Progress;
-use shadetrade::window::session::{Request, Session};
+use shadetrade::window::session::{Measuring, Request, Session};
 
 use super::{SIZE, default_session, press};
 
@@ -25,6 +25,7 @@ fn rest(session: &mut Session) -> Vec<Request> {
     session.take_requests();
     let mut request = session.snapshot(SMALL);
     let result = examine(&mut request, Level::new(), &|| false).expect("a small picture fits");
+    let result = result.expect("nobody cancels it");
     session.on_progress(request.revision, Progress::Examined(result));
     session.tick(Duration::from_secs(2));
     assert_eq!(session.take_requests(), [], "the proof comes first");
@@ -99,6 +100,14 @@ fn the_board_ranks_the_parts_and_a_row_shows_the_picture_without_its_part() {
     session.apply(Action::LeaveOut(row));
     composition.compose(&session, &mut seen);
     assert_eq!(seen, whole);
+
+    // A measurement that runs is cancelled by the picture without a part, and ends.
+    session.apply(Action::Measure);
+    session.apply(Action::LeaveOut(row));
+    assert!(matches!(session.measuring, Measuring::Off));
+    let asked = session.take_requests();
+    assert_eq!(asked, [Request::LeaveOut(Part::Light(light))]);
+    session.apply(Action::LeaveOut(row));
 
     // The picture without a light is the one with that light off, to a byte.
     session.apply(Action::Light(light));

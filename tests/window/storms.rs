@@ -225,7 +225,7 @@ impl Window {
                 if let Some(mut asked) = self.asked.take() {
                     let result = examine(&mut asked, Level::new(), &|| false);
                     let result = result.expect("a small picture fits");
-                    let progress = Progress::Examined(result);
+                    let progress = Progress::Examined(result.expect("nobody cancels it"));
                     self.session.on_progress(asked.revision, progress);
                 }
             }

@@ -189,10 +189,14 @@ impl Session {
         };
         let is_left_out = requires.left_out == Some(index);
         let part = requires.parts.get(index).filter(|_| !is_left_out);
+        let request = part.map(|it| Request::LeaveOut(it.part));
         requires.left_out = part.map(|_| index);
         requires.picture = None;
-        self.requests
-            .extend(part.map(|it| Request::LeaveOut(it.part)));
+        if request.is_some() && matches!(self.measuring, Measuring::Running(..)) {
+            // Its job is cancelled by this one.
+            self.stop_measuring();
+        }
+        self.requests.extend(request);
     }
 
     /// Ends a measurement or closes its table.
