@@ -8,7 +8,7 @@
 //!
 //! Actions --recording--> a log --replay--> the same session, composition and hud without a display
 //! ```
-//! Only [`display`] with `full_screen`, [`jobs`] and [`run`] need a display or threads; all else is tested without. Rule: nothing is drawn while
+//! Only [`display`] with `full_screen`, and [`run`], need a display; all else is tested without. Rule: nothing is drawn while
 //! nothing changes, and what the user does shows within a sixtieth of a second.
 
 pub mod bindings;
@@ -39,6 +39,7 @@ use std::time::{Duration, Instant};
 use anyhow::Context;
 
 use crate::drawing::Drawing;
+use crate::frame::Workers;
 use crate::output;
 use crate::scene::Scene;
 use bindings::Action;
@@ -69,7 +70,7 @@ const PRESENT_SHARE: u32 = 200;
 /// # Errors
 /// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, or memory does not suffice.
 pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
-    let (size, level, workers) = (drawing.size, drawing.level, drawing.workers()?);
+    let (size, level, threads) = (drawing.size, drawing.level, drawing.threads);
     let watch = drawing.scene.path.clone().map(Watch::new);
     let mut start = Start::new(&drawing);
     let session = Session::new(drawing);
@@ -77,6 +78,7 @@ pub fn run(drawing: Drawing, log: Option<&Path>) -> anyhow::Result<()> {
     let title = title(&session, &hud);
     start.size = hud.picture.size();
     let display = Display::open(&title, size)?;
+    let workers = Workers::new(threads, level).context("cannot start the threads that draw")?;
     let recorder = log.map(|path| Recorder::create(path, &start)).transpose();
     let window = Window {
         display,

@@ -1,7 +1,7 @@
 //! What the user can do, and the one table that says by which key: [`BINDINGS`].
 //!
-//! Key handling, the panel and the help overlay are generated from the table, so none of them can know a command that
-//! the others do not. A new command is one variant of [`Action`], one row of the table and one arm where it is applied.
+//! Key handling, the help and the rows of the panel are generated from the table, so no key can do what the help does not
+//! tell. The mouse and typed digits are not in it. A new command is one variant of [`Action`], one row of the table and one arm where it is applied.
 
 use minifb::Key;
 use serde::{Deserialize, Serialize};

@@ -169,7 +169,7 @@ impl Input {
         self.press.is_some() || self.held.iter().any(|held| held.repeating().is_some())
     }
 
-    /// Forgets those keys; returns what ends with them: there is one key of that kind, so it is one thing.
+    /// Forgets those keys; returns what ends with them. Only B has such an action, so at most one is returned.
     fn release(&mut self, of: impl Fn(&Held) -> bool) -> Option<Gesture> {
         let released = self.held.extract_if(.., |held| of(held));
         let ends = released.filter_map(|held| held.binding?.on_release).last();

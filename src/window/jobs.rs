@@ -4,7 +4,7 @@
 //! Window --submit, cancel--> Jobs --one job at a time--> thread, with a pool --Progress--> Session
 //! ```
 //! Rule: a job cancels the one before it, and begins when that has ended, so that nothing runs beside a measurement.
-//! What is cancelled ends within a row of the picture or a frame, and is not heard of again.
+//! What is cancelled ends within a row of the picture, a frame, or the comparison of one, and is not heard of again.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -59,7 +59,8 @@ pub struct Jobs {
 }
 
 impl Jobs {
-    /// Starts the thread and the pool that it works with; one core is left for the window.
+    /// Starts the thread and the pool that it works with; one core is left for the window,
+    /// but for the reference of a measurement.
     ///
     /// # Errors
     /// When the system gives no threads.

@@ -46,7 +46,7 @@ pub struct Start {
 }
 
 impl Start {
-    /// On `drawing`, with no room taken from its picture.
+    /// On `drawing`, of its size: the window sets that to what the panel leaves.
     pub fn new(drawing: &Drawing) -> Self {
         Start {
             name: drawing.scene.name.clone(),

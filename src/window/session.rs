@@ -1,7 +1,7 @@
 //! The state behind the window: a [`Scene`], what the user has done to it ([`Action`]s), and the [`View`] that follows.
 //!
-//! Rule: nothing here knows pixels, keys or clocks; the time is told by [`Session::tick`], so that everything can be
-//! tested without a display.
+//! Rule: nothing here draws, reads keys or asks a clock; [`Session::tick`] tells the time, so that everything can be tested
+//! without a display.
 
 mod actions;
 mod editing;

@@ -30,7 +30,7 @@ impl Session {
         }
     }
 
-    /// Does what the user wants; what cannot be done says so for two seconds.
+    /// Does what the user wants; what cannot be done says so.
     #[expect(clippy::too_many_lines, reason = "one arm for each command")]
     pub fn apply(&mut self, action: Action) {
         match self.resolved(action) {

@@ -1,6 +1,6 @@
 //! The table of bindings and the session's state -> commands as they are shown.
 //!
-//! Rule: a command is shown with every key that calls it up and with its present state.
+//! Rule: a command is shown with its present state and its keys: all of them in the help, the first in the panel.
 
 use glam::DVec3;
 
