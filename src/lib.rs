@@ -193,6 +193,7 @@ pub mod extremes;
 pub mod frame;
 pub mod memory;
 pub mod output;
+pub mod paint;
 pub mod pictures;
 pub mod probe;
 pub mod prove;
