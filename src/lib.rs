@@ -204,4 +204,3 @@ pub mod shading;
 pub mod simd;
 pub mod systems;
 pub mod trade;
-pub mod window;

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use super::sheet::{Cell, Picture, half, sheet};
-use crate::components::ShadingMode;
+use crate::components::{ShadingMode, View};
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
@@ -111,11 +111,11 @@ fn draw(
     lights: &str,
     frame: &mut Frame,
 ) -> Result<Picture> {
-    let camera = scene
-        .find_camera(camera)
-        .context("the built-in scene lacks a camera")?;
+    scene.look_from(camera)?;
     scene.switch_lights(&lights.parse::<LightChoice>()?)?;
-    let view = scene.view(camera, SIZE).shaded(mode);
+    let view = View::of(&scene.world, SIZE)
+        .shaded(mode)
+        .with_tolerance(0.0);
     systems::draw(&mut scene.world, &view, frame)?;
     Ok(Picture {
         size: SIZE,
