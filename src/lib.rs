@@ -204,3 +204,4 @@ pub mod shading;
 pub mod simd;
 pub mod systems;
 pub mod trade;
+pub mod window;

@@ -30,7 +30,7 @@ use crate::output::{encode_png, write_numbered};
 use crate::paint::{Painter, area};
 use crate::prove::Proof;
 use crate::requires::{Part, PartChange};
-use crate::scene::{Scene, SceneRecord};
+use crate::scene::{Scene, SceneRecord, ViewRecord};
 use crate::trade::Report;
 
 /// The time without a change after which the picture is timed and compared.
@@ -40,6 +40,8 @@ const DEGREE: Duration = Duration::from_millis(30);
 /// The time for which a message stands: at least this, and this long for each letter.
 const MESSAGE: Duration = Duration::from_secs(3);
 const LETTER: Duration = Duration::from_millis(60);
+/// How often the progress of a job is shown.
+const PROGRESS: Duration = Duration::from_millis(200);
 
 /// The answers about the present picture, as far as they are known.
 #[derive(Default)]
@@ -72,6 +74,8 @@ pub struct Desk {
     /// Exact Phong is shown while a key is held.
     pub shows_exact: bool,
     pub left_out: Option<Part>,
+    /// The window, or the picture alone, is to be written into a file.
+    pub screenshot: Option<bool>,
     pub measures: bool,
     /// Asks whether to save before the program ends.
     pub asks_to_save: bool,
@@ -114,6 +118,7 @@ pub struct App {
     /// When the picture last changed, until its frames are timed.
     untimed: Option<Duration>,
     next_degree: Duration,
+    next_progress: Duration,
     drawn: Option<(Arc<SceneRecord>, [usize; 2])>,
 }
 
@@ -161,6 +166,7 @@ impl App {
             threads,
             untimed: None,
             next_degree: Duration::ZERO,
+            next_progress: Duration::ZERO,
             drawn: None,
         })
     }
@@ -199,19 +205,34 @@ impl App {
         &self.pixels
     }
 
-    /// Whether a step is due though no event has come.
-    pub fn is_due(&mut self) -> bool {
-        self.jobs.as_ref().is_some_and(Jobs::has_answers)
+    /// Takes the answers of the jobs; whether the window shows something new by them.
+    pub fn receive(&mut self, now: Duration) -> bool {
+        let answers = self.jobs.as_ref().map_or_else(Vec::new, Jobs::answers);
+        let mut is_new = false;
+        for answer in answers {
+            // Laying out takes time from what is measured.
+            let is_progress = matches!(answer, Answer::Progress(..));
+            is_new |= !is_progress || now >= self.next_progress;
+            self.take(answer);
+        }
+        if is_new {
+            self.next_progress = now + PROGRESS;
+        }
+        is_new
     }
 
     /// Lets the events of `input` happen, in pixels of a window of `size`, and draws what is seen then.
     ///
     /// # Errors
     /// When the picture does not fit in memory.
-    pub fn step(&mut self, now: Duration, size: [usize; 2], mut input: egui::RawInput) -> anyhow::Result<Output> {
+    pub fn step(
+        &mut self,
+        now: Duration,
+        size: [usize; 2],
+        mut input: egui::RawInput,
+    ) -> anyhow::Result<Output> {
         self.now = now;
-        let answers = self.jobs.as_ref().map_or_else(Vec::new, Jobs::answers);
-        answers.into_iter().for_each(|answer| self.take(answer));
+        self.receive(now);
         self.spin_on();
         if let Some(news) = self.file.look(now) {
             self.take_news(news);
@@ -229,6 +250,10 @@ impl App {
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
         let mut repaint_after = viewport.map_or(Duration::MAX, |it| it.repaint_delay);
         self.painter.paint(output, &mut self.pixels, size);
+        if let Some(window) = self.desk.screenshot.take() {
+            self.screenshot(window, size);
+            repaint_after = Duration::ZERO;
+        }
         if self.untimed.is_some() {
             repaint_after = repaint_after.min(REST);
         }
@@ -238,10 +263,13 @@ impl App {
         if self.file.path.is_some() {
             repaint_after = repaint_after.min(Duration::from_millis(200));
         }
-        let copied = platform.commands.into_iter().filter_map(|command| match command {
-            OutputCommand::CopyText(text) => Some(text),
-            _ => None,
-        });
+        let copied = platform
+            .commands
+            .into_iter()
+            .filter_map(|command| match command {
+                OutputCommand::CopyText(text) => Some(text),
+                _ => None,
+            });
         Ok(Output {
             title: self.title(),
             cursor: platform.cursor_icon,
@@ -267,8 +295,14 @@ impl App {
             let mut record = record.clone();
             record.view = Default::default();
             record.light.iter_mut().for_each(|light| light.on = true);
-            record.cuboid.iter_mut().for_each(|cuboid| cuboid.shading = Default::default());
-            record.camera.iter_mut().for_each(|camera| camera.orbit = Default::default());
+            record
+                .cuboid
+                .iter_mut()
+                .for_each(|cuboid| cuboid.shading = Default::default());
+            record
+                .camera
+                .iter_mut()
+                .for_each(|camera| camera.orbit = Default::default());
             record
         };
         self.state != self.file.saved && edits(&self.state) != edits(&self.file.saved)
@@ -345,7 +379,10 @@ impl App {
     fn draw(&mut self) -> Result<(), OutOfMemory> {
         let (show, view): (Show, View) = (self.look(), self.view());
         let size = view.size;
-        let is_drawn = self.drawn.as_ref().is_some_and(|(state, drawn)| Arc::ptr_eq(state, &self.state) && *drawn == size);
+        let is_drawn = self
+            .drawn
+            .as_ref()
+            .is_some_and(|(state, drawn)| Arc::ptr_eq(state, &self.state) && *drawn == size);
         if !is_drawn {
             if self.drawn.as_ref().is_some_and(|(_, drawn)| *drawn != size) {
                 self.picture_changed();
@@ -353,7 +390,12 @@ impl App {
             self.pictures.draw(&mut self.scene.world, &show, &view)?;
             self.drawn = Some((Arc::clone(&self.state), size));
             self.untimed = Some(self.now);
-        } else if self.shows_times && self.untimed.take_if(|since| self.now >= *since + REST).is_some() {
+        } else if self.shows_times
+            && self
+                .untimed
+                .take_if(|since| self.now >= *since + REST)
+                .is_some()
+        {
             self.pictures.time(&mut self.scene.world, &show, &view)?;
             self.painter.context.request_repaint();
         }
@@ -366,7 +408,10 @@ impl App {
         self.pixels.resize(width * height, 0);
         let show: Show = self.look();
         let [columns, rows] = self.pictures.size();
-        let [exact, error_map] = [self.facts.comparison.current(), self.facts.comparison.current()];
+        let [exact, error_map] = [
+            self.facts.comparison.current(),
+            self.facts.comparison.current(),
+        ];
         let exact = exact.map(|it| it.exact.as_slice());
         let error_map = error_map.map(|it| it.error_map.as_slice());
         let shown = if self.desk.left_out.is_some() {
@@ -377,7 +422,9 @@ impl App {
         } else {
             self.pictures.shown(&show, exact, error_map)
         };
-        let magnifier = self.look::<crate::components::Magnifier>().within([columns, rows]);
+        let magnifier = self
+            .look::<crate::components::Magnifier>()
+            .within([columns, rows]);
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
         let lines = self.pixels.chunks_exact_mut(width).skip(top).take(rows);
@@ -392,7 +439,9 @@ impl App {
                 continue;
             }
             let squares = line.chunks_mut(magnifier.scale);
-            squares.zip(drawn).for_each(|(square, pixel)| square.fill(*pixel));
+            squares
+                .zip(drawn)
+                .for_each(|(square, pixel)| square.fill(*pixel));
         }
     }
 
@@ -405,19 +454,40 @@ impl App {
             || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference)
             || self.desk.shows_exact;
         let probed = self.look::<ProbedPixel>().0;
-        let probed = probed.filter(|pixel| (0..2).all(|axis| pixel[axis] < self.pictures.size()[axis]));
-        let probe = probed.map(Task::Probe).filter(|_| facts.probe.state == State::Idle);
-        let left_out = self.desk.left_out.filter(|_| facts.without.state == State::Idle);
-        let wants = |task, wanted: bool, state: &State| {
-            (wanted && *state == State::Idle).then_some(task)
-        };
+        let probed =
+            probed.filter(|pixel| (0..2).all(|axis| pixel[axis] < self.pictures.size()[axis]));
+        let probe = probed
+            .map(Task::Probe)
+            .filter(|_| facts.probe.state == State::Idle);
+        let left_out = self
+            .desk
+            .left_out
+            .filter(|_| facts.without.state == State::Idle);
+        let wants =
+            |task, wanted: bool, state: &State| (wanted && *state == State::Idle).then_some(task);
         [
             probe,
             left_out.map(Task::LeaveOut),
-            wants(Task::Compare, is_live || shows_reference, &facts.comparison.state),
-            wants(Task::Prove, is_live || tab == Some(Tab::Proof), &facts.proof.state),
-            wants(Task::Require, tab == Some(Tab::Required), &facts.required.state),
-            wants(Task::Measure, is_live && self.desk.measures, &facts.report.state),
+            wants(
+                Task::Compare,
+                is_live || shows_reference,
+                &facts.comparison.state,
+            ),
+            wants(
+                Task::Prove,
+                is_live || tab == Some(Tab::Proof),
+                &facts.proof.state,
+            ),
+            wants(
+                Task::Require,
+                tab == Some(Tab::Required),
+                &facts.required.state,
+            ),
+            wants(
+                Task::Measure,
+                is_live && self.desk.measures,
+                &facts.report.state,
+            ),
         ]
         .into_iter()
         .flatten()
@@ -444,7 +514,9 @@ impl App {
             return Ok(());
         }
         let (tell, answers) = std::sync::mpsc::channel();
-        answer_all(&order, self.level, &|| false, &|answer| drop(tell.send(answer)));
+        answer_all(&order, self.level, &|| false, &|answer| {
+            drop(tell.send(answer))
+        });
         answers.try_iter().for_each(|answer| self.take(answer));
         self.painter.context.request_repaint();
         Ok(())
@@ -481,7 +553,10 @@ impl App {
         match news {
             News::Read(scene) => self.reload(*scene),
             News::Wrong(error) => self.desk.file_error = Some(error),
-            News::Deleted => self.desk.file_error = Some(format!("{} was deleted; the scene stays", self.scene.name)),
+            News::Deleted => {
+                self.desk.file_error =
+                    Some(format!("{} was deleted; the scene stays", self.scene.name))
+            }
         }
     }
 
@@ -491,7 +566,10 @@ impl App {
         let saved = Arc::clone(&self.file.saved);
         let had_edits = self.is_edited();
         if record.view == saved.view {
-            let has_camera = record.camera.iter().any(|it| Some(&it.name) == self.state.view.camera.as_ref());
+            let has_camera = record
+                .camera
+                .iter()
+                .any(|it| Some(&it.name) == self.state.view.camera.as_ref());
             let camera = record.view.camera.clone();
             record.view = self.state.view.clone();
             if !has_camera {
@@ -499,7 +577,13 @@ impl App {
             }
         }
         for camera in &mut record.camera {
-            let named = |records: &SceneRecord| records.camera.iter().find(|it| it.name == camera.name).map(|it| it.orbit);
+            let named = |records: &SceneRecord| {
+                records
+                    .camera
+                    .iter()
+                    .find(|it| it.name == camera.name)
+                    .map(|it| it.orbit)
+            };
             if named(&saved) == Some(camera.orbit) {
                 camera.orbit = named(&self.state).unwrap_or(camera.orbit);
             }
@@ -529,7 +613,10 @@ impl App {
     pub fn rotate(&mut self) {
         let spin: Spin = self.look();
         self.next_degree = self.now + DEGREE;
-        self.set_look(Spin { on: !spin.on, ..spin });
+        self.set_look(Spin {
+            on: !spin.on,
+            ..spin
+        });
     }
 
     /// Saves the scene and says where, or why not.
@@ -543,7 +630,9 @@ impl App {
                 let path = crate::output::quoted(&path.to_string_lossy());
                 self.say(format!("saved {path}"));
                 if let Some(message) = &mut self.desk.message {
-                    message.copy = Some(format!("shadetrade render {path} --size {width}x{height} -o picture.png"));
+                    message.copy = Some(format!(
+                        "shadetrade render {path} --size {width}x{height} -o picture.png"
+                    ));
                 }
                 true
             }
@@ -556,11 +645,12 @@ impl App {
 
     /// Writes edits that nobody saved into a file of their own, which is returned.
     pub fn rescue(&self) -> Option<std::io::Result<PathBuf>> {
-        self.is_edited().then(|| self.file.rescue(&self.state, &self.folder))
+        self.is_edited()
+            .then(|| self.file.rescue(&self.state, &self.folder))
     }
 
     /// Writes the window as it was last seen, or the picture alone, into a new PNG file.
-    pub fn screenshot(&mut self, window: bool, size: [usize; 2]) {
+    fn screenshot(&mut self, window: bool, size: [usize; 2]) {
         let folder: &Path = &self.folder;
         let name = |number| format!("shadetrade-{number:03}.png");
         let (pixels, size) = if window {
@@ -591,14 +681,14 @@ impl Facts {
 /// Whether two states differ in more than in what is shown of the picture.
 fn is_another_picture(before: &SceneRecord, after: &SceneRecord) -> bool {
     let picture = |record: &SceneRecord| {
-        let mut view = record.view.clone();
-        view.show = Default::default();
-        view.sides = Default::default();
-        view.divider = Default::default();
-        view.pixel = None;
-        view.magnifier = Default::default();
-        view.inspector = None;
-        view
+        let view = &record.view;
+        ViewRecord {
+            camera: view.camera.clone(),
+            projection: view.projection,
+            tolerance: view.tolerance,
+            turned: view.turned,
+            ..ViewRecord::default()
+        }
     };
     picture(before) != picture(after)
         || before.background != after.background

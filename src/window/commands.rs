@@ -5,8 +5,8 @@ use egui::{Event, Key, Ui};
 use super::app::App;
 use super::keys::{self, Command, TOLERANCES, gouraud_phong};
 use crate::components::{
-    ActiveCamera, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection, ShadingMode, Show, Side, Spin,
-    Tab, Tolerance, ViewMode, active_camera, get, names, ordered,
+    ActiveCamera, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
+    ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, get, names, ordered,
 };
 
 impl App {
@@ -15,7 +15,14 @@ impl App {
         let has_field = ui.ctx().text_edit_focused();
         let events = ui.input(|input| input.events.clone());
         for event in events {
-            let Event::Key { key, pressed, repeat, modifiers, .. } = event else {
+            let Event::Key {
+                key,
+                pressed,
+                repeat,
+                modifiers,
+                ..
+            } = event
+            else {
                 continue;
             };
             let command = keys::command(key, modifiers);
@@ -25,7 +32,8 @@ impl App {
             let Some(command) = command.filter(|_| pressed) else {
                 continue;
             };
-            let works_in_fields = matches!(command, Command::Save | Command::SaveAs) || is_function(key);
+            let works_in_fields =
+                matches!(command, Command::Save | Command::SaveAs) || is_function(key);
             if (!has_field || works_in_fields) && (!repeat || goes_on(command)) {
                 self.run(command);
             }
@@ -72,7 +80,10 @@ impl App {
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
             Command::Zoom(steps) => self.zoom(steps),
             Command::ResetView => {
-                self.set_look(Spin { degrees: 0, ..self.look() });
+                self.set_look(Spin {
+                    degrees: 0,
+                    ..self.look()
+                });
                 self.set_look(Magnifier::default());
                 self.set_orbit(Orbit::default());
             }
@@ -119,7 +130,12 @@ impl App {
 
     fn shade_as_file(&mut self) {
         for (name, mode) in self.scene.world.query_mut::<(&Name, &mut ShadingMode)>() {
-            let saved = self.file.saved.cuboid.iter().find(|it| it.name.as_str() == name.0);
+            let saved = self
+                .file
+                .saved
+                .cuboid
+                .iter()
+                .find(|it| it.name.as_str() == name.0);
             *mode = saved.map_or(*mode, |saved| saved.shading);
         }
     }
@@ -137,7 +153,10 @@ impl App {
         let Tolerance(present) = self.look();
         let mut tolerances = TOLERANCES.into_iter();
         let (next, end) = if steps > 0 {
-            (tolerances.find(|next| *next > present), "the keys go no coarser")
+            (
+                tolerances.find(|next| *next > present),
+                "the keys go no coarser",
+            )
         } else {
             (tolerances.rfind(|next| *next < present), "exact already")
         };
@@ -193,7 +212,12 @@ impl App {
         self.desk.panel_folded = false;
     }
 
-    fn travel(&mut self, found: Option<(std::sync::Arc<crate::scene::SceneRecord>, String)>, verb: &str, nothing: &str) {
+    fn travel(
+        &mut self,
+        found: Option<(std::sync::Arc<crate::scene::SceneRecord>, String)>,
+        verb: &str,
+        nothing: &str,
+    ) {
         match found {
             Some((record, label)) => {
                 self.restore(&record);
@@ -231,10 +255,16 @@ impl App {
 
 /// Whether a command goes on while its key is held.
 fn goes_on(command: Command) -> bool {
-    matches!(command, Command::Orbit(..) | Command::Zoom(_) | Command::Undo | Command::Redo)
+    matches!(
+        command,
+        Command::Orbit(..) | Command::Zoom(_) | Command::Undo | Command::Redo
+    )
 }
 
 /// Whether a text field has no use for a key.
 fn is_function(key: Key) -> bool {
-    matches!(key, Key::F1 | Key::F2 | Key::F3 | Key::F4 | Key::F5 | Key::F6 | Key::F12)
+    matches!(
+        key,
+        Key::F1 | Key::F2 | Key::F3 | Key::F4 | Key::F5 | Key::F6 | Key::F12
+    )
 }

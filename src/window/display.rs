@@ -118,7 +118,9 @@ impl Display {
                 CursorIcon::Crosshair => CursorStyle::Crosshair,
                 CursorIcon::Grab | CursorIcon::PointingHand => CursorStyle::OpenHand,
                 CursorIcon::Grabbing => CursorStyle::ClosedHand,
-                CursorIcon::ResizeHorizontal | CursorIcon::ResizeColumn => CursorStyle::ResizeLeftRight,
+                CursorIcon::ResizeHorizontal | CursorIcon::ResizeColumn => {
+                    CursorStyle::ResizeLeftRight
+                }
                 CursorIcon::ResizeVertical | CursorIcon::ResizeRow => CursorStyle::ResizeUpDown,
                 _ => CursorStyle::Arrow,
             });
@@ -197,7 +199,11 @@ impl Display {
 
     fn gather_mouse(&mut self, is_dragging: bool) {
         // A drag goes on outside of the window.
-        let mode = if is_dragging { MouseMode::Pass } else { MouseMode::Discard };
+        let mode = if is_dragging {
+            MouseMode::Pass
+        } else {
+            MouseMode::Discard
+        };
         let mouse = self.window.get_mouse_pos(mode).map(Pos2::from);
         if std::mem::replace(&mut self.mouse, mouse) != mouse {
             let event = mouse.map_or(Event::PointerGone, Event::PointerMoved);
@@ -209,7 +215,12 @@ impl Display {
         let Some((_, turned)) = self.window.get_scroll_wheel() else {
             return;
         };
-        self.wheel += turned / if self.is_wayland { WAYLAND_NOTCH } else { X11_NOTCH };
+        self.wheel += turned
+            / if self.is_wayland {
+                WAYLAND_NOTCH
+            } else {
+                X11_NOTCH
+            };
         let notches = self.wheel.trunc();
         if notches != 0.0 {
             self.wheel -= notches;

@@ -83,7 +83,12 @@ impl SceneFile {
     ///
     /// # Errors
     /// When it cannot be written.
-    pub fn save(&mut self, record: &Arc<SceneRecord>, folder: &Path, new: bool) -> anyhow::Result<PathBuf> {
+    pub fn save(
+        &mut self,
+        record: &Arc<SceneRecord>,
+        folder: &Path,
+        new: bool,
+    ) -> anyhow::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
         let path = match &self.path {
             Some(path) if !new => {

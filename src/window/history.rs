@@ -104,7 +104,11 @@ impl Difference {
 /// The first difference among entities of a kind.
 fn entity<T: PartialEq + Serialize>(kind: &str, before: &[T], after: &[T]) -> Option<Difference> {
     if before.len() != after.len() {
-        let verb = if before.len() < after.len() { "added" } else { "removed" };
+        let verb = if before.len() < after.len() {
+            "added"
+        } else {
+            "removed"
+        };
         return Some(Difference {
             subject: format!("{kind} {verb}"),
             value: String::new(),
@@ -126,12 +130,21 @@ fn field(name: &str, before: &Value, after: &Value) -> Difference {
     let key = key.map_or("background", String::as_str);
     let value = match (key, after.get(key)) {
         // A light that is on is the default, which is left out.
-        ("on", value) => if value == Some(&Value::Bool(false)) { "off" } else { "on" }.to_owned(),
+        ("on", value) => if value == Some(&Value::Bool(false)) {
+            "off"
+        } else {
+            "on"
+        }
+        .to_owned(),
         (_, Some(Value::String(word))) => word.clone(),
         (_, Some(Value::Number(number))) => number.to_string(),
         _ => String::new(),
     };
-    let subject = if key == "on" { name.to_owned() } else { format!("{name} {key}").trim().to_owned() };
+    let subject = if key == "on" {
+        name.to_owned()
+    } else {
+        format!("{name} {key}").trim().to_owned()
+    };
     Difference { subject, value }
 }
 

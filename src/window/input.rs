@@ -155,7 +155,12 @@ mod tests {
             input.report(*report, || None);
         }
         let pressed = input.events.into_iter().filter_map(|event| match event {
-            Event::Key { key, pressed: true, repeat, .. } => Some((key, repeat)),
+            Event::Key {
+                key,
+                pressed: true,
+                repeat,
+                ..
+            } => Some((key, repeat)),
             _ => None,
         });
         pressed.collect()
@@ -164,13 +169,31 @@ mod tests {
     #[test]
     fn each_press_is_one_key_however_often_it_is_reported() {
         use Report::{Character, Down, Up};
-        let w = [Down(Reported::W), Character('w'), Down(Reported::W), Character('w'), Up(Reported::W)];
+        let w = [
+            Down(Reported::W),
+            Character('w'),
+            Down(Reported::W),
+            Character('w'),
+            Up(Reported::W),
+        ];
         assert_eq!(keys(&w), [(Key::W, false), (Key::W, true)]);
-        let question = [Down(Reported::LeftShift), Down(Reported::Slash), Character('?')];
+        let question = [
+            Down(Reported::LeftShift),
+            Down(Reported::Slash),
+            Character('?'),
+        ];
         assert_eq!(keys(&question), [(Key::Questionmark, false)]);
         // A layout that reports a digit as a character alone, held.
-        let digit = [Character('1'), Character('1'), Up(Reported::Unknown), Character('1')];
-        assert_eq!(keys(&digit), [(Key::Num1, false), (Key::Num1, true), (Key::Num1, false)]);
+        let digit = [
+            Character('1'),
+            Character('1'),
+            Up(Reported::Unknown),
+            Character('1'),
+        ];
+        assert_eq!(
+            keys(&digit),
+            [(Key::Num1, false), (Key::Num1, true), (Key::Num1, false)]
+        );
     }
 
     #[test]

@@ -238,7 +238,9 @@ fn answer(
         }
         Task::Require => requires::ranked(scene, view, cancelled, &progress).map(Answer::Require),
         Task::Measure => {
+            let camera = order.record.view.camera.clone();
             let request = trade::Request {
+                camera: camera.unwrap_or_else(|| order.record.camera[0].name.clone()),
                 scene: Scene::spawn(order.name.clone(), &order.record),
                 view: view.clone(),
                 methods: METHODS.to_vec(),

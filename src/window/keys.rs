@@ -48,7 +48,9 @@ pub enum Command {
     Panel,
     Help,
     /// Writes the window, or the picture alone, into a PNG file.
-    Screenshot { window: bool },
+    Screenshot {
+        window: bool,
+    },
     /// Closes the uppermost thing that can be closed.
     Close,
     Quit,
@@ -200,7 +202,10 @@ mod tests {
 
     #[test]
     fn shift_chooses_another_command_only_where_there_is_one() {
-        assert_eq!(command(Key::Num1, Modifiers::SHIFT), Some(Command::Light(0)));
+        assert_eq!(
+            command(Key::Num1, Modifiers::SHIFT),
+            Some(Command::Light(0))
+        );
         assert_eq!(command(Key::Z, CONTROL_SHIFT), Some(Command::Redo));
         assert_eq!(command(Key::Z, Modifiers::NONE), Some(Command::Magnify(1)));
         assert_eq!(command(Key::W, Modifiers::COMMAND), None);

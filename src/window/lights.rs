@@ -6,7 +6,8 @@ use glam::DVec3;
 use super::app::App;
 use super::viewport::tag;
 use crate::components::{
-    Lens, Light, LightKind, Mesh, Name, Projection, Transform, Viewpoint, WorldTransform, active_camera, get, ordered,
+    Lens, Light, LightKind, Mesh, Name, Projection, Transform, Viewpoint, WorldTransform,
+    active_camera, get, ordered,
 };
 use crate::paint::color;
 use crate::scene::range;
@@ -40,16 +41,39 @@ impl Marker {
     pub fn draw(&self, painter: &egui::Painter, area: Rect) {
         let ring = Stroke::new(1.5, Color32::from_gray(16));
         match self.way {
-            Some(way) => painter.arrow(self.at - way * RADIUS, way * 2.0 * RADIUS, (3.0, self.color)),
+            Some(way) => painter.arrow(
+                self.at - way * RADIUS,
+                way * 2.0 * RADIUS,
+                (3.0, self.color),
+            ),
             None if self.is_lit => drop(painter.circle(self.at, RADIUS, self.color, ring)),
             None => {
-                painter.circle(self.at, RADIUS, Color32::from_black_alpha(120), (2.0, self.color));
+                painter.circle(
+                    self.at,
+                    RADIUS,
+                    Color32::from_black_alpha(120),
+                    (2.0, self.color),
+                );
             }
         }
         let is_right = self.at.x > area.center().x;
-        let (align, side) = if is_right { (Align2::RIGHT_CENTER, -1.0) } else { (Align2::LEFT_CENTER, 1.0) };
-        let ink = if self.is_lit { Color32::WHITE } else { Color32::GRAY };
-        tag(painter, align, self.at + vec2(side * (RADIUS + 8.0), 0.0), &self.name, ink);
+        let (align, side) = if is_right {
+            (Align2::RIGHT_CENTER, -1.0)
+        } else {
+            (Align2::LEFT_CENTER, 1.0)
+        };
+        let ink = if self.is_lit {
+            Color32::WHITE
+        } else {
+            Color32::GRAY
+        };
+        tag(
+            painter,
+            align,
+            self.at + vec2(side * (RADIUS + 8.0), 0.0),
+            &self.name,
+            ink,
+        );
     }
 }
 
@@ -96,7 +120,10 @@ impl App {
         let way = vec2(seen.x as f32, -seen.y as f32).normalized();
         let half = border.size() / 2.0;
         let share = (half.x / way.x.abs()).min(half.y / way.y.abs());
-        (border.center() + way * if share.is_finite() { share } else { 0.0 }, Some(way))
+        (
+            border.center() + way * if share.is_finite() { share } else { 0.0 },
+            Some(way),
+        )
     }
 
     /// Whether a cuboid stands between the viewer and a point.
@@ -124,14 +151,29 @@ impl App {
         let lens = Lens::new(&self.view());
         let [right, up, forward] = lens.axes;
         let [across, down] = [by.x, by.y].map(f64::from);
-        let way = if in_depth { forward * -down } else { right * across - up * down };
-        let lights = self.scene.world.query_mut::<(&Name, &mut Transform)>().with::<&Light>();
-        for (own, transform) in lights.into_iter().filter(|(own, _)| own.0 == name) {
+        let way = if in_depth {
+            forward * -down
+        } else {
+            right * across - up * down
+        };
+        let lights = self
+            .scene
+            .world
+            .query_mut::<(&Name, &mut Transform)>()
+            .with::<&Light>();
+        for (_, transform) in lights.into_iter().filter(|(own, _)| own.0 == name) {
             let pixel = lens.pitch * lens.homogeneous(lens.seen(transform.position)).z.abs();
             let step = 10.0_f64.powf(pixel.log10().floor());
             let moved = transform.position + way * pixel;
-            let rounded = DVec3::from(moved.to_array().map(|it| (it / step).round() / step.recip()));
-            let is_allowed = rounded.to_array().iter().all(|it| range::COORDINATE.contains(it));
+            let rounded = DVec3::from(
+                moved
+                    .to_array()
+                    .map(|it| (it / step).round() / step.recip()),
+            );
+            let is_allowed = rounded
+                .to_array()
+                .iter()
+                .all(|it| range::COORDINATE.contains(it));
             if is_allowed {
                 transform.position = rounded;
             }
@@ -140,10 +182,16 @@ impl App {
 
     /// Draws n, o, and l and r of each place with lights, from the probed pixel at `at`, as they lie across the view.
     pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
-        let Some(surface) = self.facts.probe.current().and_then(|it| it.probe.surface.as_ref()) else {
+        let Some(surface) = self
+            .facts
+            .probe
+            .current()
+            .and_then(|it| it.probe.surface.as_ref())
+        else {
             return;
         };
-        let [right, up, _] = Viewpoint::of(&self.scene.world, active_camera(&self.scene.world)).axes();
+        let [right, up, _] =
+            Viewpoint::of(&self.scene.world, active_camera(&self.scene.world)).axes();
         let arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
             let Some(vector) = vector else {
                 return;
@@ -152,7 +200,13 @@ impl App {
             for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
                 painter.arrow(at, way, (width, ink));
             }
-            tag(painter, Align2::CENTER_CENTER, at + way + way.normalized() * 12.0, name, ink);
+            tag(
+                painter,
+                Align2::CENTER_CENTER,
+                at + way + way.normalized() * 12.0,
+                name,
+                ink,
+            );
         };
         let mut places: Vec<DVec3> = Vec::new();
         for light in &surface.lights {
@@ -181,6 +235,10 @@ impl App {
 /// A light's colour with its largest channel at full strength.
 pub fn brightest(channels: DVec3) -> Color32 {
     let largest = channels.max_element();
-    let channels = if largest > 0.0 { channels / largest * 255.0 } else { DVec3::splat(128.0) };
+    let channels = if largest > 0.0 {
+        channels / largest * 255.0
+    } else {
+        DVec3::splat(128.0)
+    };
     color(crate::frame::display_pixel(channels.to_array()))
 }

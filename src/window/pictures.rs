@@ -126,7 +126,12 @@ impl Pictures {
     }
 
     /// The picture of the view; `exact` and `error_map` are known once they were computed.
-    pub fn shown(&self, show: &Show, exact: Option<&[u32]>, error_map: Option<&[u32]>) -> Cow<'_, [u32]> {
+    pub fn shown(
+        &self,
+        show: &Show,
+        exact: Option<&[u32]>,
+        error_map: Option<&[u32]>,
+    ) -> Cow<'_, [u32]> {
         let frame = self.frame.pixels();
         match show.mode {
             ViewMode::Picture => frame.into(),
@@ -145,7 +150,9 @@ impl Pictures {
                 let mut pixels = side(0).into_owned();
                 let right = side(1);
                 let divider = divider_column(show.divider, width);
-                let rows = pixels.chunks_exact_mut(width).zip(right.chunks_exact(width));
+                let rows = pixels
+                    .chunks_exact_mut(width)
+                    .zip(right.chunks_exact(width));
                 rows.for_each(|(left, right)| left[divider..].copy_from_slice(&right[divider..]));
                 pixels.into()
             }
@@ -183,7 +190,11 @@ fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
         if *triangle != NO_TRIANGLE {
             let is_outline = kind & OUTLINE != 0;
-            let weight = if is_outline { OUTLINE_WEIGHT } else { TINT_WEIGHT };
+            let weight = if is_outline {
+                OUTLINE_WEIGHT
+            } else {
+                TINT_WEIGHT
+            };
             *pixel = mix(*pixel, TINTS[usize::from(kind & !OUTLINE)], weight);
         }
     }

@@ -1,14 +1,16 @@
 //! The picture's area: drags, clicks and the wheel over it, and what points at something in it.
 
 use egui::{
-    Align2, Color32, CursorIcon, Event, FontId, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2,
+    Align2, Color32, CursorIcon, Event, FontId, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2,
+    vec2,
 };
 
 use super::app::App;
 use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
-    Inspector, Limits, Magnifier, Orbit, Probed, Show, Side, Tab, View, ViewMode, Viewpoint, active_camera, get,
+    Inspector, Limits, Magnifier, Orbit, Probed, Show, Side, Tab, View, ViewMode, Viewpoint,
+    active_camera, get,
 };
 
 /// How far a drag across the picture's shorter side turns, in degrees.
@@ -54,7 +56,10 @@ impl App {
         } else {
             self.desk.grab = Grab::Nothing;
         }
-        if let Some(at) = response.interact_pointer_pos().filter(|_| response.clicked()) {
+        if let Some(at) = response
+            .interact_pointer_pos()
+            .filter(|_| response.clicked())
+        {
             self.click(at, &markers);
         }
         if let Some(at) = response.hover_pos() {
@@ -70,7 +75,8 @@ impl App {
                 steps if modifiers.command => self.magnify(steps, Some(at)),
                 steps => self.zoom(steps),
             }
-            ui.ctx().set_cursor_icon(self.cursor(at, &markers, response.dragged()));
+            ui.ctx()
+                .set_cursor_icon(self.cursor(at, &markers, response.dragged()));
         }
         self.draw_over(ui, &markers);
     }
@@ -105,7 +111,10 @@ impl App {
             Grab::Camera => {
                 let degrees = DRAG_TURN / size[0].min(size[1]) as f64 * magnifier.scale as f64;
                 // The cuboid follows the mouse, so the camera goes the other way.
-                self.orbit(f64::from(-pixels.x) * degrees, f64::from(pixels.y) * degrees);
+                self.orbit(
+                    f64::from(-pixels.x) * degrees,
+                    f64::from(pixels.y) * degrees,
+                );
             }
             Grab::Divider => {
                 let column = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
@@ -155,7 +164,11 @@ impl App {
         let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
         let zoomed = orbit.zoomed(steps, &Limits::of(&self.scene.world));
         if zoomed == orbit {
-            return self.say(if steps > 0 { "no closer than this" } else { "no further than this" });
+            return self.say(if steps > 0 {
+                "no closer than this"
+            } else {
+                "no further than this"
+            });
         }
         self.set_orbit(zoomed);
     }
@@ -171,12 +184,19 @@ impl App {
     pub fn magnify(&mut self, steps: i32, at: Option<Pos2>) {
         let size = self.picture_size();
         let before = self.magnifier();
-        let probed = self.look::<Probed>().0.map(|pixel| self.place_of(pixel.map(|it| it as i32)));
+        let probed = self
+            .look::<Probed>()
+            .0
+            .map(|pixel| self.place_of(pixel.map(|it| it as i32)));
         let at = at.or(probed).unwrap_or(self.place.center());
         let place = (at - self.place.min) * self.scale();
         let after = before.stepped(steps, [place.x as i32, place.y as i32], size);
         if after == before {
-            return self.say(if steps > 0 { "largest magnification" } else { "not magnified" });
+            return self.say(if steps > 0 {
+                "largest magnification"
+            } else {
+                "not magnified"
+            });
         }
         self.set_look(after);
     }
@@ -201,11 +221,14 @@ impl App {
     /// The divider's x in the window, where the view has one.
     fn divider(&self) -> Option<f32> {
         let show: Show = self.look();
-        let has_divider = show.mode == ViewMode::Wipe && !self.desk.shows_exact && self.desk.left_out.is_none();
+        let has_divider =
+            show.mode == ViewMode::Wipe && !self.desk.shows_exact && self.desk.left_out.is_none();
         let column = divider_column(show.divider, self.picture_size()[0]);
         let left = self.place_of([column as i32, 0]).x;
         let half = self.magnifier().scale as f32 / 2.0 / self.scale();
-        has_divider.then_some(left - half).filter(|x| self.place.x_range().contains(*x))
+        has_divider
+            .then_some(left - half)
+            .filter(|x| self.place.x_range().contains(*x))
     }
 
     /// Draws the divider, the probed pixel with its vectors, and the lights.
@@ -220,7 +243,11 @@ impl App {
         if let Some(pixel) = self.look::<Probed>().0 {
             let at = self.place_of(pixel.map(|it| it as i32));
             self.draw_arrows(&painter, at);
-            draw_cross(&painter, at, self.magnifier().scale as f32 / self.scale() / 2.0);
+            draw_cross(
+                &painter,
+                at,
+                self.magnifier().scale as f32 / self.scale() / 2.0,
+            );
         }
         for marker in markers.iter().rev() {
             marker.draw(&painter, self.place);
@@ -236,9 +263,19 @@ impl App {
             for x in corner[0]..width.min(corner[0] + width / scale + 1) {
                 let at = self.place_of([x as i32, y as i32]);
                 let [_, red, green, blue] = pixels[y * width + x].to_be_bytes();
-                let ink = if green > 127 { Color32::BLACK } else { Color32::WHITE };
+                let ink = if green > 127 {
+                    Color32::BLACK
+                } else {
+                    Color32::WHITE
+                };
                 let text = format!("{red}\n{green}\n{blue}");
-                painter.text(at, Align2::CENTER_CENTER, text, FontId::monospace(11.0), ink);
+                painter.text(
+                    at,
+                    Align2::CENTER_CENTER,
+                    text,
+                    FontId::monospace(11.0),
+                    ink,
+                );
             }
         }
     }
@@ -247,10 +284,18 @@ impl App {
         let line = self.place.y_range();
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
         painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
-        painter.circle(pos2(x, self.place.center().y), 8.0, Color32::WHITE, (1.0, Color32::from_black_alpha(150)));
+        painter.circle(
+            pos2(x, self.place.center().y),
+            8.0,
+            Color32::WHITE,
+            (1.0, Color32::from_black_alpha(150)),
+        );
         let show: Show = self.look();
         for (index, side) in show.sides.iter().enumerate() {
-            let time = self.pictures.milliseconds(index).filter(|_| self.shows_times);
+            let time = self
+                .pictures
+                .milliseconds(index)
+                .filter(|_| self.shows_times);
             let time = time.map_or(String::new(), |ms| format!("  {ms:.3} ms"));
             let text = format!("{}{time}", side_name(side, &self.view()));
             let (align, at) = match index {
@@ -289,13 +334,22 @@ fn side_name(side: &Side, view: &View) -> String {
 pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Color32) {
     let text = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), ink);
     let place = align.anchor_size(at, text.size());
-    painter.rect_filled(place.expand2(vec2(4.0, 2.0)), 3.0, Color32::from_black_alpha(170));
+    painter.rect_filled(
+        place.expand2(vec2(4.0, 2.0)),
+        3.0,
+        Color32::from_black_alpha(170),
+    );
     painter.galley(place.min, text, ink);
 }
 
 /// Marks a pixel that reaches this far from its middle, in points, and leaves it to be seen.
 fn draw_cross(painter: &egui::Painter, at: Pos2, reach: f32) {
-    for way in [vec2(1.0, 0.0), vec2(-1.0, 0.0), vec2(0.0, 1.0), vec2(0.0, -1.0)] {
+    for way in [
+        vec2(1.0, 0.0),
+        vec2(-1.0, 0.0),
+        vec2(0.0, 1.0),
+        vec2(0.0, -1.0),
+    ] {
         let line = [at + way * (reach + 3.0), at + way * (reach + 11.0)];
         painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
         painter.line_segment(line, (1.5, Color32::WHITE));
