@@ -364,7 +364,7 @@ impl SceneRecord {
     /// When there is no camera.
     pub fn spawn(&self) -> World {
         let mut world = World::new();
-        for (order, it) in (0..).map(FileOrder).zip(&self.cuboid) {
+        for (order, it) in self.cuboid.iter().enumerate() {
             let transform = Transform {
                 position: it.position,
                 rotation: it.rotation,

@@ -18,4 +18,3 @@ mod stability;
 mod support;
 mod systems;
 mod trade;
-mod window;
