@@ -352,7 +352,7 @@ impl Polygon {
 
 /// Every component of a cuboid: what the scene says of it, and room for what a frame derives.
 pub fn cuboid(
-    order: FileOrder,
+    order: usize,
     name: Name,
     transform: Transform,
     mesh: Mesh,
@@ -361,7 +361,7 @@ pub fn cuboid(
 ) -> impl DynamicBundle {
     (
         name,
-        order,
+        FileOrder(order as u32),
         transform,
         mesh,
         material,

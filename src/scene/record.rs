@@ -39,7 +39,7 @@ pub(crate) const EMERALD: Material = Material {
 };
 
 /// The whole file, everything in its order.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneRecord {
     #[serde(default, deserialize_with = "three::<Level, _>")]
@@ -364,7 +364,7 @@ impl SceneRecord {
     /// When there is no camera.
     pub fn spawn(&self) -> World {
         let mut world = World::new();
-        for (order, it) in (0..).map(FileOrder).zip(&self.cuboid) {
+        for (order, it) in self.cuboid.iter().enumerate() {
             let transform = Transform {
                 position: it.position,
                 rotation: it.rotation,
@@ -403,6 +403,12 @@ impl SceneRecord {
             Inspector(view.inspector),
         ));
         world
+    }
+
+    /// The name of the camera that is looked through, which is one of the record's.
+    pub(super) fn active_camera_name(&self) -> Option<&str> {
+        let first = self.camera.first().map(|camera| &*camera.name);
+        self.view.camera.as_deref().or(first)
     }
 
     /// The place in the file of the camera that is looked through; `None` where there is none of that name.

@@ -17,4 +17,3 @@ mod stability;
 mod support;
 mod systems;
 mod trade;
-mod window;
