@@ -189,18 +189,17 @@ impl<'a> Face<'a> {
         face
     }
 
-    /// A value that is linear between the first three corners of the face, from those at the cuboid's corners.
-    pub fn linear(&self, values: &[DVec3; 8]) -> Linear {
-        let [a, b, c, _] = FACES[self.number].map(|corner| values[usize::from(corner)]);
-        let signs = &self.corners;
-        let half = |from: DVec3, to: DVec3, axis: usize, first: usize| {
-            (to - from) / 2.0 * (signs[first + 1][axis] - signs[first][axis]) / 2.0
+    /// A value that is linear on triangle 0 or 1 of the face, from those at the cuboid's corners; the triangle's own three
+    /// alone, for the fourth may be so large that nothing of the others is left beside it.
+    pub fn linear(&self, values: &[DVec3; 8], triangle: usize) -> Linear {
+        let corners = [0, 1, 2].map(|corner| (2 * triangle + corner) % 4);
+        let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.number][corner])]);
+        let signs = corners.map(|corner| self.corners[corner]);
+        let half = |axis: usize| {
+            let [from, middle, to] = signs.map(|signs| signs[axis]);
+            (b - a) / 2.0 * ((middle - from) / 2.0) + (c - b) / 2.0 * ((to - middle) / 2.0)
         };
-        Linear([
-            (a + c) / 2.0,
-            half(a, b, 0, 0) + half(b, c, 0, 1),
-            half(a, b, 1, 0) + half(b, c, 1, 1),
-        ])
+        Linear([(a + c) / 2.0, half(0), half(1)])
     }
 
     /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
