@@ -4,7 +4,7 @@
 //!   Case { name, expected, examine }
 //!      |
 //!      v
-//!   Outcome { name, expected, observed, pass }  -->  a table, JSON, the exit status;  tests/extremes.rs
+//!   Outcome { name, expected, observed, pass }  -->  a table, JSON, the exit status;  tests/it/extremes.rs
 //! ```
 //!
 //! Rule: what is right never comes from what is tried. It comes from enclosures of every pixel's exact levels, a value

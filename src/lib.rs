@@ -17,7 +17,7 @@
 //! A [`components::View`] says from where, how large and how precisely it is to be drawn.
 //!
 //! **A frame is six stages**, named in order in [`systems::FRAME`]; each is a query loop over a pure function, and has its
-//! tests in a file of its name in `tests/systems`.
+//! tests in a file of its name in `tests/it/systems`.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far it has turned.
 //! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`scene::Scene::viewpoint`] says where a camera
@@ -148,7 +148,7 @@
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference and in
 //!   the textbook's formula of [`extremes::stability`];
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
-//!   `tests/systems`; a component that it derives joins the others in [`components::cuboid`];
+//!   `tests/it/systems`; a component that it derives joins the others in [`components::cuboid`];
 //! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule
 //!   that decides what is right;
 //! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON and CSV show by
@@ -173,7 +173,7 @@
 //! components   canvas       memory       simd
 //! ```
 //!
-//! A module imports from lower layers only, and `tests/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
+//! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
 //! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric of
 //! [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; and minifb is
 //! named in [`window`] alone.
@@ -193,6 +193,7 @@ pub mod extremes;
 pub mod frame;
 pub mod memory;
 pub mod output;
+pub mod paint;
 pub mod pictures;
 pub mod probe;
 pub mod prove;

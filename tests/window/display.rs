@@ -17,9 +17,7 @@ use shadetrade::window::hud::lines::Line;
 use shadetrade::window::hud::{Hud, Part, picture};
 
 use super::desktop::{Program, SCREEN, until};
-use super::fit::COMMON;
-use super::hud::{board, commands, hud, place_of};
-use super::{SIZE, default_session};
+use super::support::{COMMON, SIZE, board, commands, default_session, hud, place_of};
 
 /// The picture in a window of 960 x 720, short of where a message stands.
 pub(super) fn right_part(window: &RgbImage) -> RgbImage {

@@ -1,0 +1,149 @@
+//! The program as people and scripts meet it: run for real, judged by exit status, standard output, standard error and
+//! files.
+
+mod errors;
+#[cfg(unix)]
+mod faults;
+mod files;
+mod help;
+#[cfg(unix)]
+mod names;
+mod pictures;
+#[cfg(unix)]
+mod processes;
+mod replays;
+mod requires;
+mod scale;
+
+use std::fs;
+use std::path::Path;
+#[cfg(unix)]
+use std::process::{Child, ExitStatus};
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+/// A folder of its own for one test.
+fn folder() -> TempDir {
+    tempfile::tempdir().expect("a temporary folder can be made")
+}
+
+/// The program in `folder`, where no display is to be found.
+fn shadetrade(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shadetrade"));
+    command
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET");
+    command
+}
+
+/// Runs the program in `folder` with the words of `line`.
+fn run(folder: &Path, line: &str) -> Output {
+    shadetrade(folder)
+        .args(line.split_whitespace())
+        .output()
+        .expect("the program starts")
+}
+
+/// What a script does in `folder`, to which `$0` is the program.
+#[cfg(unix)]
+fn in_shell(folder: &Path, script: &str) -> Output {
+    Command::new("sh")
+        .args(["-c", script, env!("CARGO_BIN_EXE_shadetrade")])
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .output()
+        .expect("there is a shell")
+}
+
+/// Sends a signal once `is_time` says so, unless the program ends before; how it ends.
+#[cfg(unix)]
+fn stop(mut program: Child, signal: &str, is_time: impl Fn() -> bool) -> ExitStatus {
+    while !is_time() && program.try_wait().expect("its state is known").is_none() {
+        std::thread::yield_now();
+    }
+    crate::support::signal::send(signal, &program);
+    program.wait().expect("it ends")
+}
+
+/// Standard error as text.
+fn said(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("messages are UTF-8")
+}
+
+/// Runs `line` and checks that it ends with `status`, says each of `words` in one paragraph and nothing on stdout.
+#[track_caller]
+fn assert_fails(folder: &Path, line: &str, status: i32, words: &[&str]) {
+    let output = run(folder, line);
+    let said = said(&output);
+    assert_eq!(
+        output.status.code(),
+        Some(status),
+        "`shadetrade {line}` said: {said}"
+    );
+    assert!(
+        output.stdout.is_empty(),
+        "`shadetrade {line}` wrote to standard output"
+    );
+    assert!(
+        said.starts_with("error: "),
+        "`shadetrade {line}` said: {said}"
+    );
+    assert!(
+        !said.contains("\n\n") && said.ends_with('\n'),
+        "not one paragraph: {said}"
+    );
+    for internal in ["panicked", "backtrace", "src/"] {
+        assert!(
+            !said.contains(internal),
+            "`shadetrade {line}` shows its inside: {said}"
+        );
+    }
+    for word in words {
+        assert!(
+            said.contains(word),
+            "`shadetrade {line}` does not say {word:?}: {said}"
+        );
+    }
+}
+
+/// Runs `line`, checks that it ends well, and gives what it said on standard error.
+#[track_caller]
+fn assert_works(folder: &Path, line: &str) -> String {
+    let output = run(folder, line);
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "`shadetrade {line}` said: {}",
+        said(&output)
+    );
+    said(&output)
+}
+
+/// Width, height and RGB bytes of a PNG; panics where it is none, or not 8-bit RGB.
+#[track_caller]
+fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
+    let picture =
+        image::load_from_memory_with_format(png, image::ImageFormat::Png).expect("whole PNG data");
+    assert_eq!(picture.color(), image::ColorType::Rgb8);
+    (picture.width(), picture.height(), picture.into_bytes())
+}
+
+/// What `folder` holds, hidden files too, in order.
+fn listing(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    names.sort();
+    names
+}

@@ -1,0 +1,181 @@
+//! Help, versions and completions: what they promise is what the parser takes.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use clap::CommandFactory;
+use shadetrade::cli::{self, Arguments};
+
+use super::{folder, run, said, shadetrade};
+
+fn commands() -> Vec<String> {
+    Arguments::command()
+        .get_subcommands()
+        .map(|command| command.get_name().to_owned())
+        .collect()
+}
+
+fn help(line: &str) -> String {
+    let output = run(folder().path(), line);
+    assert_eq!(output.status.code(), Some(0), "{line}: {}", said(&output));
+    assert!(output.stderr.is_empty(), "{line}");
+    String::from_utf8(output.stdout).expect("help is UTF-8")
+}
+
+#[test]
+fn every_command_has_a_description_and_examples_that_parse() {
+    let pages = commands()
+        .into_iter()
+        .map(|command| format!("{command} --help"));
+    for page in pages.chain(["--help".to_owned()]) {
+        let text = help(&page);
+        assert!(
+            text.lines().next().is_some_and(|line| line.len() > 20),
+            "{page} begins with what the command does"
+        );
+        let examples: Vec<&str> = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("  shadetrade"))
+            .collect();
+        assert!(!examples.is_empty(), "{page} has no example");
+        for example in examples {
+            // Behind two spaces the example is explained, behind > the shell sends its output somewhere.
+            let line = example
+                .split("  ")
+                .next()
+                .unwrap()
+                .split('>')
+                .next()
+                .unwrap();
+            let words = std::iter::once("shadetrade").chain(line.split_whitespace());
+            let parsed = cli::parse(words.map(OsString::from));
+            assert!(
+                matches!(parsed, Ok(Some(_))),
+                "{page} has the example `shadetrade{example}`: {parsed:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn help_is_the_same_however_it_is_asked_for() {
+    let page = help("--help");
+    for line in ["-h", "help", "help --help", "help -h"] {
+        assert_eq!(help(line), page, "{line}");
+    }
+    for command in commands() {
+        let page = help(&format!("{command} --help"));
+        assert_eq!(help(&format!("help {command}")), page);
+        assert_eq!(help(&format!("{command} -h")), page);
+    }
+    let output = run(folder().path(), "help rendr");
+    assert!(said(&output).contains("'render'"), "{}", said(&output));
+}
+
+#[test]
+fn help_fits_in_100_columns() {
+    for page in commands()
+        .iter()
+        .map(|command| format!("{command} --help"))
+        .chain(["-h".into(), "--help".into()])
+    {
+        assert!(
+            help(&page).lines().all(|line| line.chars().count() <= 100),
+            "{page}"
+        );
+    }
+}
+
+#[test]
+fn the_options_of_view_need_not_its_name() {
+    for line in [
+        "bench-far --size 800x600",
+        "--size 800x600 bench-far",
+        "./render",
+        "--camera 2 --lights none",
+    ] {
+        let parse = |line: String| {
+            let words = line
+                .split_whitespace()
+                .map(OsString::from)
+                .collect::<Vec<_>>();
+            format!("{:?}", cli::parse(words).expect("a right command line"))
+        };
+        assert_eq!(
+            parse(format!("shadetrade {line}")),
+            parse(format!("shadetrade view {line}"))
+        );
+    }
+}
+
+#[test]
+fn the_version_is_that_of_the_package() {
+    assert_eq!(
+        help("--version"),
+        format!("shadetrade {}\n", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn a_piped_help_has_no_colours_and_neither_has_an_error() {
+    let output = run(folder().path(), "--help");
+    assert!(!output.stdout.contains(&0x1b));
+    let output = run(folder().path(), "--bogus");
+    assert!(!output.stderr.contains(&0x1b));
+}
+
+#[test]
+fn completions_name_every_command_for_every_shell() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = help(&format!("completions {shell}"));
+        for command in commands() {
+            assert!(script.contains(&command), "{shell} lacks {command}");
+        }
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn help_that_cannot_be_written_is_an_error_and_a_reader_that_left_is_none() {
+    use std::fs::OpenOptions;
+    use std::process::Stdio;
+
+    for line in ["--help", "completions bash"] {
+        let full = || Stdio::from(OpenOptions::new().write(true).open("/dev/full").unwrap());
+        let output = shadetrade(Path::new("/"))
+            .args(line.split(' '))
+            .stdout(full())
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(1), "{line}");
+        assert!(
+            said(&output).contains("standard output"),
+            "{line}: {}",
+            said(&output)
+        );
+
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = shadetrade(Path::new("/"))
+            .args(line.split(' '))
+            .stdout(writer)
+            .output()
+            .unwrap();
+        assert_eq!(
+            (output.status.code(), said(&output).as_str()),
+            (Some(0), ""),
+            "{line}"
+        );
+
+        let status = shadetrade(Path::new("/"))
+            .arg("--bogus")
+            .stderr(full())
+            .status()
+            .unwrap();
+        assert_eq!(
+            status.code(),
+            Some(2),
+            "an error that cannot be told is the same error"
+        );
+    }
+}

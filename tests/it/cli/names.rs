@@ -1,0 +1,85 @@
+//! Names and paths that a shell, a script or a stranger can bring: none reaches the terminal as anything but text.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::os::unix::ffi::OsStrExt;
+
+use super::{assert_fails, assert_works, decode, folder, said, shadetrade};
+
+const SCENE: &str = include_str!("../../../assets/scenes/cuboid.toml");
+
+#[test]
+fn a_scene_s_path_need_not_be_utf_8() {
+    let folder = folder();
+    let name = OsStr::from_bytes(b"caf\xe9.toml");
+    fs::write(folder.path().join(name), SCENE).unwrap();
+    let render = |name: &OsStr| {
+        let mut command = shadetrade(folder.path());
+        command.args("render --size 9x9 -o -".split(' ')).arg(name);
+        command.output().expect("the program starts")
+    };
+    let output = render(name);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    decode(&output.stdout);
+    let output = render(OsStr::from_bytes(b"th\xe9.toml"));
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+    assert!(
+        said(&output).contains("th\u{fffd}.toml"),
+        "{}",
+        said(&output)
+    );
+}
+
+#[test]
+fn no_name_or_path_moves_the_cursor() {
+    let folder = folder();
+    let path = "\u{1b}[31mred\u{9b}m\u{7}.toml";
+    fs::write(
+        folder.path().join(path),
+        SCENE.replace("\"white\"", r#""w\u001b[31m""#),
+    )
+    .unwrap();
+    for words in [
+        vec!["render", path, "--size", "9x9", "-o", "a\u{1b}[2J.png"],
+        vec!["render", path, "--lights", "\u{1b}[31m", "-o", "a.png"],
+        vec!["render", path, "--camera", "\u{1b}[31m", "-o", "a.png"],
+        vec!["render", "\u{1b}[31m.toml", "-o", "a.png"],
+        vec!["render", "-o", "absent/\u{1b}[31m.png"],
+        vec!["render", path, "--size", "\u{1b}[31m", "-o", "a.png"],
+        vec!["\u{1b}[31m", "\u{1b}[31m"],
+        vec!["--\u{1b}[31m"],
+        vec!["figures", "-o", "\u{1b}[31m/\u{1b}[31m"],
+        vec!["probe", path, "--pixel", "480,300"],
+        vec![path],
+    ] {
+        let output = shadetrade(folder.path()).args(&words).output().unwrap();
+        for text in [&output.stderr, &output.stdout] {
+            let text = String::from_utf8_lossy(text);
+            let harmful = |c: char| c.is_control() && c != '\n';
+            assert!(!text.contains(harmful), "{words:?}: {text:?}");
+        }
+    }
+}
+
+#[test]
+fn a_name_that_is_not_there_is_answered_with_no_more_names_than_a_person_reads() {
+    let folder = folder();
+    let more = |index: usize| {
+        format!(
+            "[[light]]\nname = \"l{index}\"\nkind = \"ambient\"\ncolor = [0, 0, 0]\nintensity = 0\n\
+             [[camera]]\nname = \"c{index}\"\nposition = [1, 2, 3]\ntarget = [0, 0, 0]\nfov = 30\nheight = 1\n"
+        )
+    };
+    let more: String = (0..500).map(more).collect();
+    fs::write(folder.path().join("many.toml"), SCENE.to_owned() + &more).unwrap();
+    for option in ["--lights", "--camera"] {
+        let line = format!("render many.toml -o a.png {option} nope");
+        assert_fails(folder.path(), &line, 2, &["\"nope\"", " more"]);
+        let output = crate::cli::run(folder.path(), &line);
+        assert!(output.stderr.len() < 1000, "{}", said(&output));
+    }
+    assert_works(
+        folder.path(),
+        "render many.toml -o a.png --camera c499 --size 9x9",
+    );
+}

@@ -1,0 +1,219 @@
+//! What `render`, `figures` and `view` without a display leave behind.
+
+use std::fs;
+use std::path::Path;
+
+use super::{assert_fails, assert_works, decode, folder, listing, run, said};
+
+const FIGURES: [&str; 8] = [
+    "components.png",
+    "gouraud-camera-1.png",
+    "gouraud-camera-2.png",
+    "phong-camera-1.png",
+    "phong-camera-2.png",
+    "phong-white-camera-1.png",
+    "phong-white-camera-2.png",
+    "sheet.png",
+];
+
+fn render(options: &str) -> (u32, u32, Vec<u8>) {
+    let output = run(folder().path(), &format!("render -o - {options}"));
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{options}: {}",
+        said(&output)
+    );
+    decode(&output.stdout)
+}
+
+#[test]
+fn render_writes_a_picture_of_the_size_asked_for() {
+    let folder = folder();
+    assert_works(folder.path(), "render -o a.png");
+    let (width, height, _) = decode(&fs::read(folder.path().join("a.png")).unwrap());
+    assert_eq!((width, height), (960, 720));
+    for (options, size) in [
+        ("--size 1x1", (1, 1)),
+        ("--size 16384x1", (16_384, 1)),
+        ("--size 3x500", (3, 500)),
+    ] {
+        let (width, height, _) = render(options);
+        assert_eq!((width, height), size);
+    }
+}
+
+#[test]
+fn render_says_what_it_wrote_what_was_shaded_and_what_a_frame_takes() {
+    let folder = folder();
+    let said = assert_works(
+        folder.path(),
+        "render -o a.png --size 64x48 --threads 1 --simd fallback --lights none",
+    );
+    for word in [
+        "wrote a.png",
+        "PNG",
+        "64x48",
+        " pixels shaded",
+        " ms ",
+        "1 thread,",
+        "fallback",
+    ] {
+        assert!(said.contains(word), "{word}: {said}");
+    }
+    let threads = assert_works(folder.path(), "render -o b.png --size 64x48 --threads 3");
+    assert!(threads.contains("3 threads,"), "{threads}");
+    // The picture is black where the cuboid is and of the scene's background elsewhere.
+    let (_, _, bytes) = decode(&fs::read(folder.path().join("a.png")).unwrap());
+    let black = bytes
+        .chunks_exact(3)
+        .filter(|pixel| **pixel == [0, 0, 0])
+        .count();
+    assert!(
+        said.contains(&format!(" {black} pixels shaded")),
+        "{black} are black: {said}"
+    );
+    assert!(
+        bytes
+            .chunks_exact(3)
+            .all(|pixel| pixel == [0, 0, 0] || pixel == [236, 238, 240])
+    );
+}
+
+#[test]
+fn the_options_of_render_change_the_picture_and_speed_does_not() {
+    let picture = |options: &str| render(&format!("--size 96x72 {options}"));
+    let plain = picture("");
+    for options in [
+        "--camera 2",
+        "--projection orthographic",
+        "--shading phong",
+        "--lights white,ambient",
+        "bench-far",
+    ] {
+        assert!(picture(options) != plain, "{options}");
+    }
+    for options in [
+        "cuboid",
+        "--camera 1",
+        "--projection perspective",
+        "--shading gouraud",
+        "--lights all",
+    ] {
+        assert!(picture(options) == plain, "{options}");
+    }
+    for options in ["--threads 1", "--threads 3", "--simd fallback"] {
+        assert!(picture(options) == plain, "{options}");
+    }
+    let orders = ["--lights white,ambient", "--lights ambient,white,white"].map(&picture);
+    assert!(orders[0] == orders[1]);
+}
+
+#[test]
+fn every_built_in_scene_can_be_drawn() {
+    for scene in shadetrade::scene::BUILT_IN {
+        let (width, height, bytes) = render(&format!("{} --size 64x48", scene.0));
+        assert_eq!((width, height), (64, 48));
+        assert!(
+            bytes.chunks_exact(3).any(|pixel| pixel != &bytes[..3]),
+            "{} shows something",
+            scene.0
+        );
+    }
+}
+
+#[test]
+fn figures_are_all_there_of_the_right_size_and_the_same_every_time() {
+    let folder = folder();
+    let output = run(folder.path(), "figures");
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert!(output.stdout.is_empty());
+    let made = folder.path().join("shadetrade-figures");
+    assert_eq!(listing(&made), FIGURES);
+    for name in FIGURES {
+        let written = fs::read(made.join(name)).unwrap();
+        let (width, height, _) = decode(&written);
+        if name.contains("camera") {
+            assert_eq!((width, height), (960, 720), "{name}");
+        } else {
+            assert!(width > height && height > 360, "{name} is {width}x{height}");
+        }
+        assert!(said(&output).contains(name), "{name} is named");
+    }
+    fs::write(made.join("mine.txt"), "mine").unwrap();
+    let before = FIGURES.map(|name| fs::read(made.join(name)).unwrap());
+    fs::write(made.join("sheet.png"), "old").unwrap();
+    assert_works(folder.path(), "figures -o shadetrade-figures");
+    assert!(FIGURES.map(|name| fs::read(made.join(name)).unwrap()) == before);
+    assert_eq!(
+        fs::read(made.join("mine.txt")).unwrap(),
+        b"mine",
+        "what is not a figure is left alone"
+    );
+}
+
+#[test]
+fn figures_are_what_render_draws() {
+    let folder = folder();
+    assert_works(folder.path(), "figures -o f");
+    for (name, options) in [
+        ("gouraud-camera-2", "--shading gouraud --camera 2"),
+        ("phong-camera-1", "--shading phong --camera 1"),
+        (
+            "phong-white-camera-1",
+            "--shading phong --camera 1 --lights white,ambient",
+        ),
+    ] {
+        let figure =
+            decode(&fs::read(folder.path().join("f").join(name).with_extension("png")).unwrap());
+        assert!(
+            figure == render(&format!("{options} --tolerance 0")),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn without_a_display_the_built_in_scene_becomes_figures() {
+    for line in ["", "view", "cuboid", "view cuboid --camera 2"] {
+        let folder = folder();
+        let said = assert_works(folder.path(), line);
+        let display = said
+            .lines()
+            .filter(|line| line.contains("no display"))
+            .count();
+        assert_eq!(display, 1, "`shadetrade {line}` said: {said}");
+        assert_eq!(listing(&folder.path().join("shadetrade-figures")), FIGURES);
+        assert_eq!(listing(folder.path()), ["shadetrade-figures"]);
+        assert_works(folder.path(), line);
+    }
+}
+
+#[test]
+fn without_a_display_another_scene_is_for_render() {
+    let folder = folder();
+    assert_fails(
+        folder.path(),
+        "bench-far",
+        1,
+        &["no display", "shadetrade render bench-far -o"],
+    );
+    assert_eq!(listing(folder.path()), [""; 0]);
+}
+
+#[test]
+fn a_folder_for_figures_is_made_but_not_its_parent() {
+    let folder = folder();
+    assert_fails(folder.path(), "figures -o a/b", 1, &["a/b", "no folder a"]);
+    fs::write(folder.path().join("file"), "mine").unwrap();
+    assert_fails(
+        folder.path(),
+        "figures -o file",
+        1,
+        &["file", "not a folder"],
+    );
+    assert_eq!(fs::read(folder.path().join("file")).unwrap(), b"mine");
+    assert_works(folder.path(), "figures -o new/");
+    assert_eq!(listing(&folder.path().join("new")), FIGURES);
+    assert!(!Path::new(&folder.path().join("a")).exists());
+}

@@ -1,0 +1,216 @@
+//! `requires` as people and scripts meet it.
+
+use std::fs;
+
+use serde_json::Value;
+use shadetrade::scene::Scene;
+
+use super::{assert_fails, assert_works, folder, listing, run, said};
+
+/// What `line` prints as JSON.
+#[track_caller]
+fn json(folder: &std::path::Path, line: &str) -> Value {
+    let output = run(folder, line);
+    assert_eq!(output.status.code(), Some(0), "{line}: {}", said(&output));
+    serde_json::from_slice(&output.stdout).expect("one JSON object")
+}
+
+fn names(found: &Value) -> Vec<&str> {
+    let parts = found["parts"].as_array().expect("a list");
+    parts
+        .iter()
+        .map(|part| part["part"].as_str().expect("a name"))
+        .collect()
+}
+
+#[test]
+fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
+    let folder = folder();
+    fs::copy(
+        concat!(env!("CARGO_MANIFEST_DIR"), "/tests/it/support/least.toml"),
+        folder.path().join("a.toml"),
+    )
+    .unwrap();
+    for (line, words) in [
+        ("requires --orbit 0", &["'0'", "1 to 360"][..]),
+        ("requires --orbit 361", &["'361'", "1 to 360"]),
+        ("requires --orbit -3", &["'-3'", "1 to 360"]),
+        ("requires --orbit half", &["'half'", "1 to 360"]),
+        ("requires -o -", &["standard output takes what is found"]),
+        (
+            "requires --camera 3",
+            &["no camera is named \"3\"", "\"1\", \"2\""],
+        ),
+        ("requires ./a.toml -o a.toml", &["is the scene itself"]),
+        ("requires missing.toml", &["missing.toml"]),
+    ] {
+        assert_fails(folder.path(), line, 2, words);
+    }
+    assert_eq!(listing(folder.path()), ["a.toml"]);
+    let line = "requires a.toml --size 8x6 -o none/least.toml";
+    let output = run(folder.path(), line);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(
+        said(&output).contains("there is no folder none"),
+        "{}",
+        said(&output)
+    );
+}
+
+#[test]
+fn json_names_every_part_in_order_and_requires_what_is_not_proven() {
+    let folder = folder();
+    let found = json(
+        folder.path(),
+        "requires --size 48x36 --shading phong --tolerance 4 --lights white,ambient --json",
+    );
+    assert_eq!(
+        names(&found),
+        [
+            "light white",
+            "light ambient",
+            "specular gate",
+            "unit normal",
+            "every pixel emerald",
+            "perspective-correct interpolation",
+            "depth test",
+            "near plane",
+            "cuboid emerald",
+            "f64 set-up",
+        ]
+    );
+    assert_eq!(
+        (&found["scene"], &found["views"]),
+        (&"cuboid".into(), &1.into())
+    );
+    assert_eq!(found["tolerance"], 4.0);
+    for part in found["parts"].as_array().unwrap() {
+        let [least, most] = [0, 1].map(|end| part["largest_error"][end].as_f64().unwrap());
+        assert!(0.0 <= least && least <= most && most <= 255.0, "{part}");
+        assert_eq!(part["required"], most > 4.0, "{part}");
+        assert_eq!(part["pixels"].as_u64().unwrap() > 0, least > 4.0, "{part}");
+        let is_timed = ["light", "every", "cuboid", "depth"]
+            .contains(&part["part"].as_str().unwrap().split(' ').next().unwrap());
+        assert_eq!(part["time_share"].is_number(), is_timed, "{part}");
+    }
+}
+
+#[test]
+fn a_part_is_required_where_one_of_the_views_requires_it() {
+    let folder = folder();
+    let cuboid = |name: &str, size: f64, z: f64| {
+        format!(
+            "[[cuboid]]\nname = \"{name}\"\nsize = [{size}, {size}, {size}]\nposition = [0.0, 0.0, {z}]\n[cuboid.material]\n\
+             ambient = [1.0, 1.0, 1.0]\ndiffuse = [0.0, 0.0, 0.0]\nspecular = [0.0, 0.0, 0.0]\nshininess = 1.0\n"
+        )
+    };
+    let text = cuboid("front", 2.0, 0.0)
+        + &cuboid("behind", 1.0, -2.0)
+        + "[[light]]\nname = \"ambient\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 100.0\n\
+           [[camera]]\nname = \"1\"\nposition = [0.0, 0.0, 8.0]\ntarget = [0.0, 0.0, 0.0]\nfov = 40.0\nheight = 6.0\n";
+    fs::write(folder.path().join("two.toml"), text).unwrap();
+    let required_in = |views: u64| {
+        let line = format!("requires two.toml --size 32x24 --json --orbit {views}");
+        let found = json(folder.path(), &line);
+        assert_eq!(found["views"], views);
+        let behind = names(&found)
+            .iter()
+            .position(|name| *name == "cuboid behind");
+        let behind = &found["parts"][behind.expect("it is a part")];
+        assert_eq!(behind["required"], behind["required_in"] != 0);
+        behind["required_in"].as_u64().unwrap()
+    };
+    // From the front it is hidden, and from behind it is before the other one, of its colour.
+    assert_eq!(required_in(1), 0);
+    assert_eq!(required_in(4), 2);
+    let output = run(folder.path(), "requires two.toml --size 32x24 --orbit 4");
+    let table = String::from_utf8(output.stdout).unwrap();
+    let row = table.lines().find(|line| line.starts_with("cuboid behind"));
+    assert!(row.is_some_and(|row| row.ends_with("in 2 of 4")), "{table}");
+}
+
+#[test]
+fn the_table_has_a_row_for_every_part_and_the_largest_error_first() {
+    let folder = folder();
+    let output = run(folder.path(), "requires --size 48x36");
+    assert!(output.stderr.is_empty(), "{}", said(&output));
+    assert!(!output.stdout.contains(&0x1b));
+    let table = String::from_utf8(output.stdout).unwrap();
+    let place = |part: &str| {
+        table
+            .find(&format!("\n{part} "))
+            .unwrap_or_else(|| panic!("{part} in {table}"))
+    };
+    assert!(place("cuboid emerald") < place("light ambient"));
+    assert!(place("light ambient") < place("near plane"));
+    assert!(
+        table.lines().all(|line| line.chars().count() <= 100),
+        "{table}"
+    );
+}
+
+#[test]
+fn the_least_scene_is_a_scene_that_says_what_was_left_out_and_draws_the_same() {
+    let folder = folder();
+    let text = fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/assets/scenes/cuboid.toml"
+    ))
+    .unwrap();
+    let faint = "[[light]]\nname = \"faint \\u001b\\n\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 1.0\n";
+    let hidden = "[[cuboid]]\nname = \"hidden\"\nsize = [1.0, 1.0, 1.0]\nshading = \"phong\"\n[cuboid.material]\nambient = [1.0, 1.0, 1.0]\ndiffuse = [0.0, 0.0, 0.0]\nspecular = [0.0, 0.0, 0.0]\nshininess = 1.0\n";
+    fs::write(
+        folder.path().join("full.toml"),
+        format!("{text}\n{faint}\n{hidden}"),
+    )
+    .unwrap();
+    let line = "requires full.toml --camera 2 --size 48x36 -o least.toml";
+    let message = assert_works(folder.path(), line);
+    assert!(
+        !message.contains('\u{1b}') && message.contains("cuboid hidden"),
+        "{message}"
+    );
+    assert_eq!(listing(folder.path()), ["full.toml", "least.toml"]);
+
+    let text = fs::read_to_string(folder.path().join("least.toml")).unwrap();
+    let comments: Vec<&str> = text
+        .lines()
+        .take_while(|line| line.starts_with('#'))
+        .collect();
+    let comments = comments.join("\n");
+    for word in [
+        "full.toml",
+        "camera 2",
+        "0.5",
+        "light faint",
+        "cuboid hidden",
+        "levels",
+    ] {
+        assert!(comments.contains(word), "{word} in {comments}");
+    }
+    let least = Scene::parse("least", &text).expect("a scene");
+    assert_eq!(
+        (least.cuboids.len(), least.camera_names()),
+        (1, vec!["2".to_owned()])
+    );
+
+    for scene in ["full.toml --camera 2", "least.toml"] {
+        assert_works(
+            folder.path(),
+            &format!(
+                "render {scene} --size 48x36 --tolerance 0 -o {}.png",
+                &scene[..4]
+            ),
+        );
+    }
+    let [full, least] = ["full.png", "leas.png"].map(|name| {
+        let png = fs::read(folder.path().join(name)).unwrap();
+        crate::cli::decode(&png).2
+    });
+    let far = full
+        .iter()
+        .zip(&least)
+        .filter(|(full, least)| full.abs_diff(**least) > 1);
+    assert_eq!(far.count(), 0);
+    assert_ne!(full, least, "the faint light is off");
+}

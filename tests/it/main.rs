@@ -1,0 +1,21 @@
+//! Every test from outside that needs no display, as one program, which is linked once.
+
+mod canvas;
+mod certificate;
+mod charts;
+mod cli;
+mod extremes;
+mod golden;
+mod layers;
+mod probe;
+mod prove;
+mod rasterization;
+mod reference;
+mod requires;
+mod scene;
+mod shading;
+mod stability;
+mod support;
+mod systems;
+mod trade;
+mod window;

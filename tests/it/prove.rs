@@ -1,0 +1,34 @@
+//! Proofs: that they hold for what is right, that they refute what is wrong, and that the enclosures can be believed.
+
+mod arithmetic;
+mod broken;
+mod judge;
+mod known;
+mod naive;
+mod scenes;
+mod search;
+mod ties;
+
+use fearless_simd::Level;
+use hecs::World;
+use shadetrade::components::View;
+use shadetrade::prove::{Proof, prove};
+use shadetrade::reference::{Interval, Reference, Seen};
+
+/// The proof of the picture that the renderer draws.
+fn proof(world: &mut World, view: &View) -> Proof {
+    let proof = prove(world, view, Level::new(), &|| false, &|_| ());
+    proof
+        .expect("a small picture fits")
+        .expect("it is not cancelled")
+}
+
+/// What every pixel may show, row by row from the top.
+fn enclosures(world: &World, view: &View) -> Vec<Vec<Seen<Interval>>> {
+    let reference = Reference::<Interval>::new(world, view);
+    let mut pixels = Vec::new();
+    for y in 0..view.size[1] {
+        reference.row(y, |_, seen| pixels.push(seen.to_vec()));
+    }
+    pixels
+}

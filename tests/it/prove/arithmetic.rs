@@ -1,0 +1,179 @@
+//! The enclosures against a second arithmetic: the textbook's formula with 256 bits.
+//!
+//! The value with 256 bits stands for the exact one: it errs by some 1e-70 of it.
+
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use shadetrade::components::{Projection, ShadingMode};
+use shadetrade::reference::{Interval, Real, Seen};
+
+use super::naive::{Big, Number, RIGHT, Scene};
+use super::{enclosures, known};
+use crate::support::random::Random;
+use crate::support::random_scene::case;
+
+/// Whether an enclosure holds a value.
+fn holds(enclosure: Interval, value: &Big) -> bool {
+    let [least, largest] = enclosure.endpoints();
+    (least.is_infinite() || Big::of(least) <= *value)
+        && (largest.is_infinite() || *value <= Big::of(largest))
+}
+
+/// Compares every `stride`-th pixel that may show one thing only; also the width of the widest enclosure, and how many there were.
+fn compare(
+    scene: &Scene<Big>,
+    width: usize,
+    pixels: &[Vec<Seen<Interval>>],
+    stride: usize,
+) -> (f64, usize) {
+    let mut widest = 0.0_f64;
+    let mut compared = 0;
+    for (pixel, seen) in pixels.iter().enumerate().step_by(stride) {
+        let [seen] = &seen[..] else { continue };
+        let Some(face) = seen.face() else { continue };
+        let at = [pixel % width, pixel / width];
+        let exact = scene.levels(face, at, RIGHT);
+        for (level, exact) in seen.levels.into_iter().zip(&exact) {
+            let [least, largest] = level.endpoints();
+            assert!(holds(level, exact), "{at:?}: {exact:?} is not in {level:?}");
+            // Beyond what is displayed a width says nothing in levels.
+            if largest < 1000.0 {
+                widest = widest.max(largest - least);
+            }
+        }
+        compared += 1;
+    }
+    (widest, compared)
+}
+
+#[test]
+fn enclosures_of_random_scenes_hold_the_value_and_are_narrow() {
+    const SIZE: [usize; 2] = [48, 36];
+    let rng = TestRng::deterministic_rng(RngAlgorithm::XorShift);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    let mut sum = (0.0_f64, 0);
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        for _ in 0..20 {
+            let tree = case(mode).new_tree(&mut runner).expect("a scene is found");
+            let (world, view) = tree.current().build(SIZE, 0.0);
+            let pixels = enclosures(&world, &view);
+            let (widest, compared) = compare(&Scene::new(&world, &view), SIZE[0], &pixels, 37);
+            sum = (sum.0.max(widest), sum.1 + compared);
+        }
+    }
+    println!("{} pixels, widest enclosure {:.1e}", sum.1, sum.0);
+    assert!(sum.1 > 300, "{} pixels were compared", sum.1);
+    assert!(sum.0 < 1e-6, "an enclosure {} wide", sum.0);
+}
+
+#[test]
+fn a_corner_of_a_cuboid_of_2e14_units_is_enclosed_as_narrowly_as_any() {
+    for projection in Projection::ALL {
+        for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+            let (world, view) = known::vast_cuboid(projection, mode);
+            let pixels = enclosures(&world, &view);
+            let (widest, compared) = compare(&Scene::new(&world, &view), view.size[0], &pixels, 1);
+            println!("{mode:?} {projection:?}: {compared} pixels, widest {widest:.1e}");
+            assert!(compared > 100, "{compared} pixels were compared");
+            assert!(widest < 1e-3, "an enclosure {widest} wide");
+        }
+    }
+}
+
+/// Whether an operation holds the value, and is at most a few units in the last place wide.
+fn assert_sharp(name: &str, at: f64, enclosure: Interval, value: &Big) {
+    assert!(
+        holds(enclosure, value),
+        "{name} at {at:e}: {enclosure:?}, not {value:?}"
+    );
+    let [least, largest] = enclosure.endpoints();
+    let size = least.abs().max(largest.abs());
+    assert!(
+        largest - least <= 1e-14 * size,
+        "{name} at {at:e}: {enclosure:?} is wide"
+    );
+}
+
+#[test]
+fn operations_of_intervals_hold_the_value_of_the_second_arithmetic() {
+    let mut random = Random(7);
+    for _ in 0..2000 {
+        let x = 10.0_f64.powf(random.within(-12.0, 12.0));
+        let number = Interval::of(x);
+        assert_sharp("square", x, number.square(), &(Big::of(x) * Big::of(x)));
+        assert_sharp("root", x, Real::sqrt(number), &Big::of(x).root());
+        assert_sharp(
+            "third",
+            x,
+            number / Interval::of(3.0),
+            &(Big::of(x) / Big::of(3.0)),
+        );
+
+        let degrees = random.within(-45.0, 45.0);
+        let [found_sin, found_cos] = Interval::sin_cos(degrees);
+        let [sin, cos] = Big::sine_and_cosine(degrees);
+        assert_sharp("sine", degrees, found_sin, &sin);
+        assert_sharp("cosine", degrees, found_cos, &cos);
+        let half = random.within(1e-3, 89.5);
+        let [found_sin, found_cos] = Interval::sin_cos(half);
+        let [sin, cos] = Big::sine_and_cosine(half);
+        let tan = found_sin / found_cos;
+        assert!(holds(tan, &(sin / cos)), "tangent of {half}: {tan:?}");
+
+        let base = 1.0 - 10.0_f64.powf(random.within(-15.0, 0.0));
+        let exponent = 10.0_f64.powf(random.within(-3.0, 6.0));
+        let power = Interval::of(base).power(exponent);
+        let exact = Big::of(base).power(exponent);
+        assert!(holds(power, &exact), "{base}^{exponent}: {power:?}");
+        let [least, largest] = power.endpoints();
+        assert!(
+            largest - least < 1e-9,
+            "{base}^{exponent}: {power:?} is wide"
+        );
+    }
+}
+
+#[test]
+fn operations_of_wide_intervals_hold_what_their_members_give() {
+    let mut random = Random(9);
+    // From floats that are exact in every operation to ones whose products are no normal floats.
+    let member = |random: &mut Random, reach: f64| match random.within(0.0, 4.0) as u8 {
+        0 => random.within(-8.0, 8.0).round(),
+        _ => random.within(-1.0, 1.0) * 10.0_f64.powf(random.within(-reach, reach)),
+    };
+    for case in 0..6000 {
+        let reach = [1.0, 20.0, 160.0][case % 3];
+        let [a, b, c, d] = [(); 4].map(|()| member(&mut random, reach));
+        let both = [(a, b), (c, d)].map(|(a, b)| Interval::new(a.min(b), a.max(b)));
+        let [left, right] = if case % 2 == 0 {
+            both
+        } else {
+            [a, c].map(Interval::of)
+        };
+        let [x, y] = [a, c].map(Big::of);
+        let zero = Big::of(0.0);
+        let mut cases = vec![
+            ("+", left + right, x.clone() + y.clone()),
+            ("-", left - right, x.clone() - y.clone()),
+            ("*", left * right, x.clone() * y.clone()),
+            ("square", left.square(), x.clone() * x.clone()),
+            ("max", left.max(right), x.clone().max(y.clone())),
+            ("min", left.min(right), x.clone().min(y.clone())),
+            ("either", left.either(right), y.clone()),
+            ("opposite", -left, -x.clone()),
+        ];
+        if y != zero {
+            cases.push(("/", left / right, x.clone() / y));
+        }
+        if x >= zero {
+            cases.push(("root", Real::sqrt(left), x.root()));
+        }
+        for (name, result, exact) in cases {
+            assert!(
+                holds(result, &exact),
+                "{left:?} {name} {right:?}: {result:?} does not hold {exact:?}"
+            );
+        }
+    }
+}

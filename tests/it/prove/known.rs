@@ -1,0 +1,137 @@
+//! Scenes whose levels are known on paper, and where f32 or coordinates from a cuboid's centre lose them.
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
+use shadetrade::prove::{Shown, Verdict, judge};
+use shadetrade::reference::Real;
+
+use super::{enclosures, proof};
+use crate::support::random::Random;
+use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view};
+
+const WHITE: Material = Material {
+    ambient: DVec3::ONE,
+    diffuse: DVec3::ONE,
+    specular: DVec3::splat(0.5),
+    shininess: 20.0,
+};
+
+/// One pixel at the middle of a face under an ambient light of 200 levels and `count` diffuse ones of 7e-6, each straight
+/// above it.
+fn faint_lights(count: usize) -> (World, View) {
+    let mut world = empty();
+    spawn_cuboid(&mut world, DVec3::splat(4.0), at(DVec3::ZERO), WHITE);
+    spawn_light(
+        &mut world,
+        LightKind::Ambient,
+        DVec3::splat(200.0),
+        DVec3::ZERO,
+    );
+    for i in 0..count {
+        let place = DVec3::Z * (1000 + i) as f64;
+        spawn_light(&mut world, LightKind::Diffuse, DVec3::splat(7e-6), place);
+    }
+    let view = view(
+        [1, 1],
+        DVec3::Z * 12.0,
+        DVec3::ZERO,
+        Projection::Orthographic,
+    );
+    (world, view)
+}
+
+#[test]
+fn a_sum_that_loses_twenty_thousand_faint_lights_is_refuted() {
+    let (world, view) = faint_lights(20_000);
+    let seen = &enclosures(&world, &view)[0];
+    let judged = |level: f64| {
+        let shown = Shown {
+            face: seen[0].face(),
+            levels: [level; 3],
+            bytes: None,
+        };
+        judge(shown, seen, 0.05)
+    };
+    // 200 + 20,000 * 7e-6, and what is left where each is too small to change a float of 32 bits.
+    assert_eq!(judged(200.14).0.verdict, Verdict::Proven);
+    let (mark, error) = judged(200.0);
+    assert_eq!(mark.verdict, Verdict::Refuted);
+    assert!((error - 0.14).abs() < 1e-9, "{error}");
+}
+
+#[test]
+fn twenty_thousand_faint_lights_are_summed_within_the_tolerance() {
+    let (mut world, view) = faint_lights(20_000);
+    for mode in [ShadingMode::Phong, ShadingMode::UnitVectors] {
+        let proof = proof(&mut world, &view.shaded(mode));
+        assert_eq!(proof.proven, 1, "{mode:?}: {:?}", proof.examples);
+    }
+}
+
+/// Snapping puts pixels of one triangle beyond the face's diagonal, where the other one may be brighter by hundreds of
+/// thousands of levels in a pixel.
+#[test]
+fn every_pixel_beside_a_diagonal_is_proven() {
+    let modes = [
+        ShadingMode::Gouraud,
+        ShadingMode::Phong,
+        ShadingMode::UnitVectors,
+    ];
+    for seed in 0..24 {
+        let mut random = Random(seed);
+        let mut world = empty();
+        let mut vector = |from: f64, to: f64| DVec3::ZERO.map(|_| random.within(from, to));
+        let size = vector(1.0, 4.0);
+        spawn_cuboid(&mut world, size, at(DVec3::ZERO), WHITE);
+        let [eye, light] = [12.0, 8.0].map(|far| vector(-1.0, 1.0).normalize() * far);
+        spawn_light(&mut world, LightKind::Diffuse, DVec3::splat(1e5), light);
+        for projection in Projection::ALL {
+            let view = view([64, 48], eye, DVec3::ZERO, projection);
+            for mode in modes {
+                let proof = proof(&mut world, &view.shaded(mode));
+                let unproven = proof.refuted + proof.undecided;
+                assert_eq!(unproven, 0, "{seed}, {mode:?}: {:?}", proof.examples);
+            }
+        }
+    }
+}
+
+/// A cuboid of 2e14 units, lit and seen from a few units before its corner.
+pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
+    const HALF: f64 = 1e14;
+    let corner = DVec3::splat(HALF);
+    let mut world = empty();
+    spawn_cuboid(&mut world, 2.0 * corner, at(DVec3::ZERO), WHITE);
+    spawn_light(
+        &mut world,
+        LightKind::Diffuse,
+        DVec3::splat(150.0),
+        corner + DVec3::new(-1.0, 2.0, 3.0),
+    );
+    spawn_light(
+        &mut world,
+        LightKind::Specular,
+        DVec3::splat(200.0),
+        corner + DVec3::new(2.0, -2.0, 4.0),
+    );
+    let view = view(
+        [16, 12],
+        corner + DVec3::new(3.0, 4.0, 5.0),
+        corner,
+        projection,
+    );
+    (world, view.shaded(mode))
+}
+
+#[test]
+fn every_pixel_at_a_corner_of_a_vast_cuboid_has_a_narrow_enclosure() {
+    for projection in Projection::ALL {
+        let (world, view) = vast_cuboid(projection, ShadingMode::Phong);
+        for seen in enclosures(&world, &view).iter().flatten() {
+            for [least, largest] in seen.levels.map(Real::endpoints) {
+                assert!(largest - least < 1e-3, "{least} to {largest}");
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Random scenes at random tolerances: every pixel is proven.
+//!
+//! `SHADETRADE_CASES` sets how many scenes; the first n are always the same.
+
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use shadetrade::components::ShadingMode;
+use shadetrade::prove::Proof;
+
+use super::proof;
+use crate::support::cases::cases;
+use crate::support::random_scene::{Case, between, case};
+
+const SIZE: [usize; 2] = [48, 36];
+
+/// A scene and a tolerance in levels.
+fn asked() -> impl Strategy<Value = (Case, f64)> {
+    let mode = prop_oneof![Just(ShadingMode::Gouraud), Just(ShadingMode::Phong)];
+    let tolerance = prop_oneof![1 => Just(0.0), 4 => between(1e-4, 8.0)];
+    (mode.prop_flat_map(case), tolerance)
+}
+
+#[test]
+fn every_pixel_of_random_scenes_is_proven() {
+    let mut runner = TestRunner::new_with_rng(
+        Config::default(),
+        TestRng::deterministic_rng(RngAlgorithm::ChaCha),
+    );
+    let strategy = asked();
+    let mut sum = Proof::default();
+    let mut worst_share = 0.0_f64;
+    let mut unproven = Vec::new();
+    let cases = cases(100);
+    for number in 0..cases {
+        let tree = strategy.new_tree(&mut runner).expect("a scene is found");
+        let (case, tolerance) = tree.current();
+        let (mut world, view) = case.build(SIZE, tolerance);
+        let proof = proof(&mut world, &view);
+        if proof.refuted + proof.undecided > 0 {
+            let examples = proof.examples.iter();
+            let examples = examples.map(|example| {
+                let [x, y] = example.pixel;
+                let mark = proof.marks[y * SIZE[0] + x];
+                let outline = if mark.is_outline { "outline " } else { "" };
+                format!("{outline}{example:?}")
+            });
+            unproven.push(format!(
+                "scene {number}, tolerance {tolerance}: {} refuted, {} undecided\n{case:?}\n{}",
+                proof.refuted,
+                proof.undecided,
+                examples.collect::<Vec<_>>().join("\n")
+            ));
+        }
+        let limit = if tolerance > 0.0 { tolerance } else { 0.05 };
+        worst_share = worst_share.max(proof.worst / limit);
+        sum.proven += proof.proven;
+        sum.outline += proof.outline;
+        sum.covered += proof.covered;
+        sum.widest_enclosure = sum.widest_enclosure.max(proof.widest_enclosure);
+        sum.reference_error = sum.reference_error.max(proof.reference_error);
+    }
+    println!(
+        "{cases} scenes: {} proven, {} covered, {} outline; worst {worst_share:.4} of the limit, widest enclosure {:.1e}, \
+         reference {:.1e}",
+        sum.proven, sum.covered, sum.outline, sum.widest_enclosure, sum.reference_error
+    );
+    assert!(unproven.is_empty(), "{}", unproven.join("\n\n"));
+    assert!(sum.covered * 10 > sum.proven, "cuboids are seen");
+    assert!(
+        sum.outline * 10 < sum.covered,
+        "most of what is seen is proven to be seen"
+    );
+}

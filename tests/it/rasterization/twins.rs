@@ -1,0 +1,129 @@
+//! Random polygons against the twins.
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+use shadetrade::components::Polygon;
+use shadetrade::systems::coverage::Scan;
+
+use super::counting::{assert_twin, covers, encloses, facing, snapped, turn};
+use crate::support::random::Random;
+
+#[test]
+fn two_halves_of_any_quadrilateral_count_its_pixels_once_and_no_others() {
+    let mut random = Random(1);
+    let mut covered = 0;
+    let mut left = 100_000;
+    while left > 0 {
+        // Half of them on a coarse grid, where edges meet pixel centres.
+        let unit = if left % 2 == 0 { 128.0 } else { 1.0 };
+        let mut coordinate =
+            || (random.within(-256.0, 8.0 * 256.0) / unit).round() as i32 * unit as i32;
+        let ring: [[i32; 2]; 4] = std::array::from_fn(|_| [coordinate(), coordinate()]);
+        let [a, b, c, d] = ring;
+        if turn([a, b, c]) > 0 && turn([a, c, d]) > 0 {
+            let halves = [snapped(&[a, b, c]), snapped(&[a, c, d])];
+            covered += assert_twin(&halves, [7, 7], |x, y| encloses(&ring, x, y));
+            left -= 1;
+        }
+    }
+    assert!(covered > 500_000, "{covered} pixels were looked at");
+}
+
+#[test]
+fn an_edge_that_meets_a_centre_or_misses_it_by_the_least_there_is_agrees_with_the_twin() {
+    let mut random = Random(3);
+    for reach in [1000.0, 1e5, 1e8] {
+        let mut covered = 0;
+        for _ in 0..1000 {
+            let mut component = || random.within(-reach, reach) as i64;
+            let (across, down) = (component(), component());
+            // The least there is: `down` u - `across` v = 1.
+            let (divisor, u, v) = bezout(down, -across);
+            if divisor != 1 {
+                continue;
+            }
+            for miss in [-1, 0, 1] {
+                let at = |right: i64, below: i64| {
+                    [miss * u + right, miss * v + below].map(|c| (8 * 256 + 128 + c) as i32)
+                };
+                let sides = [at(-down, across), at(down, -across)];
+                // One step up or down and no more, or the edge would miss by several times the least.
+                for end in [at(-across, -down), at(across, down)] {
+                    for side in sides {
+                        let triangle = facing([at(0, 0), end, side]);
+                        covered +=
+                            assert_twin(&[triangle], [17, 17], |x, y| covers(&triangle, x, y));
+                    }
+                }
+            }
+        }
+        assert!(covered > 10_000, "{covered} pixels were looked at");
+    }
+}
+
+/// The greatest common divisor of two integers, and the factors that make it of them (Euclid's algorithm, extended).
+fn bezout(a: i64, b: i64) -> (i64, i64, i64) {
+    if b == 0 {
+        (a.abs(), a.signum(), 0)
+    } else {
+        let (divisor, u, v) = bezout(b, a % b);
+        (divisor, v, u - a / b * v)
+    }
+}
+
+/// The convex hull, counter-clockwise as seen (Andrew 1979).
+fn hull(mut points: Vec<[i32; 2]>) -> Vec<[i32; 2]> {
+    points.sort_unstable();
+    points.dedup();
+    let half = |points: &mut dyn Iterator<Item = [i32; 2]>| {
+        let mut chain: Vec<[i32; 2]> = Vec::new();
+        for point in points {
+            while let [.., a, b] = chain[..]
+                && turn([a, b, point]) <= 0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut ring = half(&mut points.iter().copied());
+    ring.extend(half(&mut points.iter().rev().copied()));
+    ring
+}
+
+/// Convex polygons in and around a small picture; with `unit` 128, of vertices on pixel centres and pixel corners.
+fn convex() -> impl Strategy<Value = Polygon> {
+    prop_oneof![Just(1), Just(128)].prop_flat_map(|unit| {
+        let coordinate = (-512 / unit..=40 * 256 / unit).prop_map(move |step| step * unit);
+        prop::collection::vec([coordinate.clone(), coordinate], 3..=Polygon::MAX_VERTICES)
+            .prop_map(|points| snapped(&hull(points)))
+    })
+}
+
+proptest! {
+    #![proptest_config(Config {
+        cases: 2000,
+        rng_seed: RngSeed::Fixed(1),
+        failure_persistence: None,
+        ..Config::default()
+    })]
+
+    #[test]
+    fn any_convex_polygon_covers_what_its_twin_does(polygon in convex()) {
+        assert_twin(&[polygon], [36, 36], |x, y| covers(&polygon, x, y));
+    }
+
+    #[test]
+    fn some_rows_of_a_polygon_are_those_rows(polygon in convex(), from in 0..36_usize, rows in 0..36_usize) {
+        let spans = |rows| {
+            let mut scan = Scan::new(&polygon, rows, 36);
+            std::iter::from_fn(move || scan.next_span()).collect::<Vec<_>>()
+        };
+        let to = (from + rows).min(36);
+        let expected: Vec<_> = spans(0..36).into_iter().filter(|span| (from..to).contains(&span.0)).collect();
+        prop_assert_eq!(spans(from..to), expected);
+        prop_assert!(spans(from..to).iter().all(|(_, from, to)| from < to), "a row that is not covered is none");
+    }
+}

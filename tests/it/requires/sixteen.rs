@@ -1,0 +1,84 @@
+//! The sixteen cases of docs/sixteen-cases.md: its scene, its values and its answers.
+
+use shadetrade::components::View;
+use shadetrade::reference::Rule;
+use shadetrade::requires::{Part, changes};
+use shadetrade::scene::Scene;
+
+const PAGE: &str = include_str!("../../../docs/sixteen-cases.md");
+
+/// The cells of every row of the page's tables that has so many.
+fn rows(columns: usize) -> Vec<Vec<&'static str>> {
+    let rows = PAGE.lines().filter(|line| line.starts_with('|'));
+    let cells = rows.map(|row| row.trim_matches('|').split('|').map(str::trim).collect());
+    cells
+        .filter(|cells: &Vec<_>| cells.len() == columns)
+        .skip(2)
+        .collect()
+}
+
+/// The scene of a case, given by its first four cells.
+fn scene(case: &[&str]) -> Scene {
+    let blocks: Vec<&str> = PAGE.split("```toml").collect();
+    let mut text = blocks[1]
+        .split("```")
+        .next()
+        .unwrap()
+        .replace("KIND", case[3]);
+    for value in rows(3) {
+        let of = match value[0] {
+            "EYE" | "FOV" => case[0],
+            "LIGHT" => case[1],
+            _ => case[2],
+        };
+        let column = if ["near", "turning"].contains(&of) {
+            1
+        } else {
+            2
+        };
+        text = text.replace(value[0], value[column]);
+    }
+    Scene::parse("case", &text).expect("a scene")
+}
+
+#[test]
+fn every_answer_of_the_page_is_found_again() {
+    let cases = rows(7);
+    assert_eq!(cases.len(), 16);
+    for case in cases {
+        let scene = scene(&case);
+        let view = View {
+            tolerance: 0.5,
+            ..scene.view(0, [64, 48])
+        };
+        let parts = [
+            Part::EveryPixel(0),
+            Part::Rule(Rule::UnitNormal),
+            Part::Rule(Rule::PerspectiveCorrect),
+            Part::Rule(Rule::SpecularGate),
+            Part::Rule(Rule::DepthTest),
+            Part::Rule(Rule::NearPlane),
+        ];
+        let left_out = parts.map(|part| vec![part]);
+        let changes = |left_out: &[Vec<Part>]| {
+            let changes = changes(&scene, &view, left_out, &|| false, &|_| ());
+            changes.expect("nobody cancels it")
+        };
+        let found = changes(&left_out);
+        let answers = case[4..].iter().chain(&["no"; 3]);
+        for ((part, change), answer) in parts.iter().zip(&found).zip(answers) {
+            let [least, most] = change.largest_error;
+            let is_proven = match *answer {
+                "yes" => least > 0.5,
+                "no" => most <= 0.5,
+                other => panic!("{other:?} is no answer"),
+            };
+            assert!(
+                is_proven,
+                "{case:?}, {part:?}: {answer}, but {least} to {most}"
+            );
+        }
+        let light = changes(&[vec![Part::Light(0)]]);
+        assert!(light[0].largest_error[0] > 100.0, "{case:?} is lit");
+    }
+}

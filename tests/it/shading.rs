@@ -1,0 +1,6 @@
+//! What colour a pixel gets.
+
+mod agreement;
+mod known;
+mod powers;
+mod truth;

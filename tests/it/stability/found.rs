@@ -1,0 +1,156 @@
+//! What fuzzing found.
+
+use glam::DVec3;
+use shadetrade::components::{
+    LightKind, Material, Polygon, Projected, Projection, ShadingMode, Transform, View,
+};
+use shadetrade::frame::Keep;
+
+use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
+
+/// A slope that is infinite in f32 times a reach of zero: a tile of one pixel, on the corner where the bright one's share
+/// is nothing.
+#[test]
+fn on_a_corner_that_no_other_reaches_every_level_is_defined() {
+    for bright in [1e30, 1e60, 1e90] {
+        let mut world = empty();
+        let material = Material {
+            ambient: DVec3::ONE,
+            diffuse: DVec3::ONE,
+            specular: DVec3::ZERO,
+            shininess: 0.0,
+        };
+        spawn_cuboid(&mut world, DVec3::ONE, at(DVec3::ONE), material);
+        spawn_light(
+            &mut world,
+            LightKind::Ambient,
+            DVec3::splat(100.0),
+            DVec3::ZERO,
+        );
+        for place in [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| 9.0 - 16.0 * axis) {
+            let levels = DVec3::splat(bright);
+            spawn_light(&mut world, LightKind::Diffuse, levels, place);
+        }
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let view = View {
+                tolerance: 0.0,
+                ..view([1, 1], DVec3::ZERO, DVec3::ONE, projection)
+            };
+            for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+                let frame = draw(&mut world, &view.shaded(mode), Keep::Levels);
+                assert_eq!(frame.counts().covered_pixels, 1);
+                let [levels] = frame.levels() else {
+                    panic!("one pixel was asked for")
+                };
+                assert!(!levels.iter().any(|level| level.is_nan()), "{levels:?}");
+            }
+        }
+    }
+}
+
+/// Between a corner brighter than f32 can hold and a dark one the colour is some multiple of the former; where a tile has
+/// a single pixel, that multiple is zero and the slope beside it infinite.
+#[test]
+fn beside_a_corner_brighter_than_floats_can_hold_every_level_is_defined() {
+    for bright in [1e37, 1e39, 1e60] {
+        let material = Material {
+            ambient: DVec3::ONE,
+            diffuse: DVec3::ONE,
+            specular: DVec3::ONE,
+            shininess: 2.0,
+        };
+        let mut world = empty();
+        spawn_cuboid(&mut world, DVec3::ONE, at(DVec3::ZERO), material);
+        let levels = DVec3::new(bright, 100.0, 100.0);
+        spawn_light(&mut world, LightKind::Specular, levels, DVec3::splat(8.0));
+        let eye = DVec3::splat(-8.0);
+        let view = view([11, 11], eye, DVec3::ZERO, Projection::Perspective);
+        let frame = draw(&mut world, &view.shaded(ShadingMode::Gouraud), Keep::Levels);
+        assert!(frame.counts().covered_pixels > 0);
+        let undefined = frame.levels().iter().flatten().any(|level| level.is_nan());
+        assert!(!undefined, "{bright:e}: {:?}", frame.levels());
+    }
+}
+
+/// A floor so large that cutting it leaves f64 nothing of where the guard band was: no vertex may leave it again.
+#[test]
+fn the_largest_floors_stay_in_the_guard_band() {
+    for thickness in [1e-9, 0.5, 1e9] {
+        let mut world = empty();
+        let size = DVec3::new(1e100, 1e100, thickness);
+        spawn_cuboid(
+            &mut world,
+            size,
+            at(DVec3::new(-10.5, -7e16, 5.0)),
+            Material {
+                ambient: DVec3::ONE,
+                diffuse: DVec3::ONE,
+                specular: DVec3::ONE,
+                shininess: 1.0,
+            },
+        );
+        for (eye, target) in [
+            (DVec3::new(-3.5, -12.0, 15.0), DVec3::new(0.0, 0.0, 1.4)),
+            (DVec3::splat(10.5), DVec3::new(7.4, 7.375, 1.0)),
+        ] {
+            for projection in [Projection::Perspective, Projection::Orthographic] {
+                let view = view([5, 25], eye, target, projection);
+                draw(&mut world, &view, Keep::Levels);
+                for projected in world.query_mut::<&Projected>() {
+                    let vertices = projected.polygons.iter().flat_map(Polygon::vertices);
+                    for coordinate in vertices.flatten() {
+                        assert!(coordinate.abs() <= 1 << 30, "{projected:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Ever so many cuboids away rounding moves a silhouette by its own size: the shortcut's vectors, carried on beyond their
+/// triangle, are longer than one, and a large exponent makes infinity of the excess.
+#[test]
+fn the_shortcut_is_defined_beside_its_triangles() {
+    let mut world = empty();
+    let material = Material {
+        ambient: DVec3::ZERO,
+        diffuse: DVec3::new(0.5, 0.0, 5.0),
+        specular: DVec3::splat(5.0),
+        shininess: 1e6,
+    };
+    let place = Transform {
+        position: DVec3::new(1.025e-89, 5e-91, -1e10),
+        rotation: DVec3::new(3.161e36, 0.0, 0.0),
+    };
+    spawn_cuboid(
+        &mut world,
+        DVec3::splat(4.831_298_828_125e-90),
+        place,
+        material,
+    );
+    for (kind, at) in [
+        (
+            LightKind::Specular,
+            DVec3::new(3.5, -1.757_080_078_125, 3.5),
+        ),
+        (LightKind::Diffuse, DVec3::new(3.5, 3.5, 1.756_835_937_5)),
+    ] {
+        spawn_light(
+            &mut world,
+            kind,
+            DVec3::new(600.0, 1200.0, 1200.0),
+            at * 1e-90,
+        );
+    }
+    let [eye, target] = [6.5, 3.5].map(|z| DVec3::new(3.5, 3.5, z) * 1e-90);
+    let mut view = view([27, 16], eye, target, Projection::Orthographic);
+    view.viewpoint.camera.up = DVec3::ONE;
+    view.viewpoint.camera.height = 8e-90;
+    let frame = draw(
+        &mut world,
+        &view.shaded(ShadingMode::UnitVectors),
+        Keep::Levels,
+    );
+    assert!(frame.counts().covered_pixels > 0);
+    assert!(!frame.levels().iter().flatten().any(|level| level.is_nan()));
+}

@@ -1,0 +1,65 @@
+//! A frame that has been drawn once takes no more memory, whatever is drawn next at that size; and saving it takes little
+//! more than its bytes.
+
+use allocation_counter::measure;
+use fearless_simd::Level;
+use shadetrade::components::Light;
+use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::output::Output;
+use shadetrade::systems;
+
+use super::life::{still_life, views};
+
+#[test]
+fn a_warm_frame_on_one_thread_allocates_nothing() {
+    for keep in [Keep::Display, Keep::Levels] {
+        for cuboids in [1, 3] {
+            let mut world = still_life(cuboids);
+            let workers = Workers::new(1, Level::new()).expect("one thread is always there");
+            let mut frame = Frame::new(keep, workers);
+            let views = views([160, 120]);
+            // What a way of drawing keeps for its next frame, it takes for its first one.
+            for view in &views {
+                systems::draw(&mut world, view, &mut frame).expect("a small picture fits");
+            }
+            for view in &views {
+                for on in [true, false, true] {
+                    world
+                        .query_mut::<&mut Light>()
+                        .into_iter()
+                        .for_each(|light| light.on = on);
+                    let taken = measure(|| {
+                        systems::draw(&mut world, view, &mut frame).expect("it fitted before");
+                    });
+                    assert_eq!(
+                        taken.count_total, 0,
+                        "{keep:?}, {cuboids} cuboids, {view:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn saving_a_picture_takes_its_bytes_and_what_becomes_of_them() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let output = Output::File(folder.path().join("a.png"));
+    let size = [1000, 2000];
+    // Noise: what is compressed is as large as the picture.
+    let pixels: Vec<u32> = (0..2_000_000_u32)
+        .map(|pixel| pixel.wrapping_mul(0x9e37_79b9) >> 8)
+        .collect();
+    let taken = measure(|| output.write_png(&pixels, size).expect("written"));
+    let bytes = 3 * pixels.len() as u64;
+    assert!(
+        taken.bytes_max < 6 * bytes,
+        "{} bytes for {bytes}",
+        taken.bytes_max
+    );
+    let saved = image::open(folder.path().join("a.png")).expect("a picture");
+    let saved = saved.into_rgb8();
+    assert_eq!(saved.dimensions(), (1000, 2000));
+    let same = |(pixel, saved): (&u32, &image::Rgb<u8>)| pixel.to_be_bytes()[1..] == saved.0;
+    assert!(pixels.iter().zip(saved.pixels()).all(same));
+}

@@ -1,0 +1,9 @@
+//! Helpers of several modules.
+
+pub mod cases;
+pub mod random;
+pub mod random_scene;
+pub mod scene;
+#[cfg(unix)]
+pub mod signal;
+pub mod window;

@@ -1,0 +1,109 @@
+//! The systems of a frame, one file each, in the order of `systems::FRAME`: entities are spawned by hand, the system runs,
+//! and what it leaves in components, in the frame or in pixels is known from paper.
+//!
+//! ```text
+//! spin -> viewpoint -> normals -> projection -> lighting -> rasterization
+//! ```
+//! Which pixels a polygon covers has tests of its own, in `tests/it/rasterization`.
+
+mod frame;
+mod lighting;
+mod normals;
+mod projection;
+mod rasterization;
+mod spin;
+mod viewpoint;
+
+use fearless_simd::Level;
+use glam::{DVec3, dvec3};
+use hecs::{Entity, World};
+use shadetrade::components::{
+    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
+    Viewpoint, WorldTransform, cuboid,
+};
+use shadetrade::frame::{Frame, Keep, Workers};
+
+const PROJECTIONS: [Projection; 2] = Projection::ALL;
+
+/// kA 0.1, kD 0.5 and kE 1 in every channel; a highlight's exponent of 2.
+const MATERIAL: Material = Material {
+    ambient: DVec3::splat(0.1),
+    diffuse: DVec3::splat(0.5),
+    specular: DVec3::ONE,
+    shininess: 2.0,
+};
+
+/// An empty frame of the calling thread alone.
+fn empty_frame() -> Frame {
+    Frame::new(Keep::Levels, Workers::alone(Level::new()))
+}
+
+/// Ten units before the origin, looking at it along -z: 90 degrees or 20 units high, at tolerance 0, on black.
+fn ahead(projection: Projection, size: [usize; 2]) -> View {
+    let camera = Camera {
+        target: DVec3::ZERO,
+        up: DVec3::Y,
+        fov: 90.0,
+        height: 20.0,
+        near: Some(1.0),
+    };
+    View {
+        size,
+        viewpoint: Viewpoint {
+            position: DVec3::Z * 10.0,
+            camera,
+        },
+        projection,
+        background: DVec3::ZERO,
+        shading: None,
+        tolerance: 0.0,
+    }
+}
+
+/// An unturned place.
+fn at(position: DVec3) -> Transform {
+    Transform::at(position)
+}
+
+/// The place in the world of what is at `transform`.
+fn place(transform: Transform) -> WorldTransform {
+    WorldTransform {
+        position: transform.position,
+        axes: transform.axes(),
+    }
+}
+
+/// A cuboid in its place in the file.
+fn spawn_cuboid(
+    world: &mut World,
+    order: usize,
+    transform: Transform,
+    size: DVec3,
+    material: Material,
+    mode: ShadingMode,
+) -> Entity {
+    let (name, mesh) = (Name(format!("cuboid {order}")), Mesh::cuboid(size));
+    world.spawn(cuboid(order, name, transform, mesh, material, mode))
+}
+
+/// A white light of so many levels, which is on.
+fn light(kind: LightKind, levels: f64) -> Light {
+    Light {
+        kind,
+        color: DVec3::ONE,
+        intensity: levels,
+        gain: 1.0,
+        on: true,
+    }
+}
+
+/// A component of an entity.
+fn read<C: hecs::Component + Copy>(world: &World, entity: Entity) -> C {
+    *world.get::<&C>(entity).expect("the entity has it")
+}
+
+/// The signs of a corner along x, y and z.
+fn signs(corner: usize) -> DVec3 {
+    let sign = |bit: usize| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
+    dvec3(sign(0), sign(1), sign(2))
+}

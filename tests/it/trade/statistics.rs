@@ -1,0 +1,130 @@
+//! Times and the front, on numbers whose answers were computed by hand.
+
+use shadetrade::components::ShadingMode;
+use shadetrade::trade::Measurement;
+use shadetrade::trade::accuracy::share_kept;
+use shadetrade::trade::front::on_front;
+use shadetrade::trade::timing::{Timing, median};
+
+use super::example;
+
+#[test]
+fn the_figures_of_eleven_samples_are_those_computed_by_hand() {
+    // In order 1, 31, ..., 40: the sixth is 35; distances 0 1 1 2 2 3 3 4 4 5 34: the sixth is 3.
+    let samples = [
+        40.0, 31.0, 39.0, 32.0, 1.0, 38.0, 33.0, 37.0, 34.0, 36.0, 35.0,
+    ];
+    let timing = Timing::of(&[samples.to_vec()]);
+    assert_eq!((timing.samples, timing.median, timing.mad), (11, 35.0, 3.0));
+    // 99 % of eleven are 10.89: the eleventh.
+    assert_eq!((timing.min, timing.p99), (1.0, 40.0));
+    assert_eq!(timing.raw, samples);
+}
+
+#[test]
+fn the_median_is_the_middle_or_the_mean_of_the_middle_two() {
+    assert_eq!(median(&[4.0, 1.0, 2.0, 7.0]), 3.0);
+    assert_eq!(median(&[7.0, 1.0, 2.0]), 2.0);
+    assert_eq!(median(&[5.0]), 5.0);
+    // Distances from 3: 2, 1, 1, 4.
+    assert_eq!(Timing::of(&[vec![4.0, 1.0, 2.0, 7.0]]).mad, 1.5);
+}
+
+#[test]
+fn of_a_hundred_samples_the_99th_is_the_percentile() {
+    let timing = |most| Timing::of(&[(1..=most).rev().map(f64::from).collect()]);
+    assert_eq!(timing(100).p99, 99.0);
+    assert_eq!(timing(101).p99, 100.0);
+}
+
+#[test]
+fn one_sample_is_all_there_is() {
+    let timing = Timing::of(&[vec![5.0]]);
+    assert_eq!(
+        [timing.median, timing.mad, timing.min, timing.p99],
+        [5.0, 0.0, 5.0, 5.0]
+    );
+    assert_eq!(timing.interval, [5.0, 5.0]);
+}
+
+#[test]
+fn the_interval_spans_the_medians_of_the_batches_not_the_samples() {
+    let timing = Timing::of(&[
+        vec![1.0, 10.0, 99.0],
+        vec![12.0, 2.0, 88.0],
+        vec![11.0, 11.0, 11.0],
+    ]);
+    assert_eq!(timing.interval, [10.0, 12.0]);
+    assert_eq!(timing.median, 11.0);
+}
+
+#[test]
+fn times_are_told_apart_only_where_intervals_do_not_overlap() {
+    let [ten, nearly, eleven] = [10.0, 10.09, 11.0].map(example::timing);
+    assert!(ten.is_measurably_less_than(&eleven));
+    assert!(!eleven.is_measurably_less_than(&ten));
+    assert!(!ten.is_measurably_less_than(&nearly) && !nearly.is_measurably_less_than(&ten));
+}
+
+/// A method of this largest error and time.
+fn measurement((error, time): (f64, f64)) -> Measurement {
+    let method = ("", ShadingMode::Phong, 0.0);
+    example::measurement(method, time, [error, 0.0], None, false)
+}
+
+/// The front of methods given as (error, time).
+fn front(methods: &[(f64, f64)]) -> Vec<bool> {
+    let methods: Vec<_> = methods.iter().copied().map(measurement).collect();
+    on_front(&methods)
+}
+
+#[test]
+fn what_is_beaten_in_both_ways_or_in_one_is_off_the_front() {
+    let methods = [
+        (160.0, 1.0),
+        (4.0, 2.0),
+        (5.0, 3.0),
+        (4.0, 2.5),
+        (0.0, 8.0),
+        (0.1, 8.0),
+    ];
+    assert_eq!(front(&methods), [true, true, false, false, true, false]);
+}
+
+#[test]
+fn noise_takes_nothing_off_the_front() {
+    // Within noise of each other and as true: both stay.
+    assert_eq!(front(&[(1.0, 10.0), (1.0, 10.05)]), [true, true]);
+    // Slower by noise alone but truer: both stay.
+    assert_eq!(front(&[(1.0, 10.0), (0.5, 10.05)]), [true, true]);
+    // No faster, and less true: nothing to choose it for.
+    assert_eq!(front(&[(1.0, 10.0), (1.5, 10.05)]), [true, false]);
+}
+
+#[test]
+fn rounding_of_the_reference_is_no_error() {
+    assert_eq!(front(&[(7e-15, 1.0), (0.0, 2.0)]), [true, false]);
+}
+
+#[test]
+fn where_nothing_is_drawn_there_is_no_front() {
+    let mut nothing = measurement((0.0, 1.0));
+    nothing.accuracy.error.levels = None;
+    assert_eq!(on_front(&[nothing.clone(), nothing]), [false, false]);
+    assert_eq!(on_front(&[]), [false; 0]);
+}
+
+#[test]
+fn a_highlight_is_kept_as_far_as_it_is_where_it_belongs() {
+    let whole = [[100.0, 50.0, 50.0], [0.0; 3]];
+    // As displayed: rounded, and nothing below black.
+    let shown = [[100.4, 49.6, 50.0], [-9.0; 3]];
+    assert_eq!(share_kept(&shown, &whole), Some(1.0));
+    // 40 + 50 + 10 of 200: what is too bright or elsewhere adds nothing.
+    assert_eq!(
+        share_kept(&[[40.0, 90.0, 10.0], [200.0; 3]], &whole),
+        Some(0.5)
+    );
+    assert_eq!(share_kept(&[[0.0; 3], [255.0; 3]], &whole), Some(0.0));
+    assert_eq!(share_kept(&shown, &[[0.0; 3]; 2]), None);
+}
