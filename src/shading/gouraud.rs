@@ -28,14 +28,11 @@ pub struct Gouraud<'a> {
     colors: [Affine; 2],
 }
 
-/// What f32 makes of a colour, over the largest: sixteen roundings, over the smallest w, which is at least half the middle's;
-/// and the display may be that of the next float. An affine value, such as the numerator, is rounded four times; w, of up to
-/// 1.5 times the middle's, makes ten of dividing by it; the division is two.
-const ROUNDING: f64 = 34.0 * U;
-
-/// What it costs besides, over the largest, that f32 may put a pixel on the wrong side of the diagonal: the colours of both
-/// triangles are as far apart there as four roundings of twice the largest make them, over the smallest w.
-const WRONG_SIDE: f64 = 16.0 * U;
+/// What f32 makes of a colour, over the largest: 24 roundings, over the smallest w, which is at least half the middle's; and
+/// the display may be that of the next float. An affine value, such as the numerator, is rounded four times; w, of up to 1.5
+/// times the middle's, makes ten of dividing by it; the division is two. The diagonal is an affine value too: where its
+/// rounding puts a pixel on the wrong side, the colours of the two triangles are four times twice the largest apart.
+const ROUNDING: f64 = 50.0 * U;
 
 /// What f64 makes of a sample and of the biquadratic, relative to the colours: less than this. At the nodes w is at least 0.134
 /// of the middle's, which makes 30 epsilon of the roundings of numerator and w; interpolation enlarges that 25/9 times.
@@ -143,8 +140,7 @@ impl<'a> Gouraud<'a> {
                 largest = if most <= largest { largest } else { most };
             }
         }
-        let is_cut = is_met == [true; 2];
-        let rounding = (ROUNDING + if is_cut { WRONG_SIDE } else { 0.0 }) * largest;
+        let rounding = ROUNDING * largest;
         if !(self.face.is_steady_on([x, y], half)
             && change(w.dx, w.dy) < 0.5
             && rounding <= limit(self.tolerance))
@@ -162,7 +158,7 @@ impl<'a> Gouraud<'a> {
             colors: if is_met[0] { colors[0] } else { colors[1] },
             beyond: colors[1],
             before: affine(before, diagonal.dx, diagonal.dy),
-            is_cut,
+            is_cut: is_met == [true; 2],
             w: affine(w.at(x, y), w.dx, w.dy),
         };
         let evaluate = inlined!(|place: [f32x16<S>; 2]| quotient.at(place));
@@ -232,7 +228,10 @@ mod tests {
             let [color, right, down] = [part(0.7), part(1.1), part(1.7)];
             let largest = color.abs() + right.abs() + down.abs();
             let level = at([color, right, down]) * (Rounded::exact(1.0) / w);
-            most = most.max((level.error + 2.0 * level.value.abs()) * U / (ROUNDING * largest));
+            // Over the smallest w.
+            let wrong_side = 2.0 * 8.0 * largest;
+            let error = level.error + 2.0 * level.value.abs() + wrong_side;
+            most = most.max(error * U / (ROUNDING * largest));
         }
         println!("{most:.3} of the count");
         assert!(most <= 1.0, "the count is {most} times too small");
