@@ -4,9 +4,9 @@ use egui::{Color32, Rect, RichText, Ui, pos2, vec2};
 use egui_plot::{GridMark, Line, Plot, PlotPoints, Points};
 
 use super::app::App;
+use super::inspector::short;
 use super::jobs::State;
 use super::keys::{Command, caption};
-use super::panel::short;
 use super::pictures::TINTS;
 use super::style::{BAD, STALE};
 use crate::components::{Show, Tolerance, ViewMode};
