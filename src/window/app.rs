@@ -19,6 +19,7 @@ use hecs::Component;
 use super::facts::Facts;
 use super::file::{News, SceneFile};
 use super::history::History;
+use super::inspector::Kind;
 use super::jobs::{Jobs, State, Task};
 use super::pictures::{Pictures, or_dimmed};
 use super::viewport::Grab;
@@ -29,7 +30,6 @@ use crate::output::{encode_png, write_numbered};
 use crate::paint::{Painter, area};
 use crate::requires::Part;
 use crate::scene::{Scene, SceneRecord, ViewRecord};
-use super::inspector::Kind;
 
 /// The time without a change after which the picture is timed and compared.
 const REST: Duration = Duration::from_millis(100);

@@ -32,6 +32,9 @@ impl App {
             has_room[0] && !self.desk.panel_folded,
             has_room[1] && tab.is_some(),
         ];
+        for side in 0..2 {
+            self.desk.over[side] &= !has_room[side];
+        }
         let both = is_open == [true; 2];
         let most = (width / 2.0 - if both { LEAST } else { 0.0 }).max(LEAST);
         let usual = USUAL.min(width / if both { 4.0 } else { 3.0 }).max(LEAST);
