@@ -23,7 +23,7 @@ use super::inspector::Kind;
 use super::jobs::{Jobs, State, Task};
 use super::pictures::{Pictures, or_dimmed};
 use super::viewport::Grab;
-use crate::components::{Magnifier, Show, Spin, View, get, viewer};
+use crate::components::{Magnifier, Probed, Show, Spin, View, get, viewer};
 use crate::drawing::Drawing;
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
@@ -344,7 +344,8 @@ impl App {
         if !drawn.as_ref().is_some_and(is_same) {
             self.pictures.draw(world, &show, &view)?;
             self.untimed = Some(self.now);
-            if drawn.is_some_and(|(_, drawn)| drawn != size) {
+            if let Some((_, before)) = drawn.filter(|(_, drawn)| *drawn != size) {
+                self.keep_pixel(before, size);
                 self.picture_changed();
             }
         } else if self
@@ -359,6 +360,20 @@ impl App {
         }
         self.drawn = Some(present);
         Ok(())
+    }
+
+    /// Keeps the probed pixel where it lies in the scene when the picture gets another size.
+    fn keep_pixel(&mut self, before: [usize; 2], size: [usize; 2]) {
+        let Probed(Some(pixel)) = self.look() else {
+            return;
+        };
+        // The field of view is vertical, and the middle of the picture stays.
+        let scale = size[1] as f64 / before[1] as f64;
+        let pixel = [0, 1].map(|axis| {
+            let from_middle = pixel[axis] as f64 + 0.5 - before[axis] as f64 / 2.0;
+            (from_middle * scale + size[axis] as f64 / 2.0).max(0.0) as usize
+        });
+        self.set_look(Probed(Some(pixel)));
     }
 
     /// Copies the picture into its place in the window, magnified.

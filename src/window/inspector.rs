@@ -54,9 +54,7 @@ impl App {
             self.set_look(Inspector(Some(tab)));
         }
         ui.separator();
-        let scroll = ScrollArea::vertical()
-            .auto_shrink(false)
-            .id_salt(tab.name());
+        let scroll = ScrollArea::both().auto_shrink(false).id_salt(tab.name());
         scroll.show(ui, |ui| match tab {
             Tab::Pixel => self.pixel_tab(ui),
             Tab::Scene => self.scene_tab(ui),

@@ -36,7 +36,12 @@ impl App {
 
     /// A button with the name, the key and the sentence of a command, which a click runs.
     pub fn offer(&mut self, ui: &mut Ui, command: Command, is_chosen: bool) {
-        if command_button(ui, command, is_chosen).clicked() {
+        let is_enabled = match command {
+            Command::Undo => self.history.has_undo(&self.state),
+            Command::Redo => self.history.has_redo(&self.state),
+            _ => true,
+        };
+        if command_button(ui, command, is_chosen, is_enabled).clicked() {
             self.run(command);
         }
     }
@@ -135,7 +140,7 @@ impl App {
         ] {
             self.offer(ui, command, show.mode == mode && is_chosen);
         }
-        let hold = command_button(ui, Command::ShowExact, self.desk.shows_exact);
+        let hold = command_button(ui, Command::ShowExact, self.desk.shows_exact, true);
         if hold.is_pointer_button_down_on() || hold.drag_stopped() || hold.clicked() {
             self.desk.shows_exact = hold.is_pointer_button_down_on();
         }
@@ -216,14 +221,14 @@ impl App {
             }
         }
         ui.horizontal_wrapped(|ui| {
-            self.offer(ui, Command::Tab(Tab::Scene), false);
-            ui.add_enabled_ui(self.history.has_undo(&self.state), |ui| {
-                self.offer(ui, Command::Undo, false);
-            });
-            ui.add_enabled_ui(self.history.has_redo(&self.state), |ui| {
-                self.offer(ui, Command::Redo, false);
-            });
-            for command in [Command::Save, Command::SaveAs, Command::Help] {
+            for command in [
+                Command::Tab(Tab::Scene),
+                Command::Undo,
+                Command::Redo,
+                Command::Save,
+                Command::SaveAs,
+                Command::Help,
+            ] {
                 self.offer(ui, command, false);
             }
         });
@@ -231,11 +236,11 @@ impl App {
 }
 
 /// A button with the name and the key of a command, and its sentence as a tooltip.
-fn command_button(ui: &mut Ui, command: Command, is_chosen: bool) -> Response {
+fn command_button(ui: &mut Ui, command: Command, is_chosen: bool, is_enabled: bool) -> Response {
     let (name, says) = binding(command).map_or(("", ""), |it| (it.name, it.says));
     let button = Button::selectable(is_chosen, name).shortcut_text(caption(command));
-    ui.add(button.sense(Sense::click_and_drag()))
-        .on_hover_text(says)
+    let button = button.sense(Sense::click_and_drag());
+    ui.add_enabled(is_enabled, button).on_hover_text(says)
 }
 
 /// A section of the panel that can be folded.
