@@ -1,5 +1,6 @@
 //! shadetrade: parses the command line, runs one command, says what went wrong.
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::anyhow;
@@ -7,6 +8,7 @@ use anyhow::anyhow;
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
 };
+use shadetrade::window::{self, NoDisplay};
 use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
@@ -96,9 +98,23 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     })?)
 }
 
-/// Opens the window.
-fn view(_options: &ViewOptions) -> Result<(), Failure> {
-    Err(Failure::Work(anyhow!("the window is being rebuilt")))
+/// Opens the window; where there is no display, the figures are drawn if nothing else was asked for.
+fn view(options: &ViewOptions) -> Result<(), Failure> {
+    // Before anything is read: a scene that comes through a pipe can be read once.
+    window::restart_in_fit_environment()?;
+    let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
+    let drawing = options.drawing.open()?;
+    let scene = drawing.scene.name.clone();
+    match window::run(drawing) {
+        Err(missing) if missing.is::<NoDisplay>() && is_plain => {
+            output::say(&format!("{missing}; drawing the figures instead"));
+            Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
+        }
+        Err(missing) if missing.is::<NoDisplay>() => Err(Failure::Work(anyhow!(
+            "{missing}; `shadetrade render {scene} -o FILE.png` draws a picture without one"
+        ))),
+        closed => Ok(closed?),
+    }
 }
 
 /// Draws a recording again.

@@ -169,25 +169,12 @@ impl<R: Real> Reference<R> {
                 ..
             } = met;
             for face in meeting.faces() {
-                let place = cuboid.solid.place(face, line);
-                // Where an edge is near, the centre may lie beside the face: its plane is seen there, or what is nearest.
-                let held = (!meeting.well_conditioned()).then(|| cuboid.solid.held(face, &place));
-                for place in [Some(place), held].into_iter().flatten() {
-                    for &is_first in cuboid.triangles(&place) {
-                        let mut see = |open| {
-                            let lit = cuboid.lit(face, is_first, &place, open);
-                            let triangle = 2 * face + usize::from(!is_first);
-                            seen.push(Seen {
-                                triangle: Some(cuboid.number * TRIANGLES.len() + triangle),
-                                levels: lit.levels.0,
-                            });
-                            lit.is_tied
-                        };
-                        if see(0) {
-                            for open in 1..1 << TIES {
-                                see(open);
-                            }
-                        }
+                // Where an edge is near, the centre may lie beside the face.
+                if meeting.well_conditioned() {
+                    cuboid.see(face, &cuboid.solid.place(face, line), seen);
+                } else {
+                    for place in cuboid.solid.beside(face, line) {
+                        cuboid.see(face, &place, seen);
                     }
                 }
             }
@@ -248,6 +235,26 @@ struct Met<'a, R> {
 }
 
 impl<R: Real> Cuboid<R> {
+    /// Adds what a place on a face looks like.
+    fn see(&self, face: usize, place: &Place<R>, seen: &mut Vec<Seen<R>>) {
+        for &is_first in self.triangles(place) {
+            let mut see = |open| {
+                let lit = self.lit(face, is_first, place, open);
+                let triangle = 2 * face + usize::from(!is_first);
+                seen.push(Seen {
+                    triangle: Some(self.number * TRIANGLES.len() + triangle),
+                    levels: lit.levels.0,
+                });
+                lit.is_tied
+            };
+            if see(0) {
+                for open in 1..1 << TIES {
+                    see(open);
+                }
+            }
+        }
+    }
+
     /// Which triangles of its face a place may be on: both where the diagonal is near, and Phong's are one.
     fn triangles(&self, place: &Place<R>) -> &'static [bool] {
         match place.is_on_first {

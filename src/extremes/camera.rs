@@ -46,6 +46,10 @@ fn near_plane() -> Vec<Case> {
             "near plane a billionth of the distance",
             [1e-8, 1e-100].map(cut_at),
         ),
+        proven(
+            "near plane 1e-6 and 1e-10 away, a face's middle 1e5",
+            [1e-3, 1e-7].into_iter().flat_map(far_from_the_middle),
+        ),
     ]
 }
 
@@ -79,6 +83,25 @@ fn eye() -> Vec<Case> {
         proven(
             "eye in the plane of a face, and an ulp to either side",
             around(2.0).map(|x| scene().eye([x, 3.0, 9.0])),
+        ),
+        proven(
+            "eye 1e-4, 1e-7 and 1e-12 above a face, looking along it",
+            [1e-4, 1e-7, 1e-12].map(|gap| {
+                let eye = DVec3::new(-0.2, 1.5 + gap, 0.6);
+                let scene = scene().fov(100.0).eye(eye).near(gap / 4.0);
+                scene.target(eye + DVec3::new(-1.0, 0.0, 0.6)).height(2.0)
+            }),
+        ),
+        proven(
+            "the horizon of floors 1e5 to 1e12 long",
+            [1e5, 1e6, 1e9, 1e12].into_iter().flat_map(level_above),
+        ),
+        proven(
+            "lines of sight exactly through edges and in the planes of faces",
+            [[2.0, 0.4, 9.0], [2.0, 1.5, 9.0], [9.0, 1.5, 1.0]].map(|eye| {
+                let scene = scene().eye(eye).size([97, 73]);
+                scene.target(DVec3::from(eye).min(DVec3::new(2.0, 1.5, 1.0)))
+            }),
         ),
         proven(
             "eye at the lights",
@@ -195,6 +218,32 @@ fn corner_depths() -> [f64; 8] {
 /// The default cuboid from straight before its face z = 1, which is 9 away.
 fn frontal() -> SceneSpec {
     scene().eye(DVec3::Z * 10.0)
+}
+
+/// A plate from so near, and a rod, and their middles far away; lit from as near.
+fn far_from_the_middle(gap: f64) -> [SceneSpec; 2] {
+    [
+        ([1e6, 1.0, 1e6], [1.1e5, 0.5 + gap, -1.3e5]),
+        ([1e6, 1.0, 1e-3], [-8.4e4, 0.5 + gap, 1e-4]),
+    ]
+    .map(|(size, eye)| {
+        let eye = DVec3::from(eye);
+        let place = eye + DVec3::new(0.3, 1.0, -0.2) * gap;
+        let scene = scene().cuboid(cuboid(size, [0.0; 3])).fov(100.0).eye(eye);
+        let ahead = DVec3::new(0.8, -0.6, 0.5) * gap;
+        let scene = scene.target(eye + ahead).near(gap / 1e3);
+        scene.lights(lights_at(place)).height(3.0 * gap)
+    })
+}
+
+/// Floors of this length, 1 below an eye that looks along an axis and askew, level and almost; lit from above the middle.
+fn level_above(length: f64) -> [SceneSpec; 3] {
+    [[1.0, 0.0, 0.0], [0.2, 0.0, -1.0], [0.54, 1e-5, -0.84]].map(|ahead| {
+        let floor = cuboid([length, 2.0, length], [0.0; 3]);
+        let (eye, target) = (DVec3::Y * 2.0, DVec3::Y * 2.0 + DVec3::from(ahead));
+        let scene = scene().cuboid(floor).lights(lights_at(DVec3::Y * length));
+        scene.eye(eye).target(target).fov(60.0).size([65, 65])
+    })
 }
 
 /// Nothing is seen in perspective from these places, along the axes and in two directions askew.

@@ -42,6 +42,10 @@ pub fn cases() -> Vec<Case> {
             [sending(MAX, 1.0, 1.0), sending(MAX, MAX, 1.0)],
         ),
         proven(
+            "one corner of a face under 1e9, 1e14, 1e18 and 1e29 levels",
+            [1e9, 1e14, 1e18, 1e29].into_iter().flat_map(corner_lit),
+        ),
+        proven(
             "sums of 1e120 levels, more than a float holds",
             [
                 overflowing.clone(),
@@ -103,6 +107,15 @@ pub fn with_intensity(intensity: f64) -> SceneSpec {
         if light.kind != LightKind::Ambient {
             light.intensity = intensity;
         }
+    })
+}
+
+/// The default scene with a light of so many levels beside each corner of the face z = 1 in turn, which lights no other.
+fn corner_lit(levels: f64) -> [SceneSpec; 4] {
+    [(2.1, 1.6), (2.1, -1.6), (-2.1, 1.6), (-2.1, -1.6)].map(|(x, y)| {
+        let mut lights = lights_at([10.0; 3]);
+        lights.push(light(LightKind::Diffuse, levels, [x, y, 1.1]));
+        scene().lights(lights).eye([3.0, 2.0, 9.0])
     })
 }
 

@@ -19,7 +19,7 @@ use crate::systems;
 const SIZE: [usize; 2] = [960, 720];
 
 /// Bytes that all pictures take that are held at once, the file that is written among them.
-const MEMORY: usize = 28 << 20;
+const MEMORY: usize = 30 << 20;
 
 /// The assignment's pictures by file name, mode, camera and lights, in the order of the sheet: a row for each camera.
 const FIGURES: [(&str, ShadingMode, &str, &str); 6] = [

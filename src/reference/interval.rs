@@ -89,7 +89,7 @@ impl Real for Interval {
 
     fn sign(self, margin: f64) -> Option<Ordering> {
         match self.endpoints() {
-            [0.0, 0.0] => Some(Ordering::Equal),
+            [0.0, 0.0] if margin == 0.0 => Some(Ordering::Equal),
             [least, _] if least > margin => Some(Ordering::Greater),
             [_, largest] if largest < -margin => Some(Ordering::Less),
             _ => None,

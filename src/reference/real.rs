@@ -23,8 +23,8 @@ pub trait Real:
     /// The least and the largest value that it can stand for.
     fn endpoints(self) -> [f64; 2];
 
-    /// Its order to 0; `None` where that is undecided. An interval is also undecided unless all of it is at least `margin`
-    /// from 0, or it is 0 exactly.
+    /// Its order to 0; `None` where that is undecided. An interval is also undecided unless all of it is farther than `margin`
+    /// from 0; without a margin, 0 is decided too.
     fn sign(self, margin: f64) -> Option<Ordering>;
 
     /// Whether a specular light with this n.l is seen. An interval within 1e-6 of 0 is open if `tied` says so.

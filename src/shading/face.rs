@@ -115,6 +115,9 @@ impl Plane {
 /// to 1/512 pixel, which is nothing to a face of some pixels and everything to a sliver.
 pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
+/// An upper bound of how far snapping moves an edge, in pixels.
+const SNAPPING: f64 = 1.0 / 256.0;
+
 /// A face that is seen. Its functions are anchored at the picture's middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Face<'a> {
@@ -189,18 +192,17 @@ impl<'a> Face<'a> {
         face
     }
 
-    /// A value that is linear between the first three corners of the face, from those at the cuboid's corners.
-    pub fn linear(&self, values: &[DVec3; 8]) -> Linear {
-        let [a, b, c, _] = FACES[self.number].map(|corner| values[usize::from(corner)]);
-        let signs = &self.corners;
-        let half = |from: DVec3, to: DVec3, axis: usize, first: usize| {
-            (to - from) / 2.0 * (signs[first + 1][axis] - signs[first][axis]) / 2.0
+    /// A value that is linear on triangle 0 or 1 of the face, from those at the cuboid's corners; the triangle's own three
+    /// alone, for the fourth may be so large that nothing of the others is left beside it.
+    pub fn linear(&self, values: &[DVec3; 8], triangle: usize) -> Linear {
+        let corners = [0, 1, 2].map(|corner| (2 * triangle + corner) % 4);
+        let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.number][corner])]);
+        let signs = corners.map(|corner| self.corners[corner]);
+        let half = |axis: usize| {
+            let [from, middle, to] = signs.map(|signs| signs[axis]);
+            (b - a) / 2.0 * ((middle - from) / 2.0) + (c - b) / 2.0 * ((to - middle) / 2.0)
         };
-        Linear([
-            (a + c) / 2.0,
-            half(a, b, 0, 0) + half(b, c, 0, 1),
-            half(a, b, 1, 0) + half(b, c, 1, 1),
-        ])
+        Linear([(a + c) / 2.0, half(0), half(1)])
     }
 
     /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
@@ -243,10 +245,11 @@ impl<'a> Face<'a> {
     /// What the pixel `x` right and `y` down of the picture's middle shows; held on the face where the face is a sliver.
     pub fn point(&self, x: f64, y: f64) -> Point {
         let place = self.place.at(x, y);
-        let (w, [u, v]) = (place.z, [place.x / place.z, place.y / place.z]);
-        let on = |u: f64| if u.is_nan() { 0.0 } else { u.clamp(-1.0, 1.0) };
-        let held = !self.is_steady(w) && (on(u) != u || on(v) != v);
-        let place = if held { [on(u), on(v)] } else { [u, v] };
+        let w = place.z;
+        let [u, v] = [place.x / w, place.y / w];
+        let is_on = w > 0.0 && u.abs() <= 1.0 && v.abs() <= 1.0;
+        let held = !is_on && !self.is_steady(w);
+        let place = if held { self.hold(x, y) } else { [u, v] };
         let from_eye = if held {
             self.from_eye(place)
         } else {
@@ -260,6 +263,40 @@ impl<'a> Face<'a> {
             from_eye,
             held,
         }
+    }
+
+    /// The place on the face that a line of sight beside it shows.
+    ///
+    /// In perspective u w is `foot` w + `step`, where `foot` is u of the point of the plane nearest to the eye: turned
+    /// towards the plane, which makes w larger, the line of sight moves over the plane from afar towards that point. One that
+    /// snapping may have turned past the far end of the face, or past the horizon, where w <= 0, is turned back to that end.
+    fn hold(&self, x: f64, y: f64) -> [f64; 2] {
+        let Rays {
+            direction,
+            projection,
+            ..
+        } = self.rays;
+        let (place, w) = (self.place.at(x, y), &self.plane.w);
+        let along = direction.at(x, y) * self.plane.height.at(x, y);
+        let [u, v] = self.half_edges.map(|half| {
+            let [foot, step] = [-self.middle, along].map(|v| v.dot(half) / half.length_squared());
+            // The w of the end that lies ahead.
+            (foot, step, step.abs() / (1.0 - foot * step.signum()))
+        });
+        let end = f64::max(u.2, v.2);
+        let turned = SNAPPING * w.dx.hypot(w.dy);
+        let least = place.z.max(0.0);
+        if *projection == Projection::Perspective && end > least && end - place.z <= turned {
+            return [u, v].map(|(foot, step, _)| (foot + step / end).clamp(-1.0, 1.0));
+        }
+        // Beyond the horizon every place is infinitely far.
+        let times = if place.z > 0.0 {
+            1.0 / place.z
+        } else {
+            f64::INFINITY
+        };
+        let on = |u: f64| if u.is_nan() { 0.0 } else { u.clamp(-1.0, 1.0) };
+        [on(place.x * times), on(place.y * times)]
     }
 
     /// The vector to a light, whose place is given as in [`Face::towards`], from the point that the pixel `x` right and `y`

@@ -1,8 +1,8 @@
 //! Vertex colours in, perspective-correct colours out (Gouraud 1971; Heckbert and Moreton 1991 for the division).
 //!
-//! Rule: the colour is w C / w, both affine in the pixel; on the second triangle of a face C has a fold more, so which
-//! triangle a pixel is on is decided where its point is. The quotient is interpolated through nine samples where a bound
-//! keeps the tolerance, and divided at every pixel elsewhere.
+//! Rule: the colour is w C / w, both affine in the pixel, and C comes from the corners of the triangle alone that the pixel
+//! is on. The quotient is interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel
+//! elsewhere.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask64x4};
@@ -15,8 +15,7 @@ use super::field::{self, Lanes, Places};
 use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
 use super::square::Region;
 use super::{Evaluations, Scratch, TileKind, U, limit};
-use crate::components::FACES;
-use crate::simd::{inlined, outlined, three};
+use crate::simd::{inlined, outlined, three, two};
 
 /// Draws what was lit at the vertices.
 pub struct Gouraud<'a> {
@@ -24,17 +23,16 @@ pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
-    /// Levels on the first triangle, and continued on the second; and the same times w.
-    levels: Linear,
-    colors: Affine,
-    /// What the levels of the second triangle have besides: this times how far beyond the diagonal they are.
-    fold: DVec3,
+    /// Levels on the first and on the second triangle, and the same times w.
+    levels: [Linear; 2],
+    colors: [Affine; 2],
 }
 
-/// What f32 makes of a colour, over the largest: twenty roundings, over the smallest w, which is at least half the middle's;
-/// and the display may be that of the next float. An affine value is rounded four times. The numerator is, with its fold,
-/// eight times; w, of up to 1.5 times the middle's, makes ten of dividing by it; the division is two.
-const ROUNDING: f64 = 42.0 * U;
+/// What f32 makes of a colour, over the largest: 24 roundings, over the smallest w, which is at least half the middle's; and
+/// the display may be that of the next float. An affine value, such as the numerator, is rounded four times; w, of up to 1.5
+/// times the middle's, makes ten of dividing by it; the division is two. The diagonal is an affine value too: where its
+/// rounding puts a pixel on the wrong side, the colours of the two triangles are four times twice the largest apart.
+const ROUNDING: f64 = 50.0 * U;
 
 /// What f64 makes of a sample and of the biquadratic, relative to the colours: less than this. At the nodes w is at least 0.134
 /// of the middle's, which makes 30 epsilon of the roundings of numerator and w; interpolation enlarges that 25/9 times.
@@ -43,21 +41,18 @@ const SAMPLING: f64 = 128.0 * f64::EPSILON;
 impl<'a> Gouraud<'a> {
     /// Draws levels that are given at a cuboid's corners.
     pub fn new(face: &'a Face, levels: &[DVec3; 8], tolerance: f64) -> Self {
-        let [a, b, c, d] = FACES[face.number].map(|corner| levels[usize::from(corner)]);
-        let levels = face.linear(levels);
+        let levels = [0, 1].map(|triangle| face.linear(levels, triangle));
         Gouraud {
             face,
             tolerance,
             levels,
-            colors: face.place.map(|place| levels.scaled(place)),
-            fold: d + b - a - c,
+            colors: levels.map(|levels| face.place.map(|place| levels.scaled(place))),
         }
     }
 
     /// See [`super::Shader::interpolate`].
     #[inline(always)]
     pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
-        let Gouraud { colors, fold, .. } = self;
         let Face {
             plane: Plane { w, .. },
             diagonal,
@@ -66,7 +61,7 @@ impl<'a> Gouraud<'a> {
         let [middle, e, g] = field::relative(w, places);
         let inverse = 1.0 / middle;
         // All three relative to w at the middle.
-        let scaled = inlined!(|centre: f64, dx: f64, dy: f64| {
+        let scaled = inlined!(|[centre, dx, dy]: [Lanes<S>; 3]| {
             let [x, y] = places.middle;
             [
                 (x * dx + y * dy + centre) * inverse,
@@ -74,7 +69,8 @@ impl<'a> Gouraud<'a> {
                 places.half[1] * inverse * dy,
             ]
         });
-        let across = scaled(diagonal.centre, diagonal.dx, diagonal.dy);
+        let splat = inlined!(|values: [f64; 3]| three!(|term| Lanes::splat(simd, values[term])));
+        let across = scaled(splat([diagonal.centre, diagonal.dx, diagonal.dy]));
         let change = across[1].abs() + across[2].abs();
         let (first, second) = (across[0].simd_ge(change), across[0].simd_le(-change));
         let zero = Lanes::splat(simd, 0.0);
@@ -83,13 +79,11 @@ impl<'a> Gouraud<'a> {
             three!(|row| three!(|column| 1.0 / (e * node(column) + g * node(row) + 1.0)));
         let mut error = zero;
         let colors = three!(|channel| {
-            let plain = scaled(
-                colors.centre[channel],
-                colors.dx[channel],
-                colors.dy[channel],
-            );
-            let color =
-                three!(|term| plain[term] - second.select(across[term] * fold[channel], zero));
+            let [one, other] = two!(|triangle| {
+                let Affine { centre, dx, dy } = &self.colors[triangle];
+                splat([centre[channel], dx[channel], dy[channel]])
+            });
+            let color = scaled(three!(|term| second.select(other[term], one[term])));
             let bound = bound::quotient_error(color, [e, g]);
             let size = color[0].abs() + color[1].abs() + color[2].abs();
             error = error.max(bound + size * SAMPLING);
@@ -124,7 +118,6 @@ impl<'a> Gouraud<'a> {
         region: &Region,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
-        let Gouraud { colors, fold, .. } = self;
         let Face {
             plane: Plane { w, .. },
             diagonal,
@@ -133,13 +126,19 @@ impl<'a> Gouraud<'a> {
         let ([x, y], half) = (region.middle(), region.square.half());
         let scale = 1.0 / w.at(x, y);
         let change = |dx: f64, dy: f64| (dx.abs() * half[0] + dy.abs() * half[1]) * scale;
-        let before = diagonal.at(x, y) * scale;
+        let before = diagonal.at(x, y);
+        let reach = diagonal.reach(half);
+        let is_met = [before > -reach, before < reach];
         let mut largest = 0.0_f64;
-        let middle = colors.at(x, y);
-        for channel in 0..3 {
-            let moved = change(colors.dx[channel], colors.dy[channel]);
-            let fold = fold[channel].abs() * (before.abs() + change(diagonal.dx, diagonal.dy));
-            largest = largest.max((middle[channel] * scale).abs() + moved + fold);
+        for triangle in (0..2).filter(|triangle| is_met[*triangle]) {
+            let colors = &self.colors[triangle];
+            let middle = colors.at(x, y);
+            for channel in 0..3 {
+                let moved = change(colors.dx[channel], colors.dy[channel]);
+                // The other way round what is not a number would be lost.
+                let most = (middle[channel] * scale).abs() + moved;
+                largest = if most <= largest { largest } else { most };
+            }
         }
         let rounding = ROUNDING * largest;
         if !(self.face.is_steady_on([x, y], half)
@@ -150,13 +149,16 @@ impl<'a> Gouraud<'a> {
         }
         let affine =
             |centre: f64, dx: f64, dy: f64| [centre, dx, dy].map(|term| (term * scale) as f32);
+        let colors = self.colors.map(|colors| {
+            let middle = colors.at(x, y);
+            [0, 1, 2].map(|channel| affine(middle[channel], colors.dx[channel], colors.dy[channel]))
+        });
         let quotient = Quotient {
             simd,
-            colors: [0, 1, 2]
-                .map(|channel| affine(middle[channel], colors.dx[channel], colors.dy[channel])),
-            beyond: affine(-diagonal.at(x, y), -diagonal.dx, -diagonal.dy),
-            fold: fold.as_vec3().to_array(),
-            folded: before < change(diagonal.dx, diagonal.dy),
+            colors: if is_met[0] { colors[0] } else { colors[1] },
+            beyond: colors[1],
+            before: affine(before, diagonal.dx, diagonal.dy),
+            is_cut: is_met == [true; 2],
             w: affine(w.at(x, y), w.dx, w.dy),
         };
         let evaluate = inlined!(|place: [f32x16<S>; 2]| quotient.at(place));
@@ -171,7 +173,7 @@ impl<'a> Gouraud<'a> {
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
         let place = self.face.point(x, y).place;
-        self.levels.at(place) + self.fold * (-self.face.across(place)).max(0.0)
+        self.levels[usize::from(self.face.across(place) < 0.0)].at(place)
     }
 }
 
@@ -180,10 +182,10 @@ impl<'a> Gouraud<'a> {
 struct Quotient<S: Simd> {
     simd: S,
     colors: [[f32; 3]; 3],
-    /// How far beyond the diagonal, times w; what that adds, and whether any pixel is there.
-    beyond: [f32; 3],
-    fold: [f32; 3],
-    folded: bool,
+    /// Whether the diagonal cuts the square; how far before it a pixel is, times w, and the colours beyond it.
+    is_cut: bool,
+    before: [f32; 3],
+    beyond: [[f32; 3]; 3],
     w: [f32; 3],
 }
 
@@ -194,10 +196,10 @@ impl<S: Simd> Quotient<S> {
         let at = inlined!(|[middle, right, down]: [f32; 3]| x * right + (y * down + middle));
         let inverse = 1.0 / at(self.w);
         let mut levels = three!(|channel| at(self.colors[channel]));
-        if self.folded {
-            let beyond = at(self.beyond).max(f32x16::splat(self.simd, 0.0));
+        if self.is_cut {
+            let is_before = at(self.before).simd_ge(f32x16::splat(self.simd, 0.0));
             for channel in 0..3 {
-                levels[channel] += beyond * self.fold[channel];
+                levels[channel] = is_before.select(levels[channel], at(self.beyond[channel]));
             }
         }
         three!(|channel| levels[channel] * inverse)
@@ -224,11 +226,12 @@ mod tests {
             let slope = 0.249 * (1.0 + part(0.3)) / 2.0;
             let w = at([1.0, slope - 0.498, -slope]);
             let [color, right, down] = [part(0.7), part(1.1), part(1.7)];
-            let [beyond, fold] = [part(0.9), part(1.3)];
-            let folded = at([beyond, 0.0, 0.0]) * Rounded::stored(fold);
-            let largest = color.abs() + right.abs() + down.abs() + (fold * beyond).abs();
-            let level = (at([color, right, down]) + folded) * (Rounded::exact(1.0) / w);
-            most = most.max((level.error + 2.0 * level.value.abs()) * U / (ROUNDING * largest));
+            let largest = color.abs() + right.abs() + down.abs();
+            let level = at([color, right, down]) * (Rounded::exact(1.0) / w);
+            // Over the smallest w.
+            let wrong_side = 2.0 * 8.0 * largest;
+            let error = level.error + 2.0 * level.value.abs() + wrong_side;
+            most = most.max(error * U / (ROUNDING * largest));
         }
         println!("{most:.3} of the count");
         assert!(most <= 1.0, "the count is {most} times too small");

@@ -177,7 +177,7 @@ fn shader<'a>(
         ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, &solid.colors, tolerance)),
         ShadingMode::Phong => {
             let gloss = &list.glosses[object.gloss];
-            let normals = face.linear(&solid.normals);
+            let normals = face.linear(&solid.normals, 0);
             lights.clear();
             let points = illumination.points.iter();
             lights.extend(
@@ -188,7 +188,7 @@ fn shader<'a>(
             ))
         }
         ShadingMode::UnitVectors => {
-            let normals = face.linear(&solid.normals);
+            let normals = face.linear(&solid.normals, 0);
             // w of the corners on the screen, where they have a place there.
             let depths = places(face.number).map(|place| {
                 let corner = face.from_eye(place);

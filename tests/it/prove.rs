@@ -4,6 +4,7 @@ mod arithmetic;
 mod broken;
 mod judge;
 mod known;
+mod limits;
 mod naive;
 mod scenes;
 mod search;

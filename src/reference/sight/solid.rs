@@ -72,6 +72,7 @@ pub struct Meeting {
 }
 
 /// The point of a face that a line of sight meets.
+#[derive(Clone, Copy)]
 pub struct Place<R> {
     /// The point from the eye.
     pub point: Vector<R>,
@@ -289,7 +290,13 @@ impl<R: Real> Solid<R> {
     fn depth_of_face(&self, face: usize, line: &Line<R>) -> R {
         let (axis, outwards) = across(face);
         let height = self.height(face) + signed(outwards, line.offset.0[axis]);
-        height / signed(-outwards, line.along.0[axis])
+        height / self.descent(face, line)
+    }
+
+    /// w: how fast the line approaches the plane of a face; it never meets it unless this is positive.
+    fn descent(&self, face: usize, line: &Line<R>) -> R {
+        let (axis, outwards) = across(face);
+        signed(-outwards, line.along.0[axis])
     }
 
     /// From the eye to where the cuboid ends along an axis, on the side of this sign.
@@ -311,11 +318,81 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// The place held inside the face: each coordinate along it stops at the edge.
-    pub fn held(&self, face: usize, place: &Place<R>) -> Place<R> {
+    /// Where a line that passes beside a face may see it: on its plane, and where that is held inside the face. A line beyond
+    /// the plane's horizon sees the end of the face that is turned into it.
+    pub fn beside(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
+        let turned = self.turned(face, line);
+        let mut places = match self.descent(face, line).sign(0.0) {
+            Some(Ordering::Greater) => {
+                let place = self.place(face, line);
+                vec![place, self.held(face, place.point)]
+            }
+            Some(_) if !turned.is_empty() => Vec::new(),
+            _ => {
+                let [from, to] = self.ends();
+                vec![self.held(face, from.zip(to, R::either))]
+            }
+        };
+        places.extend(turned);
+        places
+    }
+
+    /// Where the line sees the far end of the face if it is turned towards the plane, by no more pixels than edges are near.
+    ///
+    /// It then moves over the plane from afar towards the point under the eye; of the two ends that it reaches, the first is
+    /// the face's.
+    fn turned(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
+        if self.projection == Projection::Orthographic {
+            return Vec::new();
+        }
+        let (across, outwards) = across(face);
+        let descent = self.descent(face, line);
+        let steps = self.step.map(|step| step.0[across]);
+        let near = Vector([steps[0], steps[1], R::of(0.0)])
+            .length_squared()
+            .sqrt();
+        let end = |axis: usize| {
+            let ahead = line.along.0[axis];
+            let end = self.end(
+                axis,
+                if ahead.sign(0.0)? == Ordering::Less {
+                    -1.0
+                } else {
+                    1.0
+                },
+            );
+            // One over how far it is to the end, times the length of the line's direction.
+            let pace = ahead / end;
+            let turn = self.height(face) * pace - descent;
+            let is_ahead = pace.sign(0.0)? == Ordering::Greater;
+            let may_be = |number: R| number.sign(0.0) != Some(Ordering::Less);
+            (is_ahead && may_be(turn) && may_be(R::of(edge::EDGE) * near - turn))
+                .then_some((axis, end, pace))
+        };
+        let ends: Vec<_> = along(across).into_iter().filter_map(end).collect();
+        let is_first = |(_, _, pace): &&(usize, R, R)| {
+            let mut others = ends.iter();
+            others.all(|(_, _, other)| (*pace - *other).sign(0.0) != Some(Ordering::Less))
+        };
+        let place = |&(axis, end, pace): &(usize, R, R)| {
+            let mut point = line.along.zip(Vector([pace; 3]), R::div);
+            point.0[across] = self.end(across, outwards);
+            point.0[axis] = end;
+            self.held(face, point)
+        };
+        ends.iter().filter(is_first).map(place).collect()
+    }
+
+    /// From the eye to where the cuboid ends, along all axes.
+    fn ends(&self) -> [Vector<R>; 2] {
+        [-1.0, 1.0].map(|sign| Vector([0, 1, 2].map(|axis| self.end(axis, sign))))
+    }
+
+    /// A point held inside the face: each coordinate along it stops at the edge.
+    fn held(&self, face: usize, point: Vector<R>) -> Place<R> {
         let (axis, outwards) = across(face);
-        let ends = [-1.0, 1.0].map(|sign| Vector([0, 1, 2].map(|axis| self.end(axis, sign))));
-        let point = place.point.zip(ends[0], R::max).zip(ends[1], R::min);
+        let [from, to] = self.ends();
+        let point = point.zip(from, R::max).zip(to, R::min);
         let share = self.share(face, point);
         let [u, v] = along(axis).map(|axis| share.0[axis]);
         let order = signed(outwards, u - v).sign(0.0);

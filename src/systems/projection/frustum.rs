@@ -3,9 +3,9 @@
 //! ```text
 //!        c                     Each side is a line of the face, given by its middle and its direction. A plane meets it
 //!       / \   plane            where  plane(middle) + t plane(direction) = 0.  The coordinates are the cuboid's own, so the
-//!   ---*---*---------          middle of an edge is exact and a million units of edge on either side of the eye are no
-//!     /     \                  larger than what is asked for: the point * itself.
-//!    a-------b
+//!   ---*---*---------          middle of an edge is exact. From the eye, and from the point of the line that is nearest to
+//!     /     \                  it, a million units of edge on either side are no larger than what is asked for: the
+//!    a-------b                 point * itself, and how far it is from the near plane.
 //! ```
 //!
 //! Rule: the two triangles of an edge cut it in the same point, bit for bit, and so do the two faces of it.
@@ -19,16 +19,16 @@ use crate::components::{Polygon, Projection};
 /// pictures of at most 16384 pixels a side, the edge functions of rasterization stay below 2^62.
 const GUARD_BAND: f64 = 2_097_152.0;
 
-/// How far rounding takes a place in sight aside, as a share of its depth and of the cuboid's distance: products and sums
-/// of three f64. Where the guard band is narrower than that, one of its sides could cut off what the opposite one left.
+/// How far rounding takes a place in sight aside, as a share of its depth: products and sums of three f64. Where the guard
+/// band is narrower than that, one of its sides could cut off what the opposite one left.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// What is in sight of a lens, in the coordinates of one cuboid: from its centre, along its axes.
+/// What is in sight of a lens, in the coordinates of one cuboid: along its axes, from the eye.
 pub struct Frustum<'a> {
     lens: &'a Lens,
     /// From those coordinates to right, up and forward.
     to_camera: DMat3,
-    /// The cuboid's centre from the eye, along right, up and forward.
+    /// The cuboid's centre.
     centre: DVec3,
     /// The near plane and the four sides of the guard band.
     planes: [Plane; 5],
@@ -41,13 +41,13 @@ struct Plane {
     offset: f64,
 }
 
-/// A straight line on a face; `along` reaches from its middle to its end if it has one.
+/// A straight line on a face, from about its point nearest to the eye.
 #[derive(Clone, Copy)]
 struct Side {
-    middle: DVec3,
+    nearest: DVec3,
     along: DVec3,
-    /// How many times `along` it reaches.
-    reach: f64,
+    /// How many times `along` it begins and ends.
+    ends: [f64; 2],
 }
 
 /// A vertex on its way through the clipper, and the side that leads to the next one.
@@ -60,36 +60,28 @@ struct Vertex {
 }
 
 impl<'a> Frustum<'a> {
-    /// For a cuboid with these axes whose centre is so far from the eye.
+    /// For a cuboid with these axes whose centre is there from the eye.
     pub fn new(lens: &'a Lens, axes: DMat3, centre: DVec3) -> Self {
         let [right, up, forward] = lens.axes.map(|axis| axes.transpose() * axis);
-        let centre = DVec3::from_array(lens.axes.map(|axis| axis.dot(centre)));
         let reach = GUARD_BAND * lens.pitch;
         let near = Plane {
             normal: forward,
-            offset: centre.z - lens.near,
+            offset: -lens.near,
         };
-        // w: depth in perspective, one in orthographic projection.
-        let (forwards, w) = match lens.projection {
-            Projection::Perspective => (forward, centre.z),
-            Projection::Orthographic => (DVec3::ZERO, 1.0),
+        // Aside at most `reach` times w, which is the depth in perspective and one in orthographic projection.
+        let (slope, offset) = match lens.projection {
+            Projection::Perspective => (reach, 0.0),
+            Projection::Orthographic => (0.0, reach),
         };
-        let slack = ROUNDING * (centre.z + centre.length());
-        let side = |aside: DVec3, offset: f64| Plane {
-            normal: forwards * reach + forward * ROUNDING - aside,
-            offset: w * reach + slack - offset,
+        let side = |aside: DVec3| Plane {
+            normal: forward * (slope + ROUNDING) - aside,
+            offset,
         };
         Frustum {
             lens,
             to_camera: DMat3::from_cols(right, up, forward).transpose(),
-            centre,
-            planes: [
-                near,
-                side(right, centre.x),
-                side(-right, -centre.x),
-                side(up, centre.y),
-                side(-up, -centre.y),
-            ],
+            centre: axes.transpose() * centre,
+            planes: [near, side(right), side(-right), side(up), side(-up)],
         }
     }
 
@@ -98,16 +90,20 @@ impl<'a> Frustum<'a> {
     pub fn holds(&self, half: DVec3) -> bool {
         self.planes
             .iter()
-            .all(|plane| plane.at(-half * plane.normal.signum()) >= 0.0)
+            .all(|plane| plane.at(self.centre - half * plane.normal.signum()) >= 0.0)
     }
 
-    /// The part of a triangle on a face across `axis` that is in sight, snapped; each corner is given in the cuboid's
-    /// coordinates and as it is seen.
+    /// The part of a triangle on a face across `axis` that is in sight, snapped; each corner is given from the cuboid's centre
+    /// and as it is seen.
     pub fn clip(&self, axis: usize, corners: [(DVec3, DVec3); 3]) -> Polygon {
         let first: [Vertex; 3] = std::array::from_fn(|index| {
-            let (place, seen) = corners[index];
-            let side = Side::between(place, corners[(index + 1) % 3].0);
-            Vertex { place, seen, side }
+            let (from, seen) = corners[index];
+            let side = Side::between(from, corners[(index + 1) % 3].0, self.centre);
+            Vertex {
+                place: self.centre + from,
+                seen,
+                side,
+            }
         });
         let mut vertices = [first[0]; Polygon::MAX_VERTICES];
         vertices[..3].copy_from_slice(&first);
@@ -179,9 +175,9 @@ impl<'a> Frustum<'a> {
         if len < 3 { (kept, 0) } else { (kept, len) }
     }
 
-    /// A place from the eye, along right, up and forward; it is not before the near plane, nor made so by rounding.
+    /// A place as it is seen: along right, up and forward. It is not before the near plane, nor made so by rounding.
     fn seen(&self, place: DVec3) -> DVec3 {
-        let seen = self.centre + self.to_camera * place;
+        let seen = self.to_camera * place;
         DVec3::new(seen.x, seen.y, seen.z.max(self.lens.near))
     }
 }
@@ -196,32 +192,33 @@ impl Plane {
         let mut outwards = DVec3::ZERO;
         outwards[axis] = 1.0;
         let (face, along) = (outwards * at, outwards.cross(self.normal));
-        // The nearest point to the middle of the face, so that no number is larger than it must be.
         let towards = along.cross(outwards);
         Side {
-            middle: face - towards * (self.at(face) / towards.length_squared()),
+            nearest: face - towards * (self.at(face) / towards.length_squared()),
             along,
-            reach: f64::INFINITY,
+            ends: [f64::NEG_INFINITY, f64::INFINITY],
         }
     }
 }
 
 impl Side {
-    /// From one corner of a triangle to another. The middle of an edge is exact, so where a plane meets it is found as
-    /// exactly on a long edge as on a short one; and it is the same from either end.
-    fn between(from: DVec3, to: DVec3) -> Self {
+    /// From one corner of a triangle to another, given from the cuboid's centre. The middle of an edge is exact, so where a
+    /// plane meets it is found as exactly on a long edge as on a short one; and it is the same from either end.
+    fn between(from: DVec3, to: DVec3, centre: DVec3) -> Self {
+        let (middle, along) = (centre + (from + to) / 2.0, (to - from) / 2.0);
+        let times = middle.dot(along) / along.length_squared();
         Side {
-            middle: (from + to) / 2.0,
-            along: (to - from) / 2.0,
-            reach: 1.0,
+            nearest: middle - along * times,
+            along,
+            ends: [times - 1.0, times + 1.0],
         }
     }
 
     /// Where it meets a plane that passes between its ends.
     fn meet(&self, plane: &Plane) -> DVec3 {
-        let times = -plane.at(self.middle) / plane.normal.dot(self.along);
+        let times = -plane.at(self.nearest) / plane.normal.dot(self.along);
         // Zero by zero is held to an end too.
-        self.middle + self.along * times.max(-self.reach).min(self.reach)
+        self.nearest + self.along * times.max(self.ends[0]).min(self.ends[1])
     }
 }
 

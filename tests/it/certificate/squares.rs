@@ -261,7 +261,7 @@ fn largest_error(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
 /// How a square is shaded at a tolerance, its largest error, and how large that may be, both in levels.
 fn shaded(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f64, f64) {
     let (surface, face, eye) = (subject.surface(), &subject.face(), subject.eye);
-    let normals = face.linear(&subject.solid.normals);
+    let normals = face.linear(&subject.solid.normals, 0);
     let gloss = Gloss::new(&surface, tolerance);
     let points = subject.illumination.points.iter();
     let lights: Vec<_> = points

@@ -188,18 +188,19 @@ fn a_sign_is_known_where_all_of_the_interval_has_it() {
     let signs = [
         ([1.0, 2.0], Some(Ordering::Greater)),
         ([-2.0, -1.0], Some(Ordering::Less)),
-        ([0.0, 0.0], Some(Ordering::Equal)),
         ([0.0, 1.0], None),
         ([-1.0, 0.0], None),
         ([-1.0, 1.0], None),
         // Too near for the margin.
         ([0.4, 2.0], None),
         ([-2.0, -0.4], None),
+        ([0.0, 0.0], None),
     ];
     for ([least, largest], expected) in signs {
         assert_eq!(interval(least, largest).sign(0.5), expected);
     }
     assert_eq!(interval(0.4, 2.0).sign(0.0), Some(Ordering::Greater));
+    assert_eq!(interval(0.0, 0.0).sign(0.0), Some(Ordering::Equal));
     assert_eq!(Interval::ALL.sign(0.0), None);
 }
 

@@ -197,9 +197,9 @@ fn doubles(frame: &Frame) -> [bool; 2] {
 
 #[test]
 fn levels_are_evaluated_in_f64_where_the_roundings_of_f32_reach_a_twentieth_of_one() {
-    // A round-off is 2^-24: 42 of them are counted in Gouraud, and six of ambient light in Phong: two of the sum, one of its
+    // A round-off is 2^-24: 50 of them are counted in Gouraud, and six of ambient light in Phong: two of the sum, one of its
     // term and three of its display.
-    for (mode, roundings) in [(ShadingMode::Gouraud, 42.0), (ShadingMode::Phong, 6.0)] {
+    for (mode, roundings) in [(ShadingMode::Gouraud, 50.0), (ShadingMode::Phong, 6.0)] {
         let edge = 0.05 * 2.0_f64.powi(24) / roundings;
         for (size, share, expected) in [
             ([300, 200], 0.99, [false; 2]),

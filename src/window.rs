@@ -1,0 +1,117 @@
+//! The window: minifb opens it, egui lays it out, the World is its state.
+//!
+//! ```text
+//! minifb --reports--> input --events of egui--> App::step --pixels, effects--> minifb
+//!                                                  |
+//!              keys, panel, inspector, viewport <--'--> jobs (a background thread)
+//! ```
+//! Only [`display`] and [`run`] need a display. A step is taken when something happens; else nothing is laid out, drawn or
+//! painted.
+
+pub mod app;
+mod chart;
+mod commands;
+pub mod comparison;
+pub mod display;
+pub mod file;
+pub mod history;
+pub mod input;
+pub mod inspector;
+pub mod jobs;
+pub mod keys;
+pub mod lights;
+mod panel;
+pub mod pictures;
+mod style;
+pub mod viewport;
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use egui::RawInput;
+
+use crate::drawing::Drawing;
+use crate::output;
+use app::App;
+use display::Display;
+
+pub use display::{NoDisplay, restart_in_fit_environment};
+
+/// The time between two polls while the user does something, so that short clicks are seen.
+const BUSY_PAUSE: Duration = Duration::from_millis(4);
+/// The time between two polls while nothing happens.
+const IDLE_PAUSE: Duration = Duration::from_millis(16);
+/// How long after the last event the user counts as busy.
+const BUSY_TIME: Duration = Duration::from_secs(1);
+/// The pixels are shown again this often though nothing has changed, for the system does not say when another window
+/// has covered them; less often where it would take more than one part in [`PRESENT_SHARE`] of the time.
+const PRESENT_AGAIN: Duration = Duration::from_millis(400);
+const PRESENT_SHARE: u32 = 200;
+
+/// Shows `drawing` in a window of its size until the user quits.
+///
+/// # Errors
+/// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, or memory does not
+/// suffice.
+pub fn run(drawing: Drawing) -> anyhow::Result<()> {
+    let start = Instant::now();
+    let size = drawing.size;
+    let mut display = Display::open("shadetrade", size)?;
+    let mut app = App::new(drawing, true)?;
+    let (mut title, mut size) = (String::new(), [0, 0]);
+    let (mut due, mut last_event, mut present_again) =
+        (Duration::ZERO, Duration::ZERO, Duration::ZERO);
+    while display.is_open() && !app.quits {
+        // A recording has milliseconds.
+        let now = Duration::from_millis(start.elapsed().as_millis() as u64);
+        let has_events = !display.input.events.is_empty();
+        if has_events {
+            last_event = now;
+        }
+        let is_resized = std::mem::replace(&mut size, display.size()) != size;
+        if has_events || is_resized || now >= due || app.receive(now) {
+            let input = RawInput {
+                modifiers: display.input.modifiers,
+                events: std::mem::take(&mut display.input.events),
+                ..RawInput::default()
+            };
+            let output = app.step(now, size, input)?;
+            due = now.saturating_add(output.repaint_after);
+            if title != output.title {
+                title = output.title;
+                display.set_title(&title);
+            }
+            display.set_cursor(output.cursor);
+            if let Some(text) = output.copied
+                && let Err(error) = display.copy(text)
+            {
+                app.say(format!("not copied: {error:#}"));
+            }
+            display.present(app.pixels(), size)?;
+            present_again = now + PRESENT_AGAIN;
+        } else if now >= present_again {
+            let before = start.elapsed();
+            display.present(app.pixels(), size)?;
+            let after = start.elapsed();
+            present_again = after + PRESENT_AGAIN.max((after - before) * PRESENT_SHARE);
+        } else {
+            display.poll();
+        }
+        if display.input.events.is_empty() {
+            let is_busy = now < last_event + BUSY_TIME || display.is_busy();
+            let pause = if is_busy { BUSY_PAUSE } else { IDLE_PAUSE };
+            thread::sleep(pause.min(due.saturating_sub(now)));
+        }
+    }
+    match app.rescue() {
+        Some(Ok(path)) => output::say(&format!(
+            "the changes that were not saved are in {}",
+            path.display()
+        )),
+        Some(Err(error)) => output::say(&format!(
+            "the changes that were not saved are lost: {error}"
+        )),
+        None => {}
+    }
+    Ok(())
+}

@@ -1,0 +1,298 @@
+//! The window of minifb 0.29: it is opened, its events are gathered, pixels are shown. Its peculiarities are dealt with here.
+//!
+//! Keys come through a callback, because polling loses taps. Buttons can only be polled, so a click between two polls is
+//! lost: poll often while the mouse is in use. A window that another program destroys ends this one inside Xlib.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use anyhow::{Context, anyhow};
+use egui::{CursorIcon, Event, PointerButton, Pos2};
+use minifb::{CursorStyle, InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
+use raw_window_handle::{HasWindowHandle, RawWindowHandle};
+
+use super::input::{Input, Report};
+
+/// One notch of the wheel, as each window system reports it.
+const X11_NOTCH: f32 = 2.0;
+const WAYLAND_NOTCH: f32 = -10.0;
+
+const BUTTONS: [(MouseButton, PointerButton); 3] = [
+    (MouseButton::Left, PointerButton::Primary),
+    (MouseButton::Right, PointerButton::Secondary),
+    (MouseButton::Middle, PointerButton::Middle),
+];
+
+/// There is nothing to open a window on; nothing has been done.
+#[derive(Debug, thiserror::Error)]
+#[error("no display to open a window on ({reason})")]
+pub struct NoDisplay {
+    /// The message of the window system.
+    reason: String,
+}
+
+/// An open window.
+pub struct Display {
+    window: minifb::Window,
+    reports: Rc<RefCell<Vec<Report>>>,
+    /// Events that were not taken yet, in pixels of the window.
+    pub input: Input,
+    clipboard: Option<arboard::Clipboard>,
+    is_wayland: bool,
+    is_active: bool,
+    mouse: Option<Pos2>,
+    buttons: [bool; 3],
+    /// Turns of the wheel that make no whole notch yet.
+    wheel: f32,
+    cursor: CursorIcon,
+}
+
+struct Reporter(Rc<RefCell<Vec<Report>>>);
+
+impl InputCallback for Reporter {
+    fn add_char(&mut self, code: u32) {
+        let character = char::from_u32(code).map(Report::Character);
+        self.0.borrow_mut().extend(character);
+    }
+
+    fn set_key_state(&mut self, key: Key, down: bool) {
+        let report = if down { Report::Down } else { Report::Up };
+        self.0.borrow_mut().push(report(key));
+    }
+}
+
+impl Display {
+    /// Opens a window of `size` pixels.
+    ///
+    /// # Errors
+    /// [`NoDisplay`] when there is nothing to open it on; when it cannot be opened there.
+    pub fn open(title: &str, size: [usize; 2]) -> anyhow::Result<Self> {
+        let options = WindowOptions {
+            resize: true,
+            // The picture is drawn at the window's size; only while that changes do they differ.
+            scale_mode: ScaleMode::UpperLeft,
+            ..WindowOptions::default()
+        };
+        // A window of no size ends the program inside Xlib.
+        let [width, height] = size.map(|side| side.max(1));
+        let mut window = minifb::Window::new(title, width, height, options).map_err(not_opened)?;
+        let reports = Rc::new(RefCell::new(Vec::new()));
+        window.set_input_callback(Box::new(Reporter(Rc::clone(&reports))));
+        let handle = window.window_handle();
+        let is_wayland = handle.is_ok_and(|it| matches!(it.as_raw(), RawWindowHandle::Wayland(_)));
+        Ok(Display {
+            window,
+            reports,
+            input: Input::default(),
+            clipboard: arboard::Clipboard::new().ok(),
+            is_wayland,
+            is_active: false,
+            mouse: None,
+            buttons: [false; 3],
+            wheel: 0.0,
+            cursor: CursorIcon::Default,
+        })
+    }
+
+    /// Width and height in pixels, each at least 1.
+    pub fn size(&self) -> [usize; 2] {
+        let (width, height) = self.window.get_size();
+        [width.max(1), height.max(1)]
+    }
+
+    /// Whether the frame's close button was not pressed.
+    pub fn is_open(&self) -> bool {
+        self.window.is_open()
+    }
+
+    /// Writes into the window's frame.
+    pub fn set_title(&mut self, title: &str) {
+        self.window.set_title(title);
+    }
+
+    /// Shows the cursor of this shape, as far as minifb has it.
+    pub fn set_cursor(&mut self, cursor: CursorIcon) {
+        if std::mem::replace(&mut self.cursor, cursor) != cursor {
+            self.window.set_cursor_style(match cursor {
+                CursorIcon::Text => CursorStyle::Ibeam,
+                CursorIcon::Crosshair => CursorStyle::Crosshair,
+                CursorIcon::Grab | CursorIcon::PointingHand => CursorStyle::OpenHand,
+                CursorIcon::Grabbing => CursorStyle::ClosedHand,
+                CursorIcon::ResizeHorizontal | CursorIcon::ResizeColumn => {
+                    CursorStyle::ResizeLeftRight
+                }
+                CursorIcon::ResizeVertical | CursorIcon::ResizeRow => CursorStyle::ResizeUpDown,
+                _ => CursorStyle::Arrow,
+            });
+        }
+    }
+
+    /// Puts a text on the system's clipboard.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub fn copy(&mut self, text: String) -> anyhow::Result<()> {
+        let clipboard = self.clipboard.as_mut().context("there is no clipboard")?;
+        Ok(clipboard.set_text(text)?)
+    }
+
+    /// Shows pixels, `0x00RRGGBB`, row by row from the top, and gathers events.
+    ///
+    /// # Errors
+    /// When the window system refuses them.
+    pub fn present(&mut self, pixels: &[u32], [width, height]: [usize; 2]) -> anyhow::Result<()> {
+        let result = self.window.update_with_buffer(pixels, width, height);
+        self.gather();
+        result.context("cannot show the picture")
+    }
+
+    /// Gathers events without showing anything.
+    pub fn poll(&mut self) {
+        self.window.update();
+        self.gather();
+    }
+
+    /// Whether a key or a button is down.
+    pub fn is_busy(&self) -> bool {
+        self.input.is_busy() || self.buttons.contains(&true)
+    }
+
+    fn gather(&mut self) {
+        self.gather_reports();
+        let is_active = self.window.is_active();
+        if std::mem::replace(&mut self.is_active, is_active) != is_active {
+            self.input.focus(is_active);
+        }
+        self.gather_wheel();
+        let buttons = BUTTONS.map(|(button, _)| self.window.get_mouse_down(button));
+        if buttons != self.buttons {
+            // minifb asks for the mouse's place before it reads the press, and the mouse may have moved in between.
+            self.window.update();
+            self.gather_reports();
+            self.gather_wheel();
+        }
+        self.gather_mouse(buttons.contains(&true));
+        for (index, (_, button)) in BUTTONS.into_iter().enumerate() {
+            if buttons[index] != self.buttons[index] {
+                self.input.events.push(Event::PointerButton {
+                    pos: self.mouse.unwrap_or_default(),
+                    button,
+                    pressed: buttons[index],
+                    modifiers: self.input.modifiers,
+                });
+            }
+        }
+        self.buttons = buttons;
+    }
+
+    fn gather_reports(&mut self) {
+        let mut reports = self.reports.take();
+        if self.is_wayland {
+            key_first(&mut reports);
+        }
+        for report in reports {
+            let clipboard = &mut self.clipboard;
+            let text = || clipboard.as_mut()?.get_text().ok();
+            self.input.report(report, text);
+        }
+    }
+
+    fn gather_mouse(&mut self, is_dragging: bool) {
+        // A drag goes on outside of the window.
+        let mode = if is_dragging {
+            MouseMode::Pass
+        } else {
+            MouseMode::Discard
+        };
+        let mouse = self.window.get_mouse_pos(mode).map(Pos2::from);
+        if std::mem::replace(&mut self.mouse, mouse) != mouse {
+            let event = mouse.map_or(Event::PointerGone, Event::PointerMoved);
+            self.input.events.push(event);
+        }
+    }
+
+    fn gather_wheel(&mut self) {
+        let Some((_, turned)) = self.window.get_scroll_wheel() else {
+            return;
+        };
+        self.wheel += turned
+            / if self.is_wayland {
+                WAYLAND_NOTCH
+            } else {
+                X11_NOTCH
+            };
+        let notches = self.wheel.trunc();
+        if notches != 0.0 {
+            self.wheel -= notches;
+            self.input.wheel(notches as i32);
+        }
+    }
+}
+
+fn is_set(variable: &str) -> bool {
+    std::env::var_os(variable).is_some_and(|value| !value.is_empty())
+}
+
+fn not_opened(error: minifb::Error) -> anyhow::Error {
+    let reason = match error {
+        minifb::Error::WindowCreate(reason) => reason,
+        other => other.to_string(),
+    };
+    let none_named = cfg!(all(unix, not(target_os = "macos")))
+        && !is_set("DISPLAY")
+        && !is_set("WAYLAND_DISPLAY");
+    // minifb has no error of its own for an X server that does not answer.
+    if none_named || reason == "XOpenDisplay failed" {
+        NoDisplay { reason }.into()
+    } else {
+        anyhow!("cannot open a window: {reason}")
+    }
+}
+
+/// Puts a key before its character, as X11 reports them; minifb has the other order on Wayland.
+fn key_first(reports: &mut [Report]) {
+    for start in 1..reports.len() {
+        if let [Report::Character(_), Report::Down(_)] = reports[start - 1..=start] {
+            reports.swap(start - 1, start);
+        }
+    }
+}
+
+/// Restarts the program with an environment in which minifb opens a window that can be used. Call it before anything is read.
+///
+/// Xlib crashes where `XMODIFIERS` names an input method that does not run; the program needs none. GNOME draws no frame
+/// around a window of minifb on Wayland, so its X server is taken where there is one.
+///
+/// # Errors
+/// When the program cannot be restarted.
+pub fn restart_in_fit_environment() -> anyhow::Result<()> {
+    #[cfg(all(unix, not(target_os = "macos")))]
+    {
+        use std::os::unix::process::CommandExt;
+        const NO_METHOD: &str = "@im=none";
+        let has_display = is_set("DISPLAY");
+        let method = std::env::var_os("XMODIFIERS");
+        let replaces_method = has_display && method.is_some_and(|method| method != NO_METHOD);
+        let desktop = std::env::var("XDG_CURRENT_DESKTOP").unwrap_or_default();
+        let leaves_wayland = has_display && is_set("WAYLAND_DISPLAY") && desktop.contains("GNOME");
+        if replaces_method || leaves_wayland {
+            let mut arguments = std::env::args_os();
+            let restarted = std::env::current_exe().map(|program| {
+                let mut command = std::process::Command::new(program);
+                if let Some(name) = arguments.next() {
+                    command.arg0(name);
+                }
+                if replaces_method {
+                    command.env("XMODIFIERS", NO_METHOD);
+                }
+                if leaves_wayland {
+                    command.env_remove("WAYLAND_DISPLAY");
+                }
+                command.args(arguments).exec()
+            });
+            let error = restarted.unwrap_or_else(|error| error);
+            return Err(error).context("cannot restart in an environment that can open a window");
+        }
+    }
+    Ok(())
+}

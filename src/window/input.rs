@@ -1,0 +1,215 @@
+//! The keys and the wheel that minifb reports, as events of egui.
+//!
+//! minifb names keys as they lie on a US keyboard, and sends the characters beside them. A character that its key does not
+//! name (`?`, `+`, a digit on a French keyboard) is an egui key of its own.
+
+use egui::{Event, Key, Modifiers, MouseWheelUnit, TouchPhase, vec2};
+use minifb::Key as Reported;
+
+/// A report of minifb's callback.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Report {
+    /// A key went down, or is held and reported again.
+    Down(Reported),
+    Up(Reported),
+    /// The character of a press, after its key.
+    Character(char),
+}
+
+/// The keys that are down, and the events that were not taken yet.
+#[derive(Default)]
+pub struct Input {
+    pub events: Vec<Event>,
+    pub modifiers: Modifiers,
+    held: Vec<Reported>,
+    /// The key of the last press; `None` once its character was reported.
+    pressed: Option<Key>,
+    /// The last character that no key named, until a key goes up.
+    unnamed: Option<char>,
+}
+
+impl Input {
+    /// Turns a report into events; `clipboard` is read for `Ctrl V`.
+    pub fn report(&mut self, report: Report, clipboard: impl FnOnce() -> Option<String>) {
+        match report {
+            Report::Down(key) => {
+                let repeat = self.held.contains(&key);
+                if !repeat {
+                    self.held.push(key);
+                }
+                self.modifiers = self.held_modifiers();
+                self.pressed = named(key);
+                let edit = match self.pressed.filter(|_| self.modifiers.command) {
+                    Some(Key::C) => Some(Event::Copy),
+                    Some(Key::X) => Some(Event::Cut),
+                    Some(Key::V) => clipboard().map(Event::Paste),
+                    _ => None,
+                };
+                let press = self.pressed.map(|key| self.key(key, true, repeat));
+                self.events.extend(edit.or(press));
+            }
+            Report::Up(key) => {
+                self.held.retain(|held| *held != key);
+                self.modifiers = self.held_modifiers();
+                self.unnamed = None;
+                let release = named(key).map(|key| self.key(key, false, false));
+                self.events.extend(release);
+            }
+            Report::Character(character) => self.character(character),
+        }
+    }
+
+    fn character(&mut self, character: char) {
+        let pressed = self.pressed.take();
+        if character.is_control() || self.modifiers.command {
+            return;
+        }
+        let own = Key::from_name(&character.to_uppercase().to_string());
+        if let Some(own) = own.filter(|own| Some(*own) != pressed) {
+            // The press has one name: the character's.
+            let is_press = |event: &mut Event| matches!(event, Event::Key { key, pressed: true, .. } if Some(*key) == pressed);
+            self.events.pop_if(is_press);
+            let repeat = self.unnamed.replace(character) == Some(character);
+            let press = self.key(own, true, repeat);
+            let release = self.key(own, false, false);
+            self.events.extend([press, release]);
+        }
+        self.events.push(Event::Text(character.to_string()));
+    }
+
+    /// The wheel turned by so many notches; away from the user is positive.
+    pub fn wheel(&mut self, notches: i32) {
+        self.events.push(Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, notches as f32),
+            phase: TouchPhase::Move,
+            modifiers: self.modifiers,
+        });
+    }
+
+    /// The window lost or got the keyboard. Releases are not reported to a window without it.
+    pub fn focus(&mut self, has_focus: bool) {
+        for key in std::mem::take(&mut self.held) {
+            let release = named(key).map(|key| self.key(key, false, false));
+            self.events.extend(release);
+        }
+        self.modifiers = Modifiers::NONE;
+        self.events.push(Event::WindowFocused(has_focus));
+    }
+
+    /// Whether a key is down that may go on acting.
+    pub fn is_busy(&self) -> bool {
+        !self.held.is_empty()
+    }
+
+    fn key(&self, key: Key, pressed: bool, repeat: bool) -> Event {
+        Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat,
+            modifiers: self.modifiers,
+        }
+    }
+
+    fn held_modifiers(&self) -> Modifiers {
+        let is_held = |keys: [Reported; 2]| keys.iter().any(|key| self.held.contains(key));
+        let control = is_held([Reported::LeftCtrl, Reported::RightCtrl]);
+        Modifiers {
+            alt: is_held([Reported::LeftAlt, Reported::RightAlt]),
+            ctrl: control,
+            shift: is_held([Reported::LeftShift, Reported::RightShift]),
+            mac_cmd: false,
+            command: control,
+        }
+    }
+}
+
+/// egui's name of a key; `None` for modifiers and keys that it does not have.
+fn named(key: Reported) -> Option<Key> {
+    let name = match key {
+        Reported::Apostrophe => "Quote",
+        Reported::LeftBracket => "OpenBracket",
+        Reported::RightBracket => "CloseBracket",
+        Reported::NumPadDot => "Period",
+        Reported::NumPadSlash => "Slash",
+        Reported::NumPadMinus => "Minus",
+        Reported::NumPadPlus => "Plus",
+        Reported::NumPadEnter => "Enter",
+        other => {
+            let name = format!("{other:?}");
+            let digit = name.strip_prefix("NumPad").or(name.strip_prefix("Key"));
+            return Key::from_name(digit.unwrap_or(&name));
+        }
+    };
+    Key::from_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn keys(reports: &[Report]) -> Vec<(Key, bool)> {
+        let mut input = Input::default();
+        for report in reports {
+            input.report(*report, || None);
+        }
+        let pressed = input.events.into_iter().filter_map(|event| match event {
+            Event::Key {
+                key,
+                pressed: true,
+                repeat,
+                ..
+            } => Some((key, repeat)),
+            _ => None,
+        });
+        pressed.collect()
+    }
+
+    #[test]
+    fn each_press_is_one_key_however_often_it_is_reported() {
+        use Report::{Character, Down, Up};
+        let w = [
+            Down(Reported::W),
+            Character('w'),
+            Down(Reported::W),
+            Character('w'),
+            Up(Reported::W),
+        ];
+        assert_eq!(keys(&w), [(Key::W, false), (Key::W, true)]);
+        let question = [
+            Down(Reported::LeftShift),
+            Down(Reported::Slash),
+            Character('?'),
+        ];
+        assert_eq!(keys(&question), [(Key::Questionmark, false)]);
+        // A layout that reports a digit as a character alone, held.
+        let digit = [
+            Character('1'),
+            Character('1'),
+            Up(Reported::Unknown),
+            Character('1'),
+        ];
+        assert_eq!(
+            keys(&digit),
+            [(Key::Num1, false), (Key::Num1, true), (Key::Num1, false)]
+        );
+    }
+
+    #[test]
+    fn keys_have_the_names_of_egui() {
+        for (reported, key) in [
+            (Reported::Key7, Key::Num7),
+            (Reported::NumPad7, Key::Num7),
+            (Reported::NumPadPlus, Key::Plus),
+            (Reported::Equal, Key::Equals),
+            (Reported::LeftBracket, Key::OpenBracket),
+            (Reported::PageUp, Key::PageUp),
+            (Reported::F12, Key::F12),
+            (Reported::Escape, Key::Escape),
+        ] {
+            assert_eq!(named(reported), Some(key));
+        }
+        assert_eq!(named(Reported::LeftShift), None);
+    }
+}

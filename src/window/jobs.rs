@@ -1,0 +1,260 @@
+//! Work that takes longer than a frame, done by one background thread: questions about a picture, and their answers.
+//!
+//! A new order cancels the one before it. A cancelled job ends within a row of the picture or a frame.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
+use std::time::Duration;
+
+use anyhow::Context;
+use fearless_simd::Level;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::comparison::Comparison;
+use crate::components::View;
+use crate::drawing::all_cores;
+use crate::probe::{self, Probe, Profile};
+use crate::prove::{Proof, prove};
+use crate::requires::{self, Part, PartChange};
+use crate::scene::{Scene, SceneRecord};
+use crate::shading::METHODS;
+use crate::trade::{self, Report};
+
+/// The time for which the frames of a measurement are timed, the comparison with the reference apart.
+const MEASURING_TIME: Duration = Duration::from_millis(1500);
+
+/// One question about a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Task {
+    /// The values at this pixel.
+    Probe([usize; 2]),
+    /// The picture without a part of the model.
+    LeaveOut(Part),
+    Compare,
+    Prove,
+    Require,
+    Measure,
+}
+
+/// The answer to a [`Task`].
+#[derive(Debug)]
+pub enum Answer {
+    Probe(Box<Probed>),
+    /// 0x00RRGGBB.
+    LeaveOut(Vec<u32>),
+    Compare(Box<Comparison>),
+    Prove(Box<Proof>),
+    /// The part that matters most first.
+    Require(Vec<PartChange>),
+    Measure(Box<Report>),
+    /// The share of the task that is done, 0..=1.
+    Progress(Task, f64),
+    /// The reason why there is no answer.
+    Failed(Task, String),
+}
+
+/// A pixel, and the levels along its row.
+#[derive(Clone, Debug)]
+pub struct Probed {
+    pub probe: Probe,
+    pub profile: Profile,
+}
+
+/// An answer as the window shows it.
+#[derive(Debug)]
+pub struct Job<T> {
+    pub value: Option<T>,
+    pub state: State,
+}
+
+/// How an answer relates to the present picture.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum State {
+    /// There is no value, or it is that of an earlier picture.
+    #[default]
+    Idle,
+    /// The share that is done, 0..=1.
+    Running(f64),
+    Done,
+    Failed(String),
+}
+
+impl<T> Default for Job<T> {
+    fn default() -> Self {
+        Job {
+            value: None,
+            state: State::Idle,
+        }
+    }
+}
+
+impl<T> Job<T> {
+    pub fn finish(&mut self, value: T) {
+        self.value = Some(value);
+        self.state = State::Done;
+    }
+
+    /// The value, if it is that of the present picture.
+    pub fn current(&self) -> Option<&T> {
+        self.value.as_ref().filter(|_| self.state == State::Done)
+    }
+}
+
+/// A picture and questions about it, in order.
+#[derive(Clone)]
+pub struct Order {
+    pub name: String,
+    pub record: Arc<SceneRecord>,
+    pub size: [usize; 2],
+    pub threads: usize,
+    pub tasks: Vec<Task>,
+}
+
+/// Set when nobody wants the answers any more.
+type Cancelled = Arc<AtomicBool>;
+
+/// The background thread.
+pub struct Jobs {
+    orders: Sender<(Order, Cancelled)>,
+    answers: Receiver<(Answer, Cancelled)>,
+    current: Cancelled,
+}
+
+impl Jobs {
+    /// Starts the thread and its pool; one core is left for the window.
+    ///
+    /// # Errors
+    /// When the system gives no threads.
+    pub fn start(level: Level) -> anyhow::Result<Self> {
+        let threads = (all_cores() - 1).max(1);
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.context("cannot start the threads that compare and prove")?;
+        let (orders, ordered) = mpsc::channel();
+        let (tell, answers) = mpsc::channel();
+        thread::Builder::new()
+            .name("jobs".to_owned())
+            .spawn(move || work(&ordered, &tell, level, &pool))
+            .context("cannot start the thread that compares and proves")?;
+        Ok(Jobs {
+            orders,
+            answers,
+            current: Cancelled::default(),
+        })
+    }
+
+    /// Cancels the order before and does this one.
+    pub fn submit(&mut self, order: Order) {
+        self.cancel();
+        self.current = Cancelled::default();
+        // The receiver is gone only after a panic, which was reported.
+        let _ = self.orders.send((order, Arc::clone(&self.current)));
+    }
+
+    /// Cancels the last order.
+    pub fn cancel(&self) {
+        self.current.store(true, Ordering::Relaxed);
+    }
+
+    /// The answers to the last order since this was last asked.
+    pub fn answers(&self) -> Vec<Answer> {
+        let answers = self.answers.try_iter();
+        answers
+            .filter(|(_, cancelled)| !cancelled.load(Ordering::Relaxed))
+            .map(|(answer, _)| answer)
+            .collect()
+    }
+}
+
+impl Drop for Jobs {
+    fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
+fn work(
+    orders: &Receiver<(Order, Cancelled)>,
+    answers: &Sender<(Answer, Cancelled)>,
+    level: Level,
+    pool: &ThreadPool,
+) {
+    while let Ok((order, cancelled)) = orders.recv() {
+        // A window that no longer listens is closed, and has cancelled the order.
+        let tell = |answer| drop(answers.send((answer, Arc::clone(&cancelled))));
+        let is_cancelled = || cancelled.load(Ordering::Relaxed);
+        pool.install(|| answer_all(&order, level, &is_cancelled, &tell));
+    }
+}
+
+/// Answers all questions of an order, on rayon's current threads.
+pub fn answer_all(
+    order: &Order,
+    level: Level,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    tell: &(dyn Fn(Answer) + Sync),
+) {
+    if cancelled() {
+        return;
+    }
+    let mut scene = Scene::spawn(order.name.clone(), &order.record);
+    let view = View::of(&scene.world, order.size);
+    for task in &order.tasks {
+        match answer(*task, order, &mut scene, &view, level, cancelled, tell) {
+            _ if cancelled() => return,
+            Ok(answer) => answer.into_iter().for_each(tell),
+            Err(error) => tell(Answer::Failed(*task, format!("{error:#}"))),
+        }
+    }
+}
+
+/// The answer to one question; `None` if it was cancelled.
+fn answer(
+    task: Task,
+    order: &Order,
+    scene: &mut Scene,
+    view: &View,
+    level: Level,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    tell: &(dyn Fn(Answer) + Sync),
+) -> anyhow::Result<Option<Answer>> {
+    let progress = |share| tell(Answer::Progress(task, share));
+    Ok(match task {
+        Task::Probe(pixel) => {
+            let probe = probe::at(scene, view, pixel, level)?;
+            let profile = probe::profile(scene, view, pixel[1], level)?;
+            Some(Answer::Probe(Box::new(Probed { probe, profile })))
+        }
+        Task::LeaveOut(part) => {
+            requires::picture_without(scene, view, part, cancelled).map(Answer::LeaveOut)
+        }
+        Task::Compare => {
+            let comparison = Comparison::of(&mut scene.world, view, level, cancelled)?;
+            comparison.map(|it| Answer::Compare(Box::new(it)))
+        }
+        Task::Prove => {
+            let proof = prove(&mut scene.world, view, level, cancelled, &progress)?;
+            proof.map(|it| Answer::Prove(Box::new(it)))
+        }
+        Task::Require => requires::ranked(scene, view, cancelled, &progress).map(Answer::Require),
+        Task::Measure => {
+            let camera = order.record.view.camera.clone();
+            let request = trade::Request {
+                camera: camera.unwrap_or_else(|| order.record.camera[0].name.clone()),
+                scene: Scene::spawn(order.name.clone(), &order.record),
+                view: view.clone(),
+                methods: METHODS.to_vec(),
+                threads: order.threads,
+                level,
+                time: MEASURING_TIME,
+                time_batch: trade::time_batch,
+                command: String::new(),
+            };
+            let report = trade::measure(request, cancelled, &|_, share| progress(share));
+            match report {
+                Err(trade::TradeError::Cancelled) => None,
+                report => Some(Answer::Measure(Box::new(report?))),
+            }
+        }
+    })
+}
