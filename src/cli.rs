@@ -130,7 +130,7 @@ refuted.")]
 Examples:
   shadetrade requires
   shadetrade requires bench-close --shading phong --tolerance 4
-  shadetrade requires my.toml --orbit 8 -o least.toml
+  shadetrade requires my.toml -o least.toml
   shadetrade requires assignment --json > requires.json
 
 Leaves out every part in turn, the others as they are: each light, the specular gate (n.l > 0), the
@@ -138,8 +138,7 @@ normalisation of interpolated normals, Phong of each cuboid (Gouraud instead), p
 interpolation (linear on the screen instead), the depth test (the order of the file instead), the near
 plane, each cuboid, and f64 (f32 throughout instead). Both pictures are enclosed by interval arithmetic,
 so the largest error lies between the two numbers given. A part is required unless its largest error is
-proven to be within the tolerance (0.05 level at tolerance 0). With --orbit all views count: it is
-required where one of them requires it.
+proven to be within the tolerance (0.05 level at tolerance 0).
 
 With -o it leaves out as many lights, cuboids and evaluations at every pixel as the tolerance allows
 together, and writes the scene that remains, with the one camera looked through.")]

@@ -1,31 +1,75 @@
-//! Plain data: what a scene holds, and what one frame derives from it.
+//! Plain data: what a scene holds, how it is looked at, and what one frame derives from it.
 //!
 //! ```text
-//! entity   the scene says                                           keys write             a frame derives
-//! cuboid   Name FileOrder Transform Mesh Material SceneShading      ShadingMode Spin       WorldTransform Normals VertexColors Projected
-//! light    Name FileOrder Transform Light                           Light.on
-//! camera   Name Transform Camera                                    ActiveCamera Orbit
+//! entity   components                                      a frame derives
+//! cuboid   Name FileOrder Transform Mesh Material          WorldTransform Normals VertexColors Projected
+//!          ShadingMode
+//! light    Name FileOrder Transform Light
+//! camera   Name FileOrder Transform Camera Orbit
+//! viewer   ActiveCamera Projection Background Tolerance
+//!          Spin Show Magnifier Probed Inspector
 //! ```
-//! The editor writes whatever the scene says of an entity but its name, order and way of shading.
+//! A scene has one viewer. Keys and widgets write components; [`View::of`] is the one place that reads those of the viewer
+//! and of its camera for a picture.
 //!
-//! A [`View`] says how one frame is to be drawn; [`Lens`] and [`Illumination`] are what it derives once for all cuboids.
+//! A [`View`] says how one frame is to be drawn; [`Lens`] and [`Illumination`] are derived from it once for all cuboids.
 //!
-//! Rule: nothing here computes a picture, and everything the renderer and the reference share is here.
+//! Nothing here computes a picture, and everything that the renderer and the reference share is here.
 
 mod camera;
+mod magnifier;
+mod orbit;
+mod view;
+mod viewer;
 
 use glam::{DMat3, DVec3};
-use hecs::DynamicBundle;
+use hecs::{Component, DynamicBundle, Entity, World};
 use serde::{Deserialize, Serialize};
 
-pub use self::camera::{ActiveCamera, Camera, Lens, Orbit, Projection, View, Viewpoint};
+pub use self::camera::{Camera, Lens, Projection, Viewpoint};
+pub use self::magnifier::Magnifier;
+pub use self::orbit::{Limits, Orbit};
+pub use self::view::View;
+pub use self::viewer::{
+    ActiveCamera, Background, Inspector, Probed, Show, Side, Spin, Tab, Tolerance, ViewMode,
+    active_camera, viewer,
+};
+
+/// The entities that have a component, in file order.
+pub fn ordered<C: Component>(world: &World) -> Vec<Entity> {
+    let mut query = world.query::<(Entity, &FileOrder)>().with::<&C>();
+    in_file_order(query.iter().map(|(entity, order)| (*order, entity)))
+}
+
+/// What is said of entities, in the order of the file.
+pub fn in_file_order<T>(entities: impl Iterator<Item = (FileOrder, T)>) -> Vec<T> {
+    let mut entities: Vec<_> = entities.collect();
+    entities.sort_by_key(|(order, _)| *order);
+    entities.into_iter().map(|(_, entity)| entity).collect()
+}
+
+/// The names of the entities that have a component, in file order.
+pub fn names<C: Component>(world: &World) -> Vec<String> {
+    let entities = ordered::<C>(world).into_iter();
+    entities
+        .filter_map(|entity| get(world, entity).map(|Name(name)| name))
+        .collect()
+}
+
+/// A component of an entity, where it has one such.
+pub fn get<C: Component + Clone>(world: &World, entity: Entity) -> Option<C> {
+    world
+        .get::<&C>(entity)
+        .ok()
+        .map(|component| (*component).clone())
+}
 
 /// What an entity is called in the scene file: non-empty, unique within its kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name(pub String);
 
-/// The place of a cuboid or a light among its kind in the scene file, counted from 0: cuboids are numbered and ties of
-/// depth decided by it, and lights are summed and listed in its order.
+/// The place of a cuboid, a light or a camera among its kind in the scene file, counted from 0: cuboids are numbered and
+/// ties of depth decided by it, and everything is listed in its order. Where an entity was removed there is a gap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FileOrder(pub u32);
 
@@ -63,24 +107,13 @@ impl Transform {
 
     /// Turned further about the entity's own x axis, which is the one that Rz * Ry * Rx turns about first.
     #[must_use]
-    pub fn spun(mut self, spin: Spin) -> Self {
-        self.rotation.x += f64::from(spin.degrees);
+    pub fn turned(mut self, degrees: u32) -> Self {
+        self.rotation.x += f64::from(degrees);
         self
     }
 }
 
-/// How far a cuboid has turned about its own x axis since the scene was loaded.
-///
-/// Whole degrees counted from the scene's own angle: nothing drifts, and a full turn ends where it began, bit for bit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Spin {
-    /// 0..360.
-    pub degrees: u32,
-    /// Whether it goes on turning.
-    pub on: bool,
-}
-
-/// Where a cuboid stands in this frame: its [`Transform`] turned by its [`Spin`].
+/// Where a cuboid stands in this frame: its [`Transform`] turned by the viewer's [`Spin`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WorldTransform {
     /// The centre, in world units.
@@ -214,12 +247,8 @@ impl ShadingMode {
     }
 }
 
-/// How the scene file shades a cuboid, for the way back once its [`ShadingMode`] was changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SceneShading(pub ShadingMode);
-
 /// The one term of the model that a light feeds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LightKind {
     /// Everywhere alike.
@@ -336,14 +365,19 @@ pub fn cuboid(
         transform,
         mesh,
         material,
-        SceneShading(shading),
         shading,
-        Spin::default(),
         WorldTransform::default(),
         Normals::default(),
         VertexColors::default(),
         Projected::default(),
     )
+}
+
+/// Overwrites a component of the entities that have one such.
+pub fn overwrite<C: Component + Clone>(world: &mut World, component: &C) {
+    for own in world.query_mut::<&mut C>() {
+        *own = component.clone();
+    }
 }
 
 /// The length of `v`, right for every finite vector however large or small (numerics: safe normalise).

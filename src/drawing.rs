@@ -1,6 +1,6 @@
-//! A scene and the choices made for it, brought together: what every command that draws is handed.
+//! What every command that draws is handed: a scene, and what is no part of it.
 //!
-//! Rule: a [`Drawing`] is valid; nothing that uses one checks it again.
+//! A [`Drawing`] is valid; nothing that uses one checks it again.
 
 use std::num::NonZero;
 use std::thread::available_parallelism;
@@ -8,34 +8,17 @@ use std::thread::available_parallelism;
 use anyhow::Context;
 use fearless_simd::Level;
 
-use crate::components::{Projection, ShadingMode, View};
+use crate::components::{Name, ShadingMode, View, active_camera, get};
 use crate::frame::Workers;
 use crate::scene::Scene;
-use crate::shading::MIN_TOLERANCE;
 
 /// The most threads that draw: more than machines have cores, fewer than a process may start.
 pub const MAX_THREADS: usize = 1024;
 
-/// The longest side of a picture, in pixels.
-pub const MAX_SIDE: usize = 16_384;
-
-/// Whether a picture can be drawn within so many levels.
-pub fn is_tolerance(levels: f64) -> bool {
-    levels == 0.0 || (MIN_TOLERANCE..=255.0).contains(&levels)
-}
-
-/// A scene and how it is to be drawn, everything checked.
+/// A scene and how it is drawn, everything checked.
 pub struct Drawing {
-    /// With the lights on that were asked for.
+    /// With what was asked for in its components.
     pub scene: Scene,
-    /// Position in the scene's list of cameras.
-    pub camera: usize,
-    /// How it is projected.
-    pub projection: Projection,
-    /// How all objects are shaded; `None` leaves each its own.
-    pub shading: Option<ShadingMode>,
-    /// Levels, 0..=255.
-    pub tolerance: f64,
     /// Width and height in pixels, each 1..=16384.
     pub size: [usize; 2],
     /// At least 1.
@@ -47,19 +30,17 @@ pub struct Drawing {
 impl Drawing {
     /// How a frame of it is drawn.
     pub fn view(&self) -> View {
-        View {
-            projection: self.projection,
-            shading: self.shading,
-            tolerance: self.tolerance,
-            ..self.scene.view(self.camera, self.size)
-        }
+        View::of(&self.scene.world, self.size)
+    }
+
+    /// The name of the camera that is looked through.
+    pub fn camera(&self) -> String {
+        let world = &self.scene.world;
+        get(world, active_camera(world)).map_or_else(String::new, |Name(name)| name)
     }
 
     /// The mode of all cuboids, or `scene` where they differ.
     pub fn mode(&self) -> &'static str {
-        if let Some(mode) = self.shading {
-            return mode.name();
-        }
         let mut modes = self.scene.world.query::<&ShadingMode>();
         let mut modes = modes.iter().copied();
         let first = modes.next();
@@ -69,16 +50,17 @@ impl Drawing {
         }
     }
 
-    /// What is drawn, in words; `from` says more about where from.
-    pub fn subject(&self, from: &str) -> String {
-        let [width, height] = self.size;
+    /// What is drawn, in words.
+    pub fn subject(&self) -> String {
+        let view = self.view();
+        let [width, height] = view.size;
         format!(
-            "{}, camera {}{from}, {}, {width}x{height}, {}, tolerance {}",
+            "{}, camera {}, {}, {width}x{height}, {}, tolerance {}",
             self.scene.name,
-            self.scene.camera_names()[self.camera],
-            self.projection.name(),
+            self.camera(),
+            view.projection.name(),
             self.mode(),
-            self.tolerance
+            view.tolerance
         )
     }
 

@@ -170,13 +170,14 @@
 //! drawing      systems      reference
 //! frame
 //! shading      scene        output
-//! components   canvas       memory       simd
+//! components   paint        memory       simd
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
 //! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric of
-//! [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; and minifb is
-//! named in [`window`] alone.
+//! [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; minifb is
+//! named in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the
+//! error map of [`trade`].
 //!
 //! # What is not modelled, and why
 //!
@@ -185,7 +186,6 @@
 //! assignment comes from), no far plane. A light that is off is not evaluated, and one convex body needs no depth buffer
 //! and gets none.
 
-pub mod canvas;
 pub mod cli;
 pub mod components;
 pub mod drawing;

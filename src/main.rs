@@ -1,16 +1,13 @@
 //! shadetrade: parses the command line, runs one command, says what went wrong.
 
-use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
 };
-use shadetrade::scene::BUILT_IN;
-use shadetrade::window::recording::Log;
 use shadetrade::window::{self, NoDisplay};
 use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
@@ -58,7 +55,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::Requires(options)) => {
             let least = options.output.as_ref();
             let drawing = options.drawing.open_for(least)?;
-            Ok(requires::run(&drawing, options.orbit, least, options.json)?)
+            Ok(requires::run(&drawing, least, options.json)?)
         }
         Some(Command::Extremes(options)) => extremes(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
@@ -101,14 +98,15 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     })?)
 }
 
-/// Opens the window; where there is no display, the built-in scene's figures are drawn instead.
+/// Opens the window; where there is no display, the figures are drawn if nothing else was asked for.
 fn view(options: &ViewOptions) -> Result<(), Failure> {
     // Before anything is read: a scene that comes through a pipe can be read once.
-    window::restart_without_input_method()?;
+    window::restart_in_fit_environment()?;
+    let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
     let drawing = options.drawing.open()?;
     let scene = drawing.scene.name.clone();
-    match window::run(drawing, options.record.as_deref()) {
-        Err(missing) if missing.is::<NoDisplay>() && scene == BUILT_IN[0].0 => {
+    match window::run(drawing) {
+        Err(missing) if missing.is::<NoDisplay>() && is_plain => {
             output::say(&format!("{missing}; drawing the figures instead"));
             Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
         }
@@ -120,28 +118,6 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
 }
 
 /// Draws a recording again.
-fn replay(options: &ReplayOptions) -> Result<(), Failure> {
-    options.check_output()?;
-    let name = options.log.to_string_lossy();
-    let text = fs::read_to_string(&options.log)
-        .with_context(|| format!("cannot read the recording {name}"))
-        .map_err(Failure::Usage)?;
-    let log = Log::parse(
-        &name,
-        &text,
-        options.workers.threads(),
-        options.workers.simd,
-    )
-    .map_err(Failure::Usage)?;
-    if let Some(line) = log.cut_off {
-        output::say(&format!(
-            "warning: {name} is cut off in line {line}, which is left out"
-        ));
-    }
-    Ok(window::replay::run(
-        log,
-        options.output.as_ref(),
-        options.animated(),
-        options.hash,
-    )?)
+fn replay(_options: &ReplayOptions) -> Result<(), Failure> {
+    Err(Failure::Work(anyhow!("the window is being rebuilt")))
 }

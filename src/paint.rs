@@ -53,7 +53,7 @@ pub fn annotate(pixels: &mut [u32], size: [usize; 2], mut draw: impl FnMut(&egui
         ..RawInput::default()
     };
     let output = painter.context.run_ui(input, |ui| {
-        draw(&ui.ctx().layer_painter(LayerId::background()))
+        draw(&ui.ctx().layer_painter(LayerId::background()));
     });
     painter.paint(output, pixels, size);
     for pixel in pixels {

@@ -7,7 +7,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 
-use crate::components::{LightKind, Material, Name, ShadingMode, View};
+use crate::components::{FileOrder, LightKind, Material, Name, ShadingMode, View};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
 use crate::reference::{self, LightSample};
@@ -109,9 +109,10 @@ pub fn at(
         });
     }
     let (object, triangle) = (id / 12, id % 12);
-    let cuboid = scene.cuboids[object as usize];
-    let name = scene.world.get::<&Name>(cuboid).map(|name| name.0.clone());
-    let material: Option<Material> = scene.get(cuboid);
+    let mut cuboids = scene.world.query::<(&FileOrder, &Name, &Material)>();
+    let cuboid = cuboids.iter().find(|(order, ..)| order.0 == object);
+    let name = cuboid.map(|(_, name, _)| name.0.clone());
+    let shininess = cuboid.map_or(0.0, |(_, _, material)| material.shininess);
     let sample = reference::at_pixel(&scene.world, view, x, y)
         .filter(|sample| face((12 * sample.object + sample.triangle) as u32) == face(id));
     let sample = sample.as_ref();
@@ -142,7 +143,7 @@ pub fn at(
         position: sample.map(|sample| sample.position),
         normal: sample.map(|sample| sample.normal),
         to_eye: sample.map(|sample| sample.to_eye),
-        shininess: material.map_or(0.0, |material| material.shininess),
+        shininess,
         lights: lights.to_vec(),
         gouraud: shaded(gouraud, |it| it.gouraud, |it| it.gouraud),
         phong: shaded(phong, |it| it.phong, |it| it.phong),
@@ -154,7 +155,7 @@ pub fn at(
     };
     Ok(Probe {
         pixel: [x, y],
-        object: name.ok(),
+        object: name,
         surface: Some(surface),
     })
 }
@@ -187,7 +188,7 @@ pub fn profile(
         Ok(levels.map(|levels| levels.map(f64::from)).collect())
     };
     let (gouraud, phong) = (drawn(ShadingMode::Gouraud)?, drawn(ShadingMode::Phong)?);
-    let mut reference = vec![scene.background.to_array(); view.size[0]];
+    let mut reference = vec![view.background.to_array(); view.size[0]];
     let exact = reference::Reference::<f64>::new(&scene.world, &view.shaded(ShadingMode::Phong));
     exact.row(y, |x, seen| {
         if let Some(first) = seen.first() {

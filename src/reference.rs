@@ -30,7 +30,7 @@ use hecs::World;
 use rayon::prelude::*;
 
 use crate::components::{
-    FileOrder, Light, Material, Mesh, ShadingMode, Spin, TRIANGLES, Transform, View,
+    FileOrder, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View, in_file_order,
 };
 use crate::frame::NO_TRIANGLE;
 use illumination::{Lit, Open, Surface, TIES, blend};
@@ -77,13 +77,6 @@ struct Cuboid<R> {
     is_perspective_correct: bool,
 }
 
-/// The entities in file order, whatever order the world has them in.
-fn in_file_order<T>(entities: impl Iterator<Item = (FileOrder, T)>) -> Vec<T> {
-    let mut entities: Vec<_> = entities.collect();
-    entities.sort_by_key(|(order, _)| *order);
-    entities.into_iter().map(|(_, entity)| entity).collect()
-}
-
 /// What a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
@@ -116,18 +109,11 @@ impl<R: Real> Reference<R> {
         let lights = in_file_order(
             lights.map(|(order, transform, light)| (*order, (transform.position, *light))),
         );
-        let mut query = world.query::<(
-            &FileOrder,
-            &Transform,
-            &Spin,
-            &Mesh,
-            &Material,
-            &ShadingMode,
-        )>();
+        let mut query = world.query::<(&FileOrder, &Transform, &Mesh, &Material, &ShadingMode)>();
         let cuboids = query
             .iter()
-            .map(|(order, transform, spin, mesh, material, mode)| {
-                let transform = &transform.spun(*spin);
+            .map(|(order, transform, mesh, material, mode)| {
+                let transform = &transform.turned(view.turned);
                 let solid = Solid::new(&sight, transform, mesh, enclosed.bounds(transform, mesh));
                 let places = (sight.eye, transform.position);
                 let cuboid = Cuboid {
@@ -135,7 +121,7 @@ impl<R: Real> Reference<R> {
                     surface: Surface::new(&solid, mesh, material, &lights, places, without),
                     solid,
                     mesh: *mesh,
-                    mode: view.shading.unwrap_or(*mode),
+                    mode: view.mode(*mode),
                     is_perspective_correct: without != Some(Rule::PerspectiveCorrect),
                 };
                 (*order, cuboid)

@@ -23,10 +23,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::components::{ShadingMode, View};
+use crate::components::{Mesh, ShadingMode, View, ordered};
 use crate::frame::display_pixel;
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneRecord};
 use crate::shading::limit;
 use crate::trade::metrics::{difference, ends};
 pub use command::run;
@@ -68,41 +68,42 @@ type Rows = Box<dyn Fn(usize) -> Vec<Vec<Shown>> + Sync>;
 
 /// The parts of the model that a scene is drawn with and what they are called, in the order in which they are reported.
 pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
-    let scene = scene.to_record();
+    let scene = SceneRecord::of(&scene.world);
     let rule = |rule, name: &str| (Part::Rule(rule), name.to_owned());
     let lights = scene.light.iter().enumerate().filter(|(_, it)| it.on);
     let cuboids = || scene.cuboid.iter().enumerate();
-    let phong = cuboids().filter(|(_, it)| *it.shading == ShadingMode::Phong);
+    let phong = cuboids().filter(|(_, it)| it.shading == ShadingMode::Phong);
     let mut parts = Vec::new();
-    parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", *it.name))));
+    parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", it.name))));
     parts.push(rule(Rule::SpecularGate, "specular gate"));
     parts.push(rule(Rule::UnitNormal, "unit normal"));
-    parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", *it.name))));
+    parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", it.name))));
     let name = "perspective-correct interpolation";
     parts.push(rule(Rule::PerspectiveCorrect, name));
     parts.push(rule(Rule::DepthTest, "depth test"));
     parts.push(rule(Rule::NearPlane, "near plane"));
-    parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", *it.name))));
+    parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", it.name))));
     parts.push((Part::F64SetUp, "f64 set-up".to_owned()));
     parts
 }
 
-/// The scene without some of its lights, cuboids and ways of shading.
+/// The scene without some of its lights, cuboids and ways of shading. What remains keeps its place in the file.
 pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
-    let mut record = scene.to_record();
+    let mut record = SceneRecord::of(&scene.world);
     for part in parts {
         match *part {
             Part::Light(light) => record.light[light].on = false,
-            Part::EveryPixel(cuboid) => *record.cuboid[cuboid].shading = ShadingMode::Gouraud,
+            Part::EveryPixel(cuboid) => record.cuboid[cuboid].shading = ShadingMode::Gouraud,
             Part::Rule(_) | Part::Cuboid(_) | Part::F64SetUp => {}
         }
     }
     let mut scene = Scene::spawn(scene.name.clone(), &record);
-    let mut cuboids = (0..).map(Part::Cuboid);
-    scene.cuboids.retain(|entity| {
-        let is_left_out = cuboids.next().is_some_and(|cuboid| parts.contains(&cuboid));
-        !is_left_out || scene.world.despawn(*entity).is_err()
-    });
+    for (number, entity) in ordered::<Mesh>(&scene.world).into_iter().enumerate() {
+        if parts.contains(&Part::Cuboid(number)) {
+            // It has just been spawned.
+            let _ = scene.world.despawn(entity);
+        }
+    }
     scene
 }
 
@@ -142,7 +143,7 @@ pub fn changes(
         shading: None,
         ..*view
     };
-    let full = rows(Reference::<Interval>::new(&scene.world, view));
+    let full = rows(Reference::<Interval>::new(&without(scene, &[]).world, view));
     let limit = limit(view.tolerance);
     let all = left_out.len().div_ceil(AT_ONCE) * view.size[1];
     let done = AtomicUsize::new(0);

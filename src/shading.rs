@@ -111,9 +111,6 @@ pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 /// What the contract calls exact: tolerance 0 errs at most this much, in levels.
 pub const EXACT: f64 = 0.05;
 
-/// The least tolerance but 0, in levels: levels are f32, which near 255 are 1.5e-5 apart.
-pub const MIN_TOLERANCE: f64 = 1e-4;
-
 /// How far a pixel may err, in levels: the tolerance, or what is called exact where that is 0.
 pub(crate) fn limit(tolerance: f64) -> f64 {
     if tolerance > 0.0 { tolerance } else { EXACT }

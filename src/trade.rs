@@ -88,12 +88,10 @@ pub type IsCancelled<'a> = &'a (dyn Fn() -> bool + Sync);
 impl Request {
     /// To measure `drawing` with all [`METHODS`], whatever its shading and tolerance, for about this `time`.
     pub fn new(drawing: Drawing, time: Duration, command: String) -> Self {
-        let view = drawing.view();
-        let mut cameras = drawing.scene.camera_names();
         Request {
-            camera: cameras.swap_remove(drawing.camera),
+            camera: drawing.camera(),
+            view: drawing.view(),
             scene: drawing.scene,
-            view,
             methods: METHODS.to_vec(),
             threads: drawing.threads,
             level: drawing.level,

@@ -13,9 +13,8 @@ use image::ImageFormat;
 
 use super::Failure;
 use super::options::{self, DrawingOptions, WorkerOptions};
-use crate::drawing::MAX_SIDE;
 use crate::output::{Output, quoted};
-use crate::scene::Scene;
+use crate::scene::{MAX_SIDE, Scene};
 use crate::shading::{METHODS, Method};
 use crate::trade::{self, process};
 
@@ -218,19 +217,12 @@ pub struct RequiresOptions {
     /// What is drawn, and how.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// Looks from N places, 1 to 360, evenly round the camera's target at its height
-    #[arg(long, value_name = "N", default_value = "1", hide_default_value = true, value_parser = views, allow_negative_numbers = true)]
-    pub orbit: usize,
     /// Where the least scene goes that still keeps the tolerance
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(file))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
     pub json: bool,
-}
-
-fn views(text: &str) -> Result<usize, &'static str> {
-    options::whole_number(text, 360).ok_or("it is a whole number from 1 to 360")
 }
 
 /// The options of `extremes`.

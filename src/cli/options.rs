@@ -13,15 +13,11 @@ use fearless_simd::Level;
 use serde::de::DeserializeOwned;
 
 use super::Failure;
-use crate::components::{Projection, ShadingMode};
-use crate::drawing::{Drawing, MAX_SIDE, MAX_THREADS, all_cores, is_tolerance};
+use crate::components::{Projection, ShadingMode, Tolerance, overwrite};
+use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::{Output, say};
-use crate::scene::{self, LightChoice, Scene, SceneError};
-use crate::shading::MIN_TOLERANCE;
+use crate::scene::{self, LightChoice, MAX_SIDE, Scene, SceneError};
 use crate::simd;
-
-/// The error allowed where none is named, in levels: it changes a byte by one at most.
-const DEFAULT_TOLERANCE: f64 = 0.5;
 
 /// What to draw and how, as the command line says it.
 #[derive(Args, Clone, Debug)]
@@ -29,19 +25,19 @@ pub struct DrawingOptions {
     /// A scene file, or one of the built-in scenes cuboid, bench-far, bench-close, assignment [default: cuboid]
     #[arg(value_name = "SCENE")]
     pub scene: Option<PathBuf>,
-    /// The camera of the scene to look through [default: the first]
+    /// The camera of the scene to look through [default: as the scene says]
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
-    /// How the picture is projected
-    #[arg(long, default_value = "perspective", value_name = "PROJECTION", value_parser = one_of::<Projection>(Projection::ALL.map(Projection::name)))]
-    pub projection: Projection,
+    /// How the picture is projected [default: as the scene says]
+    #[arg(long, value_name = "PROJECTION", value_parser = one_of::<Projection>(Projection::ALL.map(Projection::name)))]
+    pub projection: Option<Projection>,
     /// How all objects are shaded [default: each as the scene says]
     #[arg(long, value_name = "SHADING", value_parser = one_of::<ShadingMode>([ShadingMode::Gouraud, ShadingMode::Phong].map(ShadingMode::name)))]
     pub shading: Option<ShadingMode>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
     pub lights: Option<LightChoice>,
-    /// The largest error of a pixel, in levels: 0 (exact), or 0.0001 to 255 [default: 0.5]
+    /// The largest error of a pixel, in levels: 0 (exact), or 0.0001 to 255 [default: as the scene says, else 0.5]
     #[arg(long, value_name = "LEVELS", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// The picture in pixels, 1x1 to 16384x16384
@@ -111,22 +107,23 @@ impl DrawingOptions {
     /// # Errors
     /// [`Failure::Usage`] when it has no such camera or light.
     pub fn apply_to(&self, mut scene: Scene) -> Result<Drawing, Failure> {
-        let camera = match &self.camera {
-            None => 0,
-            Some(name) => scene.find_camera(name).ok_or_else(|| {
-                let cameras = scene.camera_names();
-                Failure::Usage(scene::unknown("camera", name, &cameras))
-            })?,
-        };
+        if let Some(name) = &self.camera {
+            scene.look_from(name).map_err(Failure::Usage)?;
+        }
         if let Some(lights) = &self.lights {
             scene.switch_lights(lights).map_err(Failure::Usage)?;
         }
+        if let Some(mode) = self.shading {
+            overwrite(&mut scene.world, &mode);
+        }
+        if let Some(projection) = self.projection {
+            overwrite(&mut scene.world, &projection);
+        }
+        if let Some(levels) = self.tolerance {
+            overwrite(&mut scene.world, &Tolerance(levels));
+        }
         Ok(Drawing {
             scene,
-            camera,
-            projection: self.projection,
-            shading: self.shading,
-            tolerance: self.tolerance.unwrap_or(DEFAULT_TOLERANCE),
             size: self.size,
             threads: self.workers.threads(),
             level: self.workers.simd,
@@ -180,9 +177,10 @@ fn level() -> impl TypedValueParser<Value = Level> {
 
 fn tolerance(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(levels) if is_tolerance(levels) => Ok(levels),
+        Ok(levels) if Tolerance::is_legal(levels) => Ok(levels),
         _ => Err(format!(
-            "it is 0, for exact, or a number of levels from {MIN_TOLERANCE} to 255"
+            "it is 0, for exact, or a number of levels from {} to 255",
+            Tolerance::LEAST
         )),
     }
 }

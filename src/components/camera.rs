@@ -1,21 +1,14 @@
-//! From where a picture is seen: a camera, how far it has been moved, and what one frame asks for.
+//! A camera, how it projects, and the lens that one frame is seen through.
 //!
 //! ```text
 //! Transform, Camera --Orbit--> Viewpoint --in a View--> Lens
 //! ```
-//!
-//! Rule: no orbit gives the scene's own viewpoint bit for bit; every other one stays short of the poles, which are the
-//! camera's `up` and its opposite, and keeps looking at the target.
 
 use glam::DVec3;
+use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
 
-use super::{ShadingMode, length, unit};
-
-/// How close to a pole an orbit comes, in degrees, unless the camera's own place is closer.
-const POLE_DISTANCE: f64 = 1.0;
-/// What one step of zoom does to the distance and to the height seen.
-const ZOOM_STEP: f64 = 1.1;
+use super::{Orbit, Transform, get, length, unit};
 
 /// A camera; it stands at its [`super::Transform`]'s position.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,28 +30,6 @@ impl Camera {
     pub fn near_from(&self, position: DVec3) -> f64 {
         self.near
             .unwrap_or_else(|| length(self.target - position) * 1e-3)
-    }
-}
-
-/// The camera that the window looks from; exactly one of a scene's cameras has it.
-#[derive(Clone, Copy, Debug)]
-pub struct ActiveCamera;
-
-/// How far a camera has gone from its own place.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Orbit {
-    /// Degrees about `up`, to the right as seen from the camera, -180..=180.
-    pub azimuth: f64,
-    /// Degrees towards `up`.
-    pub elevation: f64,
-    /// Steps of zoom; closer is positive. Whole steps, so that as many back undo them exactly.
-    pub zoom: i32,
-}
-
-impl Orbit {
-    /// What the distance and the height seen are multiplied by.
-    pub fn factor(self) -> f64 {
-        ZOOM_STEP.powi(-self.zoom)
     }
 }
 
@@ -96,6 +67,28 @@ pub struct Viewpoint {
 }
 
 impl Viewpoint {
+    /// From where a camera sees once its [`Orbit`] has moved it.
+    ///
+    /// # Panics
+    /// When the entity is no camera.
+    pub fn of(world: &World, camera: Entity) -> Viewpoint {
+        let orbit: Orbit = get(world, camera).unwrap_or_default();
+        Viewpoint::own(world, camera).orbited(&orbit)
+    }
+
+    /// From where a camera sees at its own place, whatever its [`Orbit`].
+    ///
+    /// # Panics
+    /// When the entity is no camera.
+    pub fn own(world: &World, camera: Entity) -> Viewpoint {
+        let mut query = world.query_one::<(&Transform, &Camera)>(camera);
+        let (at, camera) = query.get().expect("the entity is a camera");
+        Viewpoint {
+            position: at.position,
+            camera: *camera,
+        }
+    }
+
     /// The unit vectors right, up and forward in world space.
     pub fn axes(&self) -> [DVec3; 3] {
         let forward = unit(self.camera.target - self.position);
@@ -117,72 +110,9 @@ impl Viewpoint {
     pub fn near(&self) -> f64 {
         self.camera.near_from(self.position)
     }
-
-    /// What is seen from where `orbit` moves the camera that stands here.
-    #[must_use]
-    pub fn orbited(&self, orbit: &Orbit) -> Viewpoint {
-        if *orbit == Orbit::default() {
-            return *self;
-        }
-        let mut moved = *self;
-        moved.camera.height *= orbit.factor();
-        let offset = self.position - self.camera.target;
-        let up = unit(self.camera.up);
-        let right = unit(up.cross(unit(offset)));
-        let outwards = right.cross(up);
-        let (sin_azimuth, cos_azimuth) = orbit.azimuth.to_radians().sin_cos();
-        let elevation = self.own_elevation() + self.elevation_short_of_poles(orbit.elevation);
-        let (sin_elevation, cos_elevation) = elevation.to_radians().sin_cos();
-        let direction =
-            (outwards * cos_azimuth + right * sin_azimuth) * cos_elevation + up * sin_elevation;
-        moved.position = self.camera.target + unit(direction) * (length(offset) * orbit.factor());
-        moved
-    }
-
-    /// How far above its target the camera stands, in degrees.
-    fn own_elevation(&self) -> f64 {
-        let offset = unit(self.position - self.camera.target);
-        let up = unit(self.camera.up);
-        offset.dot(up).atan2(offset.cross(up).length()).to_degrees()
-    }
-
-    /// `elevation`, in degrees from the camera's own, as far as it stays short of the poles; a camera that stands closer
-    /// to one than an orbit goes keeps its place.
-    pub fn elevation_short_of_poles(&self, elevation: f64) -> f64 {
-        let own = self.own_elevation();
-        let limit = (90.0 - POLE_DISTANCE).max(own.abs());
-        elevation.clamp(-limit - own, limit - own)
-    }
 }
 
-/// How one frame is to be drawn.
-#[derive(Clone, Debug)]
-pub struct View {
-    /// Width and height of the picture in pixels, each at least 1.
-    pub size: [usize; 2],
-    /// Where from.
-    pub viewpoint: Viewpoint,
-    /// How it is projected.
-    pub projection: Projection,
-    /// The colour where nothing is drawn, in levels.
-    pub background: DVec3,
-    /// The mode of every object; `None` leaves each its own [`ShadingMode`].
-    pub shading: Option<ShadingMode>,
-    /// The largest error of a shaded pixel against the exact evaluation of its mode, in levels, 0..=255.
-    pub tolerance: f64,
-}
-
-impl View {
-    /// The same with all cuboids shaded so.
-    pub fn shaded(&self, mode: ShadingMode) -> View {
-        View {
-            shading: Some(mode),
-            ..self.clone()
-        }
-    }
-}
-
-/// A [`View`]'s camera, ready to project: what every stage of one frame sees through.
+/// A [`super::View`]'s camera, ready to project: what every stage of one frame sees through.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lens {
     /// Right, up and forward: unit vectors in world space.

@@ -9,7 +9,7 @@ use super::scene_spec::{
 };
 use super::{Case, case};
 use crate::components::{Mesh, Projection, Transform};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneRecord};
 
 /// The cases.
 pub fn cases() -> Vec<Case> {
@@ -110,7 +110,7 @@ fn eye() -> Vec<Case> {
                 let cuboid = default_cuboid().shininess(shininess);
                 scene()
                     .cuboid(cuboid)
-                    .lights(lights_at(*scene().camera.position))
+                    .lights(lights_at(scene().camera.position))
             }),
         ),
         proven(
@@ -154,14 +154,14 @@ fn lens() -> Vec<Case> {
                 scene()
                     .height(1e6)
                     .cuboid(cuboid([4e5, 3e5, 2e5], [0.0; 3]))
-                    .eye(*scene().camera.position * 1e6),
+                    .eye(scene().camera.position * 1e6),
             ],
         ),
         same_picture(
             "up almost parallel to the view",
             1.0,
             [None, Some(1.0), Some(1e-3), Some(1e-7)].map(|share| {
-                let up = share.map(|share| *scene().camera.position * -0.1 + DVec3::Y * share);
+                let up = share.map(|share| scene().camera.position * -0.1 + DVec3::Y * share);
                 scene().up(up.unwrap_or(DVec3::Y))
             }),
         ),
@@ -204,13 +204,13 @@ fn cut_at(depth: f64) -> SceneSpec {
 /// The depths of that cuboid's corners, in order.
 fn corner_depths() -> [f64; 8] {
     let camera = scene().camera;
-    let eye = *camera.position;
+    let eye = camera.position;
     let transform = Transform {
         position: DVec3::ZERO,
         rotation: ROTATION.into(),
     };
-    let forward = (*camera.target - eye).normalize();
-    let corners = Mesh::cuboid(*default_cuboid().size).corners;
+    let forward = (camera.target - eye).normalize();
+    let corners = Mesh::cuboid(default_cuboid().size).corners;
     let mut depths = corners.map(|corner| forward.dot(transform.axes() * corner - eye));
     depths.sort_by(f64::total_cmp);
     depths
@@ -263,9 +263,9 @@ fn nothing_around(name: &'static str, places: [[f64; 3]; 3]) -> Case {
 /// The default scene from so many times as far, the field of view as much narrower.
 fn from_afar(times: f64) -> SceneSpec {
     let scene = scene();
-    let eye = *scene.camera.position * times;
+    let eye = scene.camera.position * times;
     let fov = 2.0
-        * (*scene.camera.height / 2.0 / eye.length())
+        * (scene.camera.height / 2.0 / eye.length())
             .atan()
             .to_degrees();
     scene.eye(eye).fov(fov)
@@ -290,11 +290,11 @@ fn far_perspective(renderer: &mut Renderer) -> anyhow::Result<String> {
 /// The built-in scene from one of its cameras; its lights lie on the cuboid: n.l is negative wherever either camera looks.
 fn assignment(camera: usize) -> SceneSpec {
     let scene = Scene::load(Some("assignment")).expect("it is built in");
-    let record = scene.to_record();
+    let record = SceneRecord::of(&scene.world);
     SceneSpec {
         camera: record.camera[camera].clone(),
-        cuboids: record.cuboid.value,
-        lights: record.light.value,
+        cuboids: record.cuboid,
+        lights: record.light,
         size: [160, 120],
     }
 }

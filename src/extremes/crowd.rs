@@ -71,7 +71,7 @@ pub fn cases() -> Vec<Case> {
         same_bits(
             "a cuboid inside another",
             [0.1, 0.999_999, 1.0].map(|share| {
-                let inner = cuboid(*plain.size * share, [0.0; 3]);
+                let inner = cuboid(plain.size * share, [0.0; 3]);
                 scene().cuboids([&plain, &inner])
             }),
         ),

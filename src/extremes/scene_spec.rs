@@ -7,7 +7,9 @@ use std::borrow::Borrow;
 use glam::DVec3;
 
 use crate::components::{LightKind, Material, Projection, ShadingMode, View};
-use crate::scene::{CameraRecord, CuboidRecord, LightRecord, Scene, SceneError, SceneRecord, key};
+use crate::scene::{
+    CameraRecord, CuboidRecord, LightRecord, Scene, SceneError, SceneRecord, ViewRecord, updated,
+};
 
 /// A scene with one camera, and the size of its picture.
 #[derive(Clone)]
@@ -103,16 +105,16 @@ macro_rules! setters {
 
 impl CuboidRecord {
     setters!(
-        rotation: DVec3 => |cuboid, degrees| *cuboid.rotation = degrees;
-        material: Material => |cuboid, material| cuboid.material = key(material.into());
-        shininess: f64 => |cuboid, shininess| *cuboid.material.shininess = shininess;
+        rotation: DVec3 => |cuboid, degrees| cuboid.rotation = degrees;
+        material: Material => |cuboid, material| cuboid.material = material.into();
+        shininess: f64 => |cuboid, shininess| cuboid.material.shininess = shininess;
     );
 
     /// The same cuboid with ambient, diffuse and specular coefficients multiplied.
     pub fn reflecting(mut self, factor: f64) -> Self {
-        *self.material.ambient *= factor;
-        *self.material.diffuse *= factor;
-        *self.material.specular *= factor;
+        self.material.ambient *= factor;
+        self.material.diffuse *= factor;
+        self.material.specular *= factor;
         self
     }
 }
@@ -120,12 +122,12 @@ impl CuboidRecord {
 impl SceneSpec {
     setters!(
         lights: Vec<LightRecord> => |scene, lights| scene.lights = lights;
-        eye: DVec3 => |scene, eye| *scene.camera.position = eye;
-        target: DVec3 => |scene, target| *scene.camera.target = target;
-        up: DVec3 => |scene, up| scene.camera.up = Some(key(up));
-        fov: f64 => |scene, degrees| *scene.camera.fov = degrees;
-        height: f64 => |scene, height| *scene.camera.height = height;
-        near: f64 => |scene, near| scene.camera.near = Some(key(near));
+        eye: DVec3 => |scene, eye| scene.camera.position = eye;
+        target: DVec3 => |scene, target| scene.camera.target = target;
+        up: DVec3 => |scene, up| scene.camera.up = up;
+        fov: f64 => |scene, degrees| scene.camera.fov = degrees;
+        height: f64 => |scene, height| scene.camera.height = height;
+        near: f64 => |scene, near| scene.camera.near = Some(near);
         size: [usize; 2] => |scene, size| scene.size = size;
     );
 
@@ -148,10 +150,10 @@ impl SceneSpec {
     /// Every place and length multiplied.
     pub fn scaled(mut self, scale: f64) -> Self {
         for cuboid in &mut self.cuboids {
-            *cuboid.size *= scale;
+            cuboid.size *= scale;
         }
-        *self.camera.height *= scale;
-        self.camera.near = self.camera.near.map(|near| key(*near * scale));
+        self.camera.height *= scale;
+        self.camera.near = self.camera.near.map(|near| near * scale);
         self.with_places(|place| place * scale)
     }
 
@@ -165,7 +167,7 @@ impl SceneSpec {
         let lights = self.lights.iter_mut().filter_map(|it| it.position.as_mut());
         let camera = [&mut self.camera.position, &mut self.camera.target];
         for place in cuboids.chain(lights).chain(camera) {
-            **place = change(**place);
+            *place = change(*place);
         }
         self
     }
@@ -181,18 +183,19 @@ impl SceneSpec {
     /// The text of a scene file, in which cuboids and lights are named by their numbers.
     pub fn text(&self) -> String {
         let mut record = SceneRecord {
-            background: key(DVec3::new(20.0, 20.0, 24.0)),
-            cuboid: key(self.cuboids.clone()),
-            light: key(self.lights.clone()),
-            camera: key(vec![self.camera.clone()]),
+            background: DVec3::new(20.0, 20.0, 24.0),
+            cuboid: self.cuboids.clone(),
+            light: self.lights.clone(),
+            camera: vec![self.camera.clone()],
+            view: ViewRecord::default(),
         };
         for (index, cuboid) in record.cuboid.iter_mut().enumerate() {
-            *cuboid.name = index.to_string();
+            cuboid.name = index.to_string();
         }
         for (index, light) in record.light.iter_mut().enumerate() {
-            *light.name = index.to_string();
+            light.name = index.to_string();
         }
-        record.write()
+        updated("", &record)
     }
 
     /// The view that draws the parsed scene.
@@ -200,7 +203,7 @@ impl SceneSpec {
         View {
             projection: config.projection,
             tolerance: config.tolerance,
-            ..scene.view(0, self.size).shaded(config.mode)
+            ..View::of(&scene.world, self.size).shaded(config.mode)
         }
     }
 }

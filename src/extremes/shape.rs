@@ -64,11 +64,11 @@ pub fn cases() -> Vec<Case> {
             [1e-2, 1e-3, 1e-6].map(|thick| {
                 let needle = cuboid([4.0, thick, thick], [0.0; 3]).rotation([0.0, 40.0, 7.0]);
                 // Close enough for the thin ones to be seen at all.
-                let eye = *scene().camera.position * (3.0 * thick).min(1.0);
+                let eye = scene().camera.position * (3.0 * thick).min(1.0);
                 scene()
                     .cuboid(needle)
                     .eye(eye)
-                    .height(*scene().camera.height * thick)
+                    .height(scene().camera.height * thick)
             }),
         ),
         proven(
@@ -137,7 +137,7 @@ fn far_end(rotation: [f64; 3]) -> SceneSpec {
     let end = axes * DVec3::X * 5e5;
     scene()
         .cuboid(cuboid([1e6, 3.0, 2.0], [0.0; 3]).rotation(rotation))
-        .eye(end + axes * *scene().camera.position)
+        .eye(end + axes * scene().camera.position)
         .target(end)
         .lights(lights_at(end + axes * DVec3::splat(10.0)))
 }

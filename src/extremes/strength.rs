@@ -56,10 +56,10 @@ pub fn cases() -> Vec<Case> {
         proven(
             "one channel of 1e90 levels beside one of 1e-90",
             [scene().with_lights(|light| {
-                if *light.kind != LightKind::Ambient {
-                    *light.color = DVec3::new(MAX, 1.0, 1e-90);
-                    *light.gain = MAX;
-                    *light.intensity = 1e-28;
+                if light.kind != LightKind::Ambient {
+                    light.color = DVec3::new(MAX, 1.0, 1e-90);
+                    light.gain = MAX;
+                    light.intensity = 1e-28;
                 }
             })],
         ),
@@ -67,7 +67,7 @@ pub fn cases() -> Vec<Case> {
             "a light of 1e30 on a material of 1e-30",
             EXACT,
             [1.0, 1e-28, 1e-30].map(|share| {
-                let scene = scene().with_lights(|light| *light.gain = 1.0 / share);
+                let scene = scene().with_lights(|light| light.gain = 1.0 / share);
                 scene.cuboid(default_cuboid().reflecting(share))
             }),
         ),
@@ -92,7 +92,7 @@ pub const MIRRORING: DVec3 = DVec3::new(1.1, 0.7, 1.0);
 /// A cuboid whose highlight of so many levels is in the picture, in the mirror direction of [`MIRRORING`].
 pub fn mirroring(shininess: f64, levels: f64) -> SceneSpec {
     let normal = (MIRRORING / DVec3::new(2.0, 1.5, 1.0)).normalize();
-    let to_eye = (*scene().camera.position - MIRRORING).normalize();
+    let to_eye = (scene().camera.position - MIRRORING).normalize();
     let mirrored = 2.0 * normal.dot(to_eye) * normal - to_eye;
     let place = MIRRORING + 9.0 * mirrored;
     let mut lights = lights_at([10.0; 3]);
@@ -104,8 +104,8 @@ pub fn mirroring(shininess: f64, levels: f64) -> SceneSpec {
 /// The default scene, its diffuse and specular light of this intensity.
 pub fn with_intensity(intensity: f64) -> SceneSpec {
     scene().with_lights(|light| {
-        if *light.kind != LightKind::Ambient {
-            *light.intensity = intensity;
+        if light.kind != LightKind::Ambient {
+            light.intensity = intensity;
         }
     })
 }
@@ -122,8 +122,8 @@ fn corner_lit(levels: f64) -> [SceneSpec; 4] {
 /// The default scene with lights and material of these strengths.
 fn sending(intensity: f64, gain: f64, coefficient: f64) -> SceneSpec {
     let scene = scene().with_lights(|light| {
-        *light.intensity = intensity;
-        *light.gain = gain;
+        light.intensity = intensity;
+        light.gain = gain;
     });
     scene.cuboid(default_cuboid().reflecting(coefficient))
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use super::sheet::{Cell, Picture, half, sheet};
-use crate::components::ShadingMode;
+use crate::components::{ShadingMode, View};
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
@@ -19,7 +19,7 @@ use crate::systems;
 const SIZE: [usize; 2] = [960, 720];
 
 /// Bytes that all pictures take that are held at once, the file that is written among them.
-const MEMORY: usize = 28 << 20;
+const MEMORY: usize = 30 << 20;
 
 /// The assignment's pictures by file name, mode, camera and lights, in the order of the sheet: a row for each camera.
 const FIGURES: [(&str, ShadingMode, &str, &str); 6] = [
@@ -111,11 +111,11 @@ fn draw(
     lights: &str,
     frame: &mut Frame,
 ) -> Result<Picture> {
-    let camera = scene
-        .find_camera(camera)
-        .context("the built-in scene lacks a camera")?;
+    scene.look_from(camera)?;
     scene.switch_lights(&lights.parse::<LightChoice>()?)?;
-    let view = scene.view(camera, SIZE).shaded(mode);
+    let view = View::of(&scene.world, SIZE)
+        .shaded(mode)
+        .with_tolerance(0.0);
     systems::draw(&mut scene.world, &view, frame)?;
     Ok(Picture {
         size: SIZE,

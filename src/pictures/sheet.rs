@@ -1,6 +1,4 @@
-//! Pictures and their labels in, one picture of them all out.
-//!
-//! Rule: pure on pixels; every cell is as large as its picture, and the cells of a sheet are of one size.
+//! A sheet of labelled pictures: cells of one size in rows under a title.
 //!
 //! ```text
 //! title
@@ -10,12 +8,14 @@
 //! heading remark  heading remark
 //! ```
 
-use crate::canvas::{Canvas, FACES, Face, Ink};
+use egui::{Align2, FontId, Pos2, Rect, StrokeKind, pos2, vec2};
+
+use crate::paint::{annotate, color};
 
 const PAPER: u32 = 0x0024_2429;
 const FRAME: u32 = 0x003c_3c44;
-const BRIGHT: Ink = Ink::solid(0x00f0_f0f2);
-const DIM: Ink = Ink::solid(0x00a0_a0aa);
+const BRIGHT: u32 = 0x00f0_f0f2;
+const DIM: u32 = 0x00a0_a0aa;
 
 /// The empty border of a sheet, in pixels.
 const MARGIN: usize = 40;
@@ -26,10 +26,13 @@ const JOINED_GAP: usize = 72;
 const LABEL_GAP: usize = 10;
 const TITLE_GAP: usize = 24;
 /// From a label's first words to the rest.
-const WORD_GAP: usize = 12;
+const WORD_GAP: f32 = 12.0;
 
-const TITLE: Face = FACES[3];
-const LABEL: Face = FACES[2];
+/// The heights of lines, and the letters in them.
+const TITLE_HEIGHT: usize = 32;
+const LABEL_HEIGHT: usize = 24;
+const TITLE: FontId = FontId::proportional(28.0);
+const LABEL: FontId = FontId::proportional(19.0);
 
 /// Pixels, 0x00RRGGBB row by row from the top.
 pub struct Picture {
@@ -83,62 +86,46 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
     } else {
         GAP
     };
-    let top = MARGIN + height_of(TITLE) + TITLE_GAP;
-    let row_height = cell_height + LABEL_GAP + height_of(LABEL);
+    let top = MARGIN + TITLE_HEIGHT + TITLE_GAP;
+    let row_height = cell_height + LABEL_GAP + LABEL_HEIGHT;
     let rows = cells.len().div_ceil(columns);
     let width = 2 * MARGIN + columns * cell_width + (columns - 1) * gap;
     let height = top + rows * row_height + rows.saturating_sub(1) * GAP + MARGIN;
-
-    let mut sheet = Picture {
-        size: [width, height],
-        pixels: vec![PAPER; width * height],
-    };
-    sheet.letter([MARGIN, MARGIN], TITLE, BRIGHT, title);
-    for (index, cell) in cells.iter().enumerate() {
+    let place = |index: usize| {
         let x = MARGIN + index % columns * (cell_width + gap);
-        let y = top + index / columns * (row_height + GAP);
-        sheet.paste([x, y], &cell.picture);
-        let label = y + cell_height + LABEL_GAP;
-        sheet.letter([x, label], LABEL, BRIGHT, cell.heading);
-        let remark = x + width_of(LABEL, cell.heading) + WORD_GAP;
-        sheet.letter([remark, label], LABEL, DIM, &cell.remark);
-        let joiner = [
-            x + cell_width + (gap - width_of(TITLE, cell.joiner).min(gap)) / 2,
-            y + (cell_height - height_of(TITLE).min(cell_height)) / 2,
-        ];
-        sheet.letter(joiner, TITLE, BRIGHT, cell.joiner);
-    }
-    sheet
-}
+        [x, top + index / columns * (row_height + GAP)]
+    };
 
-fn height_of(face: Face) -> usize {
-    face.height() as usize
-}
-
-fn width_of(face: Face, words: &str) -> usize {
-    face.width(words.chars().count()) as usize
-}
-
-impl Picture {
-    /// Puts `picture` in, with a line of one pixel around it.
-    fn paste(&mut self, [x, y]: [usize; 2], picture: &Picture) {
-        let [width, height] = picture.size;
-        for row in y - 1..=y + height {
-            self.row(row)[x - 1..=x + width].fill(FRAME);
-        }
-        for (row, pixels) in (y..).zip(picture.pixels.chunks_exact(width)) {
-            self.row(row)[x..x + width].copy_from_slice(pixels);
+    let size = [width, height];
+    let mut pixels = vec![PAPER; width * height];
+    for (index, cell) in cells.iter().enumerate() {
+        let [x, y] = place(index);
+        for (row, line) in (y..).zip(cell.picture.pixels.chunks_exact(cell_width)) {
+            pixels[row * width + x..][..cell_width].copy_from_slice(line);
         }
     }
-
-    fn row(&mut self, row: usize) -> &mut [u32] {
-        &mut self.pixels[row * self.size[0]..][..self.size[0]]
-    }
-
-    fn letter(&mut self, at: [usize; 2], face: Face, ink: Ink, words: &str) {
-        let at = at.map(|coordinate| coordinate as i32);
-        Canvas::new(&mut self.pixels, self.size).text(face, at, ink, words);
-    }
+    annotate(&mut pixels, size, |painter| {
+        let write = |at: Pos2, align: Align2, font: FontId, ink: u32, text: &str| {
+            painter.text(at, align, text, font, color(ink)).right()
+        };
+        let [left, center] = [Align2::LEFT_TOP, Align2::CENTER_CENTER];
+        let margin = MARGIN as f32;
+        write(pos2(margin, margin), left, TITLE, BRIGHT, title);
+        for (index, cell) in cells.iter().enumerate() {
+            let [x, y] = place(index).map(|at| at as f32);
+            let size = vec2(cell_width as f32, cell_height as f32);
+            let picture = Rect::from_min_size(pos2(x, y), size);
+            let frame = (1.0, color(FRAME));
+            painter.rect_stroke(picture, 0.0, frame, StrokeKind::Outside);
+            let label = picture.bottom() + LABEL_GAP as f32;
+            let end = write(pos2(x, label), left, LABEL, BRIGHT, cell.heading);
+            let remark = pos2(end + WORD_GAP, label);
+            write(remark, left, LABEL, DIM, &cell.remark);
+            let joiner = picture.right_center() + vec2(gap as f32 / 2.0, 0.0);
+            write(joiner, center, TITLE, BRIGHT, cell.joiner);
+        }
+    });
+    Picture { size, pixels }
 }
 
 #[cfg(test)]
@@ -187,8 +174,9 @@ mod tests {
         }
         let [width, height] = sheet.size;
         assert_eq!(sheet.pixels.len(), width * height);
-        let title = &sheet.pixels[..(MARGIN + height_of(TITLE)) * width];
-        assert!(title.contains(&BRIGHT.color) && !title.iter().any(|pixel| colors.contains(pixel)));
+        let title = &sheet.pixels[..(MARGIN + TITLE_HEIGHT) * width];
+        assert!(title.iter().any(|&pixel| pixel != PAPER));
+        assert!(!title.iter().any(|pixel| colors.contains(pixel)));
         for (index, &pixel) in sheet.pixels.iter().enumerate() {
             let [x, y] = [index % width, index / width];
             let inside = (MARGIN - 1..=width - MARGIN).contains(&x)

@@ -22,7 +22,7 @@ const OUTLINE: u32 = 0x0026_5a78;
 #[derive(Serialize)]
 struct Record<'a> {
     scene: &'a str,
-    camera: &'a str,
+    camera: String,
     projection: &'static str,
     size: [usize; 2],
     mode: &'static str,
@@ -54,10 +54,9 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
         let pixels: Vec<u32> = pixels.map(|(pixel, mark)| color(*pixel, *mark)).collect();
         output.write_png(&pixels, view.size)?;
     }
-    let cameras = drawing.scene.camera_names();
     let record = Record {
         scene: &drawing.scene.name,
-        camera: &cameras[drawing.camera],
+        camera: drawing.camera(),
         projection: view.projection.name(),
         size: view.size,
         mode: drawing.mode(),
@@ -87,7 +86,7 @@ fn color(pixel: u32, mark: Mark) -> u32 {
 fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     let proof = record.proof;
     let mut lines = vec![
-        drawing.subject(""),
+        drawing.subject(),
         format!("proven     {} of {} pixels", proof.proven, record.pixels),
         format!("refuted    {}", proof.refuted),
         format!("undecided  {}", proof.undecided),

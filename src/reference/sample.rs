@@ -7,8 +7,8 @@ use serde::Serialize;
 use super::illumination::{blend, reflection};
 use super::sight::Solid;
 use super::vector::Vector;
-use super::{Cuboid, Reference, in_file_order};
-use crate::components::{FileOrder, Light, LightKind, Name, View};
+use super::{Cuboid, Reference};
+use crate::components::{FileOrder, Light, LightKind, Name, View, in_file_order};
 
 /// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
 #[derive(Clone, Debug, PartialEq)]

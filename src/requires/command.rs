@@ -1,6 +1,6 @@
-//! A [`Drawing`] in; what it requires as a table or JSON, and the least scene as a file, out.
+//! What a [`Drawing`] requires, as a table or JSON, and the least scene as a file.
 //!
-//! Rule: the file is a scene that is read as it stands; comments say what was left out of it and what that errs.
+//! The file is a scene that is read as it stands; comments say what was left out of it and what that errs.
 
 use anyhow::Context;
 use serde::Serialize;
@@ -8,10 +8,10 @@ use serde_json::json;
 
 use super::share::time_share;
 use super::{Change, Part, changes, least, parts, without};
-use crate::components::{Orbit, View};
+use crate::components::View;
 use crate::drawing::Drawing;
 use crate::output::{Output, print, say};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneRecord, updated};
 use crate::trade::progress::with_bar;
 use crate::trade::tables::{aligned, wrapped};
 use crate::trade::words::short;
@@ -22,13 +22,10 @@ struct Row {
     #[serde(skip)]
     left_out: Part,
     part: String,
-    /// In all views together.
     #[serde(flatten)]
     change: Change,
     time_share: Option<f64>,
     required: bool,
-    /// In how many views.
-    required_in: usize,
 }
 
 const LEGEND: &str = "Each part is left out alone. largest error: in levels of 255, proven; pixels: how many err by more \
@@ -39,69 +36,32 @@ const LEGEND: &str = "Each part is left out alone. largest error: in levels of 2
 ///
 /// # Errors
 /// When the picture does not fit in memory, or something cannot be written.
-pub fn run(
-    drawing: &Drawing,
-    orbit: usize,
-    least_scene: Option<&Output>,
-    as_json: bool,
-) -> anyhow::Result<()> {
-    let (scene, views) = (scene(drawing), views(drawing, orbit));
-    let subject = drawing.subject(&match orbit {
-        1 => String::new(),
-        views => format!(", {views} views round its target"),
-    });
-    let rows = rows(drawing, &scene, &views)?;
+pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
+    let (subject, view) = (drawing.subject(), drawing.view());
+    let rows = rows(drawing, &view)?;
     let record = json!({
-        "scene": scene.name,
-        "tolerance": drawing.tolerance,
-        "views": views.len(),
+        "scene": drawing.scene.name,
+        "tolerance": view.tolerance,
         "parts": rows,
     });
     print(&record, as_json, || {
-        let texts = [subject.clone(), table(&rows, views.len()), wrapped(LEGEND)];
+        let texts = [subject.clone(), table(&rows), wrapped(LEGEND)];
         texts.join("\n\n")
     })?;
     match least_scene {
-        Some(output) => write_least(&subject, &scene, &views, rows, output),
+        Some(output) => write_least(&subject, &drawing.scene, &view, rows, output),
         None => Ok(()),
     }
 }
 
-/// The scene as the options have it, with one camera.
-fn scene(drawing: &Drawing) -> Scene {
-    let mut record = drawing.scene.to_record();
-    for cuboid in &mut record.cuboid.value {
-        *cuboid.shading = drawing.shading.unwrap_or(*cuboid.shading);
-    }
-    record.camera.value = vec![record.camera.swap_remove(drawing.camera)];
-    Scene::spawn(drawing.scene.name.clone(), &record)
-}
-
-/// So many views, evenly round the camera's target, at its height; the first is the camera's own.
-fn views(drawing: &Drawing, count: usize) -> Vec<View> {
-    let view = drawing.view();
-    let turned = |number: usize| {
-        let turn = number as f64 / count as f64;
-        let orbit = Orbit {
-            azimuth: 360.0 * (turn - turn.round()),
-            ..Orbit::default()
-        };
-        View {
-            viewpoint: view.viewpoint.orbited(&orbit),
-            shading: None,
-            ..view
-        }
-    };
-    (0..count).map(turned).collect()
-}
-
 /// A row for each part.
-fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<Row>> {
+fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
+    let scene = &drawing.scene;
     let parts = parts(scene);
     let time_shares: Vec<_> = with_bar(|on_progress| {
         let of_part = |(index, (part, _)): (usize, &(Part, _))| {
             on_progress("timing", index as f64 / parts.len() as f64);
-            time_share(scene, views, *part, drawing.level)
+            time_share(scene, view, *part, drawing.level)
         };
         parts
             .iter()
@@ -110,39 +70,24 @@ fn rows(drawing: &Drawing, scene: &Scene, views: &[View]) -> anyhow::Result<Vec<
             .collect::<Result<_, _>>()
     })?;
     let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let by_view: Vec<Vec<Change>> = with_bar(|on_progress| {
-        let of_view = |(number, view)| {
-            let progress = |share| {
-                on_progress("leaving out", (number as f64 + share) / views.len() as f64);
-            };
-            changes(scene, view, &left_out, &|| false, &progress)
-        };
-        let by_view: Option<_> = views.iter().enumerate().map(of_view).collect();
-        by_view.context("the comparison was cancelled")
+    let changes = with_bar(|on_progress| {
+        let progress = |share| on_progress("leaving out", share);
+        changes(scene, view, &left_out, &|| false, &progress)
+            .context("the comparison was cancelled")
     })?;
-    let row = |(index, ((left_out, part), time_share)): (usize, ((Part, String), _))| {
-        let changes: Vec<Change> = by_view.iter().map(|view| view[index]).collect();
-        let is_required = |change: &&Change| !change.keeps(drawing.tolerance);
-        let required_in = changes.iter().filter(is_required).count();
-        Row {
-            left_out,
-            part,
-            change: Change::sum(changes),
-            time_share,
-            required: required_in > 0,
-            required_in,
-        }
+    let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| Row {
+        left_out,
+        part,
+        change,
+        time_share,
+        required: !change.keeps(view.tolerance),
     };
-    Ok(parts
-        .into_iter()
-        .zip(time_shares)
-        .enumerate()
-        .map(row)
-        .collect())
+    let parts = parts.into_iter().zip(time_shares).zip(changes);
+    Ok(parts.map(row).collect())
 }
 
 /// The parts that err most first.
-fn table(rows: &[Row], views: usize) -> String {
+fn table(rows: &[Row]) -> String {
     let mut sorted: Vec<&Row> = rows.iter().collect();
     sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
     let cells = |row: &&Row| {
@@ -152,11 +97,7 @@ fn table(rows: &[Row], views: usize) -> String {
             error(row.change.largest_error),
             row.change.pixels.to_string(),
             row.time_share.map_or_else(|| "-".to_owned(), percent),
-            match (row.required_in, views) {
-                (0, _) => "no".to_owned(),
-                (_, 1) => "yes".to_owned(),
-                (some, all) => format!("in {some} of {all}"),
-            },
+            if row.required { "yes" } else { "no" }.to_owned(),
         ]
     };
     let head = ["part", "largest error", "pixels", "time", "required"];
@@ -177,7 +118,7 @@ fn error(ends: [f64; 2]) -> String {
 fn write_least(
     subject: &str,
     scene: &Scene,
-    views: &[View],
+    view: &View,
     mut rows: Vec<Row>,
     output: &Output,
 ) -> anyhow::Result<()> {
@@ -189,7 +130,7 @@ fn write_least(
     let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
     let (left_out, change) = with_bar(|on_progress| {
         let progress = |share| on_progress("looking for the least scene", share);
-        let least = least(scene, views, &candidates, &|| false, &progress);
+        let least = least(scene, view, &candidates, &|| false, &progress);
         least.context("the search was cancelled")
     })?;
     rows.retain(|row| left_out.contains(&row.left_out));
@@ -205,7 +146,9 @@ fn write_least(
     // A name may hold a line break, which would end the comment.
     let comments = format!("The least scene for {subject}: {found}.");
     let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
-    let text = without(scene, &left_out).to_toml();
+    let mut record = SceneRecord::of(&without(scene, &left_out).world);
+    record.keep_active_camera();
+    let text = updated("", &record);
     output.write(|writer| write!(writer, "# {comments}\n\n{text}"))?;
     say(&format!("wrote {}: {found}", output.name()));
     Ok(())

@@ -1,6 +1,6 @@
-//! A part and the views of a scene in; the share of a frame's time that the part costs out.
+//! The share of a frame's time that a part costs.
 //!
-//! Rule: frames are drawn by the renderer on one thread, warm, with and without the part in turns. What the renderer cannot
+//! Frames are drawn by the renderer on one thread, warm, with and without the part in turns. What the renderer cannot
 //! draw without has no time of its own.
 
 use std::time::Duration;
@@ -8,7 +8,7 @@ use std::time::Duration;
 use fearless_simd::Level;
 
 use super::{Part, without};
-use crate::components::View;
+use crate::components::{Mesh, View, ordered};
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory::OutOfMemory;
 use crate::reference::Rule;
@@ -20,7 +20,7 @@ use crate::trade::timing;
 const TIME: Duration = Duration::from_millis(250);
 const MIN_SAMPLES: usize = 16;
 
-/// 1 less the time without the part over the time with it, all views together; negative where a frame without the part
+/// 1 less the time without the part over the time with it; negative where a frame without the part
 /// takes longer. Of both the shortest time counts: what else runs on the machine only adds to a time. `None`: the renderer
 /// cannot draw without the part.
 ///
@@ -28,13 +28,15 @@ const MIN_SAMPLES: usize = 16;
 /// When the picture does not fit in memory.
 pub fn time_share(
     scene: &Scene,
-    views: &[View],
+    view: &View,
     part: Part,
     level: Level,
 ) -> Result<Option<f64>, OutOfMemory> {
     match part {
         // The renderer has no depth buffer then.
-        Part::Rule(Rule::DepthTest) if scene.cuboids.len() == 1 => return Ok(Some(0.0)),
+        Part::Rule(Rule::DepthTest) if ordered::<Mesh>(&scene.world).len() == 1 => {
+            return Ok(Some(0.0));
+        }
         Part::Rule(_) | Part::F64SetUp => return Ok(None),
         Part::Light(_) | Part::EveryPixel(_) | Part::Cuboid(_) => {}
     }
@@ -45,9 +47,7 @@ pub fn time_share(
         });
         timing::batch(number, 2, MIN_SAMPLES, TIME, |which| {
             let (world, frame) = &mut drawn[which];
-            views
-                .iter()
-                .try_for_each(|view| systems::draw(world, view, frame))
+            systems::draw(world, view, frame)
         })
     };
     let times = timing::of_batches(batch, |_| ())?;

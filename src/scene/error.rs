@@ -1,4 +1,4 @@
-//! What is wrong with a scene's text in, one located message for a person out.
+//! Why there is no scene: one located message for a person.
 //!
 //! ```text
 //! scene.toml:7:9: `cuboid.size`: invalid value: number `-4.0`, expected a number from 1e-100 to 1e100
@@ -7,14 +7,11 @@
 //!   |         ^^^^
 //! ```
 //!
-//! Rule: every message has this form, TOML's own syntax errors included, is a few lines long whatever the text, and
-//! contains no control character of the text.
+//! Every message has this form, is a few lines long whatever the text, and contains no control character of the text.
 
 use std::io;
 use std::ops::Range;
 use std::string::FromUtf8Error;
-
-use toml::de::DeTable;
 
 /// Why there is no scene. The display of either kind is the whole message, without a line break at its end.
 #[derive(Debug, thiserror::Error)]
@@ -45,64 +42,91 @@ pub enum SceneError {
     },
 }
 
-/// What is wrong, and the bytes of the text that say so.
-#[derive(Debug)]
-pub struct Fault {
-    span: Range<usize>,
+/// What does not go together in a scene, and at which key.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {message}", self.key())]
+pub struct Mistake {
+    /// What a scene has one or several of, and which of them.
+    kind: &'static str,
+    index: usize,
+    /// The first of these that the text has; none is the whole.
+    keys: &'static [&'static str],
     message: String,
 }
 
-/// Longer lines and messages are shown in part: in characters.
-const WIDEST_LINE: usize = 100;
-const WIDEST_MESSAGE: usize = 400;
-
-/// What a scene has several of.
-const KINDS: [&str; 3] = ["cuboid", "light", "camera"];
-
-impl Fault {
-    /// A fault at the bytes `span` of the text.
-    pub fn new(span: Range<usize>, message: String) -> Self {
-        Fault { span, message }
+impl Mistake {
+    pub(super) fn new(
+        kind: &'static str,
+        index: usize,
+        keys: &'static [&'static str],
+        message: impl Into<String>,
+    ) -> Self {
+        Mistake {
+            kind,
+            index,
+            keys,
+            message: message.into(),
+        }
     }
 
-    /// What TOML or serde refuse, in their words, after the key.
-    pub fn of_toml(text: &str, mut error: toml::de::Error) -> Self {
-        let Some(span) = error.span() else {
-            let start = start_of_long_key(text);
-            return Fault::new(start..start, "a key of more than 80 parts".to_owned());
+    fn key(&self) -> String {
+        let keys = [self.kind].into_iter().chain(self.keys.first().copied());
+        format!("`{}`", Vec::from_iter(keys).join("."))
+    }
+
+    /// The mistake as told to a person: `text` is what it is in, `file` what that is called.
+    pub(super) fn locate(&self, file: &str, text: &str) -> SceneError {
+        let span = self.span(text).unwrap_or(0..0);
+        located(file, text, &span, &self.to_string())
+    }
+
+    /// The bytes of the text that say it; the start of a text that does not say it.
+    fn span(&self, text: &str) -> Option<Range<usize>> {
+        let document = toml_edit::Document::parse(text).ok()?;
+        let all = document.get(self.kind)?;
+        let one = all.get(self.index).unwrap_or(all);
+        let said = self.keys.iter().find_map(|key| one.get(key));
+        said.unwrap_or(one).span()
+    }
+}
+
+/// Why a text is no scene.
+#[derive(Debug, thiserror::Error)]
+pub enum Fault {
+    /// It is no TOML, or not as the records have it.
+    #[error(transparent)]
+    Toml(#[from] toml::de::Error),
+    #[error(transparent)]
+    Mistake(#[from] Mistake),
+}
+
+impl Fault {
+    /// The fault as told to a person: `text` is what it is in, `file` what that is called.
+    pub fn locate(self, file: &str, text: &str) -> SceneError {
+        let mut error = match self {
+            Fault::Mistake(mistake) => return mistake.locate(file, text),
+            Fault::Toml(error) => error,
         };
+        let span = error.span().unwrap_or(0..0);
         // Without the text the error says the key instead of showing the line.
         error.set_input(None);
         let said = error.to_string();
-        let found = text.get(span.clone()).unwrap_or_default();
         let message = match said.trim_end().rsplit_once("\nin ") {
             Some((message, key)) => format!("{key}: {message}"),
-            None if error.message() == "duplicate key" && KINDS.contains(&found) => {
-                format!("duplicate key; head each {found} with `[[{found}]]`, in double brackets")
-            }
-            None if error.message().starts_with("string values must be quoted")
-                && found.is_empty() =>
-            {
-                "a value is missing".to_owned()
-            }
-            None => said
-                .trim_end()
-                .trim_end_matches(", expected nothing")
-                .to_owned(),
+            None => said.trim_end().to_owned(),
         };
-        Fault::new(span, message)
+        located(file, text, &span, &message)
     }
+}
 
-    /// The fault as told to a person: `text` is what it is in, `file` what that is called.
-    pub fn locate(self, file: &str, text: &str) -> SceneError {
-        let (line, column) = line_and_column(text, self.span.start);
-        SceneError::Invalid {
-            file: printable(file),
-            line,
-            column,
-            excerpt: excerpt(text, &self.span, line, column),
-            message: shortened(self.message.chars(), WIDEST_MESSAGE),
-        }
+fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> SceneError {
+    let (line, column) = line_and_column(text, span.start);
+    SceneError::Invalid {
+        file: printable(file),
+        line,
+        column,
+        excerpt: excerpt(text, span, line, column),
+        message: shortened(message.chars(), WIDEST_MESSAGE),
     }
 }
 
@@ -111,11 +135,12 @@ pub fn not_utf8(path: &str, error: &FromUtf8Error) -> SceneError {
     let start = error.utf8_error().valid_up_to();
     let byte = error.as_bytes()[start];
     let message = format!("a scene must be UTF-8 text; found the byte {byte:#04x}");
-    Fault::new(start..start, message).locate(path, &String::from_utf8_lossy(error.as_bytes()))
+    let text = String::from_utf8_lossy(error.as_bytes());
+    located(path, &text, &(start..start), &message)
 }
 
 /// Line and column of the byte `offset`, counted from 1; the end of the text where `offset` is inside no character.
-pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
+fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     let line = before.matches('\n').count() + 1;
@@ -123,17 +148,9 @@ pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// Where the line starts that has a key of too many parts: the one error of TOML's parser without a place.
-fn start_of_long_key(text: &str) -> usize {
-    let lines: Vec<&str> = text.split_inclusive('\n').collect();
-    let start = |line: usize| lines[..line].iter().map(|line| line.len()).sum();
-    let has_long_key = |line: &usize| {
-        let (_, errors) = DeTable::parse_recoverable(&text[..start(line + 1)]);
-        errors.iter().any(|error| error.span().is_none())
-    };
-    let numbers: Vec<usize> = (0..lines.len()).collect();
-    start(numbers.partition_point(|line| !has_long_key(line)))
-}
+/// Longer lines and messages are shown in part: in characters.
+const WIDEST_LINE: usize = 100;
+const WIDEST_MESSAGE: usize = 400;
 
 /// The line the span starts in, with carets below the part of the span that is in it.
 fn excerpt(text: &str, span: &Range<usize>, line: usize, column: usize) -> String {

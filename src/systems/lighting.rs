@@ -29,7 +29,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         &Normals,
         &mut VertexColors,
     )>() {
-        if view.shading.unwrap_or(*own) != ShadingMode::Gouraud {
+        if view.mode(*own) != ShadingMode::Gouraud {
             continue;
         }
         let surface = Surface {

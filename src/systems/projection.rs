@@ -88,6 +88,7 @@ mod tests {
             viewpoint,
             projection,
             background: DVec3::ZERO,
+            turned: 0,
             shading: None,
             tolerance: 0.0,
         }

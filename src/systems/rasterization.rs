@@ -72,7 +72,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             id: 12 * order.0,
             material: *material,
             centre: place.position,
-            mode: view.shading.unwrap_or(*own),
+            mode: view.mode(*own),
             gloss: 0,
             solid: Solid {
                 centre: place.position - lens.eye,

@@ -16,7 +16,6 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, text_style};
 use super::export::{place, subject};
 use super::record::{Measurement, Report};
-use crate::canvas::Rect;
 use crate::components::ShadingMode;
 
 /// The least error that the plot tells from none, in levels.
@@ -127,33 +126,35 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
         let style = ("monospace", chart::font(LABEL))
             .into_font()
             .color(&point.color());
-        area.draw_text(point.measured.method.id, &style, (label.x, label.y))?;
+        area.draw_text(point.measured.method.id, &style, (label[0], label[2]))?;
         dot(area, at, point.color(), point.measured.on_front)?;
         taken.push(label);
     }
     key(area)
 }
 
-/// Where the label of a point at this place stands, within these `columns`.
+/// The left, right and upper edge of a point's label, within these `columns`.
 ///
 /// On the front a label stands below its point, to the left, where no point is: it would beat this one. Others stand
 /// above theirs, to the right. One that would cover a label that is there moves up until it does not.
-fn label(point: &Point, (x, y): (i32, i32), columns: &Range<i32>, taken: &[Rect]) -> Rect {
+fn label(point: &Point, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32; 3]]) -> [i32; 3] {
     let (width, height) = (label_width(point.measured.method.id), (1.25 * LABEL) as i32);
-    let (left, top) = if point.measured.on_front {
+    let (left, mut top) = if point.measured.on_front {
         (x - width - 4, y + 4)
     } else {
         (x + 6, y - 4 - height)
     };
     let left = left.min(columns.end - width).max(columns.start + 2);
-    let mut label = Rect::new(left, top, width, height);
-    while taken
-        .iter()
-        .any(|other| !label.intersection(other).is_empty())
-    {
-        label.y -= 1;
+    let right = left + width;
+    let is_taken = |top: i32| {
+        taken.iter().any(|[start, end, other]| {
+            left < *end && *start < right && (top - other).abs() < height
+        })
+    };
+    while is_taken(top) {
+        top -= 1;
     }
-    label
+    [left, right, top]
 }
 
 /// The size of a label's letters, in pixels.

@@ -17,6 +17,7 @@ use anyhow::{Context, ensure};
 use super::timing::Batch;
 use super::{IsCancelled, Request, TradeError, time_batch};
 use crate::output::Output;
+use crate::scene::{SceneRecord, updated};
 
 /// Runs this program as `trade --batch N` with the arguments it was called with and the request's scene, and returns the times
 /// it prints. All of the request but the scene is in the arguments.
@@ -38,7 +39,8 @@ pub fn in_a_process(
             .spawn()?;
         if let Some(mut scene) = child.stdin.take() {
             // Where it is not read, the process says why.
-            let _ = scene.write_all(request.scene.to_toml().as_bytes());
+            let text = updated("", &SceneRecord::of(&request.scene.world));
+            let _ = scene.write_all(text.as_bytes());
         }
         let output = child.wait_with_output()?;
         let said = String::from_utf8_lossy(&output.stderr);

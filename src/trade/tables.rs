@@ -1,10 +1,6 @@
-//! Cells and sentences in; a table or a paragraph for a terminal, or a table in Markdown, out.
-//!
-//! Rule: pure; on a terminal at most [`WIDTH`] columns as far as cells allow.
+//! Tables and paragraphs for a terminal, at most [`WIDTH`] columns wide where cells allow, and tables in Markdown.
 
-use comfy_table::{CellAlignment, Table, TableComponent, presets};
-
-use crate::canvas;
+use comfy_table::{CellAlignment, ContentArrangement, Table, TableComponent, presets};
 
 /// Columns of the terminal.
 pub const WIDTH: usize = 100;
@@ -40,5 +36,31 @@ pub(super) fn markdown(head: &[&str], rows: &[Vec<String>]) -> String {
 
 /// The same words in lines of at most [`WIDTH`] columns.
 pub(crate) fn wrapped(text: &str) -> String {
-    canvas::wrapped(text, WIDTH).join("\n")
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING).add_row([text]);
+    table.set_content_arrangement(ContentArrangement::Dynamic);
+    table.set_width(WIDTH as u16);
+    for column in table.column_iter_mut() {
+        column.set_padding((0, 0));
+    }
+    table.trim_fmt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_paragraph_keeps_its_words_in_lines_of_at_most_the_width() {
+        let words = "levels of 255, \u{b5}s ".repeat(40);
+        let paragraph = wrapped(&words);
+        assert!(paragraph.split_whitespace().eq(words.split_whitespace()));
+        let width = |text: &str| text.chars().count();
+        let lines: Vec<&str> = paragraph.lines().collect();
+        for pair in lines.windows(2) {
+            let next = pair[1].split(' ').next().unwrap_or_default();
+            assert!(width(pair[0]) <= WIDTH);
+            assert!(width(pair[0]) + 1 + width(next) > WIDTH);
+        }
+    }
 }

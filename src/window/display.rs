@@ -1,65 +1,68 @@
-//! The window system behind [`Event`]s and pixels; what is peculiar to minifb 0.29 is dealt with here and nowhere else.
+//! The window of minifb 0.29: it is opened, its events are gathered, pixels are shown. Its peculiarities are dealt with here.
 //!
-//! Two limits remain. minifb reports keys to a callback but lets the button only be polled, so a click shorter than the
-//! time between two polls is lost: poll often while the mouse is in use. And a window that another program destroys ends this one inside Xlib: write results first.
+//! Keys come through a callback, because polling loses taps. Buttons can only be polled, so a click between two polls is
+//! lost: poll often while the mouse is in use. A window that another program destroys ends this one inside Xlib.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use anyhow::{Context, anyhow, bail};
-use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
+use anyhow::{Context, anyhow};
+use egui::{CursorIcon, Event, PointerButton, Pos2};
+use minifb::{CursorStyle, InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
-use super::full_screen;
-use super::input::Event;
-use crate::canvas::Point;
+use super::input::{Input, Report};
 
-/// Wayland tells the wheel in a length of its own; this much is a notch.
-const WAYLAND_NOTCH: f32 = 10.0;
+/// One notch of the wheel, as each window system reports it.
+const X11_NOTCH: f32 = 2.0;
+const WAYLAND_NOTCH: f32 = -10.0;
+
+const BUTTONS: [(MouseButton, PointerButton); 3] = [
+    (MouseButton::Left, PointerButton::Primary),
+    (MouseButton::Right, PointerButton::Secondary),
+    (MouseButton::Middle, PointerButton::Middle),
+];
 
 /// There is nothing to open a window on; nothing has been done.
 #[derive(Debug, thiserror::Error)]
 #[error("no display to open a window on ({reason})")]
 pub struct NoDisplay {
-    /// What the window system says.
+    /// The message of the window system.
     reason: String,
 }
 
 /// An open window.
 pub struct Display {
     window: minifb::Window,
-    reported: Rc<RefCell<Vec<Event>>>,
-    /// What has happened since these were last taken, in order.
-    pub events: Vec<Event>,
+    reports: Rc<RefCell<Vec<Report>>>,
+    /// Events that were not taken yet, in pixels of the window.
+    pub input: Input,
+    clipboard: Option<arboard::Clipboard>,
     is_wayland: bool,
-    /// Whether keys come to this window.
-    pub is_active: bool,
-    mouse: Point,
-    button: bool,
+    is_active: bool,
+    mouse: Option<Pos2>,
+    buttons: [bool; 3],
+    /// Turns of the wheel that make no whole notch yet.
     wheel: f32,
+    cursor: CursorIcon,
 }
 
-/// Notes keys and characters as they are reported: polling would miss a tap between two polls.
-struct Reporter(Rc<RefCell<Vec<Event>>>);
+struct Reporter(Rc<RefCell<Vec<Report>>>);
 
 impl InputCallback for Reporter {
     fn add_char(&mut self, code: u32) {
-        self.0
-            .borrow_mut()
-            .extend(char::from_u32(code).map(Event::Character));
+        let character = char::from_u32(code).map(Report::Character);
+        self.0.borrow_mut().extend(character);
     }
 
     fn set_key_state(&mut self, key: Key, down: bool) {
-        self.0.borrow_mut().push(if down {
-            Event::KeyDown(key)
-        } else {
-            Event::KeyUp(key)
-        });
+        let report = if down { Report::Down } else { Report::Up };
+        self.0.borrow_mut().push(report(key));
     }
 }
 
 impl Display {
-    /// Opens a window with a picture area of `size` pixels.
+    /// Opens a window of `size` pixels.
     ///
     /// # Errors
     /// [`NoDisplay`] when there is nothing to open it on; when it cannot be opened there.
@@ -71,58 +74,74 @@ impl Display {
             ..WindowOptions::default()
         };
         // A window of no size ends the program inside Xlib.
-        let mut window = minifb::Window::new(title, size[0].max(1), size[1].max(1), options)
-            .map_err(not_opened)?;
-        let reported = Rc::new(RefCell::new(Vec::new()));
-        window.set_input_callback(Box::new(Reporter(Rc::clone(&reported))));
-        let is_wayland = window
-            .window_handle()
-            .is_ok_and(|handle| matches!(handle.as_raw(), RawWindowHandle::Wayland(_)));
+        let [width, height] = size.map(|side| side.max(1));
+        let mut window = minifb::Window::new(title, width, height, options).map_err(not_opened)?;
+        let reports = Rc::new(RefCell::new(Vec::new()));
+        window.set_input_callback(Box::new(Reporter(Rc::clone(&reports))));
+        let handle = window.window_handle();
+        let is_wayland = handle.is_ok_and(|it| matches!(it.as_raw(), RawWindowHandle::Wayland(_)));
         Ok(Display {
             window,
-            reported,
-            events: Vec::new(),
+            reports,
+            input: Input::default(),
+            clipboard: arboard::Clipboard::new().ok(),
             is_wayland,
             is_active: false,
-            mouse: [0, 0],
-            button: false,
+            mouse: None,
+            buttons: [false; 3],
             wheel: 0.0,
+            cursor: CursorIcon::Default,
         })
     }
 
-    /// Width and height of the picture area in pixels, each at least 1.
+    /// Width and height in pixels, each at least 1.
     pub fn size(&self) -> [usize; 2] {
         let (width, height) = self.window.get_size();
         [width.max(1), height.max(1)]
     }
 
-    /// Whether the user has not closed the window.
+    /// Whether the frame's close button was not pressed.
     pub fn is_open(&self) -> bool {
         self.window.is_open()
     }
 
-    /// Lets the window cover the screen, or gives it its size again.
-    ///
-    /// # Errors
-    /// When the window system offers no such thing to this program.
-    pub fn toggle_full_screen(&self) -> anyhow::Result<()> {
-        match self.window.window_handle().map(|handle| handle.as_raw()) {
-            Ok(RawWindowHandle::Xlib(handle)) => full_screen::toggle(handle.window as u32),
-            _ => bail!("it is offered on X11 alone"),
-        }
-    }
-
-    /// Says something in the window's frame.
+    /// Writes into the window's frame.
     pub fn set_title(&mut self, title: &str) {
         self.window.set_title(title);
     }
 
-    /// Shows a picture: 0x00RRGGBB, row by row from the top. Events are gathered on the way.
+    /// Shows the cursor of this shape, as far as minifb has it.
+    pub fn set_cursor(&mut self, cursor: CursorIcon) {
+        if std::mem::replace(&mut self.cursor, cursor) != cursor {
+            self.window.set_cursor_style(match cursor {
+                CursorIcon::Text => CursorStyle::Ibeam,
+                CursorIcon::Crosshair => CursorStyle::Crosshair,
+                CursorIcon::Grab | CursorIcon::PointingHand => CursorStyle::OpenHand,
+                CursorIcon::Grabbing => CursorStyle::ClosedHand,
+                CursorIcon::ResizeHorizontal | CursorIcon::ResizeColumn => {
+                    CursorStyle::ResizeLeftRight
+                }
+                CursorIcon::ResizeVertical | CursorIcon::ResizeRow => CursorStyle::ResizeUpDown,
+                _ => CursorStyle::Arrow,
+            });
+        }
+    }
+
+    /// Puts a text on the system's clipboard.
     ///
     /// # Errors
-    /// When the window system refuses it.
-    pub fn present(&mut self, pixels: &[u32], size: [usize; 2]) -> anyhow::Result<()> {
-        let result = self.window.update_with_buffer(pixels, size[0], size[1]);
+    /// When there is none.
+    pub fn copy(&mut self, text: String) -> anyhow::Result<()> {
+        let clipboard = self.clipboard.as_mut().context("there is no clipboard")?;
+        Ok(clipboard.set_text(text)?)
+    }
+
+    /// Shows pixels, `0x00RRGGBB`, row by row from the top, and gathers events.
+    ///
+    /// # Errors
+    /// When the window system refuses them.
+    pub fn present(&mut self, pixels: &[u32], [width, height]: [usize; 2]) -> anyhow::Result<()> {
+        let result = self.window.update_with_buffer(pixels, width, height);
         self.gather();
         result.context("cannot show the picture")
     }
@@ -133,47 +152,62 @@ impl Display {
         self.gather();
     }
 
+    /// Whether a key or a button is down.
+    pub fn is_busy(&self) -> bool {
+        self.input.is_busy() || self.buttons.contains(&true)
+    }
+
     fn gather(&mut self) {
-        self.gather_keys();
+        self.gather_reports();
         let is_active = self.window.is_active();
-        if std::mem::replace(&mut self.is_active, is_active) && !is_active {
-            self.events.push(Event::FocusLost);
+        if std::mem::replace(&mut self.is_active, is_active) != is_active {
+            self.input.focus(is_active);
         }
         self.gather_wheel();
-        let button = self.window.get_mouse_down(MouseButton::Left);
-        if button && !self.button {
-            // The mouse was asked for its place before the press was told, and may have moved in between: ask again.
+        let buttons = BUTTONS.map(|(button, _)| self.window.get_mouse_down(button));
+        if buttons != self.buttons {
+            // minifb asks for the mouse's place before it reads the press, and the mouse may have moved in between.
             self.window.update();
-            self.gather_keys();
+            self.gather_reports();
             self.gather_wheel();
         }
-        self.gather_mouse();
-        if button != self.button {
-            self.button = button;
-            self.events.push(if button {
-                Event::MouseDown
-            } else {
-                Event::MouseUp
-            });
+        self.gather_mouse(buttons.contains(&true));
+        for (index, (_, button)) in BUTTONS.into_iter().enumerate() {
+            if buttons[index] != self.buttons[index] {
+                self.input.events.push(Event::PointerButton {
+                    pos: self.mouse.unwrap_or_default(),
+                    button,
+                    pressed: buttons[index],
+                    modifiers: self.input.modifiers,
+                });
+            }
         }
+        self.buttons = buttons;
     }
 
-    fn gather_keys(&mut self) {
-        let mut reported = self.reported.take();
+    fn gather_reports(&mut self) {
+        let mut reports = self.reports.take();
         if self.is_wayland {
-            press_first(&mut reported);
+            key_first(&mut reports);
         }
-        self.events.append(&mut reported);
+        for report in reports {
+            let clipboard = &mut self.clipboard;
+            let text = || clipboard.as_mut()?.get_text().ok();
+            self.input.report(report, text);
+        }
     }
 
-    fn gather_mouse(&mut self) {
-        let Some((x, y)) = self.window.get_mouse_pos(MouseMode::Pass) else {
-            return;
+    fn gather_mouse(&mut self, is_dragging: bool) {
+        // A drag goes on outside of the window.
+        let mode = if is_dragging {
+            MouseMode::Pass
+        } else {
+            MouseMode::Discard
         };
-        let mouse = [x.floor() as i32, y.floor() as i32];
-        if mouse != self.mouse {
-            self.mouse = mouse;
-            self.events.push(Event::MouseAt(mouse));
+        let mouse = self.window.get_mouse_pos(mode).map(Pos2::from);
+        if std::mem::replace(&mut self.mouse, mouse) != mouse {
+            let event = mouse.map_or(Event::PointerGone, Event::PointerMoved);
+            self.input.events.push(event);
         }
     }
 
@@ -181,30 +215,32 @@ impl Display {
         let Some((_, turned)) = self.window.get_scroll_wheel() else {
             return;
         };
-        if !self.is_wayland {
-            // How much is told for one notch differs between systems: only the sign is meant.
-            self.events
-                .extend((turned != 0.0).then_some(Event::Wheel(turned.signum() as i32)));
-            return;
-        }
-        // Wayland counts towards the user, and a touchpad in small parts of a notch.
-        self.wheel -= turned;
-        if self.wheel.abs() >= WAYLAND_NOTCH {
-            self.events.push(Event::Wheel(self.wheel.signum() as i32));
-            self.wheel = 0.0;
+        self.wheel += turned
+            / if self.is_wayland {
+                WAYLAND_NOTCH
+            } else {
+                X11_NOTCH
+            };
+        let notches = self.wheel.trunc();
+        if notches != 0.0 {
+            self.wheel -= notches;
+            self.input.wheel(notches as i32);
         }
     }
 }
 
-/// A missing display, or what else kept the window from opening.
+fn is_set(variable: &str) -> bool {
+    std::env::var_os(variable).is_some_and(|value| !value.is_empty())
+}
+
 fn not_opened(error: minifb::Error) -> anyhow::Error {
     let reason = match error {
         minifb::Error::WindowCreate(reason) => reason,
         other => other.to_string(),
     };
-    let unset = |name| std::env::var_os(name).is_none_or(|value| value.is_empty());
-    let none_named =
-        cfg!(all(unix, not(target_os = "macos"))) && unset("DISPLAY") && unset("WAYLAND_DISPLAY");
+    let none_named = cfg!(all(unix, not(target_os = "macos")))
+        && !is_set("DISPLAY")
+        && !is_set("WAYLAND_DISPLAY");
     // minifb has no error of its own for an X server that does not answer.
     if none_named || reason == "XOpenDisplay failed" {
         NoDisplay { reason }.into()
@@ -213,40 +249,49 @@ fn not_opened(error: minifb::Error) -> anyhow::Error {
     }
 }
 
-/// Puts the key before its character, as the other systems report them; minifb does it the other way round on Wayland.
-fn press_first(events: &mut [Event]) {
-    for start in 1..events.len() {
-        if let [Event::Character(_), Event::KeyDown(_)] = events[start - 1..=start] {
-            events.swap(start - 1, start);
+/// Puts a key before its character, as X11 reports them; minifb has the other order on Wayland.
+fn key_first(reports: &mut [Report]) {
+    for start in 1..reports.len() {
+        if let [Report::Character(_), Report::Down(_)] = reports[start - 1..=start] {
+            reports.swap(start - 1, start);
         }
     }
 }
 
-/// Opening a window segfaults inside Xlib where `XMODIFIERS` names an input method whose server does not run, so the
-/// program starts itself anew without one; it needs none. Call it before anything is read. Other systems have no such
-/// input methods.
+/// Restarts the program with an environment in which minifb opens a window that can be used. Call it before anything is read.
+///
+/// Xlib crashes where `XMODIFIERS` names an input method that does not run; the program needs none. GNOME draws no frame
+/// around a window of minifb on Wayland, so its X server is taken where there is one.
 ///
 /// # Errors
-/// When the program cannot be started anew.
-pub fn restart_without_input_method() -> anyhow::Result<()> {
+/// When the program cannot be restarted.
+pub fn restart_in_fit_environment() -> anyhow::Result<()> {
     #[cfg(all(unix, not(target_os = "macos")))]
     {
         use std::os::unix::process::CommandExt;
-        const NONE: &str = "@im=none";
-        let is_set = std::env::var_os("XMODIFIERS").is_some_and(|value| value != NONE);
-        if is_set && std::env::var_os("DISPLAY").is_some() {
+        const NO_METHOD: &str = "@im=none";
+        let has_display = is_set("DISPLAY");
+        let method = std::env::var_os("XMODIFIERS");
+        let replaces_method = has_display && method.is_some_and(|method| method != NO_METHOD);
+        let desktop = std::env::var("XDG_CURRENT_DESKTOP").unwrap_or_default();
+        let leaves_wayland = has_display && is_set("WAYLAND_DISPLAY") && desktop.contains("GNOME");
+        if replaces_method || leaves_wayland {
             let mut arguments = std::env::args_os();
             let restarted = std::env::current_exe().map(|program| {
                 let mut command = std::process::Command::new(program);
                 if let Some(name) = arguments.next() {
                     command.arg0(name);
                 }
-                command.args(arguments).env("XMODIFIERS", NONE).exec()
+                if replaces_method {
+                    command.env("XMODIFIERS", NO_METHOD);
+                }
+                if leaves_wayland {
+                    command.env_remove("WAYLAND_DISPLAY");
+                }
+                command.args(arguments).exec()
             });
             let error = restarted.unwrap_or_else(|error| error);
-            let reason =
-                "cannot start again with XMODIFIERS=@im=none, which opening a window needs";
-            return Err(error).context(reason);
+            return Err(error).context("cannot restart in an environment that can open a window");
         }
     }
     Ok(())

@@ -1,114 +1,153 @@
-//! What was changed in a scene -> the way back, and forth again.
+//! Undo and redo: the states of the scene, each with the name of the change that led to it.
 //!
-//! ```text
-//! a change: note(what was before) --> steps        undo: steps --swap with the scene--> undone        redo: the other way
-//! ```
-//! Rules: a step holds what is not in the scene at the moment, so that going back and forth restores every bit. Changes
-//! that belong together are one step.
+//! Changes of one thing within a second are one step, as are all those of a drag.
 
-use std::collections::VecDeque;
+use std::sync::Arc;
 use std::time::Duration;
 
-use hecs::Entity;
+use egui::util::undoer::{Settings, Undoer};
+use serde::Serialize;
+use serde_json::Value;
 
-use crate::scene::Scene;
-use crate::scene::edit::{Editable, Parameter};
+use crate::scene::SceneRecord;
 
-/// How many steps are kept.
-const STEPS: usize = 2000;
-/// Changes of one number that follow one another within this time are one step.
-const PAUSE: Duration = Duration::from_millis(600);
+/// The memory that all states together may take, in bytes.
+const MEMORY: usize = 64 << 20;
+/// The most steps that are kept.
+const STEPS: usize = 500;
+/// The memory of an entity in a state, in bytes.
+const ENTITY: usize = 512;
 
-/// What a change belongs to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Change {
-    /// It stands alone.
-    Single,
-    /// It is one of several changes of a number.
-    Number(Parameter),
-    /// It is a part of the drag that goes on.
-    Drag,
-}
-
-/// What a step swaps with the scene.
-pub enum Saved {
-    Entities(Vec<(Entity, Editable)>),
-    Scene(Box<Scene>),
-}
-
-struct Step {
-    saved: Saved,
-    change: Change,
-    /// When it was last changed.
-    at: Duration,
-}
-
-impl Step {
-    fn swap(&mut self, scene: &mut Scene) {
-        match &mut self.saved {
-            Saved::Scene(other) => std::mem::swap(scene, other),
-            Saved::Entities(entities) => {
-                for (entity, saved) in entities {
-                    let now = scene.editable(*entity);
-                    scene.restore(*entity, *saved);
-                    *saved = now;
-                }
-            }
-        }
-    }
-}
-
-/// The steps that can be undone and redone.
-#[derive(Default)]
+/// The states that can be gone back to.
 pub struct History {
-    steps: VecDeque<Step>,
-    undone: VecDeque<Step>,
+    undoer: Undoer<Arc<SceneRecord>>,
+    /// The subject of the last change, which a change of the same continues.
+    subject: String,
 }
 
 impl History {
-    /// Keeps what was there before a change at the time `at`.
-    pub fn note(&mut self, saved: Saved, change: Change, at: Duration) {
-        self.undone.clear();
-        let goes_on = |last: &&mut Step| match change {
-            Change::Single => false,
-            Change::Number(_) => last.change == change && at < last.at + PAUSE,
-            Change::Drag => last.change == change,
-        };
-        if let Some(last) = self.steps.back_mut().filter(goes_on) {
-            last.at = at;
-            return;
-        }
-        self.steps.push_back(Step { saved, change, at });
-        if self.steps.len() > STEPS {
-            self.steps.pop_front();
+    /// Starts at this state.
+    pub fn new(record: &Arc<SceneRecord>) -> Self {
+        let entities = record.cuboid.len() + record.light.len() + record.camera.len();
+        let mut undoer = Undoer::with_settings(Settings {
+            max_undos: (MEMORY / (ENTITY * entities)).clamp(8, STEPS),
+            stable_time: 1.0,
+            auto_save_interval: f32::INFINITY,
+        });
+        undoer.add_undo(record);
+        History {
+            undoer,
+            subject: String::new(),
         }
     }
 
-    /// What follows is another step.
-    pub fn end_step(&mut self) {
-        if let Some(last) = self.steps.back_mut() {
-            last.change = Change::Single;
+    /// Notes a change from `before` to `after`.
+    pub fn note(&mut self, now: Duration, before: &Arc<SceneRecord>, after: &Arc<SceneRecord>) {
+        let subject = Difference::between(before, after).subject;
+        if subject != self.subject {
+            self.undoer.add_undo(before);
         }
+        self.subject = subject;
+        self.feed(now, after);
     }
 
-    /// Takes back the last step; whether there was one.
-    pub fn undo(&mut self, scene: &mut Scene) -> bool {
-        exchange(&mut self.steps, &mut self.undone, scene)
+    /// Ends a step that has not changed for a second.
+    pub fn feed(&mut self, now: Duration, present: &Arc<SceneRecord>) {
+        self.undoer.feed_state(now.as_secs_f64(), present);
     }
 
-    /// Does the step again that was last taken back; whether there was one.
-    pub fn redo(&mut self, scene: &mut Scene) -> bool {
-        exchange(&mut self.undone, &mut self.steps, scene)
+    /// The state before the last change, and the name of that change.
+    pub fn undo(&mut self, present: &Arc<SceneRecord>) -> Option<(Arc<SceneRecord>, String)> {
+        self.subject.clear();
+        let before = Arc::clone(self.undoer.undo(present)?);
+        let label = Difference::between(&before, present).label();
+        Some((before, label))
+    }
+
+    /// The state that was last taken back, and the name of its change.
+    pub fn redo(&mut self, present: &Arc<SceneRecord>) -> Option<(Arc<SceneRecord>, String)> {
+        self.subject.clear();
+        let after = Arc::clone(self.undoer.redo(present)?);
+        let label = Difference::between(present, &after).label();
+        Some((after, label))
+    }
+
+    pub fn has_undo(&self, present: &Arc<SceneRecord>) -> bool {
+        self.undoer.has_undo(present)
+    }
+
+    pub fn has_redo(&self, present: &Arc<SceneRecord>) -> bool {
+        self.undoer.has_redo(present)
     }
 }
 
-/// Exchanges the last step of `from` with the scene and keeps it in `to`, where nothing joins it; whether there was one.
-fn exchange(from: &mut VecDeque<Step>, to: &mut VecDeque<Step>, scene: &mut Scene) -> bool {
-    let Some(mut step) = from.pop_back() else {
-        return false;
+/// The first difference between two states: the name of what changed, and its new value where that is a word.
+struct Difference {
+    subject: String,
+    value: String,
+}
+
+impl Difference {
+    fn between(before: &SceneRecord, after: &SceneRecord) -> Difference {
+        entity("light", &before.light, &after.light)
+            .or_else(|| entity("cuboid", &before.cuboid, &after.cuboid))
+            .or_else(|| entity("camera", &before.camera, &after.camera))
+            .unwrap_or_else(|| field("", &json(&before.view), &json(&after.view)))
+    }
+
+    /// "white on", "emerald size", "camera 2".
+    fn label(&self) -> String {
+        format!("{} {}", self.subject, self.value).trim().to_owned()
+    }
+}
+
+/// The first difference among entities of a kind.
+fn entity<T: PartialEq + Serialize>(kind: &str, before: &[T], after: &[T]) -> Option<Difference> {
+    if before.len() != after.len() {
+        let verb = if before.len() < after.len() {
+            "added"
+        } else {
+            "removed"
+        };
+        return Some(Difference {
+            subject: format!("{kind} {verb}"),
+            value: String::new(),
+        });
+    }
+    let mut pairs = before.iter().zip(after);
+    let (before, after) = pairs.find(|(before, after)| before != after)?;
+    let (before, after) = (json(before), json(after));
+    let name = after["name"].as_str().unwrap_or(kind);
+    Some(field(name, &before, &after))
+}
+
+/// The first key that differs.
+fn field(name: &str, before: &Value, after: &Value) -> Difference {
+    let empty = serde_json::Map::new();
+    let [before, after] = [before, after].map(|value| value.as_object().unwrap_or(&empty));
+    let mut keys = before.keys().chain(after.keys());
+    let key = keys.find(|key| before.get(*key) != after.get(*key));
+    let key = key.map_or("background", String::as_str);
+    let value = match (key, after.get(key)) {
+        // A light that is on is the default, which is left out.
+        ("on", value) => if value == Some(&Value::Bool(false)) {
+            "off"
+        } else {
+            "on"
+        }
+        .to_owned(),
+        (_, Some(Value::String(word))) => word.clone(),
+        (_, Some(Value::Number(number))) => number.to_string(),
+        _ => String::new(),
     };
-    step.swap(scene);
-    step.change = Change::Single;
-    to.push_back(step);
-    true
+    let subject = if key == "on" {
+        name.to_owned()
+    } else {
+        format!("{name} {key}").trim().to_owned()
+    };
+    Difference { subject, value }
+}
+
+fn json(record: &impl Serialize) -> Value {
+    serde_json::to_value(record).unwrap_or_default()
 }

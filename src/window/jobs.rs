@@ -1,10 +1,6 @@
-//! Work that takes longer than a frame, done beside the window: a [`Request`] about a [`Snapshot`] in, [`Progress`] out.
+//! Work that takes longer than a frame, done by one background thread: questions about a picture, and their answers.
 //!
-//! ```text
-//! Window --submit, cancel--> Jobs --one job at a time--> thread, with a pool --Progress--> Session
-//! ```
-//! Rule: a job cancels the one before it, and begins when that has ended, so that nothing runs beside a measurement.
-//! What is cancelled ends within a row of the picture, a frame, or the comparison of one, and is not heard of again.
+//! A new order cancels the one before it. A cancelled job ends within a row of the picture or a frame.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,90 +12,157 @@ use anyhow::Context;
 use fearless_simd::Level;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::examination::{ReferenceResult, examine};
-use super::session::{Request, Snapshot};
+use super::comparison::Comparison;
+use crate::components::View;
 use crate::drawing::all_cores;
+use crate::probe::{self, Probe, Profile};
 use crate::prove::{Proof, prove};
-use crate::requires::{self, PartChange};
+use crate::requires::{self, Part, PartChange};
+use crate::scene::{Scene, SceneRecord};
 use crate::shading::METHODS;
 use crate::trade::{self, Report};
 
-/// How long the frames of a measurement are timed, the comparison with the reference apart.
+/// The time for which the frames of a measurement are timed, the comparison with the reference apart.
 const MEASURING_TIME: Duration = Duration::from_millis(1500);
 
-/// What a job has come to.
-#[derive(Debug)]
-pub enum Progress {
-    Examined(ReferenceResult),
-    /// The proof for that result.
-    Proven(Proof),
-    /// Why the picture was not compared, or not proven.
-    NotExamined(String),
-    Measuring(&'static str, f64),
-    Measured(Box<Report>),
-    /// How much is known of what the scene requires, 0..=1.
-    Requiring(f64),
-    /// What the picture requires, the part that matters most first.
-    Required(Vec<PartChange>),
-    /// The picture without a part, 0x00RRGGBB.
-    LeftOut(Vec<u32>),
-    /// Why nothing was measured.
-    NotMeasured(String),
+/// One question about a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Task {
+    /// The values at this pixel.
+    Probe([usize; 2]),
+    /// The picture without a part of the model.
+    LeaveOut(Part),
+    Compare,
+    Prove,
+    Require,
+    Measure,
 }
 
-/// Set when nobody wants the job's result any more.
+/// The answer to a [`Task`].
+#[derive(Debug)]
+pub enum Answer {
+    Probe(Box<Probed>),
+    /// 0x00RRGGBB.
+    LeaveOut(Vec<u32>),
+    Compare(Box<Comparison>),
+    Prove(Box<Proof>),
+    /// The part that matters most first.
+    Require(Vec<PartChange>),
+    Measure(Box<Report>),
+    /// The share of the task that is done, 0..=1.
+    Progress(Task, f64),
+    /// The reason why there is no answer.
+    Failed(Task, String),
+}
+
+/// A pixel, and the levels along its row.
+#[derive(Clone, Debug)]
+pub struct Probed {
+    pub probe: Probe,
+    pub profile: Profile,
+}
+
+/// An answer as the window shows it.
+#[derive(Debug)]
+pub struct Job<T> {
+    pub value: Option<T>,
+    pub state: State,
+}
+
+/// How an answer relates to the present picture.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum State {
+    /// There is no value, or it is that of an earlier picture.
+    #[default]
+    Idle,
+    /// The share that is done, 0..=1.
+    Running(f64),
+    Done,
+    Failed(String),
+}
+
+impl<T> Default for Job<T> {
+    fn default() -> Self {
+        Job {
+            value: None,
+            state: State::Idle,
+        }
+    }
+}
+
+impl<T> Job<T> {
+    pub fn finish(&mut self, value: T) {
+        self.value = Some(value);
+        self.state = State::Done;
+    }
+
+    /// The value, if it is that of the present picture.
+    pub fn current(&self) -> Option<&T> {
+        self.value.as_ref().filter(|_| self.state == State::Done)
+    }
+}
+
+/// A picture and questions about it, in order.
+#[derive(Clone)]
+pub struct Order {
+    pub name: String,
+    pub record: Arc<SceneRecord>,
+    pub size: [usize; 2],
+    pub threads: usize,
+    pub tasks: Vec<Task>,
+}
+
+/// Set when nobody wants the answers any more.
 type Cancelled = Arc<AtomicBool>;
 
-/// The thread that does jobs.
+/// The background thread.
 pub struct Jobs {
-    submitted: Sender<(Request, Snapshot, Cancelled)>,
-    /// The picture's revision, and what is known of it.
-    progress: Receiver<(u64, Progress, Cancelled)>,
+    orders: Sender<(Order, Cancelled)>,
+    answers: Receiver<(Answer, Cancelled)>,
     current: Cancelled,
 }
 
 impl Jobs {
-    /// Starts the thread and the pool that it works with; one core is left for the window,
-    /// but for the reference of a measurement.
+    /// Starts the thread and its pool; one core is left for the window.
     ///
     /// # Errors
     /// When the system gives no threads.
     pub fn start(level: Level) -> anyhow::Result<Self> {
         let threads = (all_cores() - 1).max(1);
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.context("cannot start the threads that draw")?;
-        let (submitted, jobs) = mpsc::channel();
-        let (tell, progress) = mpsc::channel();
+        let pool = pool.context("cannot start the threads that compare and prove")?;
+        let (orders, ordered) = mpsc::channel();
+        let (tell, answers) = mpsc::channel();
         thread::Builder::new()
             .name("jobs".to_owned())
-            .spawn(move || work(&jobs, &tell, level, &pool))
-            .context("cannot start the thread that compares and measures")?;
+            .spawn(move || work(&ordered, &tell, level, &pool))
+            .context("cannot start the thread that compares and proves")?;
         Ok(Jobs {
-            submitted,
-            progress,
+            orders,
+            answers,
             current: Cancelled::default(),
         })
     }
 
-    /// Has this done as soon as the job before it, which is cancelled, has ended.
-    pub fn submit(&mut self, request: Request, snapshot: Snapshot) {
+    /// Cancels the order before and does this one.
+    pub fn submit(&mut self, order: Order) {
         self.cancel();
         self.current = Cancelled::default();
-        let job = (request, snapshot, Arc::clone(&self.current));
-        // Only a thread that panicked does not listen; its panic has been told.
-        let _ = self.submitted.send(job);
+        // The receiver is gone only after a panic, which was reported.
+        let _ = self.orders.send((order, Arc::clone(&self.current)));
     }
 
-    /// Cancels the job that was submitted last.
+    /// Cancels the last order.
     pub fn cancel(&self) {
         self.current.store(true, Ordering::Relaxed);
     }
 
-    /// What the present job has come to since this was last asked, and the revision that it is about.
-    pub fn progress(&self) -> Vec<(u64, Progress)> {
-        let told = self.progress.try_iter();
-        told.filter(|(.., cancelled)| !cancelled.load(Ordering::Relaxed))
-            .map(|(revision, progress, _)| (revision, progress))
+    /// The answers to the last order since this was last asked.
+    pub fn answers(&self) -> Vec<Answer> {
+        let answers = self.answers.try_iter();
+        answers
+            .filter(|(_, cancelled)| !cancelled.load(Ordering::Relaxed))
+            .map(|(answer, _)| answer)
             .collect()
     }
 }
@@ -111,68 +174,87 @@ impl Drop for Jobs {
 }
 
 fn work(
-    jobs: &Receiver<(Request, Snapshot, Cancelled)>,
-    progress: &Sender<(u64, Progress, Cancelled)>,
+    orders: &Receiver<(Order, Cancelled)>,
+    answers: &Sender<(Answer, Cancelled)>,
     level: Level,
     pool: &ThreadPool,
 ) {
-    while let Ok((request, mut snapshot, cancelled)) = jobs.recv() {
+    while let Ok((order, cancelled)) = orders.recv() {
+        // A window that no longer listens is closed, and has cancelled the order.
+        let tell = |answer| drop(answers.send((answer, Arc::clone(&cancelled))));
         let is_cancelled = || cancelled.load(Ordering::Relaxed);
-        let revision = snapshot.revision;
-        // A window that no longer listens is closed, and has cancelled the job.
-        let tell = |told| drop(progress.send((revision, told, Arc::clone(&cancelled))));
-        pool.install(|| match request {
-            _ if is_cancelled() => {}
-            // The window does it, which has the frame.
-            Request::Time => {}
-            Request::Examine => {
-                let examined = examine(&mut snapshot, level, &is_cancelled).and_then(|result| {
-                    result.map(Progress::Examined).into_iter().for_each(&tell);
-                    let (world, view) = (&mut snapshot.scene.world, &snapshot.view);
-                    prove(world, view, level, &is_cancelled, &|_| ())
-                });
-                match examined {
-                    Ok(proof) => proof.map(Progress::Proven).into_iter().for_each(&tell),
-                    Err(full) => tell(Progress::NotExamined(full.to_string())),
-                }
-            }
-            Request::Require => {
-                let on_row = |share| tell(Progress::Requiring(share));
-                let Snapshot { scene, view, .. } = &snapshot;
-                let parts = requires::ranked(scene, view, &is_cancelled, &on_row);
-                parts.map(Progress::Required).into_iter().for_each(tell);
-            }
-            Request::LeaveOut(part) => {
-                let Snapshot { scene, view, .. } = &snapshot;
-                let picture = requires::picture_without(scene, view, part, &is_cancelled);
-                picture.map(Progress::LeftOut).into_iter().for_each(tell);
-            }
-            Request::Measure => {
-                let on_progress = |step, share| tell(Progress::Measuring(step, share));
-                let request = measurement(snapshot, level);
-                tell(match trade::measure(request, &is_cancelled, &on_progress) {
-                    Ok(report) => Progress::Measured(Box::new(report)),
-                    Err(error) => {
-                        Progress::NotMeasured(format!("{:#}", anyhow::Error::from(error)))
-                    }
-                });
-            }
-        });
+        pool.install(|| answer_all(&order, level, &is_cancelled, &tell));
     }
 }
 
-/// What is measured of a picture: every method, on one thread.
-pub fn measurement(snapshot: Snapshot, level: Level) -> trade::Request {
-    let Snapshot { scene, view, .. } = snapshot;
-    trade::Request {
-        camera: scene.camera_names().swap_remove(scene.active_camera()),
-        scene,
-        view,
-        methods: METHODS.to_vec(),
-        threads: 1,
-        level,
-        time: MEASURING_TIME,
-        time_batch: trade::time_batch,
-        command: String::new(),
+/// Answers all questions of an order, on rayon's current threads.
+pub fn answer_all(
+    order: &Order,
+    level: Level,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    tell: &(dyn Fn(Answer) + Sync),
+) {
+    if cancelled() {
+        return;
     }
+    let mut scene = Scene::spawn(order.name.clone(), &order.record);
+    let view = View::of(&scene.world, order.size);
+    for task in &order.tasks {
+        match answer(*task, order, &mut scene, &view, level, cancelled, tell) {
+            _ if cancelled() => return,
+            Ok(answer) => answer.into_iter().for_each(tell),
+            Err(error) => tell(Answer::Failed(*task, format!("{error:#}"))),
+        }
+    }
+}
+
+/// The answer to one question; `None` if it was cancelled.
+fn answer(
+    task: Task,
+    order: &Order,
+    scene: &mut Scene,
+    view: &View,
+    level: Level,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    tell: &(dyn Fn(Answer) + Sync),
+) -> anyhow::Result<Option<Answer>> {
+    let progress = |share| tell(Answer::Progress(task, share));
+    Ok(match task {
+        Task::Probe(pixel) => {
+            let probe = probe::at(scene, view, pixel, level)?;
+            let profile = probe::profile(scene, view, pixel[1], level)?;
+            Some(Answer::Probe(Box::new(Probed { probe, profile })))
+        }
+        Task::LeaveOut(part) => {
+            requires::picture_without(scene, view, part, cancelled).map(Answer::LeaveOut)
+        }
+        Task::Compare => {
+            let comparison = Comparison::of(&mut scene.world, view, level, cancelled)?;
+            comparison.map(|it| Answer::Compare(Box::new(it)))
+        }
+        Task::Prove => {
+            let proof = prove(&mut scene.world, view, level, cancelled, &progress)?;
+            proof.map(|it| Answer::Prove(Box::new(it)))
+        }
+        Task::Require => requires::ranked(scene, view, cancelled, &progress).map(Answer::Require),
+        Task::Measure => {
+            let camera = order.record.view.camera.clone();
+            let request = trade::Request {
+                camera: camera.unwrap_or_else(|| order.record.camera[0].name.clone()),
+                scene: Scene::spawn(order.name.clone(), &order.record),
+                view: view.clone(),
+                methods: METHODS.to_vec(),
+                threads: order.threads,
+                level,
+                time: MEASURING_TIME,
+                time_batch: trade::time_batch,
+                command: String::new(),
+            };
+            let report = trade::measure(request, cancelled, &|_, share| progress(share));
+            match report {
+                Err(trade::TradeError::Cancelled) => None,
+                report => Some(Answer::Measure(Box::new(report?))),
+            }
+        }
+    })
 }

@@ -11,7 +11,6 @@ mod names;
 mod pictures;
 #[cfg(unix)]
 mod processes;
-mod replays;
 mod requires;
 mod scale;
 

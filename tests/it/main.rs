@@ -1,6 +1,5 @@
 //! Every test from outside that needs no display, as one program, which is linked once.
 
-mod canvas;
 mod certificate;
 mod charts;
 mod cli;
@@ -18,4 +17,3 @@ mod stability;
 mod support;
 mod systems;
 mod trade;
-mod window;

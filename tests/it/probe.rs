@@ -13,6 +13,8 @@ use shadetrade::scene::Scene;
 use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
 
+use crate::support::scene::view_from;
+
 fn probe(arguments: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
         .arg("probe")
@@ -105,7 +107,7 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 #[test]
 fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() {
     let mut scene = Scene::load(None).expect("it is built in");
-    let view = scene.view(0, [96, 72]);
+    let view = view_from(&scene, 0, [96, 72]);
     let mut lit = 0;
     for pixel in (0..96 * 72).step_by(7).map(|at| [at % 96, at / 96]) {
         let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
@@ -144,7 +146,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
         }
         let view = View {
             tolerance: 0.5,
-            ..scene.view(0, [480, 360]).shaded(ShadingMode::Phong)
+            ..view_from(&scene, 0, [480, 360]).shaded(ShadingMode::Phong)
         };
         let truth = reference::picture(&scene.world, &view, 0..360, &|| false, &|_| ())
             .expect("it is not cancelled");

@@ -6,8 +6,11 @@ mod scenes;
 mod sixteen;
 
 use glam::DVec3;
-use hecs::{Component, Entity, World};
-use shadetrade::components::{FileOrder, Light, Material, Mesh, Name, Orbit, Transform, View};
+use hecs::World;
+use shadetrade::components::{
+    ActiveCamera, Background, FileOrder, Inspector, Magnifier, Material, Name, Orbit, Probed, Show,
+    Spin, Tolerance, Transform, View,
+};
 use shadetrade::requires::{Change, Part, changes, parts};
 use shadetrade::scene::Scene;
 
@@ -23,31 +26,30 @@ const WHITE: Material = Material {
 fn scene_of(mut world: World, view: &View) -> Scene {
     let camera = (
         Name("1".to_owned()),
+        FileOrder(0),
         Transform::at(view.viewpoint.position),
         view.viewpoint.camera,
         Orbit::default(),
     );
-    let cameras = vec![world.spawn(camera)];
+    let camera = world.spawn(camera);
+    world.spawn((
+        ActiveCamera(camera),
+        view.projection,
+        Background(view.background),
+        Tolerance(view.tolerance),
+        Spin::default(),
+        Show::default(),
+        Magnifier::default(),
+        Probed::default(),
+        Inspector::default(),
+    ));
     Scene {
         name: "test".to_owned(),
         path: None,
-        background: view.background,
+        text: String::new(),
         warning: None,
-        cuboids: in_file_order::<Mesh>(&world),
-        lights: in_file_order::<Light>(&world),
-        cameras,
         world,
     }
-}
-
-fn in_file_order<C: Component>(world: &World) -> Vec<Entity> {
-    let mut query = world.query::<(Entity, &FileOrder, &C)>();
-    let mut entities: Vec<_> = query
-        .iter()
-        .map(|(entity, order, _)| (*order, entity))
-        .collect();
-    entities.sort_by_key(|(order, _)| *order);
-    entities.into_iter().map(|(_, entity)| entity).collect()
 }
 
 /// What the picture errs without a part.

@@ -6,4 +6,3 @@ pub mod random_scene;
 pub mod scene;
 #[cfg(unix)]
 pub mod signal;
-pub mod window;

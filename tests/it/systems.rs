@@ -55,6 +55,7 @@ fn ahead(projection: Projection, size: [usize; 2]) -> View {
         },
         projection,
         background: DVec3::ZERO,
+        turned: 0,
         shading: None,
         tolerance: 0.0,
     }

@@ -43,7 +43,7 @@ const fn sweep(
 pub const SWEEPS: &[Sweep] = &[
     // A highlight is as wide as 1 / sqrt(shininess).
     sweep("shininess", "", [1e-3, 1e6], |shininess| {
-        let fov = *scene().camera.fov / shininess.sqrt().max(1.0);
+        let fov = scene().camera.fov / shininess.sqrt().max(1.0);
         let scene = strength::mirroring(shininess, 255.0).size(SIZE);
         scene.target(strength::MIRRORING).fov(fov)
     }),

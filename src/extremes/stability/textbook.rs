@@ -31,7 +31,7 @@ struct Cuboid {
 impl<'a> Textbook<'a> {
     pub fn new(spec: &'a SceneSpec) -> Self {
         let lens = spec.camera.camera();
-        let places = [*spec.camera.position, lens.target, lens.up];
+        let places = [spec.camera.position, lens.target, lens.up];
         let [eye, target, up] = places.map(DVec3::as_vec3);
         let [width, height] = spec.size.map(|pixels| pixels as f32);
         let fov = (lens.fov as f32).to_radians();
@@ -44,7 +44,7 @@ impl<'a> Textbook<'a> {
                 Mat3::from_rotation_z(z) * Mat3::from_rotation_y(y) * Mat3::from_rotation_x(x);
             let model =
                 Mat4::from_translation(cuboid.position.as_vec3()) * Mat4::from_mat3(rotation);
-            let corners = Mesh::cuboid(*cuboid.size).corners.map(DVec3::as_vec3);
+            let corners = Mesh::cuboid(cuboid.size).corners.map(DVec3::as_vec3);
             Cuboid {
                 corners: corners.map(|corner| model.transform_point3(corner)),
                 clip: corners.map(|corner| {
@@ -88,7 +88,7 @@ impl<'a> Textbook<'a> {
             a * weights.x + b * weights.y + c * weights.z
         };
         let (position, normal) = (blend(&cuboid.corners), blend(&cuboid.normals).normalize());
-        let material = Material::from(&*self.spec.cuboids[face / 6].material);
+        let material = Material::from(self.spec.cuboids[face / 6].material);
         let to_eye = (self.eye - position).normalize();
         let terms = self.spec.lights.iter().map(|record| {
             let light = record.light();

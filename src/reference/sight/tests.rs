@@ -37,6 +37,7 @@ fn view(position: DVec3, target: DVec3, projection: Projection) -> View {
         },
         projection,
         background: DVec3::ZERO,
+        turned: 0,
         shading: None,
         tolerance: 0.0,
     }

@@ -48,9 +48,8 @@ pub fn configurations(quantity: Quantity, request: &Request) -> Vec<Configuratio
     let generated = |number, scene: Scene| Configuration {
         number,
         view: View {
-            viewpoint: scene.viewpoint(0),
-            background: scene.background,
-            ..request.view.clone()
+            projection: request.view.projection,
+            ..View::of(&scene.world, size)
         },
         scene,
         threads: 1,

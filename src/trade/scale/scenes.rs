@@ -10,7 +10,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::components::{LightKind, Viewpoint};
-use crate::scene::{CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord, key};
+use crate::scene::{CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord, ViewRecord};
 
 /// Levels that a place sends of diffuse and of specular light where there is one place: bright, and nowhere beyond the display's
 /// range.
@@ -35,7 +35,7 @@ const GOLDEN_ANGLE: f64 = 137.507_764_050_037_85;
 pub fn of_lights(number: usize, most: usize) -> Scene {
     let camera = looking(DVec3::new(7.0, 5.0, 8.0), 6.3);
     let viewpoint = Viewpoint {
-        position: *camera.position,
+        position: camera.position,
         camera: camera.camera(),
     };
     let [right, up, forward] = viewpoint.axes();
@@ -77,7 +77,7 @@ pub fn of_cuboids(number: usize, capacity: usize, [width, height]: [usize; 2]) -
         let position = DVec3::new(middle(column, columns), middle(row, rows), 0.0);
         let turn = index as f64 * GOLDEN_ANGLE;
         CuboidRecord {
-            rotation: key(DVec3::new(turn, 2.0 * turn, 0.0)),
+            rotation: DVec3::new(turn, 2.0 * turn, 0.0),
             ..CuboidRecord::new(index.to_string(), [0.55; 3], position)
         }
     });
@@ -110,10 +110,11 @@ fn scene(
         }
     }
     let record = SceneRecord {
-        background: key(BACKGROUND),
-        cuboid: key(cuboids),
-        light: key(lights),
-        camera: key(vec![camera]),
+        background: BACKGROUND,
+        cuboid: cuboids,
+        light: lights,
+        camera: vec![camera],
+        view: ViewRecord::default(),
     };
     Scene::spawn(String::new(), &record)
 }
@@ -124,8 +125,8 @@ mod tests {
 
     use super::*;
     use crate::components::{
-        Illumination, Lens, Light, Mesh, Normals, PointLight, Projected, Projection, Spin,
-        Transform, View,
+        Illumination, Lens, Light, Mesh, Normals, PointLight, Projected, Projection, Transform,
+        View,
     };
     use crate::systems::lighting::gather;
     use crate::systems::projection::project;
@@ -134,7 +135,7 @@ mod tests {
     fn view(scene: &Scene, projection: Projection, size: [usize; 2]) -> View {
         View {
             projection,
-            ..scene.view(0, size)
+            ..View::of(&scene.world, size)
         }
     }
 
@@ -149,7 +150,7 @@ mod tests {
             );
             illumination.points
         };
-        let eye = of_lights(1, 64).viewpoint(0).position;
+        let eye = View::of(&of_lights(1, 64).world, [1, 1]).viewpoint.position;
         let all = points(64);
         assert_eq!(all.len(), 64);
         for (index, point) in all.iter().enumerate() {
@@ -182,7 +183,7 @@ mod tests {
                         .query_mut::<(&Transform, &Mesh, &mut Projected)>();
                     let mut seen = 0;
                     for (transform, mesh, projected) in cuboids {
-                        let place = world_transform(transform, Spin::default());
+                        let place = world_transform(transform, 0);
                         project(&place, mesh, &lens, projected);
                         for corner in projected.seen {
                             let [x, y] = lens.pixel(lens.homogeneous(corner));

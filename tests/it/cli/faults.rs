@@ -182,7 +182,7 @@ fn little_memory_is_an_error_and_never_an_abort() {
         (80_000, "render --size 4000x4000 --threads 2 -o a.png"),
         (80_000, "render --size 4000x4000 --reference -o a.png"),
         (160_000, "trade --quick --size 4000x4000"),
-        (30_000, "figures"),
+        (60_000, "figures"),
         (60_000, "extremes"),
         (400_000, "extremes"),
     ] {
@@ -219,7 +219,7 @@ fn a_scene_that_memory_cannot_hold_is_an_error_and_never_an_abort() {
     ] {
         fs::write(folder.path().join(name), text).expect("it is written");
         // In kibibytes: less than is read, than is parsed, and than anything takes.
-        for limit in [16_000, 60_000, 100_000, 200_000] {
+        for limit in [50_000, 60_000, 100_000, 200_000] {
             let line = format!("render ./{name} --size 64x48 -o a.png");
             let output = run_after(&format!("ulimit -v {limit}"), folder.path(), &line);
             assert_eq!(output.status.code(), Some(1), "{line}: {}", said(&output));

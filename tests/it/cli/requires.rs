@@ -3,6 +3,7 @@
 use std::fs;
 
 use serde_json::Value;
+use shadetrade::components::{Camera, Mesh, names};
 use shadetrade::scene::Scene;
 
 use super::{assert_fails, assert_works, folder, listing, run, said};
@@ -15,7 +16,7 @@ fn json(folder: &std::path::Path, line: &str) -> Value {
     serde_json::from_slice(&output.stdout).expect("one JSON object")
 }
 
-fn names(found: &Value) -> Vec<&str> {
+fn part_names(found: &Value) -> Vec<&str> {
     let parts = found["parts"].as_array().expect("a list");
     parts
         .iter()
@@ -32,11 +33,10 @@ fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
     )
     .unwrap();
     for (line, words) in [
-        ("requires --orbit 0", &["'0'", "1 to 360"][..]),
-        ("requires --orbit 361", &["'361'", "1 to 360"]),
-        ("requires --orbit -3", &["'-3'", "1 to 360"]),
-        ("requires --orbit half", &["'half'", "1 to 360"]),
-        ("requires -o -", &["standard output takes what is found"]),
+        (
+            "requires -o -",
+            &["standard output takes what is found"][..],
+        ),
         (
             "requires --camera 3",
             &["no camera is named \"3\"", "\"1\", \"2\""],
@@ -65,7 +65,7 @@ fn json_names_every_part_in_order_and_requires_what_is_not_proven() {
         "requires --size 48x36 --shading phong --tolerance 4 --lights white,ambient --json",
     );
     assert_eq!(
-        names(&found),
+        part_names(&found),
         [
             "light white",
             "light ambient",
@@ -79,10 +79,7 @@ fn json_names_every_part_in_order_and_requires_what_is_not_proven() {
             "f64 set-up",
         ]
     );
-    assert_eq!(
-        (&found["scene"], &found["views"]),
-        (&"cuboid".into(), &1.into())
-    );
+    assert_eq!(found["scene"], "cuboid");
     assert_eq!(found["tolerance"], 4.0);
     for part in found["parts"].as_array().unwrap() {
         let [least, most] = [0, 1].map(|end| part["largest_error"][end].as_f64().unwrap());
@@ -93,40 +90,6 @@ fn json_names_every_part_in_order_and_requires_what_is_not_proven() {
             .contains(&part["part"].as_str().unwrap().split(' ').next().unwrap());
         assert_eq!(part["time_share"].is_number(), is_timed, "{part}");
     }
-}
-
-#[test]
-fn a_part_is_required_where_one_of_the_views_requires_it() {
-    let folder = folder();
-    let cuboid = |name: &str, size: f64, z: f64| {
-        format!(
-            "[[cuboid]]\nname = \"{name}\"\nsize = [{size}, {size}, {size}]\nposition = [0.0, 0.0, {z}]\n[cuboid.material]\n\
-             ambient = [1.0, 1.0, 1.0]\ndiffuse = [0.0, 0.0, 0.0]\nspecular = [0.0, 0.0, 0.0]\nshininess = 1.0\n"
-        )
-    };
-    let text = cuboid("front", 2.0, 0.0)
-        + &cuboid("behind", 1.0, -2.0)
-        + "[[light]]\nname = \"ambient\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 100.0\n\
-           [[camera]]\nname = \"1\"\nposition = [0.0, 0.0, 8.0]\ntarget = [0.0, 0.0, 0.0]\nfov = 40.0\nheight = 6.0\n";
-    fs::write(folder.path().join("two.toml"), text).unwrap();
-    let required_in = |views: u64| {
-        let line = format!("requires two.toml --size 32x24 --json --orbit {views}");
-        let found = json(folder.path(), &line);
-        assert_eq!(found["views"], views);
-        let behind = names(&found)
-            .iter()
-            .position(|name| *name == "cuboid behind");
-        let behind = &found["parts"][behind.expect("it is a part")];
-        assert_eq!(behind["required"], behind["required_in"] != 0);
-        behind["required_in"].as_u64().unwrap()
-    };
-    // From the front it is hidden, and from behind it is before the other one, of its colour.
-    assert_eq!(required_in(1), 0);
-    assert_eq!(required_in(4), 2);
-    let output = run(folder.path(), "requires two.toml --size 32x24 --orbit 4");
-    let table = String::from_utf8(output.stdout).unwrap();
-    let row = table.lines().find(|line| line.starts_with("cuboid behind"));
-    assert!(row.is_some_and(|row| row.ends_with("in 2 of 4")), "{table}");
 }
 
 #[test]
@@ -189,10 +152,8 @@ fn the_least_scene_is_a_scene_that_says_what_was_left_out_and_draws_the_same() {
         assert!(comments.contains(word), "{word} in {comments}");
     }
     let least = Scene::parse("least", &text).expect("a scene");
-    assert_eq!(
-        (least.cuboids.len(), least.camera_names()),
-        (1, vec!["2".to_owned()])
-    );
+    assert_eq!(names::<Mesh>(&least.world), ["emerald"]);
+    assert_eq!(names::<Camera>(&least.world), ["2"]);
 
     for scene in ["full.toml --camera 2", "least.toml"] {
         assert_works(

@@ -5,6 +5,8 @@ use shadetrade::prove::{Shown, Verdict, judge};
 use shadetrade::reference::{Interval, Seen};
 use shadetrade::scene::Scene;
 
+use crate::support::scene::view_from;
+
 use super::enclosures;
 use super::naive::{self, Model, RIGHT};
 
@@ -20,7 +22,7 @@ fn check(each: impl Fn(&naive::Scene<f64>, ShadingMode, Projection, &[Vec<Seen<I
         for projection in Projection::ALL {
             let view = View {
                 projection,
-                ..scene.view(0, SIZE).shaded(mode)
+                ..view_from(&scene, 0, SIZE).shaded(mode)
             };
             let seen = enclosures(&scene.world, &view);
             let naive = naive::Scene::new(&scene.world, &view);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use shadetrade::components::{
-    Camera, Lens, Mesh, Polygon, Projected, Projection, Spin, Transform, View, Viewpoint,
+    Camera, Lens, Mesh, Polygon, Projected, Projection, Transform, View, Viewpoint,
 };
 use shadetrade::systems::projection::project;
 use shadetrade::systems::spin::world_transform;
@@ -14,7 +14,7 @@ use crate::support::random::Random;
 fn screen_polygons(transform: Transform, view: &View) -> Vec<Polygon> {
     let mut projected = Projected::default();
     let mesh = Mesh::cuboid(DVec3::new(2.0, 3.0, 4.0));
-    let place = world_transform(&transform, Spin::default());
+    let place = world_transform(&transform, 0);
     project(&place, &mesh, &Lens::new(view), &mut projected);
     projected.polygons.to_vec()
 }
@@ -36,6 +36,7 @@ fn forwards(projection: Projection) -> View {
         },
         projection,
         background: DVec3::ZERO,
+        turned: 0,
         shading: None,
         tolerance: 0.0,
     }

@@ -87,6 +87,7 @@ pub fn view(size: [usize; 2], eye: [f64; 3], target: [f64; 3]) -> View {
         },
         projection: Projection::Perspective,
         background: DVec3::new(1.0, 2.0, 3.0),
+        turned: 0,
         shading: None,
         tolerance: 0.0,
     }

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{
+    LightKind, Material, Projection, ShadingMode, Transform, View, overwrite,
+};
 use shadetrade::reference::Rule;
 use shadetrade::requires::{Change, Part};
 use shadetrade::scene::Scene;
@@ -50,7 +52,7 @@ fn assert_error(change: Change, known: f64) {
 
 /// One mode, whatever the world says.
 fn shaded(mode: ShadingMode, mut scene: Scene) -> Scene {
-    scene.shade(Some(mode));
+    overwrite(&mut scene.world, &mode);
     scene
 }
 

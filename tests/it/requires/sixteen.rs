@@ -5,6 +5,8 @@ use shadetrade::reference::Rule;
 use shadetrade::requires::{Part, changes};
 use shadetrade::scene::Scene;
 
+use crate::support::scene::view_from;
+
 const PAGE: &str = include_str!("../../../docs/sixteen-cases.md");
 
 /// The cells of every row of the page's tables that has so many.
@@ -49,7 +51,7 @@ fn every_answer_of_the_page_is_found_again() {
         let scene = scene(&case);
         let view = View {
             tolerance: 0.5,
-            ..scene.view(0, [64, 48])
+            ..view_from(&scene, 0, [64, 48])
         };
         let parts = [
             Part::EveryPixel(0),

@@ -5,28 +5,12 @@ use std::io::Write as _;
 
 use glam::DVec3;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, Transform, VertexColors,
+    Background, Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, Transform,
+    VertexColors, View, Viewpoint, names, ordered, overwrite,
 };
 use shadetrade::scene::{BUILT_IN, LightChoice, Scene};
 
-use super::LEAST;
-
-/// Every key, numbers written in every way, tables in every way, kinds in no order.
-const MOST: &str = r#"
-camera = [{ name = "c", position = [0, 0, 9], target = [0, 0, 1], up = [1, 0, 0], fov = 179, height = 2, near = 3 }]
-light = [{ name = "l", kind = "specular", color = [0x10, 0o17, 0b11], intensity = 1_000, gain = 10000000000000000000000, position = [1, 2, 3], on = false }]
-background = [0, 255, 1.5]
-[[cuboid]]
-name = "é"
-size = [1, 2, 4]
-position = [-1, +2, 3e2]
-rotation = [10, 20, -720]
-shading = "phong"
-material.ambient = [1, 2, 3]
-material.diffuse = [4, 5, 6]
-material.specular = [7, 8, 9]
-material.shininess = 0
-"#;
+use super::{LEAST, MOST};
 
 fn scene(text: &str) -> Scene {
     Scene::parse("test", text).unwrap_or_else(|error| panic!("{error}"))
@@ -72,17 +56,29 @@ fn change<T: hecs::Component>(scene: &Scene, entity: hecs::Entity, how: impl FnO
     how(&mut scene.world.get::<&mut T>(entity).unwrap());
 }
 
+fn background(scene: &Scene) -> DVec3 {
+    View::of(&scene.world, [1, 1]).background
+}
+
+/// Where the camera of that number stands and what it sees.
+fn viewpoint(scene: &Scene, camera: usize) -> Viewpoint {
+    Viewpoint::of(&scene.world, ordered::<Camera>(&scene.world)[camera])
+}
+
 fn on(scene: &Scene) -> Vec<bool> {
     let is_on = |&light| value::<Light>(scene, light).on;
-    scene.lights.iter().map(is_on).collect()
+    ordered::<Light>(&scene.world).iter().map(is_on).collect()
 }
 
 #[test]
 fn what_is_left_out_has_the_documented_default() {
     let scene = scene(LEAST);
     assert_eq!(scene.name, "test");
-    assert_eq!(scene.background, DVec3::ZERO);
-    let (cuboid, light) = (scene.cuboids[0], scene.lights[0]);
+    assert_eq!(background(&scene), DVec3::ZERO);
+    let (cuboid, light) = (
+        ordered::<Mesh>(&scene.world)[0],
+        ordered::<Light>(&scene.world)[0],
+    );
 
     assert_eq!(value::<Name>(&scene, cuboid), Name("box".to_owned()));
     assert_eq!(value::<Transform>(&scene, cuboid), Transform::default());
@@ -117,7 +113,7 @@ fn what_is_left_out_has_the_documented_default() {
         height: 6.3,
         near: None,
     };
-    let viewpoint = scene.viewpoint(0);
+    let viewpoint = viewpoint(&scene, 0);
     assert_eq!(viewpoint.camera, expected);
     assert_eq!(viewpoint.position, DVec3::new(7.0, 5.0, 8.0));
     assert!((viewpoint.near() - 138.0_f64.sqrt() / 1000.0).abs() < 1e-15);
@@ -126,8 +122,11 @@ fn what_is_left_out_has_the_documented_default() {
 #[test]
 fn every_key_is_taken_and_whole_numbers_are_numbers() {
     let scene = scene(MOST);
-    let (cuboid, light) = (scene.cuboids[0], scene.lights[0]);
-    assert_eq!(scene.background, DVec3::new(0.0, 255.0, 1.5));
+    let (cuboid, light) = (
+        ordered::<Mesh>(&scene.world)[0],
+        ordered::<Light>(&scene.world)[0],
+    );
+    assert_eq!(background(&scene), DVec3::new(0.0, 255.0, 1.5));
 
     assert_eq!(value::<Name>(&scene, cuboid), Name("é".to_owned()));
     let expected = Transform {
@@ -165,8 +164,8 @@ fn every_key_is_taken_and_whole_numbers_are_numbers() {
         height: 2.0,
         near: Some(3.0),
     };
-    assert_eq!(scene.viewpoint(0).camera, expected);
-    assert_eq!(scene.viewpoint(0).near(), 3.0);
+    assert_eq!(viewpoint(&scene, 0).camera, expected);
+    assert_eq!(viewpoint(&scene, 0).near(), 3.0);
 }
 
 /// Fuzzing found a shininess of -0.0 that Phong took for another number than 0.
@@ -176,8 +175,8 @@ fn zero_has_no_sign() {
         .replace("shininess = 76.8", "shininess = -0.0")
         .replace("target = [0.0, 0.0, 0.0]", "target = [-0.0, -0, 0]");
     let scene = scene(&text);
-    let shininess = value::<Material>(&scene, scene.cuboids[0]).shininess;
-    let target = value::<Camera>(&scene, scene.cameras[0]).target;
+    let shininess = value::<Material>(&scene, ordered::<Mesh>(&scene.world)[0]).shininess;
+    let target = value::<Camera>(&scene, ordered::<Camera>(&scene.world)[0]).target;
     for number in [shininess, target.x, target.y] {
         assert_eq!(number.to_bits(), 0.0_f64.to_bits());
     }
@@ -187,7 +186,7 @@ fn zero_has_no_sign() {
 fn an_ambient_light_has_no_position() {
     let ambient = LEAST.replace("\"diffuse\"", "\"ambient\"");
     let scene = scene(&ambient.replace("position = [10.0, 11.0, 12.0]\n", ""));
-    let kind = value::<Light>(&scene, scene.lights[0]).kind;
+    let kind = value::<Light>(&scene, ordered::<Light>(&scene.world)[0]).kind;
     assert_eq!(kind, LightKind::Ambient);
 }
 
@@ -198,8 +197,11 @@ fn every_built_in_scene_loads_and_the_first_is_the_default() {
     }
     let scene = load(None);
     assert_eq!(scene.name, "cuboid");
-    assert_eq!(scene.camera_names(), ["1", "2"]);
-    assert_eq!(scene.light_names(), ["white", "red", "specular", "ambient"]);
+    assert_eq!(names::<Camera>(&scene.world), ["1", "2"]);
+    assert_eq!(
+        names::<Light>(&scene.world),
+        ["white", "red", "specular", "ambient"]
+    );
     assert_eq!(on(&scene), [true; 4]);
 }
 
@@ -220,10 +222,10 @@ fn luminance(levels: DVec3) -> f64 {
 fn faces_in_ambient_light_stand_out_from_the_background() {
     for name in ["cuboid", "assignment"] {
         let scene = load(Some(name));
-        let ambient = value::<Material>(&scene, scene.cuboids[0]).ambient;
-        let light = value::<Light>(&scene, scene.lights[3]);
+        let ambient = value::<Material>(&scene, ordered::<Mesh>(&scene.world)[0]).ambient;
+        let light = value::<Light>(&scene, ordered::<Light>(&scene.world)[3]);
         let face = ambient * light.color * light.intensity * light.gain;
-        let mut both = [face, scene.background].map(luminance);
+        let mut both = [face, background(&scene)].map(luminance);
         both.sort_by(f64::total_cmp);
         let contrast = (both[1] + 0.05) / (both[0] + 0.05);
         assert!(contrast >= 3.0, "{name}: {contrast}");
@@ -234,11 +236,11 @@ fn faces_in_ambient_light_stand_out_from_the_background() {
 fn all_built_in_scenes_have_the_default_material_and_lights() {
     let values = |scene: &Scene| {
         let place = |&light| value::<Transform>(scene, light);
-        let places: Vec<Transform> = scene.lights.iter().map(place).collect();
+        let places: Vec<Transform> = ordered::<Light>(&scene.world).iter().map(place).collect();
         let light = |&light| value::<Light>(scene, light);
-        let lights: Vec<Light> = scene.lights.iter().map(light).collect();
-        let material = value::<Material>(scene, scene.cuboids[0]);
-        let names = scene.light_names();
+        let lights: Vec<Light> = ordered::<Light>(&scene.world).iter().map(light).collect();
+        let material = value::<Material>(scene, ordered::<Mesh>(&scene.world)[0]);
+        let names = names::<Light>(&scene.world);
         (names, places, lights, material)
     };
     let expected = values(&load(None));
@@ -249,8 +251,8 @@ fn all_built_in_scenes_have_the_default_material_and_lights() {
 
 #[test]
 fn the_bench_scenes_see_the_same_height_in_both_projections() {
-    let far = load(Some("bench-far")).viewpoint(0);
-    let close = load(Some("bench-close")).viewpoint(0);
+    let far = viewpoint(&load(Some("bench-far")), 0);
+    let close = viewpoint(&load(Some("bench-close")), 0);
     assert_eq!(far.position, DVec3::new(7.0, 5.0, 8.0));
     assert!((close.position - far.position * 0.4).length() < 1e-15);
     for viewpoint in [far, close] {
@@ -268,13 +270,13 @@ fn the_bench_scenes_see_the_same_height_in_both_projections() {
 #[test]
 fn the_assignment_s_cuboid_and_cameras_stand_where_it_says() {
     let scene = load(Some("assignment"));
-    let cuboid = scene.cuboids[0];
+    let cuboid = ordered::<Mesh>(&scene.world)[0];
     let corners = value::<Mesh>(&scene, cuboid).corners;
     let centre = value::<Transform>(&scene, cuboid).position;
     assert_eq!(centre + corners[0], DVec3::ZERO);
     assert_eq!(centre + corners[7], DVec3::new(20.0, 10.0, 15.0));
 
-    let [first, second] = [scene.viewpoint(0), scene.viewpoint(1)];
+    let [first, second] = [viewpoint(&scene, 0), viewpoint(&scene, 1)];
     assert_eq!(first.position, DVec3::new(0.0, 0.0, 35.0));
     assert_eq!(first.axes()[2], DVec3::NEG_Z);
     assert_eq!((first.camera.fov, first.camera.height), (126.87, 80.0));
@@ -286,12 +288,7 @@ fn the_assignment_s_cuboid_and_cameras_stand_where_it_says() {
 fn queries_give_the_cuboids_in_file_order() {
     let mut scene = scene(&many(300));
     let expected: Vec<String> = (1..=300).map(|number| number.to_string()).collect();
-    let listed: Vec<String> = scene
-        .cuboids
-        .iter()
-        .map(|&cuboid| value::<Name>(&scene, cuboid).0)
-        .collect();
-    assert_eq!(listed, expected);
+    assert_eq!(names::<Mesh>(&scene.world), expected);
 
     // What a frame does: values change, components do not come or go.
     for (normals, mesh) in scene.world.query_mut::<(&mut Normals, &Mesh)>() {
@@ -307,12 +304,16 @@ fn queries_give_the_cuboids_in_file_order() {
 #[test]
 fn a_snapshot_has_the_present_values_and_a_life_of_its_own() {
     let mut scene = load(None);
-    let (cuboid, light, camera) = (scene.cuboids[0], scene.lights[1], scene.cameras[0]);
+    let (cuboid, light, camera) = (
+        ordered::<Mesh>(&scene.world)[0],
+        ordered::<Light>(&scene.world)[1],
+        ordered::<Camera>(&scene.world)[0],
+    );
     let turned = |degrees| Transform {
         rotation: DVec3::X * degrees,
         ..Transform::default()
     };
-    scene.background = DVec3::ONE;
+    overwrite(&mut scene.world, &Background(DVec3::ONE));
     change(&scene, cuboid, |at| *at = turned(30.0));
     change(&scene, cuboid, |mode| *mode = ShadingMode::UnitVectors);
     change(&scene, light, |light: &mut Light| light.on = false);
@@ -324,27 +325,19 @@ fn a_snapshot_has_the_present_values_and_a_life_of_its_own() {
     change(&scene, camera, |at| *at = turned(90.0));
 
     assert_eq!(copy.name, "cuboid");
-    assert_eq!(copy.background, DVec3::ONE);
-    let at: Transform = value(&copy, copy.cuboids[0]);
+    assert_eq!(background(&copy), DVec3::ONE);
+    let at: Transform = value(&copy, ordered::<Mesh>(&copy.world)[0]);
     assert_eq!(at, turned(30.0));
-    let mode: ShadingMode = value(&copy, copy.cuboids[0]);
+    let mode: ShadingMode = value(&copy, ordered::<Mesh>(&copy.world)[0]);
     assert_eq!(mode, ShadingMode::UnitVectors);
     assert_eq!(on(&copy), [true, false, true, true]);
-    assert_eq!(copy.viewpoint(0).camera.fov, 50.0);
-    assert_eq!(copy.viewpoint(0).position, DVec3::new(7.0, 5.0, 8.0));
-    assert_eq!(copy.light_names(), scene.light_names());
-    assert_eq!(copy.camera_names(), scene.camera_names());
+    assert_eq!(viewpoint(&copy, 0).camera.fov, 50.0);
+    assert_eq!(viewpoint(&copy, 0).position, DVec3::new(7.0, 5.0, 8.0));
+    assert_eq!(names::<Light>(&copy.world), names::<Light>(&scene.world));
+    assert_eq!(names::<Camera>(&copy.world), names::<Camera>(&scene.world));
 
-    let elsewhere = std::thread::spawn(move || copy.viewpoint(1).position);
+    let elsewhere = std::thread::spawn(move || viewpoint(&copy, 1).position);
     assert_eq!(elsewhere.join().unwrap(), DVec3::new(9.0, 6.0, -4.0));
-}
-
-#[test]
-fn cameras_are_found_by_name() {
-    let scene = load(None);
-    assert_eq!(scene.find_camera("2"), Some(1));
-    assert_eq!(scene.find_camera("3"), None);
-    assert_eq!(scene.viewpoint(1).position, DVec3::new(9.0, 6.0, -4.0));
 }
 
 #[test]
@@ -391,7 +384,7 @@ fn a_choice_of_lights_lacks_no_name_and_has_all_and_none_by_themselves() {
 #[test]
 fn a_scene_may_have_no_light() {
     let mut dark = dark();
-    assert!(dark.lights.is_empty());
+    assert!(ordered::<Light>(&dark.world).is_empty());
     dark.switch_lights(&LightChoice::All).unwrap();
     let unknown = dark.switch_lights(&"white".parse().unwrap()).unwrap_err();
     assert_eq!(
@@ -405,7 +398,10 @@ fn a_file_of_ten_thousand_cuboids_is_loaded() {
     let mut file = tempfile::NamedTempFile::new().unwrap();
     write!(file, "{}", many(10_000)).unwrap();
     let path = file.path().to_str().unwrap();
-    assert_eq!(load(Some(path)).cuboids.len(), 10_000);
+    assert_eq!(
+        load(Some(path)).world.query::<&Mesh>().iter().count(),
+        10_000
+    );
 }
 
 #[test]
@@ -466,6 +462,6 @@ fn a_device_without_end_is_refused_and_a_pipe_is_read() {
     assert!(made.success());
     let path = pipe.to_str().unwrap().to_owned();
     let writer = std::thread::spawn(move || std::fs::write(pipe, LEAST).unwrap());
-    assert_eq!(load(Some(&path)).camera_names(), ["1"]);
+    assert_eq!(names::<Camera>(&load(Some(&path)).world), ["1"]);
     writer.join().unwrap();
 }

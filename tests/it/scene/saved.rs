@@ -1,193 +1,290 @@
-//! A scene written as a file is read again as the same scene, bit for bit.
+//! A record is saved into the text that it came from: it is read again as it was, and all else stays.
 
-use std::fmt::{Debug, Write};
-
+use proptest::collection::vec;
 use proptest::prelude::*;
-use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, ShadingMode, Transform,
+use proptest::sample::Index;
+use shadetrade::components::{LightKind, Projection, ShadingMode, Tab, ViewMode};
+use shadetrade::scene::{
+    BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord, ViewRecord, updated,
 };
-use shadetrade::scene::{BUILT_IN, Scene};
 
-/// Everything the scene says. Debug writes different floats differently, 0 and -0 too.
-fn said(scene: &Scene) -> String {
-    let mut text = format!("{:?}\n", scene.background);
-    let entities = [&scene.cuboids, &scene.lights, &scene.cameras];
-    for &entity in entities.into_iter().flatten() {
-        let components = scene.world.entity(entity).expect("an entity of the scene");
-        let mut say = |component: Option<&dyn Debug>| writeln!(text, "{component:?}").unwrap();
-        say(components.get::<&Name>().as_deref().map(|it| it as _));
-        say(components.get::<&Transform>().as_deref().map(|it| it as _));
-        say(components.get::<&Mesh>().as_deref().map(|it| it as _));
-        say(components.get::<&Material>().as_deref().map(|it| it as _));
-        say(components
-            .get::<&ShadingMode>()
-            .as_deref()
-            .map(|it| it as _));
-        say(components.get::<&Light>().as_deref().map(|it| it as _));
-        say(components.get::<&Camera>().as_deref().map(|it| it as _));
-    }
+use super::{LEAST, MOST, random};
+
+fn read(text: &str) -> SceneRecord {
+    let scene = Scene::parse("text", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    SceneRecord::of(&scene.world)
+}
+
+/// The text once `change` has been made to what it says; it is read again as that.
+fn edited(text: &str, change: impl FnOnce(&mut SceneRecord)) -> String {
+    let mut record = read(text);
+    change(&mut record);
+    let text = updated(text, &record);
+    assert_eq!(read(&text), record, "{text}");
     text
 }
 
-fn assert_kept(scene: &Scene) {
-    let text = scene.to_toml();
-    let again = Scene::parse("again", &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    assert_eq!(said(&again), said(scene), "{text}");
+/// Texts that say something in an unusual way, and all built-in ones.
+fn texts() -> Vec<&'static str> {
+    let texts = BUILT_IN.iter().map(|(_, text)| *text);
+    texts.chain([LEAST, MOST, LOOKED_AT]).collect()
 }
 
-/// A number from `least` to `most`, as a file may write it: as often near 0 as far from it, and sometimes an end.
-fn number(least: f64, most: f64) -> impl Strategy<Value = String> {
-    let smallest = if least > 0.0 { least } else { 1e-320 };
-    let size = (smallest.ln()..most.ln()).prop_map(f64::exp);
-    let number = (size, any::<bool>()).prop_map(|(size, below)| if below { -size } else { size });
-    prop_oneof![8 => number, 1 => Just(least), 1 => Just(most)]
-        .prop_map(move |number| format!("{:e}", number.max(-most.abs()).clamp(least, most)))
+/// Comments everywhere, no order, defaults said.
+const LOOKED_AT: &str = r#"# The head.
+
+[view]  # How it is looked at.
+camera = "front"  # the first
+projection = "perspective"
+sides = ["picture",
+    "phong-4", # a side
+]
+magnifier = { scale = 2, corner = [3, 4] } # large
+
+# A camera.
+[[camera]]
+name = "front" # its name
+position = [0, 0, 8]
+target = [0, 0, 0]
+fov = 30
+height = 6
+orbit.zoom = 0.5 # close
+
+# A cuboid.
+[[cuboid]]
+name = "a" # its name
+size = [
+    1, # across
+    2, # up
+    3, # along
+]
+material = { ambient = [1, 1, 1], diffuse = [0, 0, 0], specular = [0, 0, 0], shininess = 1 }
+# Before the second camera.
+[[camera]]
+name = "side"
+position = [8, 0, 0]
+target = [0, 0, 0]
+fov = 30
+height = 6
+# The end.
+"#;
+
+#[test]
+fn what_has_not_changed_is_not_touched() {
+    for text in texts() {
+        assert_eq!(updated(text, &read(text)), text);
+    }
 }
 
-fn three(least: f64, most: f64) -> impl Strategy<Value = String> {
-    prop::collection::vec(number(least, most), 3)
-        .prop_map(|three| format!("[{}]", three.join(", ")))
+/// One change to a record: which, where, and to what.
+#[derive(Clone, Debug)]
+struct Change {
+    what: usize,
+    at: Index,
+    parts: (CuboidRecord, LightRecord, CameraRecord),
+    view: ViewRecord,
 }
 
-/// Lines with these keys; those whose number is not below `required` may be left out.
-fn keys<const COUNT: usize>(
-    required: usize,
-    rows: [(&'static str, BoxedStrategy<String>); COUNT],
-) -> impl Strategy<Value = String> {
-    let lines = rows.into_iter().enumerate().map(|(index, (key, value))| {
-        let line = value.prop_map(move |value| format!("{key} = {value}\n"));
-        if index < required {
-            line.boxed()
-        } else {
-            prop_oneof![line, Just(String::new())].boxed()
+fn change() -> impl Strategy<Value = Change> {
+    let parts = (random::cuboid(), random::light(), random::camera());
+    (0..12_usize, any::<Index>(), parts, random::view()).prop_map(|(what, at, parts, view)| {
+        Change {
+            what,
+            at,
+            parts,
+            view,
         }
-    });
-    lines.collect::<Vec<_>>().prop_map(|lines| lines.concat())
-}
-
-fn word(words: &'static [&'static str]) -> BoxedStrategy<String> {
-    prop::sample::select(words).prop_map(str::to_owned).boxed()
-}
-
-fn cuboid() -> impl Strategy<Value = String> {
-    let strength = || three(0.0, 1e30).boxed();
-    let outside = keys(
-        1,
-        [
-            ("size", three(1e-100, 1e100).boxed()),
-            ("position", three(-1e100, 1e100).boxed()),
-            ("rotation", three(f64::MIN, f64::MAX).boxed()),
-            ("shading", word(&["'gouraud'", "'phong'"])),
-        ],
-    );
-    let material = keys(
-        4,
-        [
-            ("ambient", strength()),
-            ("diffuse", strength()),
-            ("specular", strength()),
-            ("shininess", number(0.0, 1e6).boxed()),
-        ],
-    );
-    (outside, material)
-        .prop_map(|(outside, material)| format!("{outside}[cuboid.material]\n{material}"))
-}
-
-fn light() -> impl Strategy<Value = String> {
-    let position =
-        three(-1e100, 1e100).prop_map(|position| format!("'specular'\nposition = {position}"));
-    keys(
-        3,
-        [
-            (
-                "kind",
-                prop_oneof![Just("'ambient'".to_owned()), position].boxed(),
-            ),
-            ("color", three(0.0, 1e30).boxed()),
-            ("intensity", number(0.0, 1e30).boxed()),
-            ("gain", number(0.0, 1e30).boxed()),
-            ("on", word(&["true", "false"])),
-        ],
-    )
-}
-
-fn camera() -> impl Strategy<Value = String> {
-    keys(
-        4,
-        [
-            ("position", three(-1e100, 1e100).boxed()),
-            ("target", three(-1e100, 1e100).boxed()),
-            ("fov", number(5e-324, 179.0).boxed()),
-            ("height", number(1e-100, 1e100).boxed()),
-            ("up", three(-1e100, 1e100).boxed()),
-            ("near", number(1e-100, 1e100).boxed()),
-        ],
-    )
-}
-
-/// Tables of a kind, their names being any texts that differ.
-fn tables(
-    kind: &'static str,
-    least: usize,
-    table: impl Strategy<Value = String>,
-) -> impl Strategy<Value = String> {
-    let named = (any::<String>(), table);
-    prop::collection::vec(named, least..4).prop_map(move |tables| {
-        let tables = tables
-            .into_iter()
-            .enumerate()
-            .map(|(index, (name, table))| {
-                let name = toml::Value::String(format!("{index} {}", name.replace(',', "")));
-                format!("[[{kind}]]\nname = {name}\n{table}")
-            });
-        tables.collect()
     })
+}
+
+impl Change {
+    fn apply(&self, record: &mut SceneRecord) {
+        let (cuboid, light, camera) = self.parts.clone();
+        let [cuboids, lights, cameras] =
+            [record.cuboid.len(), record.light.len(), record.camera.len()];
+        match self.what {
+            0 => record.cuboid.push(cuboid),
+            1 => record.light.push(light),
+            2 => record.camera.push(camera),
+            3 if cuboids > 1 => drop(record.cuboid.remove(self.at.index(cuboids))),
+            4 if lights > 0 => drop(record.light.remove(self.at.index(lights))),
+            5 if cameras > 1 => drop(record.camera.remove(self.at.index(cameras))),
+            6 => record.cuboid[self.at.index(cuboids)] = cuboid,
+            7 if lights > 0 => record.light[self.at.index(lights)].name = light.name,
+            8 => record.camera[self.at.index(cameras)].name = camera.name,
+            9 => record.light.insert(self.at.index(lights + 1), light),
+            10 => record.view = self.view.clone(),
+            _ => record.light.reverse(),
+        }
+    }
 }
 
 proptest! {
     #[test]
-    fn any_scene_is_read_again_as_it_was(
-        background in keys(0, [("background", three(0.0, 255.0).boxed())]),
-        cuboids in tables("cuboid", 1, cuboid()),
-        lights in tables("light", 0, light()),
-        cameras in tables("camera", 1, camera()),
-    ) {
-        // A random view may be along `up`; what else is refused, and that it is, is tried elsewhere.
-        match Scene::parse("random", &format!("{background}{cuboids}{lights}{cameras}")) {
-            Ok(scene) => assert_kept(&scene),
-            Err(error) => prop_assume!(error.to_string().contains("`camera."), "{}", error),
+    fn whatever_is_changed_is_read_again(text in 0..texts().len(), changes in vec(vec(change(), 1..4), 1..3)) {
+        let mut text = texts()[text].to_owned();
+        for changes in changes {
+            let mut record = read(&text);
+            changes.iter().for_each(|change| change.apply(&mut record));
+            let mut record = random::with_own_names(record);
+            record.view.camera = record.camera.get(1).map(|camera| camera.name.clone());
+            prop_assume!(record.check().is_ok());
+            text = updated(&text, &record);
+            prop_assert_eq!(&read(&text), &record, "{}", text);
+        }
+    }
+
+    #[test]
+    fn any_record_is_saved_into_any_text(text in 0..texts().len(), record in random::record()) {
+        for text in [texts()[text], ""] {
+            let text = updated(text, &record);
+            prop_assert_eq!(&read(&text), &record, "{}", text);
         }
     }
 }
 
+/// The lines of `after` that are not in `before`, and the other way round.
+fn differing<'a>(before: &'a str, after: &'a str) -> [Vec<&'a str>; 2] {
+    let without = |text: &'a str, other: &str| {
+        let lines = text.lines();
+        lines
+            .filter(|line| !other.lines().any(|it| it == *line))
+            .collect()
+    };
+    [without(before, after), without(after, before)]
+}
+
 #[test]
-fn the_built_in_scenes_are_read_again_as_they_were() {
-    for (name, _) in BUILT_IN {
-        assert_kept(&Scene::load(Some(name)).unwrap_or_else(|error| panic!("{error}")));
+fn one_number_is_one_line_and_its_comment_stays() {
+    let (_, text) = BUILT_IN[0];
+    let after = edited(text, |record| record.light[0].gain = 1e100_f64.min(1e30));
+    assert_eq!(
+        differing(text, &after),
+        [
+            vec!["gain = 17.32                    # levels per unit of intensity (optional: 1)"],
+            vec!["gain = 1e30                    # levels per unit of intensity (optional: 1)"]
+        ]
+    );
+    let after = edited(LOOKED_AT, |record| record.cuboid[0].size.y = 2.5);
+    assert_eq!(
+        differing(LOOKED_AT, &after),
+        [vec!["    2, # up"], vec!["    2.5, # up"]]
+    );
+}
+
+#[test]
+fn a_default_that_is_said_stays_said_and_one_that_is_not_stays_unsaid() {
+    let (_, text) = BUILT_IN[0];
+    let there = edited(text, |record| {
+        record.cuboid[0].shading = ShadingMode::Phong;
+        record.light[1].on = false;
+        record.camera[1].orbit.zoom = 0.5;
+    });
+    assert_eq!(differing(text, &there)[1].len(), 3);
+    let back = edited(&there, |record| *record = read(text));
+    let line = "shading = \"gouraud\"             # or \"phong\" (optional: \"gouraud\")";
+    assert!(back.contains(line), "{back}");
+    // The light's and the camera's keys are said now.
+    assert_eq!(differing(text, &back)[1].len(), 2, "{back}");
+    assert!(!updated("", &read(text)).contains("orbit"));
+}
+
+#[test]
+fn a_view_is_added_only_where_it_is_not_the_usual_one() {
+    let (_, text) = BUILT_IN[0];
+    let view = |change: fn(&mut SceneRecord)| {
+        let after = edited(text, change);
+        let view = after.split_once("[view]").expect("it has one").1;
+        assert!(after.starts_with(text.trim_end()), "{after}");
+        view.trim().to_owned()
+    };
+    assert_eq!(
+        view(|record| record.view.projection = Projection::Orthographic),
+        "projection = \"orthographic\""
+    );
+    assert_eq!(
+        view(|record| record.view.camera = Some("2".to_owned())),
+        "camera = \"2\""
+    );
+    let all = view(|record| {
+        record.view.show = ViewMode::Wipe;
+        record.view.turned = 90;
+        record.view.pixel = Some([3, 4]);
+        record.view.inspector = Some(Tab::Proof);
+        record.view.magnifier.scale = 8;
+    });
+    assert_eq!(
+        all,
+        "show = \"wipe\"\nturned = 90\npixel = [3, 4]\nmagnifier = { scale = 8, corner = [0, 0] }\ninspector = \"proof\""
+    );
+    let gone = edited(LOOKED_AT, |record| record.view.pixel = Some([1, 2]));
+    let gone = edited(&gone, |record| record.view.pixel = None);
+    assert_eq!(gone, LOOKED_AT);
+}
+
+#[test]
+fn a_camera_that_is_named_in_the_view_is_followed() {
+    let renamed = edited(LOOKED_AT, |record| record.camera[0].name = "a".to_owned());
+    assert!(renamed.contains("camera = \"a\"  # the first"), "{renamed}");
+    let other = edited(LOOKED_AT, |record| {
+        record.view.camera = Some("side".to_owned());
+    });
+    assert!(other.contains("camera = \"side\"  # the first"), "{other}");
+    let gone = edited(LOOKED_AT, |record| drop(record.camera.remove(0)));
+    assert!(gone.contains("camera = \"side\"  # the first"), "{gone}");
+}
+
+#[test]
+fn what_is_added_comes_last_of_its_kind_and_what_is_removed_takes_its_comments_along() {
+    let (_, text) = BUILT_IN[0];
+    let added = edited(text, |record| {
+        let light = LightRecord::new("new", LightKind::Ambient, 5.0, [0.0; 3]);
+        record.light.push(light);
+    });
+    let place = |word: &str| {
+        added
+            .find(word)
+            .unwrap_or_else(|| panic!("{word}: {added}"))
+    };
+    assert!(place("name = \"ambient\"") < place("name = \"new\""));
+    assert!(place("name = \"new\"") < place("[[camera]]"));
+    assert_eq!(edited(&added, |record| drop(record.light.pop())), text);
+
+    let less = edited(LOOKED_AT, |record| drop(record.camera.remove(0)));
+    let comments = ["# A camera.", "# its name", "# close"];
+    let lost = differing(LOOKED_AT, &less)[0].join("\n");
+    assert!(
+        comments.iter().all(|comment| lost.contains(comment)),
+        "{less}"
+    );
+    for comment in [
+        "# The head.",
+        "# A cuboid.",
+        "# across",
+        "# Before",
+        "# The end.",
+    ] {
+        assert!(less.contains(comment), "{comment} {less}");
     }
 }
 
 #[test]
-fn what_has_changed_since_is_what_is_written() {
-    let mut scene = Scene::load(None).unwrap_or_else(|error| panic!("{error}"));
-    scene.background.x = 3.0;
-    for (transform, light) in scene.world.query_mut::<(&mut Transform, &mut Light)>() {
-        transform.position.y += 0.1;
-        light.on = light.kind == LightKind::Specular;
-        light.intensity *= 1.0 / 3.0;
+fn lines_end_as_they_did() {
+    let text = LOOKED_AT.replace('\n', "\r\n");
+    let after = edited(&text, |record| record.camera[0].fov = 31.0);
+    assert_eq!(
+        after,
+        text.replace(
+            "fov = 30\r\nheight = 6\r\norbit",
+            "fov = 31.0\r\nheight = 6\r\norbit"
+        )
+    );
+}
+
+#[test]
+fn a_text_that_is_no_scene_is_replaced() {
+    let record = read(LEAST);
+    for text in ["", "# nothing", "[[cuboid]", "cuboid = 3"] {
+        assert_eq!(read(&updated(text, &record)), record);
     }
-    for mode in scene.world.query_mut::<&mut ShadingMode>() {
-        *mode = ShadingMode::UnitVectors;
-    }
-    let saved = Scene::parse("saved", &scene.to_toml()).unwrap_or_else(|error| panic!("{error}"));
-    let expected = said(&scene).replace("UnitVectors", "Phong");
-    let ambient = said(&saved);
-    let differing: Vec<(&str, &str)> = expected
-        .lines()
-        .zip(ambient.lines())
-        .filter(|(before, after)| before != after)
-        .collect();
-    // The one place that means nothing is that of the ambient light.
-    assert_eq!(differing.len(), 1, "{differing:?}");
-    assert!(differing[0].0.contains("position"), "{differing:?}");
 }

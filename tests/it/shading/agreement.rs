@@ -7,7 +7,7 @@ use shadetrade::scene::Scene;
 use shadetrade::shading::{EXACT, TileKind};
 
 use super::truth::{Seen, Setting};
-use crate::support::scene::draw;
+use crate::support::scene::{draw, view_from};
 
 /// The pixels of which both say that they show the same triangle; no more than a few on the edges may be left out.
 fn shared(frame: &Frame, truth: &[Seen]) -> Vec<(usize, DVec3)> {
@@ -71,7 +71,7 @@ fn default_settings() -> Vec<(usize, Setting)> {
 
 fn view_of_default_scene(scene: &Scene, camera: usize, setting: &Setting) -> View {
     View {
-        viewpoint: scene.viewpoint(camera),
+        viewpoint: view_from(scene, camera, [1, 1]).viewpoint,
         ..setting.view().shaded(setting.mode)
     }
 }

@@ -14,7 +14,7 @@
 //! ```
 
 use glam::DVec3;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
+use shadetrade::components::{Light, LightKind, Material, Projection, ShadingMode, View, ordered};
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 use shadetrade::scene::Scene;
 
@@ -276,7 +276,7 @@ fn lights_add_up() {
     };
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
         let mut with = |on: &dyn Fn(usize) -> bool| {
-            for (index, &light) in scene.lights.iter().enumerate() {
+            for (index, &light) in ordered::<Light>(&scene.world).iter().enumerate() {
                 let light = scene
                     .world
                     .query_one_mut::<&mut shadetrade::components::Light>(light);

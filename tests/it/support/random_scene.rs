@@ -238,6 +238,7 @@ impl Case {
             },
             projection: self.projection,
             background: DVec3::new(20.0, 20.0, 24.0),
+            turned: 0,
             shading: None,
             tolerance,
         };

@@ -5,9 +5,10 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
     Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
-    View, Viewpoint, cuboid,
+    View, Viewpoint, cuboid, ordered,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::scene::Scene;
 use shadetrade::systems;
 
 /// A world without anything in it.
@@ -64,8 +65,17 @@ pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection)
         },
         projection,
         background: DVec3::new(20.0, 20.0, 24.0),
+        turned: 0,
         shading: None,
         tolerance: 0.0,
+    }
+}
+
+/// What a camera of the scene sees, counted from 0 in file order, at tolerance 0.
+pub fn view_from(scene: &Scene, camera: usize, size: [usize; 2]) -> View {
+    View {
+        viewpoint: Viewpoint::of(&scene.world, ordered::<Camera>(&scene.world)[camera]),
+        ..View::of(&scene.world, size).with_tolerance(0.0)
     }
 }
 

@@ -3,7 +3,9 @@
 use allocation_counter::measure;
 use glam::{DVec3, dvec3};
 use hecs::World;
-use shadetrade::components::{LightKind, Orbit, Projection, ShadingMode, Spin, Transform, View};
+use shadetrade::components::{
+    LightKind, Orbit, Projection, ShadingMode, Spin, Transform, View, overwrite,
+};
 use shadetrade::reference;
 use shadetrade::scene::Scene;
 use shadetrade::systems::{self, FRAME};
@@ -65,17 +67,20 @@ fn a_second_frame_is_the_same_and_takes_no_memory() {
 #[test]
 fn a_spun_and_orbited_scene_is_the_scene_of_its_snapshot_for_the_renderer_and_the_reference() {
     let mut scene = Scene::load(None).expect("the built-in scene is valid");
-    for (spin, shading) in scene.world.query_mut::<(&mut Spin, &mut ShadingMode)>() {
-        (spin.degrees, *shading) = (77, ShadingMode::Phong);
-    }
-    for orbit in scene.world.query_mut::<&mut Orbit>() {
-        (orbit.azimuth, orbit.zoom) = (30.0, 2);
-    }
+    let spin = Spin {
+        degrees: 77,
+        on: true,
+    };
+    let orbit = Orbit {
+        azimuth: 30.0,
+        zoom: 0.8,
+        ..Orbit::default()
+    };
+    overwrite(&mut scene.world, &spin);
+    overwrite(&mut scene.world, &orbit);
+    overwrite(&mut scene.world, &ShadingMode::Phong);
     let drawn = |scene: &mut Scene| {
-        let view = View {
-            viewpoint: scene.viewpoint(0),
-            ..ahead(Projection::Perspective, [60, 40])
-        };
+        let view = View::of(&scene.world, [60, 40]).with_tolerance(0.0);
         let mut frame = empty_frame();
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
         let truth = reference::picture(&scene.world, &view, 0..40, &|| false, &|_| ());

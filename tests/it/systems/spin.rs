@@ -1,23 +1,22 @@
-//! Transforms and spins in, places in the world out.
+//! Where cuboids stand once they have turned.
 
 use glam::{DMat3, DQuat, DVec3, dvec3};
 use hecs::World;
-use shadetrade::components::{Projection, Spin, Transform, WorldTransform};
+use shadetrade::components::{Projection, Transform, View, WorldTransform};
 use shadetrade::systems::spin;
 
-use super::{ahead, at, empty_frame, read};
+use super::{ahead, at, empty_frame, place, read};
 use crate::support::random::Random;
 
 /// The place of a cuboid that has turned by so many degrees, and the transform that is left.
 fn run(transform: Transform, degrees: u32) -> (WorldTransform, Transform) {
     let mut world = World::new();
-    let spin = Spin { degrees, on: false };
-    let cuboid = world.spawn((transform, spin, WorldTransform::default()));
-    spin::run(
-        &mut world,
-        &ahead(Projection::Perspective, [8, 8]),
-        &mut empty_frame(),
-    );
+    let cuboid = world.spawn((transform, WorldTransform::default()));
+    let view = View {
+        turned: degrees,
+        ..ahead(Projection::Perspective, [8, 8])
+    };
+    spin::run(&mut world, &view, &mut empty_frame());
     (read(&world, cuboid), read(&world, cuboid))
 }
 
@@ -67,4 +66,17 @@ fn a_spin_is_a_rotation_about_x_before_the_scene_s_own() {
             "{transform:?} by {degrees}"
         );
     }
+}
+
+#[test]
+fn what_lacks_a_transform_or_a_place_is_left_alone() {
+    let mut world = World::new();
+    let placed = place(at(DVec3::ONE));
+    let without_transform = world.spawn((placed,));
+    let without_place = world.spawn((at(DVec3::Y),));
+    let view = ahead(Projection::Perspective, [8, 8]);
+    spin::run(&mut world, &view, &mut empty_frame());
+    assert_eq!(read::<WorldTransform>(&world, without_transform), placed);
+    assert_eq!(read::<Transform>(&world, without_place), at(DVec3::Y));
+    assert!(!world.satisfies::<&WorldTransform>(without_place));
 }

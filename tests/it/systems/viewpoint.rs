@@ -1,8 +1,11 @@
-//! Cameras and their orbits in, the lens that a frame is seen through out.
+//! What the viewer asks for, cameras and their orbits, and the lens that a frame is seen through.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
-use shadetrade::components::{ActiveCamera, Lens, Orbit, Projection, View};
+use shadetrade::components::{
+    Background, Camera, Lens, Limits, Orbit, Projection, ShadingMode, Spin, Tolerance, View,
+    active_camera, names, overwrite,
+};
 use shadetrade::scene::Scene;
 use shadetrade::systems::viewpoint;
 
@@ -40,15 +43,12 @@ height = 20.0
 
 /// The lens of the scene's active camera once it was moved.
 fn moved(scene: &Scene, orbit: Orbit) -> Lens {
-    let camera = scene.cameras[scene.active_camera()];
+    let camera = active_camera(&scene.world);
     *scene
         .world
         .get::<&mut Orbit>(camera)
         .expect("a camera has one") = orbit;
-    run(&View {
-        viewpoint: scene.viewpoint(scene.active_camera()),
-        ..ahead(Projection::Perspective, [300, 200])
-    })
+    run(&View::of(&scene.world, [300, 200]))
 }
 
 #[test]
@@ -94,10 +94,10 @@ fn an_orbit_of_ninety_degrees_looks_from_the_right() {
 }
 
 #[test]
-fn two_steps_of_zoom_come_closer_by_a_tenth_twice() {
+fn zoom_is_a_factor_of_the_distance() {
     let scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
     let orbit = Orbit {
-        zoom: 2,
+        zoom: 1.0 / 1.21,
         ..Orbit::default()
     };
     let expected = dvec3(0.0, 0.0, 10.0 / 1.21);
@@ -111,14 +111,93 @@ fn one_camera_is_active_and_only_its_orbit_counts() {
         elevation: 45.0,
         ..Orbit::default()
     };
-    for camera in [0, 1, 1, 0, 1] {
-        scene.look_from(camera);
-        assert_eq!(scene.active_camera(), camera);
-        let mut active = scene.world.query::<&ActiveCamera>();
-        assert_eq!(active.iter().count(), 1);
-    }
+    let seen_from = |scene: &Scene| View::of(&scene.world, [3, 2]).viewpoint.position;
+    assert_eq!(seen_from(&scene), DVec3::Z * 10.0);
+    scene.look_from("right").expect("it is there");
+    assert_eq!(seen_from(&scene), DVec3::X * 10.0);
     moved(&scene, orbit);
-    scene.look_from(0);
-    assert_eq!(scene.viewpoint(0).position, DVec3::Z * 10.0);
-    assert_ne!(scene.viewpoint(1).position, DVec3::X * 10.0);
+    assert_ne!(seen_from(&scene), DVec3::X * 10.0);
+    scene.look_from("left").expect_err("there is none");
+    scene.look_from("front").expect("it is there");
+    assert_eq!(seen_from(&scene), DVec3::Z * 10.0);
+}
+
+#[test]
+fn where_the_active_camera_is_gone_the_first_is_looked_through() {
+    let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
+    scene.look_from("right").expect("it is there");
+    let active = active_camera(&scene.world);
+    scene.world.despawn(active).expect("it is there");
+    assert_eq!(names::<Camera>(&scene.world), ["front"]);
+    let view = View::of(&scene.world, [3, 2]);
+    assert_eq!(view.viewpoint.position, DVec3::Z * 10.0);
+}
+
+#[test]
+fn a_view_is_what_the_viewer_asks_for() {
+    let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
+    let view = View::of(&scene.world, [3, 2]);
+    assert_eq!(
+        (view.size, view.projection),
+        ([3, 2], Projection::Perspective)
+    );
+    assert_eq!((view.tolerance, view.turned), (0.5, 0));
+    assert_eq!((view.background, view.shading), (DVec3::ZERO, None));
+
+    let spin = Spin {
+        degrees: 7,
+        on: true,
+    };
+    let world = &mut scene.world;
+    overwrite(world, &Projection::Orthographic);
+    overwrite(world, &Tolerance(0.25));
+    overwrite(world, &spin);
+    overwrite(world, &Background(DVec3::ONE));
+    let view = View::of(world, [30, 20]);
+    assert_eq!(
+        (view.size, view.projection),
+        ([30, 20], Projection::Orthographic)
+    );
+    assert_eq!((view.tolerance, view.turned), (0.25, 7));
+    assert_eq!(view.background, DVec3::ONE);
+}
+
+#[test]
+fn a_view_s_mode_stands_in_for_every_cuboid_s_own() {
+    let view = ahead(Projection::Perspective, [3, 2]);
+    for own in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        assert_eq!(view.mode(own), own);
+        for mode in [ShadingMode::Gouraud, ShadingMode::UnitVectors] {
+            assert_eq!(view.shaded(mode).mode(own), mode);
+        }
+    }
+    assert_eq!(view.with_tolerance(3.0).tolerance, 3.0);
+}
+
+/// Ten units from a cube of one: the reach of its corner, and thirty times its size.
+#[test]
+fn steps_of_zoom_are_tenths_stop_at_the_limits_and_are_undone_exactly() {
+    let scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
+    let limits = Limits::of(&scene.world);
+    let own = Orbit::default();
+    assert!((own.zoomed(2, &limits).zoom - 1.0 / 1.21).abs() < 1e-15);
+    assert!((own.zoomed(-3, &limits).zoom - 1.331).abs() < 1e-15);
+    for steps in [-7, -1, 0, 1, 2, 19, 23] {
+        let there = own.zoomed(steps, &limits);
+        let back = there.zoomed(-steps, &limits);
+        assert_eq!(back, own, "{steps} steps");
+    }
+    let root = 3.0_f64.sqrt();
+    let ends = [1000, -1000].map(|steps| own.zoomed(steps, &limits).zoom * 10.0);
+    let closest = root / 2.0 * 1.001_002;
+    assert!((closest..closest * 1.1).contains(&ends[0]), "{ends:?}");
+    // The height, twice the distance, ends it.
+    assert!(
+        (15.0 * root / 1.1..=15.0 * root).contains(&ends[1]),
+        "{ends:?}"
+    );
+    // A file may put a camera where keys would not.
+    let outside = Orbit { zoom: 50.0, ..own };
+    assert!(outside.zoomed(1, &limits).zoom < 50.0);
+    assert_eq!(outside.zoomed(-1, &limits).zoom, 50.0);
 }

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use fearless_simd::Level;
 use glam::DVec3;
-use shadetrade::components::{Light, LightKind, ShadingMode, View};
+use shadetrade::components::{Background, Light, LightKind, ShadingMode, View, overwrite};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference;
 use shadetrade::shading::METHODS;
@@ -106,7 +106,7 @@ fn more_threads_change_nothing_but_times() {
 fn the_share_of_the_highlight_depends_neither_on_the_background_nor_on_the_views_tolerance() {
     let kept = |background: f64, tolerance: f64| {
         let mut scene = scene(GREEN, CENTRE, true);
-        scene.background = DVec3::splat(background);
+        overwrite(&mut scene.world, &Background(DVec3::splat(background)));
         let mut request = request(scene, [64, 48], 1);
         request.view.tolerance = tolerance;
         measured(request)

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use fearless_simd::Level;
-use shadetrade::components::Projection;
 use shadetrade::drawing::Drawing;
 use shadetrade::scene::Scene;
 use shadetrade::trade::Request;
@@ -39,10 +38,6 @@ pub fn scene(diffuse: &str, target: &str, lights: bool) -> Scene {
 pub fn request(scene: Scene, size: [usize; 2], threads: usize) -> Request {
     let drawing = Drawing {
         scene,
-        camera: 0,
-        projection: Projection::Perspective,
-        shading: None,
-        tolerance: 0.5,
         size,
         threads,
         level: Level::new(),

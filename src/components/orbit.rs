@@ -1,0 +1,180 @@
+//! A camera's way around its target, and the limits that keep the scene in view.
+//!
+//! No orbit is the scene's own viewpoint bit for bit. Every other one stays short of the poles, which are the camera's `up`
+//! and its opposite, and keeps looking at the target.
+
+use glam::DVec3;
+use hecs::World;
+use serde::Serialize;
+
+use super::{Mesh, Spin, Transform, Viewpoint, active_camera, get, length, unit, viewer};
+
+/// How close to a pole an orbit comes, in degrees, unless the camera's own place is closer.
+const POLE_DISTANCE: f64 = 1.0;
+/// What one step of zoom does to the distance and to the height seen.
+const ZOOM_STEP: f64 = 1.1;
+/// Where the near plane alone would stop it, the camera comes no closer than this part of the scene's size.
+const CLOSEST: f64 = 0.001;
+/// The camera goes no further away than this many times the scene's size, nor sees more than this many times its height.
+const FARTHEST: f64 = 30.0;
+
+/// How far a camera has gone from its own place.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Orbit {
+    /// Degrees about `up`, to the right as seen from the camera, -180..=180.
+    pub azimuth: f64,
+    /// Degrees towards `up`.
+    pub elevation: f64,
+    /// Factor of the distance and of the height seen, > 0; smaller is closer.
+    pub zoom: f64,
+}
+
+impl Default for Orbit {
+    fn default() -> Self {
+        Orbit {
+            azimuth: 0.0,
+            elevation: 0.0,
+            zoom: 1.0,
+        }
+    }
+}
+
+impl Orbit {
+    /// This orbit moved by these degrees to the right and up, as far as the poles allow. `from` is the camera's own place.
+    #[must_use]
+    pub fn moved(self, from: &Viewpoint, azimuth: f64, elevation: f64) -> Self {
+        // A recording may hold any number.
+        let azimuth = self.azimuth + azimuth % 360.0;
+        Orbit {
+            azimuth: if azimuth.abs() > 180.0 {
+                azimuth - 360.0 * (azimuth / 360.0).round()
+            } else {
+                azimuth
+            },
+            elevation: from.elevation_short_of_poles(self.elevation + elevation),
+            ..self
+        }
+    }
+
+    /// This orbit this many steps closer, as far as `limits` allow. As many steps back undo them exactly.
+    #[must_use]
+    pub fn zoomed(self, steps: i32, limits: &Limits) -> Self {
+        let mut place = -self.zoom.ln() / ZOOM_STEP.ln();
+        if (place - place.round()).abs() < 1e-9 {
+            place = place.round();
+        }
+        let mut zoom = self.zoom;
+        for _ in 0..steps.unsigned_abs() {
+            let next = place + f64::from(steps.signum());
+            let factor = ZOOM_STEP.powf(-next);
+            // Back towards the camera's own distance is always allowed, wherever the scene has put it.
+            if next.abs() > place.abs() && !limits.allow(factor) {
+                break;
+            }
+            (place, zoom) = (next, factor);
+        }
+        Orbit { zoom, ..self }
+    }
+}
+
+impl Viewpoint {
+    /// What is seen from where `orbit` moves the camera that stands here.
+    #[must_use]
+    pub fn orbited(&self, orbit: &Orbit) -> Viewpoint {
+        if *orbit == Orbit::default() {
+            return *self;
+        }
+        let mut moved = *self;
+        moved.camera.height *= orbit.zoom;
+        let offset = self.position - self.camera.target;
+        let up = unit(self.camera.up);
+        let right = unit(up.cross(unit(offset)));
+        let outwards = right.cross(up);
+        let (sin_azimuth, cos_azimuth) = orbit.azimuth.to_radians().sin_cos();
+        let elevation = self.own_elevation() + self.elevation_short_of_poles(orbit.elevation);
+        let (sin_elevation, cos_elevation) = elevation.to_radians().sin_cos();
+        let direction =
+            (outwards * cos_azimuth + right * sin_azimuth) * cos_elevation + up * sin_elevation;
+        moved.position = self.camera.target + unit(direction) * (length(offset) * orbit.zoom);
+        moved
+    }
+
+    /// How far above its target the camera stands, in degrees.
+    fn own_elevation(&self) -> f64 {
+        let offset = unit(self.position - self.camera.target);
+        let up = unit(self.camera.up);
+        offset.dot(up).atan2(offset.cross(up).length()).to_degrees()
+    }
+
+    /// `elevation`, in degrees from the camera's own, as far as it stays short of the poles; a camera that stands closer
+    /// to one than an orbit goes keeps its place.
+    pub fn elevation_short_of_poles(&self, elevation: f64) -> f64 {
+        let own = self.own_elevation();
+        let limit = (90.0 - POLE_DISTANCE).max(own.abs());
+        elevation.clamp(-limit - own, limit - own)
+    }
+}
+
+/// How far zooming may go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Eye to target in the scene, world units.
+    distance: f64,
+    /// World units seen vertically in the scene.
+    height: f64,
+    closest: f64,
+    farthest: f64,
+}
+
+impl Limits {
+    /// How far the active camera may zoom.
+    pub fn of(world: &World) -> Self {
+        let from = Viewpoint::own(world, active_camera(world));
+        let spin: Spin = get(world, viewer(world)).unwrap_or_default();
+        let target = from.camera.target;
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        // How far the cuboid around the target reaches from it, 0 where there is none.
+        let mut clearance: f64 = 0.0;
+        let mut cuboids = world.query::<(&Mesh, &Transform)>();
+        for (mesh, transform) in cuboids.iter() {
+            let axes = transform.turned(spin.degrees).axes();
+            let corners = mesh
+                .corners
+                .map(|corner| axes * corner + transform.position);
+            for corner in corners {
+                (low, high) = (low.min(corner), high.max(corner));
+            }
+            let inside = (axes.transpose() * (target - transform.position)).abs();
+            if inside.cmple(mesh.corners[7]).all() {
+                let reach = corners.map(|corner| length(corner - target));
+                clearance = reach.into_iter().fold(clearance, f64::max);
+            }
+        }
+        let size = length(high - low);
+        let distance = length(from.position - target);
+        // A camera that stands closer than the farthest corner is meant to: only the near plane stops it.
+        let clearance = if distance > clearance { clearance } else { 0.0 };
+        let closest = clearance.max(size * CLOSEST);
+        let closest = match from.camera.near {
+            Some(near) => closest + near,
+            // The near plane is a thousandth of the distance away and follows it.
+            None => closest * (distance / (distance - from.near())),
+        };
+        Limits {
+            distance,
+            height: from.camera.height,
+            closest,
+            farthest: size * FARTHEST,
+        }
+    }
+
+    /// Whether a zoom by `factor` keeps the eye between the near plane and thirty times the scene's size.
+    fn allow(&self, factor: f64) -> bool {
+        let distance = self.distance * factor;
+        if factor < 1.0 {
+            distance >= self.closest
+        } else {
+            distance.max(self.height * factor) <= self.farthest
+        }
+    }
+}

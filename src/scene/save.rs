@@ -1,0 +1,231 @@
+//! A record written into the text that it was read from: what differs is set, and all else stays as it was written.
+//!
+//! ```text
+//! text --read--> old record --+
+//!      new record ------------+--> differences --set in the document--> text
+//! ```
+//! A key that the text lacks is added only where its value is another than before, so defaults stay left out.
+
+use serde_json::{Map, Value as Json, json};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
+
+use super::record::SceneRecord;
+use crate::components::Orbit;
+
+/// A record's tables: a key's value is a number, a string, an array, a table, or an array of tables.
+type Tree = Map<String, Json>;
+
+/// `text` changed so that it is read as `record`. A text that is no scene is replaced.
+pub fn updated(text: &str, record: &SceneRecord) -> String {
+    let (old, mut document) = match SceneRecord::read(text) {
+        Ok(old) if old == *record => return text.to_owned(),
+        Ok(old) => (old, text.parse().unwrap_or_default()),
+        Err(_) => (SceneRecord::default(), DocumentMut::new()),
+    };
+    let [mut old, mut new] = [&old, record].map(tree);
+    // A text that names its camera follows that camera's name, even if it is the first.
+    let named = document.get("view").and_then(|view| view.get("camera"));
+    if let Some(name) = named.and_then(Item::as_str) {
+        old["view"]["camera"] = json!(name);
+        new["view"]["camera"] = json!(record.active_camera_name());
+    }
+    for kind in ["cuboid", "light", "camera"] {
+        let [old, new] = [&mut old, &mut new].map(|tree| tables(tree.remove(kind)));
+        amend_list(&mut document, kind, &old, &new);
+    }
+    amend_table(&mut *document, &old, &new);
+    let written = document.to_string();
+    if text.contains("\r\n") {
+        return written.replace("\r\n", "\n").replace('\n', "\r\n");
+    }
+    written.trim_start_matches('\n').to_owned()
+}
+
+fn tree(record: &SceneRecord) -> Tree {
+    match serde_json::to_value(record) {
+        Ok(Json::Object(tree)) => tree,
+        _ => Tree::new(),
+    }
+}
+
+fn tables(list: Option<Json>) -> Vec<Tree> {
+    let Some(Json::Array(tables)) = list else {
+        return Vec::new();
+    };
+    let table = |table| match table {
+        Json::Object(table) => Some(table),
+        _ => None,
+    };
+    tables.into_iter().filter_map(table).collect()
+}
+
+/// Makes the tables of a kind, which are `old`, those of `new`.
+fn amend_list(document: &mut DocumentMut, kind: &str, old: &[Tree], new: &[Tree]) {
+    let list = document
+        .entry(kind)
+        .or_insert_with(|| ArrayOfTables::new().into());
+    let written: Vec<Item> = match &*list {
+        Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
+        inline => inline
+            .as_array()
+            .into_iter()
+            .flatten()
+            .cloned()
+            .map(Item::Value)
+            .collect(),
+    };
+    let amended = new.iter().zip(places(old, new)).map(|(new, place)| {
+        let (mut item, old) = match place {
+            Some(place) => (written[place].clone(), old[place].clone()),
+            None => (headed(), unsaid(kind)),
+        };
+        if let Some(table) = item.as_table_like_mut() {
+            amend_table(table, &old, new);
+        }
+        item
+    });
+    let amended: Vec<Item> = amended.collect();
+    match list {
+        Item::ArrayOfTables(tables) => {
+            tables.clear();
+            tables.extend(
+                amended
+                    .into_iter()
+                    .filter_map(|item| item.into_table().ok()),
+            );
+        }
+        inline => {
+            if let Some(array) = inline.as_array_mut() {
+                array.clear();
+                for value in amended
+                    .into_iter()
+                    .filter_map(|item| item.into_value().ok())
+                {
+                    array.push_formatted(value);
+                }
+            }
+        }
+    }
+}
+
+/// An empty table under a header, after an empty line.
+fn headed() -> Item {
+    let mut table = Table::new();
+    table.decor_mut().set_prefix("\n");
+    Item::Table(table)
+}
+
+/// What a new table of a kind need not say.
+fn unsaid(kind: &str) -> Tree {
+    let mut unsaid = Tree::new();
+    if kind == "camera" {
+        unsaid.insert("orbit".to_owned(), json!(Orbit::default()));
+    }
+    unsaid
+}
+
+/// Which old table each new one was: that of its name, else the next one whose name is gone. `None` is a new one.
+fn places(old: &[Tree], new: &[Tree]) -> Vec<Option<usize>> {
+    let find = |table: &Tree| old.iter().position(|other| other["name"] == table["name"]);
+    let mut named: Vec<_> = new.iter().map(find).collect();
+    // Tables stay in the text's order: where names have changed places, places alone count.
+    if !named.iter().flatten().is_sorted() {
+        named.fill(None);
+    }
+    let mut next = 0;
+    let mut places = Vec::with_capacity(new.len());
+    for place in &named {
+        let is_free = next < old.len() && !named.contains(&Some(next));
+        let place = place.or(is_free.then_some(next));
+        next = place.map_or(next, |place| place + 1);
+        places.push(place);
+    }
+    places
+}
+
+/// Makes a table, which says `old`, say `new`.
+fn amend_table(table: &mut dyn TableLike, old: &Tree, new: &Tree) {
+    for (key, value) in new {
+        let before = old.get(key).unwrap_or(&Json::Null);
+        if before == value {
+            continue;
+        }
+        match table.get_mut(key) {
+            Some(item) => amend(item, before, value),
+            None => {
+                table.insert(key, created(key, before, value));
+            }
+        }
+    }
+    for key in old.keys().filter(|key| !new.contains_key(*key)) {
+        table.remove(key);
+    }
+}
+
+fn amend(item: &mut Item, old: &Json, new: &Json) {
+    match (item.as_table_like_mut(), old, new) {
+        (Some(table), Json::Object(old), Json::Object(new)) => amend_table(table, old, new),
+        _ => {
+            if let Some(value) = item.as_value_mut() {
+                amend_value(value, old, new);
+            }
+        }
+    }
+}
+
+/// Of an array only the elements that differ.
+fn amend_value(value: &mut Value, old: &Json, new: &Json) {
+    if let (Value::Array(array), Json::Array(old), Json::Array(new)) = (&mut *value, old, new)
+        && old.len() == new.len()
+    {
+        for (element, (old, new)) in array.iter_mut().zip(old.iter().zip(new)) {
+            if old != new {
+                amend_value(element, old, new);
+            }
+        }
+        return;
+    }
+    let decor = value.decor().clone();
+    *value = written(new);
+    *value.decor_mut() = decor;
+}
+
+/// What a key that was not there is set to; a table stands under a header if it is not small.
+fn created(key: &str, old: &Json, new: &Json) -> Item {
+    match (key, new) {
+        ("material" | "view", Json::Object(new)) => {
+            let mut item = headed();
+            if let Some(table) = item.as_table_like_mut() {
+                amend_table(table, old.as_object().unwrap_or(&Tree::new()), new);
+            }
+            item
+        }
+        _ => Item::Value(written(new)),
+    }
+}
+
+fn written(value: &Json) -> Value {
+    let text = toml_text(value);
+    text.parse()
+        .expect("a record holds texts and finite numbers")
+}
+
+/// A value as TOML has it, numbers in the shortest way: 1e100 not with a hundred zeros.
+fn toml_text(value: &Json) -> String {
+    match value {
+        Json::Number(number) if number.is_f64() => {
+            format!("{:?}", number.as_f64().unwrap_or_default())
+        }
+        Json::String(text) => Value::from(text).to_string(),
+        Json::Array(list) => {
+            let list: Vec<String> = list.iter().map(toml_text).collect();
+            format!("[{}]", list.join(", "))
+        }
+        Json::Object(table) => {
+            let pair = |(key, value): (&String, _)| format!("{key} = {}", toml_text(value));
+            let pairs: Vec<String> = table.iter().map(pair).collect();
+            format!("{{ {} }}", pairs.join(", "))
+        }
+        other => other.to_string(),
+    }
+}

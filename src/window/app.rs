@@ -1,0 +1,698 @@
+//! The program behind the window, without a display: events and a size in, pixels and effects out.
+//!
+//! ```text
+//! events --> keys, panels --write--> World --SceneRecord--> changed? --> undo, recording, jobs
+//!                                      |
+//!                                      '--systems--> picture --copied--> pixels <--painted-- egui
+//! ```
+//! The World is the only state of the scene and of how it is looked at. A change is a difference between two
+//! [`SceneRecord`]s, whatever made it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::{CursorIcon, OutputCommand, Rect, ViewportId};
+use fearless_simd::Level;
+use hecs::Component;
+
+use super::comparison::Comparison;
+use super::file::{News, SceneFile};
+use super::history::History;
+use super::jobs::{Answer, Job, Jobs, Order, Probed, State, Task, answer_all};
+use super::pictures::Pictures;
+use crate::components::{
+    Inspector, Probed as ProbedPixel, Show, Side, Spin, Tab, View, ViewMode, get, viewer,
+};
+use crate::drawing::Drawing;
+use crate::memory::OutOfMemory;
+use crate::output::{encode_png, write_numbered};
+use crate::paint::{Painter, area};
+use crate::prove::Proof;
+use crate::requires::{Part, PartChange};
+use crate::scene::{Scene, SceneRecord, ViewRecord};
+use crate::trade::Report;
+
+/// The time without a change after which the picture is timed and compared.
+const REST: Duration = Duration::from_millis(100);
+/// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
+const DEGREE: Duration = Duration::from_millis(30);
+/// The time for which a message stands: at least this, and this long for each letter.
+const MESSAGE: Duration = Duration::from_secs(3);
+const LETTER: Duration = Duration::from_millis(60);
+/// How often the progress of a job is shown.
+const PROGRESS: Duration = Duration::from_millis(200);
+
+/// The answers about the present picture, as far as they are known.
+#[derive(Default)]
+pub struct Facts {
+    pub probe: Job<Box<Probed>>,
+    /// The picture without the part that is left out.
+    pub without: Job<Vec<u32>>,
+    pub comparison: Job<Box<Comparison>>,
+    pub proof: Job<Box<Proof>>,
+    pub required: Job<Vec<PartChange>>,
+    pub report: Job<Box<Report>>,
+}
+
+/// A message in the status line.
+pub struct Message {
+    pub text: String,
+    /// When it goes; an error stays until it is mended.
+    pub until: Option<Duration>,
+    /// A text to copy.
+    pub copy: Option<String>,
+}
+
+/// The state of the window that is not the scene's: nothing of it changes the picture that is judged.
+#[derive(Default)]
+pub struct Desk {
+    pub help: bool,
+    pub panel_folded: bool,
+    /// The panel and the inspector are open over the picture, where there is no room beside it.
+    pub over: [bool; 2],
+    /// Exact Phong is shown while a key is held.
+    pub shows_exact: bool,
+    pub left_out: Option<Part>,
+    /// The window, or the picture alone, is to be written into a file.
+    pub screenshot: Option<bool>,
+    pub measures: bool,
+    /// Asks whether to save before the program ends.
+    pub asks_to_save: bool,
+    pub message: Option<Message>,
+    /// The error in the scene's file.
+    pub file_error: Option<String>,
+    /// The kind and the name of the entity that the scene's tab shows.
+    pub selected: Option<(super::inspector::Kind, String)>,
+    pub grab: super::viewport::Grab,
+    /// The files that were opened last.
+    pub recent: Vec<PathBuf>,
+    /// The field of the scene's path.
+    pub path: String,
+}
+
+/// Everything but the display.
+pub struct App {
+    pub scene: Scene,
+    pub facts: Facts,
+    pub desk: Desk,
+    pub pictures: Pictures,
+    pub history: History,
+    pub file: SceneFile,
+    /// The World as it was last written down.
+    pub state: Arc<SceneRecord>,
+    /// The place of the picture, in points.
+    pub place: Rect,
+    /// Files without a path of their own are written here.
+    pub folder: PathBuf,
+    /// Whether times are shown; they are the machine's, and differ from run to run.
+    pub shows_times: bool,
+    pub now: Duration,
+    pub quits: bool,
+    painter: Painter,
+    pixels: Vec<u32>,
+    jobs: Option<Jobs>,
+    ordered: Vec<Task>,
+    level: Level,
+    threads: usize,
+    /// When the picture last changed, until its frames are timed.
+    untimed: Option<Duration>,
+    next_degree: Duration,
+    next_progress: Duration,
+    drawn: Option<(Arc<SceneRecord>, [usize; 2])>,
+}
+
+/// The part of a step that the window system carries out.
+pub struct Output {
+    pub title: String,
+    pub cursor: CursorIcon,
+    /// A text for the clipboard.
+    pub copied: Option<String>,
+    /// The time after which a step is wanted though nothing happens.
+    pub repaint_after: Duration,
+}
+
+impl App {
+    /// Starts with `drawing`. Without background jobs, questions about the picture are answered at once.
+    ///
+    /// # Errors
+    /// When the system gives no threads.
+    pub fn new(drawing: Drawing, has_jobs: bool) -> anyhow::Result<Self> {
+        let (level, threads) = (drawing.level, drawing.threads);
+        let workers = drawing.workers()?;
+        let jobs = has_jobs.then(|| Jobs::start(level)).transpose()?;
+        let scene = drawing.scene;
+        let state = Arc::new(SceneRecord::of(&scene.world));
+        let painter = Painter::default();
+        super::style::apply(&painter.context);
+        Ok(App {
+            history: History::new(&state),
+            file: SceneFile::of(&scene),
+            scene,
+            state,
+            facts: Facts::default(),
+            desk: Desk::default(),
+            pictures: Pictures::new(workers),
+            place: Rect::ZERO,
+            folder: PathBuf::from("."),
+            shows_times: true,
+            now: Duration::ZERO,
+            quits: false,
+            painter,
+            pixels: Vec::new(),
+            jobs,
+            ordered: Vec::new(),
+            level,
+            threads,
+            untimed: None,
+            next_degree: Duration::ZERO,
+            next_progress: Duration::ZERO,
+            drawn: None,
+        })
+    }
+
+    /// A component of the viewer.
+    pub fn look<C: Component + Clone + Default>(&self) -> C {
+        let world = &self.scene.world;
+        get(world, viewer(world)).unwrap_or_default()
+    }
+
+    /// Overwrites a component of the viewer.
+    pub fn set_look<C: Component>(&mut self, component: C) {
+        let viewer = viewer(&self.scene.world);
+        // A scene's viewer is never despawned.
+        let _ = self.scene.world.insert_one(viewer, component);
+    }
+
+    /// Pixels of the window in a point of egui.
+    pub fn scale(&self) -> f32 {
+        self.painter.context.pixels_per_point()
+    }
+
+    /// Width and height of the picture in pixels.
+    pub fn picture_size(&self) -> [usize; 2] {
+        let size = self.place.size() * self.scale();
+        [size.x, size.y].map(|side| (side.round() as usize).max(1))
+    }
+
+    /// The view that is drawn.
+    pub fn view(&self) -> View {
+        View::of(&self.scene.world, self.picture_size())
+    }
+
+    /// The pixels of the window as of the last step, row by row from the top.
+    pub fn pixels(&self) -> &[u32] {
+        &self.pixels
+    }
+
+    /// Takes the answers of the jobs; whether the window shows something new by them.
+    pub fn receive(&mut self, now: Duration) -> bool {
+        let answers = self.jobs.as_ref().map_or_else(Vec::new, Jobs::answers);
+        let mut is_new = false;
+        for answer in answers {
+            // Laying out takes time from what is measured.
+            let is_progress = matches!(answer, Answer::Progress(..));
+            is_new |= !is_progress || now >= self.next_progress;
+            self.take(answer);
+        }
+        if is_new {
+            self.next_progress = now + PROGRESS;
+        }
+        is_new
+    }
+
+    /// Lets the events of `input` happen, in pixels of a window of `size`, and draws what is seen then.
+    ///
+    /// # Errors
+    /// When the picture does not fit in memory.
+    pub fn step(
+        &mut self,
+        now: Duration,
+        size: [usize; 2],
+        mut input: egui::RawInput,
+    ) -> anyhow::Result<Output> {
+        self.now = now;
+        self.receive(now);
+        self.spin_on();
+        if let Some(news) = self.file.look(now) {
+            self.take_news(news);
+        }
+        input.time = Some(now.as_secs_f64());
+        let screen = area(size) / self.scale();
+        input.screen_rect = Some(screen);
+        let context = self.painter.context.clone();
+        let mut output = context.run_ui(input, |ui| self.ui(ui));
+        self.note_changes();
+        self.draw()?;
+        self.order_jobs()?;
+        self.copy_picture(size);
+        let platform = std::mem::take(&mut output.platform_output);
+        let viewport = output.viewport_output.get(&ViewportId::ROOT);
+        let mut repaint_after = viewport.map_or(Duration::MAX, |it| it.repaint_delay);
+        self.painter.paint(output, &mut self.pixels, size);
+        if let Some(window) = self.desk.screenshot.take() {
+            self.screenshot(window, size);
+            repaint_after = Duration::ZERO;
+        }
+        if self.untimed.is_some() {
+            repaint_after = repaint_after.min(REST);
+        }
+        if self.look::<Spin>().on {
+            repaint_after = repaint_after.min(self.next_degree.saturating_sub(self.now));
+        }
+        if self.file.path.is_some() {
+            repaint_after = repaint_after.min(Duration::from_millis(200));
+        }
+        let copied = platform
+            .commands
+            .into_iter()
+            .filter_map(|command| match command {
+                OutputCommand::CopyText(text) => Some(text),
+                _ => None,
+            });
+        Ok(Output {
+            title: self.title(),
+            cursor: platform.cursor_icon,
+            copied: copied.last(),
+            repaint_after,
+        })
+    }
+
+    /// Shows a message for as long as it takes to read.
+    pub fn say(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        let time = MESSAGE.max(LETTER * text.chars().count() as u32);
+        self.desk.message = Some(Message {
+            text,
+            until: Some(self.now + time),
+            copy: None,
+        });
+    }
+
+    /// Whether the scene was edited since it was saved. Switching lights and modes and moving the camera is looking.
+    pub fn is_edited(&self) -> bool {
+        let edits = |record: &SceneRecord| {
+            let mut record = record.clone();
+            record.view = Default::default();
+            record.light.iter_mut().for_each(|light| light.on = true);
+            record
+                .cuboid
+                .iter_mut()
+                .for_each(|cuboid| cuboid.shading = Default::default());
+            record
+                .camera
+                .iter_mut()
+                .for_each(|camera| camera.orbit = Default::default());
+            record
+        };
+        self.state != self.file.saved && edits(&self.state) != edits(&self.file.saved)
+    }
+
+    fn title(&self) -> String {
+        let star = if self.is_edited() { "*" } else { "" };
+        format!("{}{star} - shadetrade", self.scene.name)
+    }
+
+    /// Puts the World into another state.
+    pub fn restore(&mut self, record: &SceneRecord) {
+        self.scene.world = record.spawn();
+    }
+
+    /// Shows another scene in place of this one.
+    pub fn open(&mut self, scene: Scene) {
+        if let Some(path) = &scene.path {
+            self.desk.recent.retain(|recent| recent != path);
+            self.desk.recent.insert(0, path.clone());
+            self.desk.recent.truncate(10);
+        }
+        self.file = SceneFile::of(&scene);
+        self.scene = scene;
+        self.state = Arc::new(SceneRecord::of(&self.scene.world));
+        self.history = History::new(&self.state);
+        self.facts = Facts::default();
+        self.desk.left_out = None;
+        self.desk.selected = None;
+        self.desk.file_error = None;
+        self.picture_changed();
+    }
+
+    /// Notes the difference that keys and widgets made.
+    fn note_changes(&mut self) {
+        let record = SceneRecord::of(&self.scene.world);
+        if record == *self.state {
+            return self.history.feed(self.now, &self.state);
+        }
+        if let Err(reason) = record.check() {
+            self.restore(&Arc::clone(&self.state));
+            return self.say(reason.to_string());
+        }
+        let (before, after) = (Arc::clone(&self.state), Arc::new(record));
+        if is_another_picture(&before, &after) {
+            self.picture_changed();
+        } else if before.view.pixel != after.view.pixel {
+            self.facts.probe.state = State::Idle;
+        }
+        self.history.note(self.now, &before, &after);
+        self.state = after;
+    }
+
+    fn picture_changed(&mut self) {
+        if let Some(jobs) = &self.jobs {
+            jobs.cancel();
+        }
+        self.ordered.clear();
+        let facts = &mut self.facts;
+        for state in [
+            &mut facts.probe.state,
+            &mut facts.without.state,
+            &mut facts.comparison.state,
+            &mut facts.proof.state,
+            &mut facts.required.state,
+            &mut facts.report.state,
+        ] {
+            *state = State::Idle;
+        }
+        self.desk.measures = false;
+    }
+
+    /// Draws the pictures if the state or their size is another one, and times them once they rest.
+    fn draw(&mut self) -> Result<(), OutOfMemory> {
+        let (show, view): (Show, View) = (self.look(), self.view());
+        let size = view.size;
+        let is_drawn = self
+            .drawn
+            .as_ref()
+            .is_some_and(|(state, drawn)| Arc::ptr_eq(state, &self.state) && *drawn == size);
+        if !is_drawn {
+            if self.drawn.as_ref().is_some_and(|(_, drawn)| *drawn != size) {
+                self.picture_changed();
+            }
+            self.pictures.draw(&mut self.scene.world, &show, &view)?;
+            self.drawn = Some((Arc::clone(&self.state), size));
+            self.untimed = Some(self.now);
+        } else if self.shows_times
+            && self
+                .untimed
+                .take_if(|since| self.now >= *since + REST)
+                .is_some()
+        {
+            self.pictures.time(&mut self.scene.world, &show, &view)?;
+            self.painter.context.request_repaint();
+        }
+        Ok(())
+    }
+
+    /// Copies the picture into its place in the window, magnified.
+    fn copy_picture(&mut self, [width, height]: [usize; 2]) {
+        self.pixels.clear();
+        self.pixels.resize(width * height, 0);
+        let show: Show = self.look();
+        let [columns, rows] = self.pictures.size();
+        let [exact, error_map] = [
+            self.facts.comparison.current(),
+            self.facts.comparison.current(),
+        ];
+        let exact = exact.map(|it| it.exact.as_slice());
+        let error_map = error_map.map(|it| it.error_map.as_slice());
+        let shown = if self.desk.left_out.is_some() {
+            let without = self.facts.without.current().map(Vec::as_slice);
+            super::pictures::or_dimmed(without, self.pictures.frame())
+        } else if self.desk.shows_exact {
+            super::pictures::or_dimmed(exact, self.pictures.frame())
+        } else {
+            self.pictures.shown(&show, exact, error_map)
+        };
+        let magnifier = self
+            .look::<crate::components::Magnifier>()
+            .within([columns, rows]);
+        let corner = self.place.min * self.scale();
+        let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
+        let lines = self.pixels.chunks_exact_mut(width).skip(top).take(rows);
+        for (y, line) in lines.enumerate() {
+            let [x, y] = magnifier.pixel([0, y as i32]);
+            let drawn = &shown[y * columns..][x..columns];
+            let line = &mut line[left.min(width)..width.min(left + columns)];
+            if magnifier.scale == 1 {
+                // Squares of one pixel are slow to fill.
+                let count = line.len().min(drawn.len());
+                line[..count].copy_from_slice(&drawn[..count]);
+                continue;
+            }
+            let squares = line.chunks_mut(magnifier.scale);
+            squares
+                .zip(drawn)
+                .for_each(|(square, pixel)| square.fill(*pixel));
+        }
+    }
+
+    /// The questions whose answers the window shows and does not have, in the order of their worth.
+    fn tasks(&self) -> Vec<Task> {
+        let facts = &self.facts;
+        let (show, tab): (Show, Option<Tab>) = (self.look(), self.look::<Inspector>().0);
+        let is_live = self.jobs.is_some();
+        let shows_reference = show.mode == ViewMode::Error
+            || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference)
+            || self.desk.shows_exact;
+        let probed = self.look::<ProbedPixel>().0;
+        let probed =
+            probed.filter(|pixel| (0..2).all(|axis| pixel[axis] < self.pictures.size()[axis]));
+        let probe = probed
+            .map(Task::Probe)
+            .filter(|_| facts.probe.state == State::Idle);
+        let left_out = self
+            .desk
+            .left_out
+            .filter(|_| facts.without.state == State::Idle);
+        let wants =
+            |task, wanted: bool, state: &State| (wanted && *state == State::Idle).then_some(task);
+        [
+            probe,
+            left_out.map(Task::LeaveOut),
+            wants(
+                Task::Compare,
+                is_live || shows_reference,
+                &facts.comparison.state,
+            ),
+            wants(
+                Task::Prove,
+                is_live || tab == Some(Tab::Proof),
+                &facts.proof.state,
+            ),
+            wants(
+                Task::Require,
+                tab == Some(Tab::Required),
+                &facts.required.state,
+            ),
+            wants(
+                Task::Measure,
+                is_live && self.desk.measures,
+                &facts.report.state,
+            ),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    /// Asks the open questions once the picture rests, or at once where there are no background jobs.
+    fn order_jobs(&mut self) -> anyhow::Result<()> {
+        let tasks = self.tasks();
+        let is_known = tasks.iter().all(|task| self.ordered.contains(task));
+        if is_known || self.jobs.is_some() && self.untimed.is_some() {
+            return Ok(());
+        }
+        let order = Order {
+            name: self.scene.name.clone(),
+            record: Arc::clone(&self.state),
+            size: self.picture_size(),
+            threads: self.threads,
+            tasks: tasks.clone(),
+        };
+        if let Some(jobs) = &mut self.jobs {
+            self.ordered = tasks;
+            jobs.submit(order);
+            return Ok(());
+        }
+        let (tell, answers) = std::sync::mpsc::channel();
+        answer_all(&order, self.level, &|| false, &|answer| {
+            drop(tell.send(answer))
+        });
+        answers.try_iter().for_each(|answer| self.take(answer));
+        self.painter.context.request_repaint();
+        Ok(())
+    }
+
+    fn take(&mut self, answer: Answer) {
+        let facts = &mut self.facts;
+        match answer {
+            Answer::Probe(probed) => {
+                if let Some(object) = &probed.probe.object {
+                    self.desk.selected = Some((super::inspector::Kind::Cuboid, object.clone()));
+                }
+                facts.probe.finish(probed);
+            }
+            Answer::LeaveOut(picture) => facts.without.finish(picture),
+            Answer::Compare(comparison) => facts.comparison.finish(comparison),
+            Answer::Prove(proof) => {
+                if let Some(comparison) = &mut facts.comparison.value {
+                    comparison.mark(&proof);
+                }
+                facts.proof.finish(proof);
+            }
+            Answer::Require(parts) => facts.required.finish(parts),
+            Answer::Measure(report) => facts.report.finish(report),
+            Answer::Progress(task, share) => *facts.state_of(task) = State::Running(share),
+            Answer::Failed(task, reason) => {
+                *facts.state_of(task) = State::Failed(reason.clone());
+                self.say(reason);
+            }
+        }
+    }
+
+    fn take_news(&mut self, news: News) {
+        match news {
+            News::Read(scene) => self.reload(*scene),
+            News::Wrong(error) => self.desk.file_error = Some(error),
+            News::Deleted => {
+                self.desk.file_error =
+                    Some(format!("{} was deleted; the scene stays", self.scene.name))
+            }
+        }
+    }
+
+    /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
+    fn reload(&mut self, scene: Scene) {
+        let mut record = SceneRecord::of(&scene.world);
+        let saved = Arc::clone(&self.file.saved);
+        let had_edits = self.is_edited();
+        if record.view == saved.view {
+            let has_camera = record
+                .camera
+                .iter()
+                .any(|it| Some(&it.name) == self.state.view.camera.as_ref());
+            let camera = record.view.camera.clone();
+            record.view = self.state.view.clone();
+            if !has_camera {
+                record.view.camera = camera;
+            }
+        }
+        for camera in &mut record.camera {
+            let named = |records: &SceneRecord| {
+                records
+                    .camera
+                    .iter()
+                    .find(|it| it.name == camera.name)
+                    .map(|it| it.orbit)
+            };
+            if named(&saved) == Some(camera.orbit) {
+                camera.orbit = named(&self.state).unwrap_or(camera.orbit);
+            }
+        }
+        self.file = SceneFile::of(&scene);
+        self.restore(&record);
+        self.desk.file_error = None;
+        self.say(if had_edits {
+            "read the file again; Ctrl Z brings your edits back"
+        } else {
+            "read the file again"
+        });
+    }
+
+    fn spin_on(&mut self) {
+        let mut spin: Spin = self.look();
+        let Some(late) = self.now.checked_sub(self.next_degree).filter(|_| spin.on) else {
+            return;
+        };
+        let degrees = 1 + (late.as_millis() / DEGREE.as_millis()) as u32;
+        self.next_degree += DEGREE * degrees;
+        spin.degrees = (spin.degrees + degrees) % 360;
+        self.set_look(spin);
+    }
+
+    /// Starts and stops the rotation.
+    pub fn rotate(&mut self) {
+        let spin: Spin = self.look();
+        self.next_degree = self.now + DEGREE;
+        self.set_look(Spin {
+            on: !spin.on,
+            ..spin
+        });
+    }
+
+    /// Saves the scene and says where, or why not.
+    pub fn save(&mut self, new: bool) -> bool {
+        let record = Arc::clone(&self.state);
+        match self.file.save(&record, &self.folder.clone(), new) {
+            Ok(path) => {
+                self.scene.name = path.to_string_lossy().into_owned();
+                self.scene.path = Some(path.clone());
+                let [width, height] = self.picture_size();
+                let path = crate::output::quoted(&path.to_string_lossy());
+                self.say(format!("saved {path}"));
+                if let Some(message) = &mut self.desk.message {
+                    message.copy = Some(format!(
+                        "shadetrade render {path} --size {width}x{height} -o picture.png"
+                    ));
+                }
+                true
+            }
+            Err(error) => {
+                self.say(format!("not saved: {error:#}"));
+                false
+            }
+        }
+    }
+
+    /// Writes edits that nobody saved into a file of their own, which is returned.
+    pub fn rescue(&self) -> Option<std::io::Result<PathBuf>> {
+        self.is_edited()
+            .then(|| self.file.rescue(&self.state, &self.folder))
+    }
+
+    /// Writes the window as it was last seen, or the picture alone, into a new PNG file.
+    fn screenshot(&mut self, window: bool, size: [usize; 2]) {
+        let folder: &Path = &self.folder;
+        let name = |number| format!("shadetrade-{number:03}.png");
+        let (pixels, size) = if window {
+            (self.pixels.as_slice(), size)
+        } else {
+            (self.pictures.frame(), self.pictures.size())
+        };
+        match write_numbered(folder, name, |writer| encode_png(writer, pixels, size)) {
+            Ok(path) => self.say(format!("saved {}", path.display())),
+            Err(error) => self.say(format!("no picture saved: {error}")),
+        }
+    }
+}
+
+impl Facts {
+    fn state_of(&mut self, task: Task) -> &mut State {
+        match task {
+            Task::Probe(_) => &mut self.probe.state,
+            Task::LeaveOut(_) => &mut self.without.state,
+            Task::Compare => &mut self.comparison.state,
+            Task::Prove => &mut self.proof.state,
+            Task::Require => &mut self.required.state,
+            Task::Measure => &mut self.report.state,
+        }
+    }
+}
+
+/// Whether two states differ in more than in what is shown of the picture.
+fn is_another_picture(before: &SceneRecord, after: &SceneRecord) -> bool {
+    let picture = |record: &SceneRecord| {
+        let view = &record.view;
+        ViewRecord {
+            camera: view.camera.clone(),
+            projection: view.projection,
+            tolerance: view.tolerance,
+            turned: view.turned,
+            ..ViewRecord::default()
+        }
+    };
+    picture(before) != picture(after)
+        || before.background != after.background
+        || before.cuboid != after.cuboid
+        || before.light != after.light
+        || before.camera != after.camera
+}

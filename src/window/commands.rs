@@ -1,0 +1,270 @@
+//! Keys and the commands that they call up. A command writes components of the World, or the state of the window alone.
+
+use egui::{Event, Key, Ui};
+
+use super::app::App;
+use super::keys::{self, Command, TOLERANCES, gouraud_phong};
+use crate::components::{
+    ActiveCamera, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
+    ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, get, names, ordered,
+};
+
+impl App {
+    /// Runs the commands of the keys that were pressed, unless a text field has the focus.
+    pub fn take_keys(&mut self, ui: &Ui) {
+        let has_field = ui.ctx().text_edit_focused();
+        let events = ui.input(|input| input.events.clone());
+        for event in events {
+            let Event::Key {
+                key,
+                pressed,
+                repeat,
+                modifiers,
+                ..
+            } = event
+            else {
+                continue;
+            };
+            let command = keys::command(key, modifiers);
+            if command == Some(Command::ShowExact) {
+                self.desk.shows_exact = pressed && !has_field;
+            }
+            let Some(command) = command.filter(|_| pressed) else {
+                continue;
+            };
+            let works_in_fields =
+                matches!(command, Command::Save | Command::SaveAs) || is_function(key);
+            if (!has_field || works_in_fields) && (!repeat || goes_on(command)) {
+                self.run(command);
+            }
+        }
+    }
+
+    /// Runs a command; one that cannot be run says so.
+    pub fn run(&mut self, command: Command) {
+        match command {
+            Command::Light(index) => match ordered::<Light>(&self.scene.world).get(index) {
+                Some(light) => self.switch_light(*light),
+                None => self.say(format!("there is no light {}", index + 1)),
+            },
+            Command::LightNamed(name) => {
+                let names = names::<Light>(&self.scene.world);
+                match names.iter().position(|own| own == name) {
+                    Some(index) => self.run(Command::Light(index)),
+                    None => self.say(format!("no light is named {name}")),
+                }
+            }
+            Command::Shading(mode) => self.shade(mode),
+            Command::FileShading => self.shade_as_file(),
+            Command::Tolerance(steps) => self.step_tolerance(steps),
+            Command::NextProjection => {
+                let next = match self.look() {
+                    Projection::Perspective => Projection::Orthographic,
+                    Projection::Orthographic => Projection::Perspective,
+                };
+                self.set_look(next);
+            }
+            Command::NextCamera => self.next_camera(),
+            Command::View(ViewMode::Wipe) => {
+                let Tolerance(tolerance) = self.look();
+                self.wipe(gouraud_phong(tolerance));
+            }
+            Command::View(mode) => {
+                let show: Show = self.look();
+                self.set_look(Show { mode, ..show });
+            }
+            Command::WipeExact => self.wipe([Side::Picture, Side::Reference]),
+            Command::Magnify(steps) => self.magnify(steps, None),
+            Command::ShowExact => {}
+            Command::Measure => self.measure(),
+            Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
+            Command::Zoom(steps) => self.zoom(steps),
+            Command::ResetView => {
+                self.set_look(Spin {
+                    degrees: 0,
+                    ..self.look()
+                });
+                self.set_look(Magnifier::default());
+                self.set_orbit(Orbit::default());
+            }
+            Command::Rotate => self.rotate(),
+            Command::Tab(tab) => {
+                let Inspector(open) = self.look();
+                let is_open = open == Some(tab);
+                self.set_look(Inspector((!is_open).then_some(tab)));
+                self.desk.over[1] = !is_open;
+            }
+            Command::Undo => {
+                let before = self.history.undo(&self.state);
+                self.travel(before, "undo", "nothing to undo");
+            }
+            Command::Redo => {
+                let after = self.history.redo(&self.state);
+                self.travel(after, "redo", "nothing to redo");
+            }
+            Command::Save => drop(self.save(false)),
+            Command::SaveAs => drop(self.save(true)),
+            Command::Panel => {
+                self.desk.panel_folded ^= true;
+                self.desk.over[0] = !self.desk.panel_folded;
+            }
+            Command::Help => self.desk.help ^= true,
+            Command::Screenshot { window } => self.desk.screenshot = Some(window),
+            Command::Close => self.close(),
+            Command::Quit if self.is_edited() => self.desk.asks_to_save = true,
+            Command::Quit => self.quits = true,
+        }
+    }
+
+    fn switch_light(&mut self, light: hecs::Entity) {
+        if let Ok(mut light) = self.scene.world.get::<&mut Light>(light) {
+            light.on = !light.on;
+        }
+    }
+
+    fn shade(&mut self, mode: ShadingMode) {
+        for own in self.scene.world.query_mut::<&mut ShadingMode>() {
+            *own = mode;
+        }
+    }
+
+    fn shade_as_file(&mut self) {
+        for (name, mode) in self.scene.world.query_mut::<(&Name, &mut ShadingMode)>() {
+            let saved = self
+                .file
+                .saved
+                .cuboid
+                .iter()
+                .find(|it| it.name.as_str() == name.0);
+            *mode = saved.map_or(*mode, |saved| saved.shading);
+        }
+    }
+
+    /// The mode of all cuboids; `None` where they differ.
+    pub fn shading(&self) -> Option<ShadingMode> {
+        let mut query = self.scene.world.query::<&ShadingMode>();
+        let mut modes = query.iter();
+        let first = *modes.next()?;
+        modes.all(|mode| *mode == first).then_some(first)
+    }
+
+    /// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.
+    fn step_tolerance(&mut self, steps: i32) {
+        let Tolerance(present) = self.look();
+        let mut tolerances = TOLERANCES.into_iter();
+        let (next, end) = if steps > 0 {
+            (
+                tolerances.find(|next| *next > present),
+                "the keys go no coarser",
+            )
+        } else {
+            (tolerances.rfind(|next| *next < present), "exact already")
+        };
+        match next {
+            Some(next) => self.set_tolerance(next),
+            None => self.say(end),
+        }
+    }
+
+    /// Draws within this many levels. The sides of a wipe that had the tolerance before follow.
+    pub fn set_tolerance(&mut self, levels: f64) {
+        let Tolerance(before) = self.look();
+        let mut show: Show = self.look();
+        for side in &mut show.sides {
+            if let Side::Method { mode, tolerance } = side
+                && *tolerance == before
+                && *mode != ShadingMode::UnitVectors
+            {
+                *tolerance = levels;
+            }
+        }
+        self.set_look(show);
+        self.set_look(Tolerance(levels));
+    }
+
+    fn next_camera(&mut self) {
+        let cameras = ordered::<Camera>(&self.scene.world);
+        if cameras.len() == 1 {
+            return self.say("there is one camera");
+        }
+        let active = active_camera(&self.scene.world);
+        let place = cameras.iter().position(|camera| *camera == active);
+        let next = (place.unwrap_or_default() + 1) % cameras.len();
+        self.set_look(ActiveCamera(cameras[next]));
+    }
+
+    /// Shows a wipe between these sides.
+    pub fn wipe(&mut self, sides: [Side; 2]) {
+        let show: Show = self.look();
+        self.set_look(Show {
+            mode: ViewMode::Wipe,
+            sides,
+            ..show
+        });
+    }
+
+    fn measure(&mut self) {
+        if self.look::<Spin>().on {
+            return self.say("stop the rotation (Space) before measuring");
+        }
+        self.desk.measures ^= true;
+        self.facts.report.state = super::jobs::State::Idle;
+        self.desk.panel_folded = false;
+    }
+
+    fn travel(
+        &mut self,
+        found: Option<(std::sync::Arc<crate::scene::SceneRecord>, String)>,
+        verb: &str,
+        nothing: &str,
+    ) {
+        match found {
+            Some((record, label)) => {
+                self.restore(&record);
+                self.say(format!("{verb}: {label}"));
+            }
+            None => self.say(nothing),
+        }
+    }
+
+    /// Closes the uppermost thing that can be closed.
+    fn close(&mut self) {
+        let probed = self.look::<Probed>().0;
+        if self.desk.asks_to_save {
+            self.desk.asks_to_save = false;
+        } else if self.desk.help {
+            self.desk.help = false;
+        } else if self.desk.over != [false; 2] {
+            self.desk.over = [false; 2];
+        } else if self.desk.left_out.take().is_some() {
+        } else if probed.is_some() {
+            self.set_look(Probed(None));
+        } else if self.look::<Inspector>().0.is_some() {
+            self.set_look(Inspector(None));
+        } else {
+            self.say("Q quits");
+        }
+    }
+
+    /// The name of the camera that is looked through.
+    pub fn camera_name(&self) -> String {
+        let camera = active_camera(&self.scene.world);
+        get(&self.scene.world, camera).map_or_else(String::new, |Name(name)| name)
+    }
+}
+
+/// Whether a command goes on while its key is held.
+fn goes_on(command: Command) -> bool {
+    matches!(
+        command,
+        Command::Orbit(..) | Command::Zoom(_) | Command::Undo | Command::Redo
+    )
+}
+
+/// Whether a text field has no use for a key.
+fn is_function(key: Key) -> bool {
+    matches!(
+        key,
+        Key::F1 | Key::F2 | Key::F3 | Key::F4 | Key::F5 | Key::F6 | Key::F12
+    )
+}

@@ -1,0 +1,140 @@
+//! The file of the scene: it is watched, read again when it changes, and saved with its comments kept.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, SystemTime};
+
+use crate::output::{Output, write_numbered};
+use crate::scene::{self, Scene, SceneRecord};
+
+/// The time from one look at the file to the next.
+const INTERVAL: Duration = Duration::from_millis(200);
+
+/// A change of the file that was not made by saving.
+pub enum News {
+    Read(Box<Scene>),
+    /// It holds no valid scene; the message says where.
+    Wrong(String),
+    Deleted,
+}
+
+/// The file's time and length; `None` while there is none.
+type Stamp = Option<(SystemTime, u64)>;
+
+/// A scene's file, or the text of a built-in scene.
+pub struct SceneFile {
+    pub path: Option<PathBuf>,
+    name: String,
+    text: String,
+    /// The scene as the file has it.
+    pub saved: Arc<SceneRecord>,
+    seen: Stamp,
+    /// A stamp that differs from the one seen, until it is looked at again.
+    doubted: Option<Stamp>,
+    next: Duration,
+}
+
+impl SceneFile {
+    /// The file of a scene that was just read.
+    pub fn of(scene: &Scene) -> Self {
+        // The window's options may have changed the World already; the text says what is saved.
+        let saved = Scene::parse(&scene.name, &scene.text);
+        let saved = SceneRecord::of(saved.as_ref().map_or(&scene.world, |saved| &saved.world));
+        SceneFile {
+            path: scene.path.clone(),
+            name: scene.name.clone(),
+            text: scene.text.clone(),
+            saved: Arc::new(saved),
+            seen: scene.path.as_deref().and_then(stamp),
+            doubted: None,
+            next: Duration::ZERO,
+        }
+    }
+
+    /// The news since the last look. A file that is gone or wrong is looked at twice: an editor may be writing it.
+    pub fn look(&mut self, now: Duration) -> Option<News> {
+        if now < self.next {
+            return None;
+        }
+        self.next = now + INTERVAL;
+        let path = self.path.as_deref()?;
+        let present = stamp(path);
+        if present == self.seen {
+            self.doubted = None;
+            return None;
+        }
+        let is_certain = self.doubted.replace(present) == Some(present);
+        let news = match present {
+            None => News::Deleted,
+            Some(_) => match Scene::load_path(path) {
+                Ok(scene) => News::Read(Box::new(scene)),
+                Err(error) => News::Wrong(error.to_string()),
+            },
+        };
+        (is_certain || matches!(news, News::Read(_))).then(|| {
+            self.seen = present;
+            news
+        })
+    }
+
+    /// Saves the scene to its file, or to a new one in `folder`; returns the file.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn save(
+        &mut self,
+        record: &Arc<SceneRecord>,
+        folder: &Path,
+        new: bool,
+    ) -> anyhow::Result<PathBuf> {
+        let text = scene::updated(&self.text, record);
+        let path = match &self.path {
+            Some(path) if !new => {
+                let output = Output::File(path.clone());
+                output.write(|writer| writer.write_all(text.as_bytes()))?;
+                path.clone()
+            }
+            _ => self.write_new(folder, &text)?,
+        };
+        self.seen = stamp(&path);
+        self.path = Some(path.clone());
+        self.text = text;
+        self.saved = Arc::clone(record);
+        Ok(path)
+    }
+
+    /// Writes edits that were never saved into a file beside the scene's.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
+        let text = scene::updated(&self.text, record);
+        let name = |number| numbered(&format!("{}-unsaved", self.stem()), number);
+        write_numbered(folder, name, |writer| writer.write_all(text.as_bytes()))
+    }
+
+    fn write_new(&self, folder: &Path, text: &str) -> io::Result<PathBuf> {
+        let name = |number| numbered(&self.stem(), number);
+        write_numbered(folder, name, |writer| writer.write_all(text.as_bytes()))
+    }
+
+    fn stem(&self) -> String {
+        let stem = Path::new(&self.name).file_stem().unwrap_or_default();
+        stem.to_string_lossy().replace(char::is_control, "_")
+    }
+}
+
+/// `NAME.toml`, then `NAME-2.toml` and so on.
+fn numbered(stem: &str, number: u32) -> String {
+    match number {
+        1 => format!("{stem}.toml"),
+        _ => format!("{stem}-{number}.toml"),
+    }
+}
+
+fn stamp(path: &Path) -> Stamp {
+    let found = fs::metadata(path).ok()?;
+    Some((found.modified().ok()?, found.len()))
+}

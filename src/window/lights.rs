@@ -1,0 +1,244 @@
+//! The lights over the picture: discs that can be dragged, arrows to those out of sight, and the vectors at the probed pixel.
+
+use egui::{Align2, Color32, Pos2, Rect, Stroke, Vec2, vec2};
+use glam::DVec3;
+
+use super::app::App;
+use super::viewport::tag;
+use crate::components::{
+    Lens, Light, LightKind, Mesh, Name, Projection, Transform, Viewpoint, WorldTransform,
+    active_camera, get, ordered,
+};
+use crate::paint::color;
+use crate::scene::range;
+
+/// No more discs than this are drawn.
+const MOST: usize = 100;
+const RADIUS: f32 = 7.0;
+/// The length of a unit vector across the view, in points.
+const UNIT: f32 = 110.0;
+const NORMAL: Color32 = Color32::WHITE;
+const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
+
+/// The disc of a light, or an arrow at the border towards one out of sight.
+pub struct Marker {
+    pub name: String,
+    at: Pos2,
+    /// The direction of a light out of sight.
+    way: Option<Vec2>,
+    color: Color32,
+    /// Whether the light is on and no cuboid hides it.
+    is_lit: bool,
+}
+
+impl Marker {
+    /// Whether a press at `at` catches it.
+    pub fn is_caught(&self, at: Pos2) -> bool {
+        self.at.distance(at) < RADIUS + 2.0
+    }
+
+    /// Draws it and its name inside of `area`.
+    pub fn draw(&self, painter: &egui::Painter, area: Rect) {
+        let ring = Stroke::new(1.5, Color32::from_gray(16));
+        match self.way {
+            Some(way) => painter.arrow(
+                self.at - way * RADIUS,
+                way * 2.0 * RADIUS,
+                (3.0, self.color),
+            ),
+            None if self.is_lit => drop(painter.circle(self.at, RADIUS, self.color, ring)),
+            None => {
+                painter.circle(
+                    self.at,
+                    RADIUS,
+                    Color32::from_black_alpha(120),
+                    (2.0, self.color),
+                );
+            }
+        }
+        let is_right = self.at.x > area.center().x;
+        let (align, side) = if is_right {
+            (Align2::RIGHT_CENTER, -1.0)
+        } else {
+            (Align2::LEFT_CENTER, 1.0)
+        };
+        let ink = if self.is_lit {
+            Color32::WHITE
+        } else {
+            Color32::GRAY
+        };
+        tag(
+            painter,
+            align,
+            self.at + vec2(side * (RADIUS + 8.0), 0.0),
+            &self.name,
+            ink,
+        );
+    }
+}
+
+impl App {
+    /// The markers of all lights that have a place. Those of one place stand beside one another.
+    pub fn markers(&self) -> Vec<Marker> {
+        let lens = Lens::new(&self.view());
+        let world = &self.scene.world;
+        let mut markers: Vec<Marker> = Vec::new();
+        for light in ordered::<Light>(world) {
+            let mut query = world.query_one::<(&Name, &Transform, &Light)>(light);
+            let Ok((name, transform, light)) = query.get() else {
+                continue;
+            };
+            if light.kind == LightKind::Ambient || markers.len() == MOST {
+                continue;
+            }
+            let (mut at, way) = self.place_of_light(transform.position, &lens);
+            while markers.iter().any(|other| other.at.distance(at) < RADIUS) {
+                at.y += 2.0 * RADIUS + 4.0;
+            }
+            markers.push(Marker {
+                name: name.0.clone(),
+                at,
+                way,
+                color: brightest(light.color),
+                is_lit: light.on && !self.is_hidden(transform.position, &lens),
+            });
+        }
+        markers
+    }
+
+    /// The place of a light's marker, and the direction towards a light out of sight.
+    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Option<Vec2>) {
+        let seen = lens.seen(position);
+        let border = self.place.shrink(3.0 * RADIUS);
+        if seen.z > lens.near {
+            let [x, y] = lens.pixel(lens.homogeneous(seen));
+            let at = self.place_of([x, y].map(|it| it.clamp(-1e6, 1e6) as i32));
+            if border.contains(at) {
+                return (at, None);
+            }
+        }
+        let way = vec2(seen.x as f32, -seen.y as f32).normalized();
+        let half = border.size() / 2.0;
+        let share = (half.x / way.x.abs()).min(half.y / way.y.abs());
+        (
+            border.center() + way * if share.is_finite() { share } else { 0.0 },
+            Some(way),
+        )
+    }
+
+    /// Whether a cuboid stands between the viewer and a point.
+    fn is_hidden(&self, point: DVec3, lens: &Lens) -> bool {
+        let eye = match lens.projection {
+            Projection::Perspective => lens.eye,
+            Projection::Orthographic => point - lens.axes[2] * lens.seen(point).z,
+        };
+        let mut cuboids = self.scene.world.query::<(&WorldTransform, &Mesh)>();
+        cuboids.iter().any(|(place, mesh)| {
+            let to_cuboid = place.axes.transpose();
+            let from = to_cuboid * (eye - place.position);
+            let way = to_cuboid * (point - eye);
+            // The part of the way, from 0 to 1, between each pair of opposite faces (Kay and Kajiya 1986).
+            let one = (-mesh.corners[7] - from) / way;
+            let other = (mesh.corners[7] - from) / way;
+            let enters = one.min(other).max_element().max(0.0);
+            let leaves = one.max(other).min_element().min(1.0);
+            enters < leaves
+        })
+    }
+
+    /// Moves a light by pixels of the picture, in depth where asked for. Its place is rounded to what a pixel can mean.
+    pub fn drag_light(&mut self, name: &str, by: Vec2, in_depth: bool) {
+        let lens = Lens::new(&self.view());
+        let [right, up, forward] = lens.axes;
+        let [across, down] = [by.x, by.y].map(f64::from);
+        let way = if in_depth {
+            forward * -down
+        } else {
+            right * across - up * down
+        };
+        let lights = self
+            .scene
+            .world
+            .query_mut::<(&Name, &mut Transform)>()
+            .with::<&Light>();
+        for (_, transform) in lights.into_iter().filter(|(own, _)| own.0 == name) {
+            let pixel = lens.pitch * lens.homogeneous(lens.seen(transform.position)).z.abs();
+            let step = 10.0_f64.powf(pixel.log10().floor());
+            let moved = transform.position + way * pixel;
+            let rounded = DVec3::from(
+                moved
+                    .to_array()
+                    .map(|it| (it / step).round() / step.recip()),
+            );
+            let is_allowed = rounded
+                .to_array()
+                .iter()
+                .all(|it| range::COORDINATE.contains(it));
+            if is_allowed {
+                transform.position = rounded;
+            }
+        }
+    }
+
+    /// Draws n, o, and l and r of each place with lights, from the probed pixel at `at`, as they lie across the view.
+    pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
+        let Some(surface) = self
+            .facts
+            .probe
+            .current()
+            .and_then(|it| it.probe.surface.as_ref())
+        else {
+            return;
+        };
+        let [right, up, _] =
+            Viewpoint::of(&self.scene.world, active_camera(&self.scene.world)).axes();
+        let arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
+            let Some(vector) = vector else {
+                return;
+            };
+            let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32) * UNIT;
+            for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
+                painter.arrow(at, way, (width, ink));
+            }
+            tag(
+                painter,
+                Align2::CENTER_CENTER,
+                at + way + way.normalized() * 12.0,
+                name,
+                ink,
+            );
+        };
+        let mut places: Vec<DVec3> = Vec::new();
+        for light in &surface.lights {
+            let Some(to_light) = light.to_light.filter(|it| !places.contains(it)) else {
+                continue;
+            };
+            places.push(to_light);
+            let ink = self.light_color(&light.name);
+            arrow("r", ink.gamma_multiply(0.7), light.reflected);
+            arrow("l", ink, Some(to_light));
+        }
+        arrow("o", TO_EYE, surface.to_eye);
+        arrow("n", NORMAL, surface.normal);
+    }
+
+    /// The colour of the light of this name.
+    pub fn light_color(&self, name: &str) -> Color32 {
+        let world = &self.scene.world;
+        let lights = ordered::<Light>(world).into_iter();
+        let mut named = lights.filter(|light| get(world, *light) == Some(Name(name.to_owned())));
+        let light: Option<Light> = named.next().and_then(|light| get(world, light));
+        light.map_or(Color32::WHITE, |light| brightest(light.color))
+    }
+}
+
+/// A light's colour with its largest channel at full strength.
+pub fn brightest(channels: DVec3) -> Color32 {
+    let largest = channels.max_element();
+    let channels = if largest > 0.0 {
+        channels / largest * 255.0
+    } else {
+        DVec3::splat(128.0)
+    };
+    color(crate::frame::display_pixel(channels.to_array()))
+}

@@ -1,0 +1,228 @@
+//! The pictures of the view: the frame, the two sides of a wipe, tinted tiles; and the time that their frames take.
+//!
+//! A frame is timed from its first stage to the display step, and nothing else is. A picture that is not computed yet is
+//! shown as the frame dimmed, never as something else.
+
+use std::borrow::Cow;
+use std::time::{Duration, Instant};
+
+use hecs::World;
+
+use crate::components::{Show, Side, View, ViewMode};
+use crate::frame::{Counts, Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
+use crate::memory::OutOfMemory;
+use crate::shading::TileKind;
+use crate::systems;
+
+/// Warm frames that are timed once the picture rests.
+const FRAMES: usize = 9;
+/// The longest time for which frames are timed while the user waits.
+const TIMING_BUDGET: Duration = Duration::from_millis(50);
+/// The weight of a tile's tint, of 256, and that on its outline.
+const TINT_WEIGHT: u32 = 112;
+const OUTLINE_WEIGHT: u32 = 232;
+
+/// The tint of each of [`TileKind::ALL`], 0x00RRGGBB: Okabe and Ito's colours (2008), which people who are colour-blind can
+/// tell apart, from cool and cheap to hot and dear; the dearest is white.
+pub const TINTS: [u32; TileKind::ALL.len()] = [
+    0x0000_72b2,
+    0x0056_b4e9,
+    0x00f0_e442,
+    0x00e6_9f00,
+    0x00d5_5e00,
+    0x00ff_ffff,
+];
+
+/// The frames of the present state.
+pub struct Pictures {
+    frame: Frame,
+    levels: Frame,
+    /// Left and right of the divider, as far as the renderer draws them.
+    sides: [Vec<u32>; 2],
+    /// The times of the frame, or of each side of a wipe.
+    pub times: [Vec<Duration>; 2],
+}
+
+impl Pictures {
+    pub fn new(workers: Workers) -> Self {
+        let level = workers.level();
+        Pictures {
+            frame: Frame::new(Keep::Display, workers),
+            levels: Frame::new(Keep::Levels, Workers::alone(level)),
+            sides: [Vec::new(), Vec::new()],
+            times: [Vec::new(), Vec::new()],
+        }
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [usize; 2] {
+        self.frame.size()
+    }
+
+    /// The counts of the last frame.
+    pub fn counts(&self) -> Counts {
+        self.frame.counts()
+    }
+
+    /// The frame as it is shaded, 0x00RRGGBB.
+    pub fn frame(&self) -> &[u32] {
+        self.frame.pixels()
+    }
+
+    /// The middle one of the times of a side, in milliseconds; `None` where the renderer does not draw it.
+    pub fn milliseconds(&self, side: usize) -> Option<f64> {
+        let mut times = self.times[side].clone();
+        times.sort_unstable();
+        Some(times.get(times.len() / 2)?.as_secs_f64() * 1e3)
+    }
+
+    /// Draws all pictures that `show` needs.
+    ///
+    /// # Errors
+    /// When they do not fit in memory.
+    pub fn draw(&mut self, world: &mut World, show: &Show, view: &View) -> Result<(), OutOfMemory> {
+        self.draw_frames(world, show, view, 1)?;
+        if show.mode == ViewMode::Tiles {
+            systems::draw(world, view, &mut self.levels)?;
+        }
+        Ok(())
+    }
+
+    /// Draws the same pictures again and times the warm frames.
+    ///
+    /// # Errors
+    /// As [`Pictures::draw`].
+    pub fn time(&mut self, world: &mut World, show: &Show, view: &View) -> Result<(), OutOfMemory> {
+        self.draw_frames(world, show, view, 1 + FRAMES)?;
+        for times in &mut self.times {
+            // The first frame warms caches and branch predictors.
+            if times.len() > 1 {
+                times.remove(0);
+            }
+        }
+        Ok(())
+    }
+
+    fn draw_frames(
+        &mut self,
+        world: &mut World,
+        show: &Show,
+        view: &View,
+        frames: usize,
+    ) -> Result<(), OutOfMemory> {
+        self.times = [Vec::new(), Vec::new()];
+        if show.mode != ViewMode::Wipe {
+            self.times[0] = draw_timed(world, view, &mut self.frame, frames)?;
+            return Ok(());
+        }
+        for (index, side) in show.sides.iter().enumerate() {
+            if let Some(view) = side_view(side, view) {
+                self.times[index] = draw_timed(world, &view, &mut self.frame, frames)?;
+                self.sides[index].clear();
+                self.sides[index].extend_from_slice(self.frame.pixels());
+            }
+        }
+        Ok(())
+    }
+
+    /// The picture of the view; `exact` and `error_map` are known once they were computed.
+    pub fn shown(
+        &self,
+        show: &Show,
+        exact: Option<&[u32]>,
+        error_map: Option<&[u32]>,
+    ) -> Cow<'_, [u32]> {
+        let frame = self.frame.pixels();
+        match show.mode {
+            ViewMode::Picture => frame.into(),
+            ViewMode::Error => or_dimmed(error_map, frame).into_owned().into(),
+            ViewMode::Tiles => {
+                let mut pixels = frame.to_vec();
+                tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
+                pixels.into()
+            }
+            ViewMode::Wipe => {
+                let side = |index: usize| match show.sides[index] {
+                    Side::Reference => or_dimmed(exact, frame),
+                    _ => Cow::from(&self.sides[index]),
+                };
+                let width = self.size()[0];
+                let mut pixels = side(0).into_owned();
+                let right = side(1);
+                let divider = divider_column(show.divider, width);
+                let rows = pixels
+                    .chunks_exact_mut(width)
+                    .zip(right.chunks_exact(width));
+                rows.for_each(|(left, right)| left[divider..].copy_from_slice(&right[divider..]));
+                pixels.into()
+            }
+        }
+    }
+}
+
+/// The view of one side of a wipe; `None` for the reference.
+pub fn side_view(side: &Side, view: &View) -> Option<View> {
+    match *side {
+        Side::Picture => Some(view.clone()),
+        Side::Method { mode, tolerance } => Some(view.shaded(mode).with_tolerance(tolerance)),
+        Side::Reference => None,
+    }
+}
+
+/// The first column right of the divider.
+pub fn divider_column(divider: f64, width: usize) -> usize {
+    ((divider.clamp(0.0, 1.0) * width as f64).round() as usize).min(width)
+}
+
+/// `known`, or `picture` without colour and most of its light.
+pub fn or_dimmed<'a>(known: Option<&'a [u32]>, picture: &[u32]) -> Cow<'a, [u32]> {
+    let dim = |pixel: &u32| {
+        let [_, red, green, blue] = pixel.to_be_bytes().map(u32::from);
+        // Luma after ITU-R BT.601 in parts of 256, a third of it.
+        let grey = (77 * red + 150 * green + 29 * blue) / (3 * 256);
+        grey << 16 | grey << 8 | grey
+    };
+    known.map_or_else(|| picture.iter().map(dim).collect(), Cow::from)
+}
+
+/// Tints each pixel of a triangle by the kind of its tile, and draws the tile's outline; see [`Frame::kinds`].
+fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
+    for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
+        if *triangle != NO_TRIANGLE {
+            let is_outline = kind & OUTLINE != 0;
+            let weight = if is_outline {
+                OUTLINE_WEIGHT
+            } else {
+                TINT_WEIGHT
+            };
+            *pixel = mix(*pixel, TINTS[usize::from(kind & !OUTLINE)], weight);
+        }
+    }
+}
+
+/// `other` with this weight of 256 over `one`.
+pub fn mix(one: u32, other: u32, weight: u32) -> u32 {
+    [16, 8, 0].iter().fold(0, |mixed, shift| {
+        let [one, other] = [one, other].map(|pixel| pixel >> shift & 0xff);
+        mixed | (one * (256 - weight) + other * weight) >> 8 << shift
+    })
+}
+
+/// Draws the same picture this often, or until [`TIMING_BUDGET`] is used up; returns the time of each frame.
+fn draw_timed(
+    world: &mut World,
+    view: &View,
+    frame: &mut Frame,
+    frames: usize,
+) -> Result<Vec<Duration>, OutOfMemory> {
+    let mut times = Vec::with_capacity(frames);
+    let mut spent = Duration::ZERO;
+    while times.is_empty() || times.len() < frames && spent < TIMING_BUDGET {
+        let start = Instant::now();
+        systems::draw(world, view, frame)?;
+        let time = start.elapsed();
+        times.push(time);
+        spent += time;
+    }
+    Ok(times)
+}

@@ -1,0 +1,46 @@
+//! The look of the panels: one text size, calm colours, no animations.
+
+use egui::{Color32, Context, FontFamily, FontId, TextStyle, Theme};
+
+/// Numbers that are not those of the picture shown.
+pub const STALE: Color32 = Color32::from_gray(95);
+pub const GOOD: Color32 = Color32::from_rgb(0x3c, 0xb8, 0x7c);
+pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
+/// The curves of the three pictures that are compared.
+pub const GOURAUD: Color32 = Color32::from_rgb(0xff, 0xb4, 0x54);
+pub const PHONG: Color32 = Color32::from_rgb(0x34, 0xd3, 0x99);
+pub const EXACT: Color32 = Color32::from_rgb(0xf0, 0xf0, 0xf0);
+
+/// Sets the look of everything that a context lays out.
+pub fn apply(context: &Context) {
+    context.set_theme(Theme::Dark);
+    context.all_styles_mut(|style| {
+        // An animation would draw frames though nothing changes.
+        style.animation_time = 0.0;
+        style.text_styles = [
+            (
+                TextStyle::Small,
+                FontId::new(11.0, FontFamily::Proportional),
+            ),
+            (TextStyle::Body, FontId::new(13.0, FontFamily::Proportional)),
+            (
+                TextStyle::Button,
+                FontId::new(13.0, FontFamily::Proportional),
+            ),
+            (
+                TextStyle::Heading,
+                FontId::new(15.0, FontFamily::Proportional),
+            ),
+            (
+                TextStyle::Monospace,
+                FontId::new(12.0, FontFamily::Monospace),
+            ),
+        ]
+        .into();
+        style.spacing.item_spacing = egui::vec2(6.0, 4.0);
+        style.spacing.slider_width = 110.0;
+        style.spacing.combo_width = 110.0;
+        style.visuals.override_text_color = None;
+        style.visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(200);
+    });
+}

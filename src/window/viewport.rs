@@ -1,0 +1,357 @@
+//! The picture's area: drags, clicks and the wheel over it, and what points at something in it.
+
+use egui::{
+    Align2, Color32, CursorIcon, Event, FontId, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2,
+    vec2,
+};
+
+use super::app::App;
+use super::lights::Marker;
+use super::pictures::divider_column;
+use crate::components::{
+    Inspector, Limits, Magnifier, Orbit, Probed, Show, Side, Tab, View, ViewMode, Viewpoint,
+    active_camera, get,
+};
+
+/// How far a drag across the picture's shorter side turns, in degrees.
+const DRAG_TURN: f64 = 200.0;
+/// How far the divider can be missed and is still caught, in points.
+const REACH: f32 = 10.0;
+/// The divider stays this share of the picture's width away from either edge.
+const DIVIDER_MARGIN: f64 = 0.02;
+
+/// The thing that a drag moves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Grab {
+    #[default]
+    Nothing,
+    Camera,
+    Divider,
+    /// The light of this name.
+    Light(String),
+    Magnified,
+}
+
+impl App {
+    /// Lays out the picture's area in the rest of the window.
+    pub fn viewport(&mut self, ui: &mut Ui) {
+        let scale = ui.ctx().pixels_per_point();
+        let free = ui.available_rect_before_wrap();
+        let whole = |at: Pos2| (at * scale).round() / scale;
+        self.place = Rect::from_min_max(whole(free.min), whole(free.max));
+        let response = ui.interact(self.place, ui.id().with("picture"), Sense::click_and_drag());
+        let markers = if self.look::<Inspector>().0 == Some(Tab::Scene) {
+            self.markers()
+        } else {
+            Vec::new()
+        };
+        let modifiers = ui.input(|input| input.modifiers);
+        if response.drag_started_by(PointerButton::Primary) {
+            let from = ui.input(|input| input.pointer.press_origin());
+            self.desk.grab = self.grab(from.unwrap_or_default(), &markers, modifiers.command);
+        }
+        if response.dragged_by(PointerButton::Primary) {
+            let pointer = response.interact_pointer_pos().unwrap_or_default();
+            self.drag(response.drag_delta(), pointer, modifiers.shift);
+        } else {
+            self.desk.grab = Grab::Nothing;
+        }
+        if let Some(at) = response
+            .interact_pointer_pos()
+            .filter(|_| response.clicked())
+        {
+            self.click(at, &markers);
+        }
+        if let Some(at) = response.hover_pos() {
+            let turned = ui.input(|input| {
+                let wheel = input.events.iter().filter_map(|event| match event {
+                    Event::MouseWheel { delta, .. } => Some(delta.y),
+                    _ => None,
+                });
+                wheel.sum::<f32>()
+            });
+            match turned.round() as i32 {
+                0 => {}
+                steps if modifiers.command => self.magnify(steps, Some(at)),
+                steps => self.zoom(steps),
+            }
+            ui.ctx()
+                .set_cursor_icon(self.cursor(at, &markers, response.dragged()));
+        }
+        self.draw_over(ui, &markers);
+    }
+
+    fn cursor(&self, at: Pos2, markers: &[Marker], is_dragged: bool) -> CursorIcon {
+        match self.grab(at, markers, false) {
+            _ if self.desk.grab == Grab::Divider => CursorIcon::ResizeHorizontal,
+            _ if is_dragged => CursorIcon::Grabbing,
+            Grab::Divider => CursorIcon::ResizeHorizontal,
+            Grab::Light(_) => CursorIcon::Grab,
+            _ => CursorIcon::Crosshair,
+        }
+    }
+
+    /// The thing that a press at `at` catches.
+    fn grab(&self, at: Pos2, markers: &[Marker], pans: bool) -> Grab {
+        let marker = markers.iter().find(|marker| marker.is_caught(at));
+        match marker {
+            Some(marker) => Grab::Light(marker.name.clone()),
+            None if self.divider().is_some_and(|x| (x - at.x).abs() < REACH) => Grab::Divider,
+            None if pans => Grab::Magnified,
+            None => Grab::Camera,
+        }
+    }
+
+    fn drag(&mut self, by: Vec2, pointer: Pos2, in_depth: bool) {
+        let size = self.picture_size();
+        let magnifier = self.magnifier();
+        let pixels = by * self.scale() / magnifier.scale as f32;
+        match self.desk.grab.clone() {
+            Grab::Nothing => {}
+            Grab::Camera => {
+                let degrees = DRAG_TURN / size[0].min(size[1]) as f64 * magnifier.scale as f64;
+                // The cuboid follows the mouse, so the camera goes the other way.
+                self.orbit(
+                    f64::from(-pixels.x) * degrees,
+                    f64::from(pixels.y) * degrees,
+                );
+            }
+            Grab::Divider => {
+                let column = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
+                let show: Show = self.look();
+                let divider = column.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
+                self.set_look(Show { divider, ..show });
+            }
+            Grab::Light(name) => self.drag_light(&name, pixels, in_depth),
+            Grab::Magnified => {
+                let by = by * self.scale();
+                let panned = magnifier.panned([by.x as i32, by.y as i32], size);
+                self.set_look(panned);
+            }
+        }
+    }
+
+    fn click(&mut self, at: Pos2, markers: &[Marker]) {
+        if let Some(marker) = markers.iter().find(|marker| marker.is_caught(at)) {
+            self.desk.selected = Some((super::inspector::Kind::Light, marker.name.clone()));
+            return;
+        }
+        let [x, y] = self.pixel_at(at);
+        let [width, height] = self.picture_size();
+        self.set_look(Probed(Some([x.min(width - 1), y.min(height - 1)])));
+        // The scene's tab stays open: a click selects the cuboid there.
+        if self.look::<Inspector>().0 != Some(Tab::Scene) {
+            self.set_look(Inspector(Some(Tab::Pixel)));
+        }
+        self.desk.over[1] = true;
+    }
+
+    /// Moves the camera about its target, by degrees to the right and up.
+    pub fn orbit(&mut self, azimuth: f64, elevation: f64) {
+        let camera = active_camera(&self.scene.world);
+        let own = Viewpoint::own(&self.scene.world, camera);
+        let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
+        let moved = orbit.moved(&own, azimuth, elevation);
+        if moved == orbit {
+            return self.say("the camera stops short of the pole");
+        }
+        self.set_orbit(moved);
+    }
+
+    /// Steps towards the target, or away where negative.
+    pub fn zoom(&mut self, steps: i32) {
+        let camera = active_camera(&self.scene.world);
+        let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
+        let zoomed = orbit.zoomed(steps, &Limits::of(&self.scene.world));
+        if zoomed == orbit {
+            return self.say(if steps > 0 {
+                "no closer than this"
+            } else {
+                "no further than this"
+            });
+        }
+        self.set_orbit(zoomed);
+    }
+
+    /// Overwrites the orbit of the active camera.
+    pub fn set_orbit(&mut self, orbit: Orbit) {
+        let camera = active_camera(&self.scene.world);
+        // A scene's cameras have an orbit.
+        let _ = self.scene.world.insert_one(camera, orbit);
+    }
+
+    /// Magnifies by powers of two; the pixel at `at`, the probed one or the middle one stays where it is.
+    pub fn magnify(&mut self, steps: i32, at: Option<Pos2>) {
+        let size = self.picture_size();
+        let before = self.magnifier();
+        let probed = self
+            .look::<Probed>()
+            .0
+            .map(|pixel| self.place_of(pixel.map(|it| it as i32)));
+        let at = at.or(probed).unwrap_or(self.place.center());
+        let place = (at - self.place.min) * self.scale();
+        let after = before.stepped(steps, [place.x as i32, place.y as i32], size);
+        if after == before {
+            return self.say(if steps > 0 {
+                "largest magnification"
+            } else {
+                "not magnified"
+            });
+        }
+        self.set_look(after);
+    }
+
+    /// The magnifier, within the picture.
+    pub fn magnifier(&self) -> Magnifier {
+        self.look::<Magnifier>().within(self.picture_size())
+    }
+
+    /// The pixel of the picture at a place in the window.
+    fn pixel_at(&self, at: Pos2) -> [usize; 2] {
+        let place = (at - self.place.min) * self.scale();
+        self.magnifier().pixel([place.x as i32, place.y as i32])
+    }
+
+    /// The place in the window of the middle of a pixel.
+    pub fn place_of(&self, pixel: [i32; 2]) -> Pos2 {
+        let [x, y] = self.magnifier().place(pixel);
+        self.place.min + vec2(x as f32 + 0.5, y as f32 + 0.5) / self.scale()
+    }
+
+    /// The divider's x in the window, where the view has one.
+    fn divider(&self) -> Option<f32> {
+        let show: Show = self.look();
+        let has_divider =
+            show.mode == ViewMode::Wipe && !self.desk.shows_exact && self.desk.left_out.is_none();
+        let column = divider_column(show.divider, self.picture_size()[0]);
+        let left = self.place_of([column as i32, 0]).x;
+        let half = self.magnifier().scale as f32 / 2.0 / self.scale();
+        has_divider
+            .then_some(left - half)
+            .filter(|x| self.place.x_range().contains(*x))
+    }
+
+    /// Draws the divider, the probed pixel with its vectors, and the lights.
+    fn draw_over(&self, ui: &Ui, markers: &[Marker]) {
+        let painter = ui.painter_at(self.place);
+        if self.magnifier().scale == Magnifier::MAX_SCALE {
+            self.draw_bytes(&painter);
+        }
+        if let Some(x) = self.divider() {
+            self.draw_divider(&painter, x);
+        }
+        if let Some(pixel) = self.look::<Probed>().0 {
+            let at = self.place_of(pixel.map(|it| it as i32));
+            self.draw_arrows(&painter, at);
+            draw_cross(
+                &painter,
+                at,
+                self.magnifier().scale as f32 / self.scale() / 2.0,
+            );
+        }
+        for marker in markers.iter().rev() {
+            marker.draw(&painter, self.place);
+        }
+    }
+
+    /// Writes the bytes of each pixel into it, below one another.
+    fn draw_bytes(&self, painter: &egui::Painter) {
+        let Magnifier { scale, corner } = self.magnifier();
+        let [width, height] = self.pictures.size();
+        let pixels = self.pictures.frame();
+        for y in corner[1]..height.min(corner[1] + height / scale + 1) {
+            for x in corner[0]..width.min(corner[0] + width / scale + 1) {
+                let at = self.place_of([x as i32, y as i32]);
+                let [_, red, green, blue] = pixels[y * width + x].to_be_bytes();
+                let ink = if green > 127 {
+                    Color32::BLACK
+                } else {
+                    Color32::WHITE
+                };
+                let text = format!("{red}\n{green}\n{blue}");
+                painter.text(
+                    at,
+                    Align2::CENTER_CENTER,
+                    text,
+                    FontId::monospace(11.0),
+                    ink,
+                );
+            }
+        }
+    }
+
+    fn draw_divider(&self, painter: &egui::Painter, x: f32) {
+        let line = self.place.y_range();
+        painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
+        painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
+        painter.circle(
+            pos2(x, self.place.center().y),
+            8.0,
+            Color32::WHITE,
+            (1.0, Color32::from_black_alpha(150)),
+        );
+        let show: Show = self.look();
+        for (index, side) in show.sides.iter().enumerate() {
+            let time = self
+                .pictures
+                .milliseconds(index)
+                .filter(|_| self.shows_times);
+            let time = time.map_or(String::new(), |ms| format!("  {ms:.3} ms"));
+            let text = format!("{}{time}", side_name(side, &self.view()));
+            let (align, at) = match index {
+                0 => (Align2::RIGHT_TOP, pos2(x - 10.0, self.place.min.y + 8.0)),
+                _ => (Align2::LEFT_TOP, pos2(x + 10.0, self.place.min.y + 8.0)),
+            };
+            tag(painter, align, at, &text, Color32::WHITE);
+        }
+    }
+}
+
+/// A method in words: "Phong within 0.5".
+pub fn method_name(mode: crate::components::ShadingMode, tolerance: f64) -> String {
+    use crate::components::ShadingMode;
+    let name = match mode {
+        ShadingMode::Gouraud => "Gouraud",
+        ShadingMode::Phong => "Phong",
+        ShadingMode::UnitVectors => return "interpolated unit vectors".to_owned(),
+    };
+    match tolerance {
+        0.0 => format!("{name}, exact"),
+        _ => format!("{name} within {tolerance}"),
+    }
+}
+
+/// A side of the wipe in words.
+fn side_name(side: &Side, view: &View) -> String {
+    match *side {
+        Side::Picture => format!("picture within {}", view.tolerance),
+        Side::Method { mode, tolerance } => method_name(mode, tolerance),
+        Side::Reference => "exact Phong".to_owned(),
+    }
+}
+
+/// Words on a dark ground that can be read over any picture.
+pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Color32) {
+    let text = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), ink);
+    let place = align.anchor_size(at, text.size());
+    painter.rect_filled(
+        place.expand2(vec2(4.0, 2.0)),
+        3.0,
+        Color32::from_black_alpha(170),
+    );
+    painter.galley(place.min, text, ink);
+}
+
+/// Marks a pixel that reaches this far from its middle, in points, and leaves it to be seen.
+fn draw_cross(painter: &egui::Painter, at: Pos2, reach: f32) {
+    for way in [
+        vec2(1.0, 0.0),
+        vec2(-1.0, 0.0),
+        vec2(0.0, 1.0),
+        vec2(0.0, -1.0),
+    ] {
+        let line = [at + way * (reach + 3.0), at + way * (reach + 11.0)];
+        painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
+        painter.line_segment(line, (1.5, Color32::WHITE));
+    }
+}

@@ -1,0 +1,204 @@
+//! Random records: every number near the ends of its range as often as near 0, and every optional key.
+
+use std::ops::RangeInclusive;
+
+use glam::DVec3;
+use proptest::collection::vec;
+use proptest::option::of;
+use proptest::prelude::*;
+use proptest::sample::select;
+use shadetrade::components::{
+    LightKind, Magnifier, Orbit, Projection, ShadingMode, Side, Tab, ViewMode,
+};
+use shadetrade::scene::range::{
+    ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
+};
+use shadetrade::scene::{
+    CameraRecord, CuboidRecord, LightRecord, MaterialRecord, SceneRecord, ViewRecord,
+};
+
+/// As often near 0 as far from it, and sometimes an end.
+fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
+    let (least, most) = range.into_inner();
+    let smallest = if least > 0.0 { least } else { 1e-320 };
+    let size = (smallest.ln()..most.ln()).prop_map(f64::exp);
+    let number = (size, any::<bool>()).prop_map(|(size, below)| if below { -size } else { size });
+    prop_oneof![8 => number, 1 => Just(least), 1 => Just(most)]
+        .prop_map(move |number| number.clamp(least, most) + 0.0)
+}
+
+fn three(range: &RangeInclusive<f64>) -> impl Strategy<Value = DVec3> {
+    [(); 3]
+        .map(|()| number(range.clone()))
+        .prop_map(DVec3::from)
+}
+
+/// A text of any characters, or a usual name; a comma is none of a light's.
+fn name() -> impl Strategy<Value = String> {
+    prop_oneof![any::<String>(), Just("white".to_owned())].prop_map(|name| name.replace(',', ""))
+}
+
+pub fn cuboid() -> impl Strategy<Value = CuboidRecord> {
+    let coefficients = [(); 3].map(|()| three(&STRENGTH));
+    let material = (coefficients, number(SHININESS));
+    let modes = select(vec![ShadingMode::Gouraud, ShadingMode::Phong]);
+    let places = (three(&LENGTH), three(&COORDINATE), three(&ANGLE));
+    (name(), places, modes, material).prop_map(
+        |(name, (size, position, rotation), shading, (coefficients, shininess))| {
+            let [ambient, diffuse, specular] = coefficients;
+            let material = MaterialRecord {
+                ambient,
+                diffuse,
+                specular,
+                shininess,
+            };
+            CuboidRecord {
+                name,
+                size,
+                position,
+                rotation,
+                shading,
+                material,
+            }
+        },
+    )
+}
+
+pub fn light() -> impl Strategy<Value = LightRecord> {
+    let kind = (
+        select(LightKind::ALL.to_vec()),
+        three(&COORDINATE),
+        any::<bool>(),
+    );
+    let strengths = (three(&STRENGTH), number(STRENGTH), number(STRENGTH));
+    (name(), kind, strengths).prop_map(|(name, (kind, position, on), (color, intensity, gain))| {
+        LightRecord {
+            color,
+            gain,
+            on,
+            ..LightRecord::new(name, kind, intensity, position)
+        }
+    })
+}
+
+fn orbit() -> impl Strategy<Value = Orbit> {
+    (number(ORBIT), number(ORBIT), number(ZOOM)).prop_map(|(azimuth, elevation, zoom)| Orbit {
+        azimuth,
+        elevation,
+        zoom,
+    })
+}
+
+pub fn camera() -> impl Strategy<Value = CameraRecord> {
+    let places = (three(&COORDINATE), three(&COORDINATE), three(&COORDINATE));
+    let sees = (number(FIELD_OF_VIEW), number(LENGTH), of(number(LENGTH)));
+    (name(), places, sees, of(orbit())).prop_map(
+        |(name, (position, target, up), (fov, height, near), orbit)| CameraRecord {
+            up,
+            near,
+            orbit: orbit.unwrap_or_default(),
+            ..CameraRecord::new(name, position, target, [fov, height])
+        },
+    )
+}
+
+fn side() -> impl Strategy<Value = Side> {
+    let tolerance = prop_oneof![Just(0.0), number(1e-4..=255.0)];
+    let modes = select(vec![ShadingMode::Gouraud, ShadingMode::Phong]);
+    let method = (modes, tolerance).prop_map(|(mode, tolerance)| Side::Method { mode, tolerance });
+    let shortcut = Side::Method {
+        mode: ShadingMode::UnitVectors,
+        tolerance: 0.0,
+    };
+    prop_oneof![
+        Just(Side::Picture),
+        Just(Side::Reference),
+        Just(shortcut),
+        method
+    ]
+}
+
+/// A view; its camera is left to who has some.
+pub fn view() -> impl Strategy<Value = ViewRecord> {
+    let pixel = || [0..16_384_usize, 0..16_384_usize];
+    let magnifier = (0..7, pixel()).prop_map(|(power, corner)| Magnifier {
+        scale: 1_usize << power,
+        corner,
+    });
+    let picture = (
+        select(Projection::ALL.to_vec()),
+        prop_oneof![Just(0.0), number(1e-4..=255.0)],
+        0..360_u32,
+    );
+    let show = (
+        select(ViewMode::ALL.to_vec()),
+        [side(), side()],
+        number(SHARE),
+    );
+    let window = (of(pixel()), magnifier, of(select(Tab::ALL.to_vec())));
+    let changed = (picture, show, window).prop_map(
+        |(
+            (projection, tolerance, turned),
+            (show, sides, divider),
+            (pixel, magnifier, inspector),
+        )| {
+            ViewRecord {
+                camera: None,
+                projection,
+                tolerance,
+                show,
+                sides,
+                divider,
+                turned,
+                pixel,
+                magnifier,
+                inspector,
+            }
+        },
+    );
+    prop_oneof![Just(ViewRecord::default()), changed]
+}
+
+/// The same name twice, or none, becomes another one.
+pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
+    fn tell_apart<'a>(names: impl Iterator<Item = &'a mut String>) {
+        let mut known = Vec::new();
+        for name in names {
+            if ["", "all", "none"].contains(&&**name) || known.contains(name) {
+                *name = format!("{name} {}", known.len());
+            }
+            known.push(name.clone());
+        }
+    }
+    tell_apart(record.cuboid.iter_mut().map(|it| &mut it.name));
+    tell_apart(record.light.iter_mut().map(|it| &mut it.name));
+    tell_apart(record.camera.iter_mut().map(|it| &mut it.name));
+    record
+}
+
+/// A record as a file may have it. A random view is hardly ever along `up`.
+pub fn record() -> impl Strategy<Value = SceneRecord> {
+    let all = (
+        three(&LEVEL),
+        vec(cuboid(), 1..4),
+        vec(light(), 0..4),
+        vec(camera(), 1..4),
+    );
+    let record = (all, view(), any::<prop::sample::Index>());
+    record
+        .prop_map(|((background, cuboid, light, camera), view, active)| {
+            let mut record = with_own_names(SceneRecord {
+                background,
+                cuboid,
+                light,
+                camera,
+                view,
+            });
+            let active = active.index(record.camera.len());
+            record.view.camera = (active > 0).then(|| record.camera[active].name.clone());
+            record
+        })
+        .prop_filter("a camera's numbers go together", |record| {
+            record.check().is_ok()
+        })
+}
