@@ -11,13 +11,14 @@ use egui::{
 use hecs::Entity;
 
 use super::app::App;
+use super::file::load;
 use super::inspector::{color_button, format_number};
 use super::keys::{Command, binding, caption};
 use crate::components::{
     ActiveCamera, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side, Spin, Tab,
     Tolerance, ViewMode, active_camera, get, names, ordered,
 };
-use crate::scene::{BUILT_IN, Scene, range};
+use crate::scene::{BUILT_IN, range};
 
 const TOLERANCE: &str = "The largest error of a pixel against the exact evaluation of its mode, \
                          in levels of 255. A coarser tolerance is faster.";
@@ -215,9 +216,9 @@ impl App {
             }
         });
         if let Some(path) = chosen {
-            match Scene::load_path(&path) {
+            match load(&path) {
                 Ok(scene) => self.open(scene),
-                Err(error) => self.desk.file_error = Some(error.to_string()),
+                Err(error) => self.desk.file_error = Some(error),
             }
         }
         ui.horizontal_wrapped(|ui| {
