@@ -378,7 +378,7 @@ impl App {
 
     /// Copies the picture into its place in the window, magnified.
     fn copy_picture(&mut self, [width, height]: [usize; 2]) {
-        self.pixels.clear();
+        // The panels and the picture cover every pixel, so none is cleared.
         self.pixels.resize(width * height, 0);
         let show: Show = self.look();
         let [columns, rows] = self.pictures.size();
