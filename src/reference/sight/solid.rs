@@ -112,6 +112,12 @@ fn across(face: usize) -> (usize, f64) {
     (face / 2, if face.is_multiple_of(2) { 1.0 } else { -1.0 })
 }
 
+/// w: how fast the line approaches the plane of a face, which it never meets unless this is positive.
+fn descent<R: Real>(face: usize, line: &Line<R>) -> R {
+    let (axis, outwards) = across(face);
+    signed(-outwards, line.along.0[axis])
+}
+
 impl<R: Real> Solid<R> {
     /// The cuboid of this place and shape, to be looked for in these columns and rows.
     pub fn new(
@@ -290,13 +296,7 @@ impl<R: Real> Solid<R> {
     fn depth_of_face(&self, face: usize, line: &Line<R>) -> R {
         let (axis, outwards) = across(face);
         let height = self.height(face) + signed(outwards, line.offset.0[axis]);
-        height / self.descent(face, line)
-    }
-
-    /// w: how fast the line approaches the plane of a face; it never meets it unless this is positive.
-    fn descent(&self, face: usize, line: &Line<R>) -> R {
-        let (axis, outwards) = across(face);
-        signed(-outwards, line.along.0[axis])
+        height / descent(face, line)
     }
 
     /// From the eye to where the cuboid ends along an axis, on the side of this sign.
@@ -322,7 +322,7 @@ impl<R: Real> Solid<R> {
     /// the plane's horizon sees the end of the face that is turned into it.
     pub fn beside(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
         let turned = self.turned(face, line);
-        let mut places = match self.descent(face, line).sign(0.0) {
+        let mut places = match descent(face, line).sign(0.0) {
             Some(Ordering::Greater) => {
                 let place = self.place(face, line);
                 vec![place, self.held(face, place.point)]
@@ -346,7 +346,7 @@ impl<R: Real> Solid<R> {
             return Vec::new();
         }
         let (across, outwards) = across(face);
-        let descent = self.descent(face, line);
+        let descent = descent(face, line);
         let steps = self.step.map(|step| step.0[across]);
         let near = Vector([steps[0], steps[1], R::of(0.0)])
             .length_squared()
