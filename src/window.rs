@@ -95,7 +95,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
             let before = start.elapsed();
             display.present(app.pixels(), size)?;
             let after = start.elapsed();
-            present_again = after + PRESENT_AGAIN.max((after - before) * PRESENT_SHARE);
+            present_again = after + PRESENT_AGAIN.max(after.saturating_sub(before) * PRESENT_SHARE);
         } else {
             display.poll();
         }

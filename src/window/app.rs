@@ -50,6 +50,7 @@ pub struct Message {
 
 /// The state of the window that is not the scene's: nothing of it changes the picture that is judged.
 #[derive(Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
@@ -236,7 +237,7 @@ impl App {
         if self.file.path.is_some() {
             repaint_after = repaint_after.min(Duration::from_millis(200));
         }
-        let copied = platform
+        let mut copied = platform
             .commands
             .into_iter()
             .filter_map(|command| match command {
@@ -246,7 +247,7 @@ impl App {
         Ok(Output {
             title: self.title(),
             cursor: platform.cursor_icon,
-            copied: copied.last(),
+            copied: copied.next_back(),
             repaint_after,
         })
     }
@@ -268,10 +269,10 @@ impl App {
         state.background != saved.background
             || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
             || differ(&state.cuboid, &saved.cuboid, |it, saved| {
-                it.shading = saved.shading
+                it.shading = saved.shading;
             })
             || differ(&state.camera, &saved.camera, |it, saved| {
-                it.orbit = saved.orbit
+                it.orbit = saved.orbit;
             })
     }
 
@@ -416,17 +417,17 @@ impl App {
 
     fn take_news(&mut self, news: News) {
         match news {
-            News::Read(scene) => self.reload(*scene),
+            News::Read(scene) => self.reload(&scene),
             News::Wrong(error) => self.desk.file_error = Some(error),
             News::Deleted => {
-                self.desk.file_error =
-                    Some(format!("{} was deleted; the scene stays", self.scene.name))
+                let text = format!("{} was deleted; the scene stays", self.scene.name);
+                self.desk.file_error = Some(text);
             }
         }
     }
 
     /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
-    fn reload(&mut self, scene: Scene) {
+    fn reload(&mut self, scene: &Scene) {
         let mut record = SceneRecord::of(&scene.world);
         let saved = Arc::clone(&self.file.saved);
         let had_edits = self.is_edited();
@@ -453,7 +454,7 @@ impl App {
                 camera.orbit = named(&self.state).unwrap_or(camera.orbit);
             }
         }
-        self.file = SceneFile::of(&scene);
+        self.file = SceneFile::of(scene);
         self.restore(&record);
         self.desk.file_error = None;
         self.say(if had_edits {

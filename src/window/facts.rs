@@ -104,9 +104,9 @@ impl App {
         let (tell, answers) = mpsc::channel();
         let tell = |task, answer| drop(tell.send((task, answer)));
         answer_all(&order, self.level, &|| false, &tell);
-        answers
-            .try_iter()
-            .for_each(|(task, answer)| self.take(task, answer));
+        for (task, answer) in answers.try_iter() {
+            self.take(task, answer);
+        }
     }
 
     /// Takes the answers of the jobs; whether the window shows something new by them.

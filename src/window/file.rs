@@ -124,7 +124,10 @@ impl SceneFile {
     }
 }
 
-/// The scene of a file, or the error in it. Another thing of that name, such as a pipe, could keep the window waiting.
+/// The scene of a file. Another thing of that name, such as a pipe, could keep the window waiting.
+///
+/// # Errors
+/// The error of the file or in the scene, in words.
 pub fn load(path: &Path) -> Result<Scene, String> {
     let is_other = fs::metadata(path).is_ok_and(|found| !found.is_file());
     if is_other && !scene::is_built_in(path) {

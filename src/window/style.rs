@@ -4,6 +4,8 @@ use egui::{Color32, Context, FontFamily, FontId, TextStyle, Theme};
 
 /// Numbers that are not those of the picture shown.
 pub const STALE: Color32 = Color32::from_gray(95);
+/// Numbers of the picture shown.
+pub const INK: Color32 = Color32::from_gray(220);
 pub const GOOD: Color32 = Color32::from_rgb(0x3c, 0xb8, 0x7c);
 pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
 /// The curves of the three pictures that are compared.

@@ -9,6 +9,7 @@ use crate::frame::display_pixel;
 use crate::paint::color;
 use crate::probe::{PRODUCT_HEADS, Profile, Surface, parts};
 use crate::window::app::App;
+use crate::window::chart::still;
 use crate::window::style::{BAD, EXACT, GOURAUD, PHONG, STALE};
 
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
@@ -135,13 +136,7 @@ fn section(ui: &mut Ui, profile: &Profile, column: usize, row: usize) {
             .map(|(x, levels)| [x as f64, levels[channel].clamp(0.0, 255.0)])
             .collect()
     };
-    let plot = Plot::new("section")
-        .height(140.0)
-        .include_y(0.0)
-        .allow_scroll(false)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_boxed_zoom(false);
+    let plot = still(Plot::new("section").height(140.0).include_y(0.0));
     plot.show(ui, |plot| {
         plot.vline(VLine::new("pixel", column as f64).color(Color32::from_gray(110)));
         plot.line(Line::new("Gouraud", curve(&profile.gouraud)).color(GOURAUD));

@@ -171,20 +171,20 @@ impl App {
         let seen = Viewpoint::of(world, active_camera(world));
         let name = match kind {
             Kind::Cuboid => {
-                let name = unused(stem, record.cuboid.iter().map(|it| &it.name));
+                let name = unused(stem, |name| record.cuboid.iter().any(|it| it.name == name));
                 record
                     .cuboid
                     .push(CuboidRecord::new(&name, [1.0; 3], seen.camera.target));
                 name
             }
             Kind::Light => {
-                let name = unused(stem, record.light.iter().map(|it| &it.name));
+                let name = unused(stem, |name| record.light.iter().any(|it| it.name == name));
                 let light = LightRecord::new(&name, LightKind::Diffuse, 100.0, seen.position);
                 record.light.push(light);
                 name
             }
             Kind::Camera => {
-                let name = unused(stem, record.camera.iter().map(|it| &it.name));
+                let name = unused(stem, |name| record.camera.iter().any(|it| it.name == name));
                 let sees = [seen.camera.fov, seen.camera.height];
                 let camera = CameraRecord::new(&name, seen.position, seen.camera.target, sees);
                 record.camera.push(CameraRecord {
@@ -238,25 +238,25 @@ impl App {
             let field = ui.add(TextEdit::singleline(&mut text).desired_width(140.0));
             if field.lost_focus() {
                 ui.data_mut(|data| data.remove::<String>(id));
-                self.rename(kind, entity, name, text);
+                self.rename(kind, entity, name, &text);
             } else {
                 ui.data_mut(|data| data.insert_temp(id, text));
             }
         });
     }
 
-    fn rename(&mut self, kind: Kind, entity: Entity, before: &str, name: String) {
+    fn rename(&mut self, kind: Kind, entity: Entity, before: &str, name: &str) {
         if name == before {
             return;
         }
         let is_list = name.contains(',') || name == "all" || name == "none";
-        let is_name = !name.is_empty() && !(kind == Kind::Light && is_list);
-        if !is_name || self.find(kind, &name).is_some() {
+        let is_name = !name.is_empty() && (kind != Kind::Light || !is_list);
+        if !is_name || self.find(kind, name).is_some() {
             return self.say(format!("{name:?} is taken, or cannot be a name"));
         }
         // The entity was just found.
-        let _ = self.scene.world.insert_one(entity, Name(name.clone()));
-        self.desk.selected = Some((kind, name));
+        let _ = self.scene.world.insert_one(entity, Name(name.to_owned()));
+        self.desk.selected = Some((kind, name.to_owned()));
     }
 
     fn cuboid_numbers(&self, ui: &mut Ui, entity: Entity) {
@@ -397,16 +397,15 @@ fn duplicate<T: Clone>(
 ) -> Option<String> {
     let names: Vec<String> = all.iter_mut().map(|it| name_of(it).clone()).collect();
     let mut copy = all[names.iter().position(|own| own == name)?].clone();
-    let new = unused(name, names.iter());
+    let new = unused(name, |name| names.iter().any(|it| it == name));
     new.clone_into(name_of(&mut copy));
     all.push(copy);
     Some(new)
 }
 
-/// `stem`, or the first of `stem 2`, `stem 3`, ... that no entity has.
-fn unused<'a>(stem: &str, names: impl Iterator<Item = &'a String> + Clone) -> String {
+/// `stem`, or the first of `stem 2`, `stem 3`, ... that is not taken.
+fn unused(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     let numbered = (2..).map(|number| format!("{stem} {number}"));
     let mut candidates = std::iter::once(stem.to_owned()).chain(numbered);
-    let is_free = |name: &String| names.clone().all(|taken| taken != name);
-    candidates.find(is_free).unwrap_or_default()
+    candidates.find(|name| !is_taken(name)).unwrap_or_default()
 }
