@@ -70,8 +70,10 @@ impl Mistake {
     }
 
     fn key(&self) -> String {
-        let keys = [self.kind].into_iter().chain(self.keys.first().copied());
-        format!("`{}`", Vec::from_iter(keys).join("."))
+        match self.keys.first() {
+            Some(key) => format!("`{}.{key}`", self.kind),
+            None => format!("`{}`", self.kind),
+        }
     }
 
     /// The mistake as told to a person: `text` is what it is in, `file` what that is called.
