@@ -10,6 +10,7 @@
 
 mod error;
 mod file;
+mod form;
 pub mod range;
 mod record;
 mod save;

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 use hecs::World;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::{Mesh, Spin, Transform, Viewpoint, active_camera, get, length, unit, viewer};
 
@@ -19,7 +19,8 @@ const CLOSEST: f64 = 0.001;
 const FARTHEST: f64 = 30.0;
 
 /// How far a camera has gone from its own place.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Orbit {
     /// Degrees about `up`, to the right as seen from the camera, -180..=180.
     pub azimuth: f64,

@@ -9,9 +9,14 @@
 //!
 //! Every message has this form, is a few lines long whatever the text, and contains no control character of the text.
 
+use std::fmt::Debug;
 use std::io;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::string::FromUtf8Error;
+
+use glam::DVec3;
+
+use super::range::words;
 
 /// Why there is no scene. The display of either kind is the whole message, without a line break at its end.
 #[derive(Debug, thiserror::Error)]
@@ -42,36 +47,80 @@ pub enum SceneError {
     },
 }
 
-/// What does not go together in a scene, and at which key.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: {message}", self.key())]
-pub struct Mistake {
-    /// What a scene has one or several of, and which of them.
+/// A table of a scene: what it is, and which of its kind; or one number of the background.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
     kind: &'static str,
     index: usize,
-    /// The first of these that the text has; none is the whole.
-    keys: &'static [&'static str],
+    /// Which number of the key.
+    element: Option<usize>,
+}
+
+impl Place {
+    pub fn new(kind: &'static str, index: usize) -> Self {
+        Place {
+            kind,
+            index,
+            element: None,
+        }
+    }
+
+    /// Whether what is `found` at a key is legal.
+    pub fn is(
+        &self,
+        key: &'static str,
+        found: impl Debug,
+        is_legal: bool,
+        expected: impl FnOnce() -> String,
+    ) -> Result<(), Mistake> {
+        if is_legal {
+            return Ok(());
+        }
+        let message = format!("invalid value: {found:?}, expected {}", expected());
+        Err(Mistake::new(*self, key, message))
+    }
+
+    /// Whether the number at a key is within its range.
+    pub fn number(
+        &self,
+        key: &'static str,
+        number: f64,
+        range: &RangeInclusive<f64>,
+    ) -> Result<(), Mistake> {
+        self.is(key, number, range.contains(&number), || words(range))
+    }
+
+    /// Whether the three numbers at a key are within their range.
+    pub fn three(
+        &self,
+        key: &'static str,
+        numbers: DVec3,
+        range: &RangeInclusive<f64>,
+    ) -> Result<(), Mistake> {
+        (0..3).try_for_each(|axis| {
+            let element = Some(axis);
+            Place { element, ..*self }.number(key, numbers[axis], range)
+        })
+    }
+}
+
+/// What a scene may not say, and at which key.
+#[derive(Debug, thiserror::Error)]
+#[error("`{}{}{key}`: {message}", place.kind, if key.is_empty() { "" } else { "." })]
+pub struct Mistake {
+    place: Place,
+    /// With points between its parts; empty is the whole table.
+    key: &'static str,
     message: String,
 }
 
 impl Mistake {
-    pub(super) fn new(
-        kind: &'static str,
-        index: usize,
-        keys: &'static [&'static str],
-        message: impl Into<String>,
-    ) -> Self {
+    pub(super) fn new(place: Place, key: &'static str, message: String) -> Self {
         Mistake {
-            kind,
-            index,
-            keys,
-            message: message.into(),
+            place,
+            key,
+            message,
         }
-    }
-
-    fn key(&self) -> String {
-        let keys = [self.kind].into_iter().chain(self.keys.first().copied());
-        format!("`{}`", Vec::from_iter(keys).join("."))
     }
 
     /// The mistake as told to a person: `text` is what it is in, `file` what that is called.
@@ -80,13 +129,16 @@ impl Mistake {
         located(file, text, &span, &self.to_string())
     }
 
-    /// The bytes of the text that say it; the start of a text that does not say it.
+    /// The bytes of the text that say it, or the table that does not.
     fn span(&self, text: &str) -> Option<Range<usize>> {
         let document = toml_edit::Document::parse(text).ok()?;
-        let all = document.get(self.kind)?;
-        let one = all.get(self.index).unwrap_or(all);
-        let said = self.keys.iter().find_map(|key| one.get(key));
-        said.unwrap_or(one).span()
+        let all = document.get(self.place.kind)?;
+        let mut said = all.get(self.place.index).unwrap_or(all);
+        for key in self.key.split('.') {
+            said = said.get(key).unwrap_or(said);
+        }
+        let element = self.place.element.and_then(|element| said.get(element));
+        element.unwrap_or(said).span()
     }
 }
 

@@ -13,10 +13,10 @@ use glam::DVec3;
 use hecs::World;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::error::{Fault, Mistake};
+use super::error::{Fault, Mistake, Place};
+use super::form::{array, number, some_three, table, tables, three};
 use super::range::{
-    Angle, Coordinate, FieldOfView, LENGTH, Length, Level, OrbitAngle, Share, Shininess, Strength,
-    Zoom, array, number, some_number, some_three, table, tables, three,
+    ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
 };
 use crate::components::{
     ActiveCamera, Background, Camera, FileOrder, Inspector, Light, LightKind, Magnifier, Material,
@@ -42,7 +42,7 @@ pub(crate) const EMERALD: Material = Material {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneRecord {
-    #[serde(default, deserialize_with = "three::<Level, _>")]
+    #[serde(default, deserialize_with = "three")]
     pub background: DVec3,
     /// One or more.
     #[serde(deserialize_with = "tables")]
@@ -59,13 +59,12 @@ pub struct SceneRecord {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CuboidRecord {
-    #[serde(deserialize_with = "name")]
     pub name: String,
-    #[serde(deserialize_with = "three::<Length, _>")]
+    #[serde(deserialize_with = "three")]
     pub size: DVec3,
-    #[serde(default, deserialize_with = "three::<Coordinate, _>")]
+    #[serde(default, deserialize_with = "three")]
     pub position: DVec3,
-    #[serde(default, deserialize_with = "three::<Angle, _>")]
+    #[serde(default, deserialize_with = "three")]
     pub rotation: DVec3,
     #[serde(default)]
     pub shading: ShadingMode,
@@ -76,33 +75,32 @@ pub struct CuboidRecord {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MaterialRecord {
-    #[serde(deserialize_with = "three::<Strength, _>")]
+    #[serde(deserialize_with = "three")]
     pub ambient: DVec3,
-    #[serde(deserialize_with = "three::<Strength, _>")]
+    #[serde(deserialize_with = "three")]
     pub diffuse: DVec3,
-    #[serde(deserialize_with = "three::<Strength, _>")]
+    #[serde(deserialize_with = "three")]
     pub specular: DVec3,
-    #[serde(deserialize_with = "number::<Shininess, _>")]
+    #[serde(deserialize_with = "number")]
     pub shininess: f64,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LightRecord {
-    #[serde(deserialize_with = "light_name")]
     pub name: String,
     pub kind: LightKind,
-    #[serde(deserialize_with = "three::<Strength, _>")]
+    #[serde(deserialize_with = "three")]
     pub color: DVec3,
-    #[serde(deserialize_with = "number::<Strength, _>")]
+    #[serde(deserialize_with = "number")]
     pub intensity: f64,
-    #[serde(default = "one", deserialize_with = "number::<Strength, _>")]
+    #[serde(default = "one", deserialize_with = "number")]
     pub gain: f64,
     /// None of an ambient light.
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",
-        deserialize_with = "some_three::<Coordinate, _>"
+        deserialize_with = "some_three"
     )]
     pub position: Option<DVec3>,
     #[serde(default = "yes")]
@@ -112,25 +110,20 @@ pub struct LightRecord {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CameraRecord {
-    #[serde(deserialize_with = "name")]
     pub name: String,
-    #[serde(deserialize_with = "three::<Coordinate, _>")]
+    #[serde(deserialize_with = "three")]
     pub position: DVec3,
-    #[serde(deserialize_with = "three::<Coordinate, _>")]
+    #[serde(deserialize_with = "three")]
     pub target: DVec3,
-    #[serde(default = "y", deserialize_with = "three::<Coordinate, _>")]
+    #[serde(default = "y", deserialize_with = "three")]
     pub up: DVec3,
-    #[serde(deserialize_with = "number::<FieldOfView, _>")]
+    #[serde(deserialize_with = "number")]
     pub fov: f64,
-    #[serde(deserialize_with = "number::<Length, _>")]
+    #[serde(deserialize_with = "number")]
     pub height: f64,
-    #[serde(
-        default,
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "some_number::<Length, _>"
-    )]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub near: Option<f64>,
-    #[serde(default, deserialize_with = "orbit")]
+    #[serde(default, deserialize_with = "table")]
     pub orbit: Orbit,
 }
 
@@ -142,15 +135,14 @@ pub struct ViewRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub camera: Option<String>,
     pub projection: Projection,
-    #[serde(deserialize_with = "tolerance")]
+    #[serde(deserialize_with = "number")]
     pub tolerance: f64,
     pub show: ViewMode,
     #[serde(deserialize_with = "array")]
     pub sides: [Side; 2],
-    #[serde(deserialize_with = "number::<Share, _>")]
+    #[serde(deserialize_with = "number")]
     pub divider: f64,
     /// Degrees by which all cuboids have turned, 0..360.
-    #[serde(deserialize_with = "turned")]
     pub turned: u32,
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
     pub pixel: Option<[usize; 2]>,
@@ -194,56 +186,8 @@ fn y() -> DVec3 {
     DVec3::Y
 }
 
-/// `value` if it `is_legal`, else an error that says what is expected.
-fn checked<T, E: serde::de::Error>(
-    value: T,
-    is_legal: impl Fn(&T) -> bool,
-    expected: &str,
-) -> Result<T, E>
-where
-    T: Serialize,
-{
-    if is_legal(&value) {
-        return Ok(value);
-    }
-    let found = serde_json::to_string(&value).map_err(E::custom)?;
-    Err(E::custom(format!(
-        "invalid value: {found}, expected {expected}"
-    )))
-}
-
-fn name<'de, D: Deserializer<'de>>(from: D) -> Result<String, D::Error> {
-    let is_name = |name: &String| !name.is_empty();
-    checked(
-        String::deserialize(from)?,
-        is_name,
-        "a name that is not empty",
-    )
-}
-
-/// The command line writes lists of lights with commas between them.
-fn light_name<'de, D: Deserializer<'de>>(from: D) -> Result<String, D::Error> {
-    let is_name = |name: &String| !["", "all", "none"].contains(&&**name) && !name.contains(',');
-    let expected = "a name that is not empty, holds no comma and is not \"all\" or \"none\"";
-    checked(String::deserialize(from)?, is_name, expected)
-}
-
-fn tolerance<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    let levels = f64::deserialize(from)?;
-    let is_legal = |levels: &f64| Tolerance::is_legal(*levels);
-    checked(levels + 0.0, is_legal, "0 or a number from 0.0001 to 255")
-}
-
-fn turned<'de, D: Deserializer<'de>>(from: D) -> Result<u32, D::Error> {
-    let is_turn = |degrees: &u32| *degrees < 360;
-    let expected = "a whole number of degrees from 0 to 359";
-    checked(u32::deserialize(from)?, is_turn, expected)
-}
-
 fn pixel<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[usize; 2]>, D::Error> {
-    let is_pixel = |pixel: &[usize; 2]| pixel.iter().all(|it| *it < MAX_SIDE);
-    let expected = "two whole numbers from 0 to 16383";
-    checked(array(from)?, is_pixel, expected).map(Some)
+    array(from).map(Some)
 }
 
 fn magnifier<'de, D: Deserializer<'de>>(from: D) -> Result<Magnifier, D::Error> {
@@ -255,39 +199,9 @@ fn magnifier<'de, D: Deserializer<'de>>(from: D) -> Result<Magnifier, D::Error> 
         corner: [usize; 2],
     }
     let MagnifierRecord { scale, corner } = table(from)?;
-    let magnifier = Magnifier {
+    Ok(Magnifier {
         scale: scale.unwrap_or(1),
         corner,
-    };
-    let is_legal = |it: &Magnifier| {
-        let is_scale = it.scale.is_power_of_two() && it.scale <= Magnifier::MAX_SCALE;
-        is_scale && it.corner.iter().all(|it| *it < MAX_SIDE)
-    };
-    let expected =
-        "a scale that is a power of two from 1 to 64, and a corner of two numbers from 0 to 16383";
-    checked(magnifier, is_legal, expected)
-}
-
-fn orbit<'de, D: Deserializer<'de>>(from: D) -> Result<Orbit, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(deny_unknown_fields)]
-    struct OrbitRecord {
-        #[serde(default, deserialize_with = "number::<OrbitAngle, _>")]
-        azimuth: f64,
-        #[serde(default, deserialize_with = "number::<OrbitAngle, _>")]
-        elevation: f64,
-        #[serde(default = "one", deserialize_with = "number::<Zoom, _>")]
-        zoom: f64,
-    }
-    let OrbitRecord {
-        azimuth,
-        elevation,
-        zoom,
-    } = table(from)?;
-    Ok(Orbit {
-        azimuth,
-        elevation,
-        zoom,
     })
 }
 
@@ -449,66 +363,62 @@ impl SceneRecord {
         Ok(record)
     }
 
-    /// Whether what is said in several places goes together.
+    /// Whether everything is within its range and goes together.
     ///
     /// # Errors
-    /// The first thing that does not.
+    /// The first thing that is not.
     pub fn check(&self) -> Result<(), Mistake> {
-        if self.cuboid.is_empty() {
-            return Err(Mistake::new(
-                "cuboid",
-                0,
-                &[],
-                "expected one or more tables, each headed `[[cuboid]]`",
-            ));
+        for (index, level) in self.background.to_array().into_iter().enumerate() {
+            Place::new("background", index).number("", level, &LEVEL)?;
         }
-        if self.camera.is_empty() {
-            return Err(Mistake::new(
-                "camera",
-                0,
-                &[],
-                "expected one or more tables, each headed `[[camera]]`",
-            ));
+        let counts = [("cuboid", self.cuboid.len()), ("camera", self.camera.len())];
+        for (kind, count) in counts {
+            Place::new(kind, 0).is("", count, count > 0, || {
+                format!("one or more tables, each headed `[[{kind}]]`")
+            })?;
         }
         unique("cuboid", self.cuboid.iter().map(|it| &it.name))?;
         unique("light", self.light.iter().map(|it| &it.name))?;
         unique("camera", self.camera.iter().map(|it| &it.name))?;
-        let check = |(index, light): (usize, &LightRecord)| light.check(index);
-        self.light.iter().enumerate().try_for_each(check)?;
-        let check = |(index, camera): (usize, &CameraRecord)| camera.check(index);
-        self.camera.iter().enumerate().try_for_each(check)?;
-        if self.active_camera().is_none() {
-            let names: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();
-            let name = self.view.camera.as_deref().unwrap_or_default();
-            let message = format!(
-                "invalid value: string {name:?}, expected the name of a camera: {}",
-                names.join(", ")
-            );
-            return Err(Mistake::new("view", 0, &["camera"], message));
+        for (index, cuboid) in self.cuboid.iter().enumerate() {
+            cuboid.check(&Place::new("cuboid", index))?;
         }
-        Ok(())
+        for (index, light) in self.light.iter().enumerate() {
+            light.check(&Place::new("light", index))?;
+        }
+        for (index, camera) in self.camera.iter().enumerate() {
+            camera.check(&Place::new("camera", index))?;
+        }
+        let place = Place::new("view", 0);
+        self.view.check(&place)?;
+        let camera = self.view.camera.as_deref().unwrap_or_default();
+        place.is("camera", camera, self.active_camera().is_some(), || {
+            let names: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();
+            format!("the name of a camera: {}", names.join(", "))
+        })
     }
 
     /// The first light whose colour is written in levels, which makes it some 255 times as bright as was meant.
     pub(super) fn slip(&self) -> Option<Mistake> {
-        let lights = self.light.iter();
-        let index = lights.clone().position(|it| it.color.max_element() > 1.0)?;
+        let is_slip = |light: &LightRecord| light.color.max_element() > 1.0;
+        let index = self.light.iter().position(is_slip)?;
         let most = self.light[index].color.max_element();
         let message = format!(
             "{most:?} is above 1; a colour is usually from 0 to 1, and `intensity` says how bright it is"
         );
-        Some(Mistake::new("light", index, &["color"], message))
+        Some(Mistake::new(Place::new("light", index), "color", message))
     }
 }
 
 fn unique<'a>(kind: &'static str, names: impl Iterator<Item = &'a String>) -> Result<(), Mistake> {
     let mut known = HashSet::new();
     for (index, name) in names.enumerate() {
-        if !known.insert(name) {
-            let message =
-                format!("invalid value: string {name:?}, expected a name that no other {kind} has");
-            return Err(Mistake::new(kind, index, &["name"], message));
-        }
+        let place = Place::new(kind, index);
+        let expected = || format!("a name that no other {kind} has");
+        place.is("name", name, known.insert(name), expected)?;
+        place.is("name", name, !name.is_empty(), || {
+            "a name that is not empty".to_owned()
+        })?;
     }
     Ok(())
 }
@@ -528,6 +438,17 @@ impl CuboidRecord {
             shading: ShadingMode::Phong,
             material: EMERALD.into(),
         }
+    }
+
+    fn check(&self, place: &Place) -> Result<(), Mistake> {
+        let material = &self.material;
+        place.three("size", self.size, &LENGTH)?;
+        place.three("position", self.position, &COORDINATE)?;
+        place.three("rotation", self.rotation, &ANGLE)?;
+        place.three("material.ambient", material.ambient, &STRENGTH)?;
+        place.three("material.diffuse", material.diffuse, &STRENGTH)?;
+        place.three("material.specular", material.specular, &STRENGTH)?;
+        place.number("material.shininess", material.shininess, &SHININESS)
     }
 }
 
@@ -588,22 +509,27 @@ impl LightRecord {
         self.position.unwrap_or_default()
     }
 
-    fn check(&self, index: usize) -> Result<(), Mistake> {
-        match (self.kind, self.position) {
-            (LightKind::Ambient, Some(_)) => Err(Mistake::new(
-                "light",
-                index,
-                &["position"],
-                "unknown field of an ambient light, which is everywhere alike",
-            )),
-            (LightKind::Diffuse | LightKind::Specular, None) => Err(Mistake::new(
-                "light",
-                index,
-                &["position", "kind"],
-                "missing, expected three numbers; only an ambient light has none",
-            )),
-            _ => Ok(()),
-        }
+    fn check(&self, place: &Place) -> Result<(), Mistake> {
+        // The command line writes lists of lights with commas between them.
+        let is_name = !["all", "none"].contains(&&*self.name) && !self.name.contains(',');
+        place.is("name", &self.name, is_name, || {
+            "a name that holds no comma and is not \"all\" or \"none\"".to_owned()
+        })?;
+        place.three("color", self.color, &STRENGTH)?;
+        place.number("intensity", self.intensity, &STRENGTH)?;
+        place.number("gain", self.gain, &STRENGTH)?;
+        let position = self.position.unwrap_or_default();
+        place.three("position", position, &COORDINATE)?;
+        let message = match (self.kind, self.position) {
+            (LightKind::Ambient, Some(_)) => {
+                "unknown field of an ambient light, which is everywhere alike"
+            }
+            (LightKind::Diffuse | LightKind::Specular, None) => {
+                "missing, expected three numbers; only an ambient light has none"
+            }
+            _ => return Ok(()),
+        };
+        Err(Mistake::new(*place, "position", message.to_owned()))
     }
 }
 
@@ -639,35 +565,76 @@ impl CameraRecord {
         }
     }
 
-    fn check(&self, index: usize) -> Result<(), Mistake> {
+    fn check(&self, place: &Place) -> Result<(), Mistake> {
+        let Orbit {
+            azimuth,
+            elevation,
+            zoom,
+        } = self.orbit;
+        place.three("position", self.position, &COORDINATE)?;
+        place.three("target", self.target, &COORDINATE)?;
+        place.three("up", self.up, &COORDINATE)?;
+        place.number("fov", self.fov, &FIELD_OF_VIEW)?;
+        place.number("height", self.height, &LENGTH)?;
+        place.number("near", self.near.unwrap_or(1.0), &LENGTH)?;
+        place.number("orbit.azimuth", azimuth, &ORBIT)?;
+        place.number("orbit.elevation", elevation, &ORBIT)?;
+        place.number("orbit.zoom", zoom, &ZOOM)?;
+
         let view = self.target - self.position;
-        let parallel = unit(self.up).cross(unit(view)).length() < PARALLEL;
+        let (target, up) = (self.target.to_array(), self.up.to_array());
         // The default near plane, a thousandth of this distance, must not underflow.
-        let (keys, found, expected): (&[_], _, _) = if length(view) < 1e-100 {
-            let expected = "a point at least 1e-100 away from `camera.position`";
+        place.is("target", target, length(view) >= 1e-100, || {
+            "a point at least 1e-100 away from `camera.position`".to_owned()
+        })?;
+        let is_parallel = unit(self.up).cross(unit(view)).length() < PARALLEL;
+        // A usual `up` is hardly ever said, nor is it what is wrong.
+        let (key, found, expected) = if self.up == DVec3::Y {
             (
-                &["target"],
-                format!("{:?}", self.target.to_array()),
-                expected,
+                "target",
+                target,
+                "a point that is not above or below `camera.position`, as `camera.up` is +y",
             )
-        } else if parallel {
-            let expected = "a direction that is neither zero nor parallel to the view, target - position (left out, it is +y)";
-            (
-                &["up", "target"],
-                format!("{:?}", self.up.to_array()),
-                expected,
-            )
-        } else if self.orbit.zoom != 1.0
-            && ![length(view), self.height]
-                .iter()
-                .all(|it| LENGTH.contains(&(it * self.orbit.zoom)))
-        {
-            let expected = "one that leaves distance and height from 1e-100 to 1e100";
-            (&["orbit"], format!("zoom {:?}", self.orbit.zoom), expected)
         } else {
-            return Ok(());
+            (
+                "up",
+                up,
+                "a direction that is neither zero nor parallel to the view, target - position",
+            )
         };
-        let message = format!("invalid value: {found}, expected {expected}");
-        Err(Mistake::new("camera", index, keys, message))
+        place.is(key, found, !is_parallel, || expected.to_owned())?;
+        let seen = [length(view), self.height].map(|it| it * zoom);
+        let is_seen = seen.iter().all(|it| LENGTH.contains(it));
+        place.is("orbit", zoom, zoom == 1.0 || is_seen, || {
+            "a zoom that leaves distance and height from 1e-100 to 1e100".to_owned()
+        })
+    }
+}
+
+impl ViewRecord {
+    fn check(&self, place: &Place) -> Result<(), Mistake> {
+        let is_tolerance = Tolerance::is_legal(self.tolerance);
+        place.is("tolerance", self.tolerance, is_tolerance, || {
+            "0 or a number from 0.0001 to 255".to_owned()
+        })?;
+        place.number("divider", self.divider, &SHARE)?;
+        place.is("turned", self.turned, self.turned < 360, || {
+            "a whole number of degrees from 0 to 359".to_owned()
+        })?;
+        let Magnifier { scale, corner } = self.magnifier;
+        let is_scale = scale.is_power_of_two() && scale <= Magnifier::MAX_SCALE;
+        place.is("magnifier.scale", scale, is_scale, || {
+            "a power of two from 1 to 64".to_owned()
+        })?;
+        let pixels = [
+            ("magnifier.corner", corner),
+            ("pixel", self.pixel.unwrap_or_default()),
+        ];
+        pixels.into_iter().try_for_each(|(key, pixel)| {
+            let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
+            place.is(key, pixel, is_pixel, || {
+                "two whole numbers from 0 to 16383".to_owned()
+            })
+        })
     }
 }

@@ -17,7 +17,7 @@ type Tree = Map<String, Json>;
 
 /// `text` changed so that it is read as `record`. A text that is no scene is replaced.
 pub fn updated(text: &str, record: &SceneRecord) -> String {
-    // The document refuses numbers that a scene may have: integers of more than 64 bits.
+    // The document refuses integers that are floats in a scene: those of 64 bits.
     let (old, mut document) = match (SceneRecord::read(text), text.parse()) {
         (Ok(old), _) if old == *record => return text.to_owned(),
         (Ok(old), Ok(document)) => (old, document),

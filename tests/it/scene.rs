@@ -12,7 +12,7 @@ const LEAST: &str = include_str!("support/least.toml");
 /// Every key, numbers written in every way, tables in every way, kinds in no order.
 const MOST: &str = r#"
 camera = [{ name = "c", position = [0, 0, 9], target = [0, 0, 1], up = [1, 0, 0], fov = 179, height = 2, near = 3 }]
-light = [{ name = "l", kind = "specular", color = [0x10, 0o17, 0b11], intensity = 1_000, gain = 10000000000000000000000, position = [1, 2, 3], on = false }]
+light = [{ name = "l", kind = "specular", color = [0x10, 0o17, 0b11], intensity = 1_000, gain = 1000000000000000000, position = [1, 2, 3], on = false }]
 background = [0, 255, 1.5]
 [[cuboid]]
 name = "é"

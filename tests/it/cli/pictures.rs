@@ -44,6 +44,33 @@ fn render_writes_a_picture_of_the_size_asked_for() {
 }
 
 #[test]
+fn a_scene_is_drawn_as_its_view_says_and_options_win() {
+    let folder = folder();
+    let scene = |name: &str, view: &str| {
+        let path = folder.path().join(name);
+        let text = include_str!("../../../assets/scenes/cuboid.toml");
+        fs::write(&path, format!("{text}\n[view]\n{view}\n")).expect("written");
+        path.display().to_string()
+    };
+    let small = |words: &str| render(&format!("{words} --size 64x48"));
+    let usual = small("");
+    let options = "--camera 2 --projection orthographic --tolerance 4";
+    let expected = small(options);
+    assert_ne!(expected, usual);
+    let view = "camera = \"2\"\nprojection = \"orthographic\"\ntolerance = 4";
+    let looked_at = scene("a.toml", view);
+    assert_eq!(small(&looked_at), expected);
+    let back = "--camera 1 --projection perspective --tolerance 0.5";
+    assert_eq!(small(&format!("{looked_at} {back}")), usual);
+    let turned = scene("b.toml", "turned = 90");
+    assert_ne!(small(&turned), usual);
+    assert_eq!(
+        small(&turned),
+        small(&scene("c.toml", "turned = 90\nshow = \"wipe\""))
+    );
+}
+
+#[test]
 fn render_says_what_it_wrote_what_was_shaded_and_what_a_frame_takes() {
     let folder = folder();
     let said = assert_works(
@@ -175,7 +202,7 @@ fn figures_are_what_render_draws() {
 
 #[test]
 fn without_a_display_the_built_in_scene_becomes_figures() {
-    for line in ["", "view", "cuboid", "view cuboid --camera 2"] {
+    for line in ["", "view"] {
         let folder = folder();
         let said = assert_works(folder.path(), line);
         let display = said
@@ -192,12 +219,14 @@ fn without_a_display_the_built_in_scene_becomes_figures() {
 #[test]
 fn without_a_display_another_scene_is_for_render() {
     let folder = folder();
-    assert_fails(
-        folder.path(),
-        "bench-far",
-        1,
-        &["no display", "shadetrade render bench-far -o"],
-    );
+    for (line, scene) in [
+        ("bench-far", "bench-far"),
+        ("cuboid", "cuboid"),
+        ("view --camera 2", "cuboid"),
+    ] {
+        let advice = format!("shadetrade render {scene} -o");
+        assert_fails(folder.path(), line, 1, &["no display", &advice]);
+    }
     assert_eq!(listing(folder.path()), [""; 0]);
 }
 

@@ -125,7 +125,9 @@ proptest! {
         let mut text = texts()[text].to_owned();
         for changes in changes {
             let mut record = read(&text);
-            changes.iter().for_each(|change| change.apply(&mut record));
+            for change in &changes {
+                change.apply(&mut record);
+            }
             let mut record = random::with_own_names(record);
             record.view.camera = record.camera.get(1).map(|camera| camera.name.clone());
             prop_assume!(record.check().is_ok());
