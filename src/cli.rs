@@ -85,7 +85,7 @@ a sheet of the six.")]
     /// Measures what every shading method costs and how far it errs, and which of them are worth their time
     #[command(
         mut_arg("size", |argument| argument.default_value("1920x1080")),
-        mut_arg("threads", |argument| argument.help("How many threads draw the frames that are timed, 1 to 1024 [default: 1; with --scale the most, all cores]")),
+        mut_arg("threads", |argument| argument.help("How many threads draw the frames that are timed, 1 to 1024 [default: 1]")),
         mut_arg("shading", |argument| argument.hide(true)),
         mut_arg("tolerance", |argument| argument.hide(true)),
         after_help = "\
@@ -94,14 +94,9 @@ Examples:
   shadetrade trade bench-close -o close
   shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
   shadetrade trade --methods gouraud-0.5,phong-0.5
-  shadetrade trade --scale --quick
 
 Prints a verdict and a table; with -o also writes trade.json, trade.csv, trade.md, trade.svg (error
-against time) and an error map of each method. Errors are against exact Phong in f64, in levels.
-
-With --scale it times frames instead: of 480p to 8K (--size times 4/9 to 4), under 1 to 64 lights,
-with 1 to 10,000 cuboids, by 1 to all threads. Pixels and threads show the scene. With -o it writes
-scale.json.")]
+against time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
     Trade(TradeOptions),
     /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
     #[command(after_help = "\

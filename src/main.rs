@@ -41,7 +41,6 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let (request, folder) = (options.request()?, options.output.as_deref());
             let done = match options.batch {
                 Some(number) => trade::process::run(&request, number),
-                None if options.scale => trade::scale::run(&request, folder),
                 None => trade::run(request, folder),
             };
             Ok(done?)

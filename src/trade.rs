@@ -5,7 +5,6 @@
 //! Request ---+                                                   +-- front --> Report --> export, plot, error_map
 //!            +-- accuracy: pictures against the reference -------+
 //! ```
-//! [`scale`] measures how time grows with pixels, lights, cuboids and threads.
 //!
 //! Rule: measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it.
 
@@ -21,7 +20,6 @@ pub mod plot;
 pub mod process;
 pub(crate) mod progress;
 pub mod record;
-pub mod scale;
 pub mod tables;
 pub mod timing;
 pub mod verdict;
