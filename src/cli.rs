@@ -95,8 +95,8 @@ Examples:
   shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
   shadetrade trade --methods gouraud-0.5,phong-0.5
 
-Prints a verdict and a table; with -o also writes trade.json, trade.csv, trade.md, trade.svg (error
-against time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
+Prints a verdict and a table; with -o also writes trade.json, trade.md, trade.svg (error against
+time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
     Trade(TradeOptions),
     /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
     #[command(after_help = "\
@@ -152,7 +152,7 @@ With --chart it sweeps one number of a scene at a time instead: shininess, edge 
 distance from the origin, of the eye and of a light, field of view, intensity, number of lights. Four
 evaluations are compared with intervals that enclose the exact levels: the textbook's formula in f32,
 this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps 0.05
-level (0.5 at tolerance 0.5); with -o also writes stability.svg, stability.csv and stability.json.")]
+level (0.5 at tolerance 0.5); with -o also writes stability.svg and stability.json.")]
     Extremes(ExtremesOptions),
     /// Draws a recording again, without a display
     #[command(after_help = "\

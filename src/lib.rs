@@ -151,8 +151,8 @@
 //!   `tests/it/systems`; a component that it derives joins the others in [`components::cuboid`];
 //! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule
 //!   that decides what is right;
-//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON and CSV show by
-//!   themselves; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
+//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON shows by itself; a row
+//!   of `COLUMNS` in [`trade::export`] if the table is to show it as well;
 //! - a number that can be edited: a variant of [`scene::edit::Property`] with its key, its step and its range, and its place in
 //!   a page;
 //! - a key: an [`window::bindings::Action`] with its row of [`window::bindings::BINDINGS`], and an arm of

@@ -35,7 +35,6 @@ fn whole_files(folder: &Path, hidden_allowed: bool) -> Vec<String> {
         match name.rsplit_once('.').map(|(_, extension)| extension) {
             Some("png") => drop(decode(&bytes)),
             Some("json") => drop(serde_json::from_str::<serde_json::Value>(text()).expect(name)),
-            Some("csv") => assert_eq!(text().lines().count(), 10, "a head and nine methods"),
             Some("md") => assert!(text().ends_with(".\n"), "{name} ends with a sentence"),
             Some("svg") => assert!(text().trim_end().ends_with("</svg>"), "{name}"),
             _ => panic!("{name} is none of ours"),
