@@ -12,9 +12,7 @@ use shadetrade::window::{self, NoDisplay};
 use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
-    let begun = output::survive_file_limits().map_err(Failure::from);
-    let command = begun.and_then(|()| cli::parse(std::env::args_os()));
-    match command.and_then(run) {
+    match cli::parse(std::env::args_os()).and_then(run) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
