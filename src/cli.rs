@@ -1,14 +1,16 @@
 //! The commands there are, each with its options and its help.
 //!
 //! ```text
-//! words --parsing--> Command with checked values (commands, options) --main--> done, or a Failure --failure--> exit status
+//! words --parse--> Command with checked values (commands, options) --main--> done, or a Failure --failure--> exit status
 //! ```
 //! Rule: every command and option is declared here, in the words that `--help` prints.
 
 mod commands;
 mod failure;
 pub mod options;
-mod parsing;
+
+use std::ffi::OsString;
+use std::io::{self, ErrorKind, Write};
 
 use anyhow::Context;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -22,7 +24,6 @@ pub use commands::{
     ReplayOptions, RequiresOptions, TradeOptions, ViewOptions,
 };
 pub use failure::Failure;
-pub use parsing::parse;
 
 /// The command line: a command, or the options of `view` without its name.
 #[derive(Debug, Parser)]
@@ -204,6 +205,23 @@ impl Command {
             .use_current_thread()
             .build_global()
             .context("cannot start the threads that draw")
+    }
+}
+
+/// The command of a command line, or none where help or the version was asked for: that is printed already.
+///
+/// # Errors
+/// When the command line is wrong, or help could not be printed.
+pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
+    match Arguments::try_parse_from(words) {
+        Ok(Arguments { command, view }) => Ok(Some(command.unwrap_or(Command::View(view)))),
+        Err(error) if error.use_stderr() => Err(Failure::of(&error)),
+        Err(help) => match help.print().and_then(|()| io::stdout().flush()) {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Work(
+                anyhow::Error::from(error).context("cannot write to standard output"),
+            )),
+            _ => Ok(None),
+        },
     }
 }
 
