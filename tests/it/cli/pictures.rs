@@ -175,7 +175,7 @@ fn figures_are_what_render_draws() {
 
 #[test]
 fn without_a_display_the_built_in_scene_becomes_figures() {
-    for line in ["", "view", "cuboid", "view cuboid --camera 2"] {
+    for line in ["", "view"] {
         let folder = folder();
         let said = assert_works(folder.path(), line);
         let display = said
@@ -190,14 +190,16 @@ fn without_a_display_the_built_in_scene_becomes_figures() {
 }
 
 #[test]
-fn without_a_display_another_scene_is_for_render() {
+fn without_a_display_a_scene_or_a_view_that_is_named_is_for_render() {
     let folder = folder();
-    assert_fails(
-        folder.path(),
-        "bench-far",
-        1,
-        &["no display", "shadetrade render bench-far -o"],
-    );
+    for (line, scene) in [
+        ("bench-far", "bench-far"),
+        ("view cuboid", "cuboid"),
+        ("--camera 2", "cuboid"),
+    ] {
+        let command = format!("shadetrade render {scene} -o");
+        assert_fails(folder.path(), line, 1, &["no display", &command]);
+    }
     assert_eq!(listing(folder.path()), [""; 0]);
 }
 

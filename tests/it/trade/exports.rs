@@ -154,8 +154,8 @@ fn labels_stay_apart_where_points_are_in_one_place() {
 
 #[test]
 fn the_plot_of_nothing_has_no_points() {
-    let key = Svg::of(&example::report()).circle.len() - 2 * 4;
-    assert_eq!(Svg::of(&example::empty_report()).circle.len(), key);
+    let plot = Svg::of(&example::empty_report());
+    assert!(plot.circle.is_empty() && !plot.text.is_empty());
 }
 
 #[test]
