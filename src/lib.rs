@@ -1,27 +1,33 @@
 //! shadetrade draws lit cuboids with Gouraud and Phong shading and measures what every shortcut costs.
 //!
 //! ```text
-//! assets/scenes/x.toml --scene--> World --FRAME--> Frame
-//!                                   |  spin -> viewpoint -> normals -> projection -> lighting -> rasterization
-//!                                   |                                         |--> window            (view)
-//!                                   |                                         |--> PNG               (render, figures)
-//!                                   |--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
-//!                                   '--reference (intervals)--> enclosures --> a proof (prove, extremes, requires, window)
+//! scene.toml <--SceneRecord--> World --FRAME--> Frame
+//!                               |  spin -> viewpoint -> normals -> projection -> lighting -> rasterization
+//!                               |                                         |--> window            (view)
+//!                               |                                         |--> PNG               (render, figures)
+//!                               |--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
+//!                               '--reference (intervals)--> enclosures --> a proof (prove, extremes, requires, window)
 //! ```
 //!
 //! # From scene to pixel
 //!
-//! **A scene is data.** [`scene`] turns a TOML file into a [`hecs::World`]: cuboids, lights and cameras are entities with
-//! the plain [`components`]. The world is the only state of a scene: a key in the window writes components
-//! (`Light`, `ShadingMode`, `Spin`, `ActiveCamera`, `Orbit`), and the next frame reads them.
-//! A [`components::View`] says from where, how large and how precisely it is to be drawn.
+//! **Entities, components, systems.** The state is a [`hecs::World`], and nothing else. Its entities are cuboids, lights,
+//! cameras and one viewer; what each is made of are plain [`components`]: a cuboid has a `Transform`, a `Mesh`, a
+//! `Material` and a `ShadingMode`, the viewer has the `ActiveCamera`, the `Projection`, the `Tolerance` and all else that
+//! says how the scene is looked at. Whoever changes something writes components; [`systems`] query them and draw.
+//!
+//! **A scene is data.** [`scene::SceneRecord`] is the world written down: [`scene::SceneRecord::spawn`] and
+//! [`scene::SceneRecord::of`] are inverse, serde reads it from a TOML file and writes it to JSON, and [`scene::updated`]
+//! saves it into the file's text, comments kept.
+//! [`components::View::of`] is the one place that reads the viewer for a picture: it says from where, how large and how
+//! precisely a frame is to be drawn. What measures or proves overrides the method of a view and nothing else.
 //!
 //! **A frame is six stages**, named in order in [`systems::FRAME`]; each is a query loop over a pure function, and has its
 //! tests in a file of its name in `tests/it/systems`.
 //!
-//! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far it has turned.
-//! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`scene::Scene::viewpoint`] says where a camera
-//!    stands once its orbit has moved it.
+//! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far all have turned.
+//! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`components::Viewpoint::of`] says where a
+//!    camera stands once its orbit has moved it.
 //! 3. [`systems::normals`]: the mesh's vertex normals, turned. One is the normalised sum of the unit normals of the faces there
 //!    (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). The corner of every
 //!    cuboid that stands upright has (±1, ±1, ±1) / √3.
@@ -33,15 +39,14 @@
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
-//! use shadetrade::components::{ShadingMode, View};
+//! use shadetrade::components::{ShadingMode, Tolerance, View, overwrite};
 //! use shadetrade::frame::{Frame, Keep, Workers};
 //! use shadetrade::{scene::Scene, systems};
 //!
 //! let mut scene = Scene::load(None)?; // the built-in cuboid
-//! let view = View {
-//!     tolerance: 0.5, // levels of 255
-//!     ..scene.view(0, [320, 240]).shaded(ShadingMode::Phong)
-//! };
+//! overwrite(&mut scene.world, &ShadingMode::Phong); // of every cuboid
+//! overwrite(&mut scene.world, &Tolerance(0.5)); // levels of 255, of the viewer
+//! let view = View::of(&scene.world, [320, 240]);
 //! let mut frame = Frame::new(Keep::Display, Workers::new(1, fearless_simd::Level::new())?);
 //! systems::draw(&mut scene.world, &view, &mut frame)?;
 //! assert_eq!(frame.pixels().len(), 320 * 240); // 0x00RRGGBB, row by row from the top
@@ -73,9 +78,9 @@
 //! Ask one pixel what happened there: [`probe`] evaluates every light's term, and both modes beside the reference.
 //!
 //! ```
-//! # use shadetrade::{probe, scene::Scene};
+//! # use shadetrade::{components::View, probe, scene::Scene};
 //! # let mut scene = Scene::load(None)?;
-//! # let view = scene.view(0, [960, 720]);
+//! # let view = View::of(&scene.world, [960, 720]);
 //! // In the middle of the highlight that Gouraud misses, no vertex being in it.
 //! let level = fearless_simd::Level::new();
 //! let found = probe::at(&mut scene, &view, [565, 327], level)?.surface.expect("a cuboid is there");
@@ -109,10 +114,7 @@
 //! use shadetrade::reference;
 //! use shadetrade::trade::metrics::{Picture, compare};
 //! # let mut scene = Scene::load(None)?;
-//! # let view = View {
-//! #     tolerance: 0.5,
-//! #     ..scene.view(0, [320, 240]).shaded(ShadingMode::Phong)
-//! # };
+//! # let view = View::of(&scene.world, [320, 240]).shaded(ShadingMode::Phong);
 //! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
 //! # systems::draw(&mut scene.world, &view, &mut frame)?;
 //! // `view` as above: Phong within half a level; `frame` keeps its levels.
@@ -151,13 +153,14 @@
 //!   `tests/it/systems`; a component that it derives joins the others in [`components::cuboid`];
 //! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule
 //!   that decides what is right;
-//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON shows by itself; a row
-//!   of `COLUMNS` in [`trade::export`] if the table is to show it as well;
-//! - a number that can be edited: a variant of [`scene::edit::Property`] with its key, its step and its range, and its place in
-//!   a page;
-//! - a key: an [`window::bindings::Action`] with its row of [`window::bindings::BINDINGS`], and an arm of
-//!   [`window::session::Session::apply`] that writes components; help and panel show it by themselves. A panel's row that
-//!   shows a state has that in `window/hud/lines/commands.rs`;
+//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON shows by
+//!   itself; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
+//! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
+//!   where [`scene::SceneRecord`] spawns it and takes it from a world;
+//! - a number that can be edited: its key in a record of [`scene`], and a row of the scene's tab in
+//!   `window/inspector/scene.rs`;
+//! - a key: a [`window::keys::Command`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
+//!   `window/commands.rs` that writes components; help and tooltips show it by themselves;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`.
 //!
 //! # Who may import whom

@@ -142,6 +142,7 @@ fn scene(u: &mut Unstructured) -> Result<Option<(World, View)>> {
         viewpoint: Viewpoint { position, camera },
         projection: *u.choose(&[Projection::Perspective, Projection::Orthographic])?,
         background: DVec3::new(20.0, 0.0, 255.0),
+        turned: 0,
         shading: None,
         tolerance: *u.choose(&[0.5, 0.05, 1e-6, 4.0, 255.0])?,
     };

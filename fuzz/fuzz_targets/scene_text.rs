@@ -6,7 +6,7 @@
 mod promises;
 
 use libfuzzer_sys::fuzz_target;
-use shadetrade::components::{Projection, View};
+use shadetrade::components::{Camera, Light, Mesh, Projection, View, Viewpoint, ordered};
 use shadetrade::scene::Scene;
 
 /// A scene that takes longer than a moment to draw teaches nothing more.
@@ -24,18 +24,16 @@ fuzz_target!(|bytes: &[u8]| {
             return;
         }
     };
-    if scene.cuboids.len() + scene.lights.len() > MOST_THINGS {
+    let things = ordered::<Mesh>(&scene.world).len() + ordered::<Light>(&scene.world).len();
+    if things > MOST_THINGS {
         return;
     }
-    for camera in 0..scene.cameras.len().min(2) {
-        for projection in [Projection::Perspective, Projection::Orthographic] {
+    for camera in ordered::<Camera>(&scene.world).into_iter().take(2) {
+        for projection in Projection::ALL {
             let view = View {
-                size: [19, 13],
-                viewpoint: scene.viewpoint(camera),
+                viewpoint: Viewpoint::of(&scene.world, camera),
                 projection,
-                background: scene.background,
-                shading: None,
-                tolerance: 0.5,
+                ..View::of(&scene.world, [19, 13]).with_tolerance(0.5)
             };
             promises::check(&mut scene.world, &view);
         }

@@ -1,10 +1,9 @@
 //! Pixels of the picture seen as squares of one size that fill an area of the window.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// How large pixels are seen, and which one is in the upper left corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Magnifier {
     /// Pixels of the window across one of the picture: a power of two up to [`Magnifier::MAX_SCALE`].
     pub scale: usize,

@@ -56,7 +56,8 @@ impl Orbit {
         }
     }
 
-    /// This orbit this many steps closer, as far as `limits` allow. As many steps back undo them exactly.
+    /// This orbit this many steps closer, as far as `limits` allow. As many back undo them, exactly from the
+    /// camera's own distance.
     #[must_use]
     pub fn zoomed(self, steps: i32, limits: &Limits) -> Self {
         let mut place = -self.zoom.ln() / ZOOM_STEP.ln();

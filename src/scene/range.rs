@@ -37,8 +37,12 @@ pub(super) trait Range {
     const RANGE: RangeInclusive<f64>;
     /// The same in words.
     fn words() -> String {
+        let end = |end: f64| match end.abs() {
+            1e-3..1e5 | 0.0 => end.to_string(),
+            _ => format!("{end:e}"),
+        };
         let (least, most) = Self::RANGE.into_inner();
-        format!("a number from {least:?} to {most:?}")
+        format!("a number from {} to {}", end(least), end(most))
     }
 }
 
@@ -104,6 +108,14 @@ impl<R: Range> Visitor<'_> for Within<R> {
     fn visit_u64<E: Error>(self, number: u64) -> Result<f64, E> {
         self.visit_f64(number as f64)
     }
+
+    fn visit_i128<E: Error>(self, number: i128) -> Result<f64, E> {
+        self.visit_f64(number as f64)
+    }
+
+    fn visit_u128<E: Error>(self, number: u128) -> Result<f64, E> {
+        self.visit_f64(number as f64)
+    }
 }
 
 /// A number within `R`.
@@ -118,9 +130,20 @@ pub(super) fn some_number<'de, R: Range, D: Deserializer<'de>>(
     number::<R, D>(from).map(Some)
 }
 
+/// So many values. Serde would leave out what follows them.
+pub(super) fn array<'de, T: Deserialize<'de>, const N: usize, D: Deserializer<'de>>(
+    from: D,
+) -> Result<[T; N], D::Error> {
+    let all = Vec::deserialize(from)?;
+    all.try_into().map_err(|all: Vec<T>| {
+        D::Error::invalid_length(all.len(), &format!("an array of {N} values").as_str())
+    })
+}
+
 /// Three numbers within `R`.
 pub(super) fn three<'de, R: Range, D: Deserializer<'de>>(from: D) -> Result<DVec3, D::Error> {
-    <[Within<R>; 3]>::deserialize(from).map(|all| all.map(|within| within.0).into())
+    let three: [Within<R>; 3] = array(from)?;
+    Ok(three.map(|within| within.0).into())
 }
 
 /// Three numbers within `R` of a key that may be left out.

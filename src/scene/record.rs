@@ -16,7 +16,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::error::{Fault, Mistake};
 use super::range::{
     Angle, Coordinate, FieldOfView, LENGTH, Length, Level, OrbitAngle, Share, Shininess, Strength,
-    Zoom, number, some_number, some_three, table, tables, three,
+    Zoom, array, number, some_number, some_three, table, tables, three,
 };
 use crate::components::{
     ActiveCamera, Background, Camera, FileOrder, Inspector, Light, LightKind, Magnifier, Material,
@@ -145,6 +145,7 @@ pub struct ViewRecord {
     #[serde(deserialize_with = "tolerance")]
     pub tolerance: f64,
     pub show: ViewMode,
+    #[serde(deserialize_with = "array")]
     pub sides: [Side; 2],
     #[serde(deserialize_with = "number::<Share, _>")]
     pub divider: f64,
@@ -242,17 +243,29 @@ fn turned<'de, D: Deserializer<'de>>(from: D) -> Result<u32, D::Error> {
 fn pixel<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[usize; 2]>, D::Error> {
     let is_pixel = |pixel: &[usize; 2]| pixel.iter().all(|it| *it < MAX_SIDE);
     let expected = "two whole numbers from 0 to 16383";
-    checked(<[usize; 2]>::deserialize(from)?, is_pixel, expected).map(Some)
+    checked(array(from)?, is_pixel, expected).map(Some)
 }
 
 fn magnifier<'de, D: Deserializer<'de>>(from: D) -> Result<Magnifier, D::Error> {
+    #[derive(Default, Deserialize)]
+    #[serde(default, deny_unknown_fields)]
+    struct MagnifierRecord {
+        scale: Option<usize>,
+        #[serde(deserialize_with = "array")]
+        corner: [usize; 2],
+    }
+    let MagnifierRecord { scale, corner } = table(from)?;
+    let magnifier = Magnifier {
+        scale: scale.unwrap_or(1),
+        corner,
+    };
     let is_legal = |it: &Magnifier| {
         let is_scale = it.scale.is_power_of_two() && it.scale <= Magnifier::MAX_SCALE;
         is_scale && it.corner.iter().all(|it| *it < MAX_SIDE)
     };
     let expected =
         "a scale that is a power of two from 1 to 64, and a corner of two numbers from 0 to 16383";
-    checked(table(from)?, is_legal, expected)
+    checked(magnifier, is_legal, expected)
 }
 
 fn orbit<'de, D: Deserializer<'de>>(from: D) -> Result<Orbit, D::Error> {
@@ -586,8 +599,8 @@ impl LightRecord {
             (LightKind::Diffuse | LightKind::Specular, None) => Err(Mistake::new(
                 "light",
                 index,
-                &["kind"],
-                "missing field `position`, three numbers; only an ambient light has none",
+                &["position", "kind"],
+                "missing, expected three numbers; only an ambient light has none",
             )),
             _ => Ok(()),
         }
@@ -638,15 +651,16 @@ impl CameraRecord {
                 expected,
             )
         } else if parallel {
-            let expected = "a direction that is neither zero nor parallel to the view, target - position; left out, it is +y";
+            let expected = "a direction that is neither zero nor parallel to the view, target - position (left out, it is +y)";
             (
                 &["up", "target"],
-                format!("`up` {:?}", self.up.to_array()),
+                format!("{:?}", self.up.to_array()),
                 expected,
             )
-        } else if ![length(view), self.height]
-            .iter()
-            .all(|it| LENGTH.contains(&(it * self.orbit.zoom)))
+        } else if self.orbit.zoom != 1.0
+            && ![length(view), self.height]
+                .iter()
+                .all(|it| LENGTH.contains(&(it * self.orbit.zoom)))
         {
             let expected = "one that leaves distance and height from 1e-100 to 1e100";
             (&["orbit"], format!("zoom {:?}", self.orbit.zoom), expected)

@@ -17,10 +17,11 @@ type Tree = Map<String, Json>;
 
 /// `text` changed so that it is read as `record`. A text that is no scene is replaced.
 pub fn updated(text: &str, record: &SceneRecord) -> String {
-    let (old, mut document) = match SceneRecord::read(text) {
-        Ok(old) if old == *record => return text.to_owned(),
-        Ok(old) => (old, text.parse().unwrap_or_default()),
-        Err(_) => (SceneRecord::default(), DocumentMut::new()),
+    // The document refuses numbers that a scene may have: integers of more than 64 bits.
+    let (old, mut document) = match (SceneRecord::read(text), text.parse()) {
+        (Ok(old), _) if old == *record => return text.to_owned(),
+        (Ok(old), Ok(document)) => (old, document),
+        _ => (SceneRecord::default(), DocumentMut::new()),
     };
     let [mut old, mut new] = [&old, record].map(tree);
     // A text that names its camera follows that camera's name, even if it is the first.

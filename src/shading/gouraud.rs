@@ -15,7 +15,7 @@ use super::field::{self, Lanes, Places};
 use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
 use super::square::Region;
 use super::{Evaluations, Scratch, TileKind, U, limit};
-use crate::simd::{inlined, outlined, three, two};
+use crate::simd::{inlined, outlined, three};
 
 /// Draws what was lit at the vertices.
 pub struct Gouraud<'a> {
@@ -78,12 +78,20 @@ impl<'a> Gouraud<'a> {
         let inverses: Nine<S> =
             three!(|row| three!(|column| 1.0 / (e * node(column) + g * node(row) + 1.0)));
         let mut error = zero;
+        let (any_second, all_second) = (second.any_true(), second.all_true());
         let colors = three!(|channel| {
-            let [one, other] = two!(|triangle| {
+            let of = inlined!(|triangle: usize| {
                 let Affine { centre, dx, dy } = &self.colors[triangle];
-                splat([centre[channel], dx[channel], dy[channel]])
+                scaled(splat([centre[channel], dx[channel], dy[channel]]))
             });
-            let color = scaled(three!(|term| second.select(other[term], one[term])));
+            let color = if all_second {
+                of(1)
+            } else if any_second {
+                let [one, other] = [of(0), of(1)];
+                three!(|term| second.select(other[term], one[term]))
+            } else {
+                of(0)
+            };
             let bound = bound::quotient_error(color, [e, g]);
             let size = color[0].abs() + color[1].abs() + color[2].abs();
             error = error.max(bound + size * SAMPLING);

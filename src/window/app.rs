@@ -16,22 +16,20 @@ use egui::{CursorIcon, OutputCommand, Rect, ViewportId};
 use fearless_simd::Level;
 use hecs::Component;
 
-use super::comparison::Comparison;
+use super::facts::Facts;
 use super::file::{News, SceneFile};
 use super::history::History;
-use super::jobs::{Answer, Job, Jobs, Order, Probed, State, Task, answer_all};
-use super::pictures::Pictures;
-use crate::components::{
-    Inspector, Probed as ProbedPixel, Show, Side, Spin, Tab, View, ViewMode, get, viewer,
-};
+use super::inspector::Kind;
+use super::jobs::{Jobs, State, Task};
+use super::pictures::{Pictures, or_dimmed};
+use super::viewport::Grab;
+use crate::components::{Magnifier, Probed, Show, Spin, View, get, viewer};
 use crate::drawing::Drawing;
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
 use crate::paint::{Painter, area};
-use crate::prove::Proof;
-use crate::requires::{Part, PartChange};
+use crate::requires::Part;
 use crate::scene::{Scene, SceneRecord, ViewRecord};
-use crate::trade::Report;
 
 /// The time without a change after which the picture is timed and compared.
 const REST: Duration = Duration::from_millis(100);
@@ -40,26 +38,12 @@ const DEGREE: Duration = Duration::from_millis(30);
 /// The time for which a message stands: at least this, and this long for each letter.
 const MESSAGE: Duration = Duration::from_secs(3);
 const LETTER: Duration = Duration::from_millis(60);
-/// How often the progress of a job is shown.
-const PROGRESS: Duration = Duration::from_millis(200);
-
-/// The answers about the present picture, as far as they are known.
-#[derive(Default)]
-pub struct Facts {
-    pub probe: Job<Box<Probed>>,
-    /// The picture without the part that is left out.
-    pub without: Job<Vec<u32>>,
-    pub comparison: Job<Box<Comparison>>,
-    pub proof: Job<Box<Proof>>,
-    pub required: Job<Vec<PartChange>>,
-    pub report: Job<Box<Report>>,
-}
 
 /// A message in the status line.
 pub struct Message {
     pub text: String,
-    /// When it goes; an error stays until it is mended.
-    pub until: Option<Duration>,
+    /// When it goes.
+    pub until: Duration,
     /// A text to copy.
     pub copy: Option<String>,
 }
@@ -83,8 +67,8 @@ pub struct Desk {
     /// The error in the scene's file.
     pub file_error: Option<String>,
     /// The kind and the name of the entity that the scene's tab shows.
-    pub selected: Option<(super::inspector::Kind, String)>,
-    pub grab: super::viewport::Grab,
+    pub selected: Option<(Kind, String)>,
+    pub grab: Grab,
     /// The files that were opened last.
     pub recent: Vec<PathBuf>,
     /// The field of the scene's path.
@@ -111,14 +95,14 @@ pub struct App {
     pub quits: bool,
     painter: Painter,
     pixels: Vec<u32>,
-    jobs: Option<Jobs>,
-    ordered: Vec<Task>,
-    level: Level,
-    threads: usize,
+    pub(super) jobs: Option<Jobs>,
+    pub(super) ordered: Vec<Task>,
+    pub(super) level: Level,
+    pub(super) threads: usize,
     /// When the picture last changed, until its frames are timed.
     untimed: Option<Duration>,
     next_degree: Duration,
-    next_progress: Duration,
+    pub(super) next_progress: Duration,
     drawn: Option<(Arc<SceneRecord>, [usize; 2])>,
 }
 
@@ -205,20 +189,9 @@ impl App {
         &self.pixels
     }
 
-    /// Takes the answers of the jobs; whether the window shows something new by them.
-    pub fn receive(&mut self, now: Duration) -> bool {
-        let answers = self.jobs.as_ref().map_or_else(Vec::new, Jobs::answers);
-        let mut is_new = false;
-        for answer in answers {
-            // Laying out takes time from what is measured.
-            let is_progress = matches!(answer, Answer::Progress(..));
-            is_new |= !is_progress || now >= self.next_progress;
-            self.take(answer);
-        }
-        if is_new {
-            self.next_progress = now + PROGRESS;
-        }
-        is_new
+    /// Whether the picture has not changed for a while.
+    pub fn rests(&self) -> bool {
+        self.untimed.is_none()
     }
 
     /// Lets the events of `input` happen, in pixels of a window of `size`, and draws what is seen then.
@@ -244,7 +217,7 @@ impl App {
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
         self.draw()?;
-        self.order_jobs()?;
+        self.order_jobs();
         self.copy_picture(size);
         let platform = std::mem::take(&mut output.platform_output);
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
@@ -284,28 +257,22 @@ impl App {
         let time = MESSAGE.max(LETTER * text.chars().count() as u32);
         self.desk.message = Some(Message {
             text,
-            until: Some(self.now + time),
+            until: self.now + time,
             copy: None,
         });
     }
 
     /// Whether the scene was edited since it was saved. Switching lights and modes and moving the camera is looking.
     pub fn is_edited(&self) -> bool {
-        let edits = |record: &SceneRecord| {
-            let mut record = record.clone();
-            record.view = Default::default();
-            record.light.iter_mut().for_each(|light| light.on = true);
-            record
-                .cuboid
-                .iter_mut()
-                .for_each(|cuboid| cuboid.shading = Default::default());
-            record
-                .camera
-                .iter_mut()
-                .for_each(|camera| camera.orbit = Default::default());
-            record
-        };
-        self.state != self.file.saved && edits(&self.state) != edits(&self.file.saved)
+        let (state, saved) = (&*self.state, &*self.file.saved);
+        state.background != saved.background
+            || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
+            || differ(&state.cuboid, &saved.cuboid, |it, saved| {
+                it.shading = saved.shading
+            })
+            || differ(&state.camera, &saved.camera, |it, saved| {
+                it.orbit = saved.orbit
+            })
     }
 
     fn title(&self) -> String {
@@ -361,17 +328,7 @@ impl App {
             jobs.cancel();
         }
         self.ordered.clear();
-        let facts = &mut self.facts;
-        for state in [
-            &mut facts.probe.state,
-            &mut facts.without.state,
-            &mut facts.comparison.state,
-            &mut facts.proof.state,
-            &mut facts.required.state,
-            &mut facts.report.state,
-        ] {
-            *state = State::Idle;
-        }
+        self.facts.are_old();
         self.desk.measures = false;
     }
 
@@ -379,27 +336,44 @@ impl App {
     fn draw(&mut self) -> Result<(), OutOfMemory> {
         let (show, view): (Show, View) = (self.look(), self.view());
         let size = view.size;
-        let is_drawn = self
-            .drawn
-            .as_ref()
-            .is_some_and(|(state, drawn)| Arc::ptr_eq(state, &self.state) && *drawn == size);
-        if !is_drawn {
-            if self.drawn.as_ref().is_some_and(|(_, drawn)| *drawn != size) {
+        let drawn = self.drawn.take();
+        let (world, present) = (&mut self.scene.world, (Arc::clone(&self.state), size));
+        let is_same = |(state, size): &(Arc<SceneRecord>, _)| {
+            Arc::ptr_eq(state, &present.0) && *size == present.1
+        };
+        if !drawn.as_ref().is_some_and(is_same) {
+            self.pictures.draw(world, &show, &view)?;
+            self.untimed = Some(self.now);
+            if let Some((_, before)) = drawn.filter(|(_, drawn)| *drawn != size) {
+                self.keep_pixel(before, size);
                 self.picture_changed();
             }
-            self.pictures.draw(&mut self.scene.world, &show, &view)?;
-            self.drawn = Some((Arc::clone(&self.state), size));
-            self.untimed = Some(self.now);
-        } else if self.shows_times
-            && self
-                .untimed
-                .take_if(|since| self.now >= *since + REST)
-                .is_some()
+        } else if self
+            .untimed
+            .take_if(|since| self.now >= *since + REST)
+            .is_some()
         {
-            self.pictures.time(&mut self.scene.world, &show, &view)?;
+            if self.shows_times {
+                self.pictures.time(world, &show, &view)?;
+            }
             self.painter.context.request_repaint();
         }
+        self.drawn = Some(present);
         Ok(())
+    }
+
+    /// Keeps the probed pixel where it lies in the scene when the picture gets another size.
+    fn keep_pixel(&mut self, before: [usize; 2], size: [usize; 2]) {
+        let Probed(Some(pixel)) = self.look() else {
+            return;
+        };
+        // The field of view is vertical, and the middle of the picture stays.
+        let scale = size[1] as f64 / before[1] as f64;
+        let pixel = [0, 1].map(|axis| {
+            let from_middle = pixel[axis] as f64 + 0.5 - before[axis] as f64 / 2.0;
+            (from_middle * scale + size[axis] as f64 / 2.0).max(0.0) as usize
+        });
+        self.set_look(Probed(Some(pixel)));
     }
 
     /// Copies the picture into its place in the window, magnified.
@@ -408,23 +382,18 @@ impl App {
         self.pixels.resize(width * height, 0);
         let show: Show = self.look();
         let [columns, rows] = self.pictures.size();
-        let [exact, error_map] = [
-            self.facts.comparison.current(),
-            self.facts.comparison.current(),
-        ];
-        let exact = exact.map(|it| it.exact.as_slice());
-        let error_map = error_map.map(|it| it.error_map.as_slice());
+        let comparison = self.facts.comparison.current();
+        let exact = comparison.map(|it| it.exact.as_slice());
+        let error_map = comparison.map(|it| it.error_map.as_slice());
+        let without = self.facts.without.current().map(Vec::as_slice);
         let shown = if self.desk.left_out.is_some() {
-            let without = self.facts.without.current().map(Vec::as_slice);
-            super::pictures::or_dimmed(without, self.pictures.frame())
+            or_dimmed(without, self.pictures.frame())
         } else if self.desk.shows_exact {
-            super::pictures::or_dimmed(exact, self.pictures.frame())
+            or_dimmed(exact, self.pictures.frame())
         } else {
             self.pictures.shown(&show, exact, error_map)
         };
-        let magnifier = self
-            .look::<crate::components::Magnifier>()
-            .within([columns, rows]);
+        let magnifier = self.look::<Magnifier>().within([columns, rows]);
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
         let lines = self.pixels.chunks_exact_mut(width).skip(top).take(rows);
@@ -442,110 +411,6 @@ impl App {
             squares
                 .zip(drawn)
                 .for_each(|(square, pixel)| square.fill(*pixel));
-        }
-    }
-
-    /// The questions whose answers the window shows and does not have, in the order of their worth.
-    fn tasks(&self) -> Vec<Task> {
-        let facts = &self.facts;
-        let (show, tab): (Show, Option<Tab>) = (self.look(), self.look::<Inspector>().0);
-        let is_live = self.jobs.is_some();
-        let shows_reference = show.mode == ViewMode::Error
-            || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference)
-            || self.desk.shows_exact;
-        let probed = self.look::<ProbedPixel>().0;
-        let probed =
-            probed.filter(|pixel| (0..2).all(|axis| pixel[axis] < self.pictures.size()[axis]));
-        let probe = probed
-            .map(Task::Probe)
-            .filter(|_| facts.probe.state == State::Idle);
-        let left_out = self
-            .desk
-            .left_out
-            .filter(|_| facts.without.state == State::Idle);
-        let wants =
-            |task, wanted: bool, state: &State| (wanted && *state == State::Idle).then_some(task);
-        [
-            probe,
-            left_out.map(Task::LeaveOut),
-            wants(
-                Task::Compare,
-                is_live || shows_reference,
-                &facts.comparison.state,
-            ),
-            wants(
-                Task::Prove,
-                is_live || tab == Some(Tab::Proof),
-                &facts.proof.state,
-            ),
-            wants(
-                Task::Require,
-                tab == Some(Tab::Required),
-                &facts.required.state,
-            ),
-            wants(
-                Task::Measure,
-                is_live && self.desk.measures,
-                &facts.report.state,
-            ),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
-    }
-
-    /// Asks the open questions once the picture rests, or at once where there are no background jobs.
-    fn order_jobs(&mut self) -> anyhow::Result<()> {
-        let tasks = self.tasks();
-        let is_known = tasks.iter().all(|task| self.ordered.contains(task));
-        if is_known || self.jobs.is_some() && self.untimed.is_some() {
-            return Ok(());
-        }
-        let order = Order {
-            name: self.scene.name.clone(),
-            record: Arc::clone(&self.state),
-            size: self.picture_size(),
-            threads: self.threads,
-            tasks: tasks.clone(),
-        };
-        if let Some(jobs) = &mut self.jobs {
-            self.ordered = tasks;
-            jobs.submit(order);
-            return Ok(());
-        }
-        let (tell, answers) = std::sync::mpsc::channel();
-        answer_all(&order, self.level, &|| false, &|answer| {
-            drop(tell.send(answer))
-        });
-        answers.try_iter().for_each(|answer| self.take(answer));
-        self.painter.context.request_repaint();
-        Ok(())
-    }
-
-    fn take(&mut self, answer: Answer) {
-        let facts = &mut self.facts;
-        match answer {
-            Answer::Probe(probed) => {
-                if let Some(object) = &probed.probe.object {
-                    self.desk.selected = Some((super::inspector::Kind::Cuboid, object.clone()));
-                }
-                facts.probe.finish(probed);
-            }
-            Answer::LeaveOut(picture) => facts.without.finish(picture),
-            Answer::Compare(comparison) => facts.comparison.finish(comparison),
-            Answer::Prove(proof) => {
-                if let Some(comparison) = &mut facts.comparison.value {
-                    comparison.mark(&proof);
-                }
-                facts.proof.finish(proof);
-            }
-            Answer::Require(parts) => facts.required.finish(parts),
-            Answer::Measure(report) => facts.report.finish(report),
-            Answer::Progress(task, share) => *facts.state_of(task) = State::Running(share),
-            Answer::Failed(task, reason) => {
-                *facts.state_of(task) = State::Failed(reason.clone());
-                self.say(reason);
-            }
         }
     }
 
@@ -665,19 +530,6 @@ impl App {
     }
 }
 
-impl Facts {
-    fn state_of(&mut self, task: Task) -> &mut State {
-        match task {
-            Task::Probe(_) => &mut self.probe.state,
-            Task::LeaveOut(_) => &mut self.without.state,
-            Task::Compare => &mut self.comparison.state,
-            Task::Prove => &mut self.proof.state,
-            Task::Require => &mut self.required.state,
-            Task::Measure => &mut self.report.state,
-        }
-    }
-}
-
 /// Whether two states differ in more than in what is shown of the picture.
 fn is_another_picture(before: &SceneRecord, after: &SceneRecord) -> bool {
     let picture = |record: &SceneRecord| {
@@ -695,4 +547,16 @@ fn is_another_picture(before: &SceneRecord, after: &SceneRecord) -> bool {
         || before.cuboid != after.cuboid
         || before.light != after.light
         || before.camera != after.camera
+}
+
+/// Whether two lists of entities differ in more than what `forget` overwrites.
+fn differ<T: Clone + PartialEq>(one: &[T], other: &[T], forget: impl Fn(&mut T, &T)) -> bool {
+    let differ = |(one, other): (&T, &T)| {
+        one != other && {
+            let mut one = one.clone();
+            forget(&mut one, other);
+            one != *other
+        }
+    };
+    one.len() != other.len() || one.iter().zip(other).any(differ)
 }

@@ -4,9 +4,9 @@ use egui::{Color32, Rect, RichText, Ui, pos2, vec2};
 use egui_plot::{GridMark, Line, Plot, PlotPoints, Points};
 
 use super::app::App;
+use super::inspector::short;
 use super::jobs::State;
 use super::keys::{Command, caption};
-use super::panel::short;
 use super::pictures::TINTS;
 use super::style::{BAD, STALE};
 use crate::components::{Show, Tolerance, ViewMode};
@@ -48,14 +48,14 @@ impl App {
                 points.push((one.method.id, at, one.on_front, is_shown));
             }
             front.sort_by(|one, other| one[0].total_cmp(&other[0]));
+            ui.weak("largest error of 255 against time of a frame");
             let plot = Plot::new("trade")
                 .height(170.0)
                 .allow_drag(false)
                 .allow_zoom(false)
                 .allow_scroll(false)
                 .allow_boxed_zoom(false)
-                .x_axis_label("ms a frame")
-                .y_axis_label("largest error of 255")
+                .x_axis_label("ms")
                 .x_axis_formatter(|mark: GridMark, _: &_| power(mark.value))
                 .y_axis_formatter(|mark: GridMark, _: &_| power(mark.value))
                 .label_formatter(|name, at| {

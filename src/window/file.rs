@@ -66,12 +66,10 @@ impl SceneFile {
             return None;
         }
         let is_certain = self.doubted.replace(present) == Some(present);
-        let news = match present {
+        let news = match present.map(|_| load(path)) {
             None => News::Deleted,
-            Some(_) => match Scene::load_path(path) {
-                Ok(scene) => News::Read(Box::new(scene)),
-                Err(error) => News::Wrong(error.to_string()),
-            },
+            Some(Ok(scene)) => News::Read(Box::new(scene)),
+            Some(Err(error)) => News::Wrong(error),
         };
         (is_certain || matches!(news, News::Read(_))).then(|| {
             self.seen = present;
@@ -124,6 +122,15 @@ impl SceneFile {
         let stem = Path::new(&self.name).file_stem().unwrap_or_default();
         stem.to_string_lossy().replace(char::is_control, "_")
     }
+}
+
+/// The scene of a file, or the error in it. Another thing of that name, such as a pipe, could keep the window waiting.
+pub fn load(path: &Path) -> Result<Scene, String> {
+    let is_other = fs::metadata(path).is_ok_and(|found| !found.is_file());
+    if is_other && !scene::is_built_in(path) {
+        return Err(format!("{} is not a file", path.display()));
+    }
+    Scene::load_path(path).map_err(|error| error.to_string())
 }
 
 /// `NAME.toml`, then `NAME-2.toml` and so on.

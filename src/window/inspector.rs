@@ -9,7 +9,6 @@ use glam::DVec3;
 pub use self::scene::Kind;
 use super::app::App;
 use super::jobs::State;
-use super::panel::short;
 use super::style::{BAD, GOOD, STALE};
 use crate::components::{Inspector, Tab, Tolerance};
 
@@ -55,9 +54,7 @@ impl App {
             self.set_look(Inspector(Some(tab)));
         }
         ui.separator();
-        let scroll = ScrollArea::vertical()
-            .auto_shrink(false)
-            .id_salt(tab.name());
+        let scroll = ScrollArea::both().auto_shrink(false).id_salt(tab.name());
         scroll.show(ui, |ui| match tab {
             Tab::Pixel => self.pixel_tab(ui),
             Tab::Scene => self.scene_tab(ui),
@@ -172,5 +169,20 @@ pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
         .changed()
     {
         *channels = DVec3::from(bytes.map(|it| f64::from(it) / 255.0));
+    }
+}
+
+/// Three digits that matter, or fewer.
+pub fn short(value: f64) -> String {
+    crate::trade::words::short(Some(value))
+}
+
+/// Six significant digits at most, with an exponent where the number is very large or small.
+pub fn format_number(value: f64, _: std::ops::RangeInclusive<usize>) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    match rounded.abs() {
+        0.0 => "0".to_owned(),
+        1e-3..1e6 => rounded.to_string(),
+        _ => format!("{rounded:e}"),
     }
 }

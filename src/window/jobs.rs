@@ -38,7 +38,7 @@ pub enum Task {
     Measure,
 }
 
-/// The answer to a [`Task`].
+/// An answer to a [`Task`].
 #[derive(Debug)]
 pub enum Answer {
     Probe(Box<Probed>),
@@ -50,9 +50,9 @@ pub enum Answer {
     Require(Vec<PartChange>),
     Measure(Box<Report>),
     /// The share of the task that is done, 0..=1.
-    Progress(Task, f64),
+    Progress(f64),
     /// The reason why there is no answer.
-    Failed(Task, String),
+    Failed(String),
 }
 
 /// A pixel, and the levels along its row.
@@ -118,7 +118,7 @@ type Cancelled = Arc<AtomicBool>;
 /// The background thread.
 pub struct Jobs {
     orders: Sender<(Order, Cancelled)>,
-    answers: Receiver<(Answer, Cancelled)>,
+    answers: Receiver<(Task, Answer, Cancelled)>,
     current: Cancelled,
 }
 
@@ -158,11 +158,11 @@ impl Jobs {
     }
 
     /// The answers to the last order since this was last asked.
-    pub fn answers(&self) -> Vec<Answer> {
+    pub fn answers(&self) -> Vec<(Task, Answer)> {
         let answers = self.answers.try_iter();
         answers
-            .filter(|(_, cancelled)| !cancelled.load(Ordering::Relaxed))
-            .map(|(answer, _)| answer)
+            .filter(|(.., cancelled)| !cancelled.load(Ordering::Relaxed))
+            .map(|(task, answer, _)| (task, answer))
             .collect()
     }
 }
@@ -175,13 +175,13 @@ impl Drop for Jobs {
 
 fn work(
     orders: &Receiver<(Order, Cancelled)>,
-    answers: &Sender<(Answer, Cancelled)>,
+    answers: &Sender<(Task, Answer, Cancelled)>,
     level: Level,
     pool: &ThreadPool,
 ) {
     while let Ok((order, cancelled)) = orders.recv() {
         // A window that no longer listens is closed, and has cancelled the order.
-        let tell = |answer| drop(answers.send((answer, Arc::clone(&cancelled))));
+        let tell = |task, answer| drop(answers.send((task, answer, Arc::clone(&cancelled))));
         let is_cancelled = || cancelled.load(Ordering::Relaxed);
         pool.install(|| answer_all(&order, level, &is_cancelled, &tell));
     }
@@ -192,7 +192,7 @@ pub fn answer_all(
     order: &Order,
     level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
-    tell: &(dyn Fn(Answer) + Sync),
+    tell: &(dyn Fn(Task, Answer) + Sync),
 ) {
     if cancelled() {
         return;
@@ -200,10 +200,11 @@ pub fn answer_all(
     let mut scene = Scene::spawn(order.name.clone(), &order.record);
     let view = View::of(&scene.world, order.size);
     for task in &order.tasks {
-        match answer(*task, order, &mut scene, &view, level, cancelled, tell) {
+        let progress = |share| tell(*task, Answer::Progress(share));
+        match answer(*task, order, &mut scene, &view, level, cancelled, &progress) {
             _ if cancelled() => return,
-            Ok(answer) => answer.into_iter().for_each(tell),
-            Err(error) => tell(Answer::Failed(*task, format!("{error:#}"))),
+            Ok(answer) => answer.into_iter().for_each(|answer| tell(*task, answer)),
+            Err(error) => tell(*task, Answer::Failed(format!("{error:#}"))),
         }
     }
 }
@@ -216,9 +217,8 @@ fn answer(
     view: &View,
     level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
-    tell: &(dyn Fn(Answer) + Sync),
+    progress: &(dyn Fn(f64) + Sync),
 ) -> anyhow::Result<Option<Answer>> {
-    let progress = |share| tell(Answer::Progress(task, share));
     Ok(match task {
         Task::Probe(pixel) => {
             let probe = probe::at(scene, view, pixel, level)?;
@@ -233,10 +233,10 @@ fn answer(
             comparison.map(|it| Answer::Compare(Box::new(it)))
         }
         Task::Prove => {
-            let proof = prove(&mut scene.world, view, level, cancelled, &progress)?;
+            let proof = prove(&mut scene.world, view, level, cancelled, progress)?;
             proof.map(|it| Answer::Prove(Box::new(it)))
         }
-        Task::Require => requires::ranked(scene, view, cancelled, &progress).map(Answer::Require),
+        Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),
         Task::Measure => {
             let camera = order.record.view.camera.clone();
             let request = trade::Request {

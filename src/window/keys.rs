@@ -66,89 +66,88 @@ pub struct Binding {
     pub section: &'static str,
     pub keys: &'static [(Modifiers, Key)],
     pub command: Command,
+    /// The words on its button and in the help.
+    pub name: &'static str,
+    /// A sentence about it.
     pub says: &'static str,
 }
 
-const fn plain(key: Key) -> (Modifiers, Key) {
-    (Modifiers::NONE, key)
-}
-
-const fn control(key: Key) -> (Modifiers, Key) {
-    (Modifiers::COMMAND, key)
-}
-
-const fn shift(key: Key) -> (Modifiers, Key) {
-    (Modifiers::SHIFT, key)
-}
-
-const CONTROL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+const NO: Modifiers = Modifiers::NONE;
+const CTRL: Modifiers = Modifiers::COMMAND;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const BOTH: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 const fn bind(
     section: &'static str,
     keys: &'static [(Modifiers, Key)],
     command: Command,
+    name: &'static str,
     says: &'static str,
 ) -> Binding {
     Binding {
         section,
         keys,
         command,
+        name,
         says,
     }
 }
 
+/// The sections of the help.
+pub const SECTIONS: [&str; 6] = ["Lights", "Shading", "Camera", "View", "Scene", "Window"];
+
 /// Every key, in the order of the help.
 #[rustfmt::skip]
 pub const BINDINGS: &[Binding] = &[
-    bind("Lights", &[plain(Key::W)], Command::LightNamed("white"), "white light on, off"),
-    bind("Lights", &[plain(Key::R)], Command::LightNamed("red"), "red light on, off"),
-    bind("Lights", &[plain(Key::S)], Command::LightNamed("specular"), "specular light on, off"),
-    bind("Lights", &[plain(Key::A)], Command::LightNamed("ambient"), "ambient light on, off"),
-    bind("Lights", &[plain(Key::Num1)], Command::Light(0), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num2)], Command::Light(1), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num3)], Command::Light(2), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num4)], Command::Light(3), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num5)], Command::Light(4), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num6)], Command::Light(5), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num7)], Command::Light(6), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num8)], Command::Light(7), "first to ninth light"),
-    bind("Lights", &[plain(Key::Num9)], Command::Light(8), "first to ninth light"),
-    bind("Shading", &[plain(Key::G)], Command::Shading(ShadingMode::Gouraud), "Gouraud"),
-    bind("Shading", &[plain(Key::P)], Command::Shading(ShadingMode::Phong), "Phong"),
-    bind("Shading", &[plain(Key::F)], Command::FileShading, "as the file says"),
-    bind("Shading", &[plain(Key::OpenBracket), plain(Key::PageDown)], Command::Tolerance(-1), "finer tolerance"),
-    bind("Shading", &[plain(Key::CloseBracket), plain(Key::PageUp)], Command::Tolerance(1), "coarser tolerance"),
-    bind("Shading", &[plain(Key::M)], Command::Measure, "measure all methods"),
-    bind("Camera", &[plain(Key::C)], Command::NextCamera, "next camera"),
-    bind("Camera", &[plain(Key::O)], Command::NextProjection, "perspective, orthographic"),
-    bind("Camera", &[plain(Key::ArrowLeft)], Command::Orbit(-ORBIT_STEP, 0.0), "orbit, or drag"),
-    bind("Camera", &[plain(Key::ArrowRight)], Command::Orbit(ORBIT_STEP, 0.0), "orbit, or drag"),
-    bind("Camera", &[plain(Key::ArrowUp)], Command::Orbit(0.0, ORBIT_STEP), "orbit, or drag"),
-    bind("Camera", &[plain(Key::ArrowDown)], Command::Orbit(0.0, -ORBIT_STEP), "orbit, or drag"),
-    bind("Camera", &[plain(Key::Plus), plain(Key::Equals)], Command::Zoom(1), "zoom, or wheel"),
-    bind("Camera", &[plain(Key::Minus)], Command::Zoom(-1), "zoom, or wheel"),
-    bind("Camera", &[plain(Key::Space)], Command::Rotate, "rotate the cuboids"),
-    bind("Camera", &[plain(Key::Home)], Command::ResetView, "reset the view"),
-    bind("View", &[plain(Key::F2)], Command::View(ViewMode::Picture), "picture"),
-    bind("View", &[plain(Key::F3)], Command::View(ViewMode::Wipe), "Gouraud | Phong"),
-    bind("View", &[plain(Key::F4)], Command::WipeExact, "picture | exact Phong"),
-    bind("View", &[plain(Key::F5)], Command::View(ViewMode::Error), "error map"),
-    bind("View", &[plain(Key::F6)], Command::View(ViewMode::Tiles), "tiles"),
-    bind("View", &[plain(Key::B)], Command::ShowExact, "hold: exact Phong"),
-    bind("View", &[plain(Key::Z)], Command::Magnify(1), "magnify, or Ctrl wheel"),
-    bind("View", &[plain(Key::X)], Command::Magnify(-1), "magnify, or Ctrl wheel"),
-    bind("Scene", &[plain(Key::E)], Command::Tab(Tab::Scene), "edit the scene"),
-    bind("Scene", &[plain(Key::N)], Command::Tab(Tab::Required), "parts that are required"),
-    bind("Scene", &[control(Key::Z)], Command::Undo, "undo"),
-    bind("Scene", &[(CONTROL_SHIFT, Key::Z), control(Key::Y)], Command::Redo, "redo"),
-    bind("Scene", &[control(Key::S)], Command::Save, "save to its file"),
-    bind("Scene", &[(CONTROL_SHIFT, Key::S)], Command::SaveAs, "save to a new file"),
-    bind("Window", &[plain(Key::I)], Command::Panel, "fold the panel"),
-    bind("Window", &[plain(Key::H), plain(Key::Questionmark), plain(Key::F1)], Command::Help, "help"),
-    bind("Window", &[plain(Key::F12)], Command::Screenshot { window: true }, "save the window"),
-    bind("Window", &[shift(Key::F12)], Command::Screenshot { window: false }, "save the picture"),
-    bind("Window", &[plain(Key::Escape)], Command::Close, "close"),
-    bind("Window", &[plain(Key::Q)], Command::Quit, "quit"),
+    bind("Lights", &[(NO, Key::W)], Command::LightNamed("white"), "white light", "Switches this light on and off."),
+    bind("Lights", &[(NO, Key::R)], Command::LightNamed("red"), "red light", "Switches this light on and off."),
+    bind("Lights", &[(NO, Key::S)], Command::LightNamed("specular"), "specular light", "Switches this light on and off."),
+    bind("Lights", &[(NO, Key::A)], Command::LightNamed("ambient"), "ambient light", "Switches this light on and off."),
+    bind("Lights", &[(NO, Key::Num1)], Command::Light(0), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num2)], Command::Light(1), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num3)], Command::Light(2), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num4)], Command::Light(3), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num5)], Command::Light(4), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num6)], Command::Light(5), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num7)], Command::Light(6), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num8)], Command::Light(7), "first to ninth light", ""),
+    bind("Lights", &[(NO, Key::Num9)], Command::Light(8), "first to ninth light", ""),
+    bind("Shading", &[(NO, Key::G)], Command::Shading(ShadingMode::Gouraud), "Gouraud", "Light is computed at the vertices, and its colours are interpolated."),
+    bind("Shading", &[(NO, Key::P)], Command::Shading(ShadingMode::Phong), "Phong", "Normals are interpolated, and light is computed at every pixel."),
+    bind("Shading", &[(NO, Key::F)], Command::FileShading, "as the file", "Each cuboid is shaded as the scene's file says."),
+    bind("Shading", &[(NO, Key::OpenBracket), (NO, Key::PageDown)], Command::Tolerance(-1), "finer tolerance", "The next finer tolerance."),
+    bind("Shading", &[(NO, Key::CloseBracket), (NO, Key::PageUp)], Command::Tolerance(1), "coarser tolerance", "The next coarser tolerance."),
+    bind("Shading", &[(NO, Key::M)], Command::Measure, "measure all methods", "Measures the time of a frame and the largest error of every method, in this view."),
+    bind("Camera", &[(NO, Key::C)], Command::NextCamera, "next camera", "The camera that is looked through."),
+    bind("Camera", &[(NO, Key::O)], Command::NextProjection, "projection", "In perspective rays leave the eye; in orthographic projection they are parallel."),
+    bind("Camera", &[(NO, Key::ArrowLeft)], Command::Orbit(-ORBIT_STEP, 0.0), "orbit, or drag", ""),
+    bind("Camera", &[(NO, Key::ArrowRight)], Command::Orbit(ORBIT_STEP, 0.0), "orbit, or drag", ""),
+    bind("Camera", &[(NO, Key::ArrowUp)], Command::Orbit(0.0, ORBIT_STEP), "orbit, or drag", ""),
+    bind("Camera", &[(NO, Key::ArrowDown)], Command::Orbit(0.0, -ORBIT_STEP), "orbit, or drag", ""),
+    bind("Camera", &[(NO, Key::Plus), (NO, Key::Equals)], Command::Zoom(1), "zoom, or wheel", ""),
+    bind("Camera", &[(NO, Key::Minus)], Command::Zoom(-1), "zoom, or wheel", ""),
+    bind("Camera", &[(NO, Key::Space)], Command::Rotate, "rotate", "The cuboids turn about their own x axes."),
+    bind("Camera", &[(NO, Key::Home)], Command::ResetView, "reset view", "The camera and the cuboids go back to their places in the file."),
+    bind("View", &[(NO, Key::F2)], Command::View(ViewMode::Picture), "picture", "The picture as it is shaded."),
+    bind("View", &[(NO, Key::F3)], Command::View(ViewMode::Wipe), "Gouraud | Phong", "Two methods, left and right of a divider that can be dragged."),
+    bind("View", &[(NO, Key::F4)], Command::WipeExact, "picture | exact", "The picture, and exact Phong in f64, left and right of a divider."),
+    bind("View", &[(NO, Key::F5)], Command::View(ViewMode::Error), "error map", "The error of each pixel against exact Phong."),
+    bind("View", &[(NO, Key::F6)], Command::View(ViewMode::Tiles), "tiles", "The way in which each square was drawn."),
+    bind("View", &[(NO, Key::B)], Command::ShowExact, "show exact (hold)", "Shows exact Phong while the key or the button is held."),
+    bind("View", &[(NO, Key::Z)], Command::Magnify(1), "magnify, or Ctrl wheel", "Pixels are shown twice as large."),
+    bind("View", &[(NO, Key::X)], Command::Magnify(-1), "magnify less", "Pixels are shown half as large."),
+    bind("Scene", &[(NO, Key::E)], Command::Tab(Tab::Scene), "edit", "Shows every number of the scene, to be changed."),
+    bind("Scene", &[(NO, Key::N)], Command::Tab(Tab::Required), "required", "Shows the parts of the model that this picture requires."),
+    bind("Scene", &[(CTRL, Key::Z)], Command::Undo, "undo", "Takes back the last change."),
+    bind("Scene", &[(BOTH, Key::Z), (CTRL, Key::Y)], Command::Redo, "redo", "Makes the change again that was last taken back."),
+    bind("Scene", &[(CTRL, Key::S)], Command::Save, "save", "Writes the scene and the view to the scene's file."),
+    bind("Scene", &[(BOTH, Key::S)], Command::SaveAs, "save as new", "Writes the scene and the view to a new file."),
+    bind("Window", &[(NO, Key::I)], Command::Panel, "fold the panel", "Folds and opens the panel."),
+    bind("Window", &[(NO, Key::H), (NO, Key::Questionmark), (NO, Key::F1)], Command::Help, "help", "Shows all keys."),
+    bind("Window", &[(NO, Key::F12)], Command::Screenshot { window: true }, "save the window", "Writes the window into a PNG file."),
+    bind("Window", &[(SHIFT, Key::F12)], Command::Screenshot { window: false }, "save the picture", "Writes the picture into a PNG file."),
+    bind("Window", &[(NO, Key::Escape)], Command::Close, "close", "Closes the uppermost thing that can be closed."),
+    bind("Window", &[(NO, Key::Q)], Command::Quit, "quit", "Ends the program."),
 ];
 
 /// The sides of the wipe between Gouraud and Phong, both within this tolerance.
@@ -170,10 +169,14 @@ pub fn command(key: Key, modifiers: Modifiers) -> Option<Command> {
     (!modifiers.alt).then_some(found.command)
 }
 
-/// The first key of a command, as the panel shows it; empty where it has none.
+/// The row of a command.
+pub fn binding(command: Command) -> Option<&'static Binding> {
+    BINDINGS.iter().find(|binding| binding.command == command)
+}
+
+/// The first key of a command; empty where it has none.
 pub fn caption(command: Command) -> String {
-    let binding = BINDINGS.iter().find(|binding| binding.command == command);
-    binding.map_or_else(String::new, |binding| binding.captions().remove(0))
+    binding(command).map_or_else(String::new, |it| it.captions().remove(0))
 }
 
 impl Binding {
@@ -206,7 +209,7 @@ mod tests {
             command(Key::Num1, Modifiers::SHIFT),
             Some(Command::Light(0))
         );
-        assert_eq!(command(Key::Z, CONTROL_SHIFT), Some(Command::Redo));
+        assert_eq!(command(Key::Z, BOTH), Some(Command::Redo));
         assert_eq!(command(Key::Z, Modifiers::NONE), Some(Command::Magnify(1)));
         assert_eq!(command(Key::W, Modifiers::COMMAND), None);
         assert_eq!(caption(Command::SaveAs), "Ctrl Shift S");

@@ -143,7 +143,6 @@ impl App {
         if self.look::<Inspector>().0 != Some(Tab::Scene) {
             self.set_look(Inspector(Some(Tab::Pixel)));
         }
-        self.desk.over[1] = true;
     }
 
     /// Moves the camera about its target, by degrees to the right and up.

@@ -13,7 +13,7 @@
 use glam::{DMat3, DVec3};
 
 use super::Lens;
-use crate::components::{Polygon, Projection};
+use crate::components::{Polygon, Projection, length, unit};
 
 /// Half the side of the square, in pixels round the picture's centre, to which polygons are clipped: with it and
 /// pictures of at most 16384 pixels a side, the edge functions of rasterization stay below 2^62.
@@ -206,9 +206,11 @@ impl Side {
     /// plane meets it is found as exactly on a long edge as on a short one; and it is the same from either end.
     fn between(from: DVec3, to: DVec3, centre: DVec3) -> Self {
         let (middle, along) = (centre + (from + to) / 2.0, (to - from) / 2.0);
-        let times = middle.dot(along) / along.length_squared();
+        let direction = unit(along);
+        let times = middle.dot(direction) / length(along);
         Side {
-            nearest: middle - along * times,
+            // What two vector products leave of the middle, for a difference along a long edge would round by its length.
+            nearest: direction.cross(middle.cross(direction)),
             along,
             ends: [times - 1.0, times + 1.0],
         }

@@ -1,7 +1,7 @@
 //! The pixel's tab: drawn, exact and error first, then the worked example, then the section along the pixel's row.
 
 use egui::{Color32, Grid, RichText, Ui, vec2};
-use egui_plot::{Legend, Line, LineStyle, Plot, PlotPoints, VLine};
+use egui_plot::{Line, LineStyle, Plot, PlotPoints, VLine};
 
 use super::progress;
 use crate::components::{LightKind, Probed, ShadingMode};
@@ -118,10 +118,17 @@ fn section(ui: &mut Ui, profile: &Profile, column: usize, row: usize) {
     let exact = profile.reference.get(column).copied().unwrap_or_default();
     let brightest = (0..3).reduce(|one, next| if exact[next] > exact[one] { next } else { one });
     let channel = brightest.unwrap_or(0);
-    ui.label(format!(
-        "{} along row {row}, levels of 255",
-        CHANNELS[channel]
-    ));
+    let name = CHANNELS[channel];
+    ui.label(format!("{name} along row {row}, levels of 255"));
+    ui.horizontal(|ui| {
+        for (ink, name) in [
+            (GOURAUD, "Gouraud"),
+            (PHONG, "Phong"),
+            (EXACT, "exact (dots)"),
+        ] {
+            ui.colored_label(ink, name);
+        }
+    });
     let curve = |levels: &[[f64; 3]]| -> PlotPoints<'static> {
         let points = levels.iter().enumerate();
         points
@@ -131,7 +138,6 @@ fn section(ui: &mut Ui, profile: &Profile, column: usize, row: usize) {
     let plot = Plot::new("section")
         .height(140.0)
         .include_y(0.0)
-        .legend(Legend::default())
         .allow_scroll(false)
         .allow_drag(false)
         .allow_zoom(false)

@@ -2,14 +2,14 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{Button, ComboBox, DragValue, Grid, Response, ScrollArea, Slider, TextEdit, Ui};
+use egui::{Button, ComboBox, DragValue, Grid, ScrollArea, Slider, TextEdit, TextStyle, Ui, vec2};
 use glam::DVec3;
 use hecs::Entity;
 
-use super::color_button;
+use super::{color_button, format_number};
 use crate::components::{
     Background, Camera, Light, LightKind, Material, Mesh, Name, Orbit, ShadingMode, Transform,
-    names, ordered,
+    Viewpoint, active_camera, names, ordered,
 };
 use crate::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, range};
 use crate::window::app::App;
@@ -22,6 +22,43 @@ pub enum Kind {
     Camera,
 }
 
+/// A number of the scene, or three of them.
+struct Field {
+    name: &'static str,
+    range: RangeInclusive<f64>,
+    says: &'static str,
+}
+
+const fn field(name: &'static str, range: RangeInclusive<f64>, says: &'static str) -> Field {
+    Field { name, range, says }
+}
+
+#[rustfmt::skip]
+mod fields {
+    use super::{Field, field, range};
+
+    pub const BACKGROUND: Field = field("background", range::LEVEL, "Levels of 255 where nothing is drawn");
+    pub const SIZE: Field = field("size", range::LENGTH, "Edge lengths, in world units");
+    pub const CENTRE: Field = field("position", range::COORDINATE, "Centre, in world units");
+    pub const ROTATION: Field = field("rotation", range::ANGLE, "Degrees about the x, y and z axes, in this order");
+    pub const AMBIENT: Field = field("ambient", range::STRENGTH, "Reflected share of ambient light");
+    pub const DIFFUSE: Field = field("diffuse", range::STRENGTH, "Reflected share of diffuse light");
+    pub const SPECULAR: Field = field("specular", range::STRENGTH, "Reflected share of specular light");
+    pub const COLOR: Field = field("color", range::STRENGTH, "Share of full strength by channel");
+    pub const INTENSITY: Field = field("intensity", range::STRENGTH, "Strength of the light");
+    pub const GAIN: Field = field("gain", range::STRENGTH, "Levels of 255 for each unit of intensity");
+    pub const PLACE: Field = field("position", range::COORDINATE, "World units. Its disc in the picture can be dragged, with Shift in depth");
+    pub const EYE: Field = field("position", range::COORDINATE, "The eye, in world units");
+    pub const TARGET: Field = field("target", range::COORDINATE, "The point it looks at, in world units");
+    pub const UP: Field = field("up", range::COORDINATE, "The direction that is up in the picture");
+    pub const FOV: Field = field("fov", range::FIELD_OF_VIEW, "Vertical field of view in degrees; perspective");
+    pub const HEIGHT: Field = field("height", range::LENGTH, "World units seen vertically; orthographic");
+    pub const NEAR: Field = field("near", range::LENGTH, "Distance of the near plane; else a thousandth of the distance to the target");
+    pub const AZIMUTH: Field = field("azimuth", range::ORBIT, "Degrees that the camera was moved to the right");
+    pub const ELEVATION: Field = field("elevation", range::ORBIT, "Degrees that the camera was moved up");
+    pub const ZOOM: Field = field("zoom", range::ZOOM, "Factor of the distance and of the height");
+}
+
 impl App {
     pub fn scene_tab(&mut self, ui: &mut Ui) {
         self.entity_list(ui);
@@ -30,39 +67,20 @@ impl App {
         if let Some((kind, name)) = self.desk.selected.clone()
             && let Some(entity) = self.find(kind, &name)
         {
-            self.name_row(ui, kind, entity, name);
+            self.name_row(ui, kind, entity, &name);
             match kind {
-                Kind::Cuboid => self.cuboid_rows(ui, entity),
+                Kind::Cuboid => self.cuboid_numbers(ui, entity),
                 Kind::Light => self.light_numbers(ui, entity),
                 Kind::Camera => self.camera_numbers(ui, entity),
             }
+            ui.separator();
         }
-        ui.separator();
-        let Background(mut levels) = self.look();
-        let before = levels;
-        Grid::new("background").show(ui, |ui| {
-            vector(
-                ui,
-                "background",
-                &mut levels,
-                range::LEVEL,
-                "Levels where nothing is drawn",
-            )
-        });
+        let Background(before) = self.look();
+        let mut levels = before;
+        Grid::new("background").show(ui, |ui| fields::BACKGROUND.vector(ui, &mut levels));
         if levels != before {
             self.set_look(Background(levels));
         }
-    }
-
-    fn named(&self) -> Vec<(Kind, String)> {
-        let world = &self.scene.world;
-        let of = |kind, names: Vec<String>| names.into_iter().map(move |name| (kind, name));
-        let cuboids = of(Kind::Cuboid, names::<Mesh>(world));
-        let lights = of(Kind::Light, names::<Light>(world));
-        cuboids
-            .chain(lights)
-            .chain(of(Kind::Camera, names::<Camera>(world)))
-            .collect()
     }
 
     fn find(&self, kind: Kind, name: &str) -> Option<Entity> {
@@ -72,217 +90,211 @@ impl App {
             Kind::Light => ordered::<Light>(world),
             Kind::Camera => ordered::<Camera>(world),
         };
-        entities
-            .into_iter()
-            .find(|entity| world.get::<&Name>(*entity).is_ok_and(|own| own.0 == name))
+        let is_named = |entity: &Entity| world.get::<&Name>(*entity).is_ok_and(|own| own.0 == name);
+        entities.into_iter().find(is_named)
     }
 
     fn entity_list(&mut self, ui: &mut Ui) {
-        let all = self.named();
-        if self.desk.selected.is_none() {
-            self.desk.selected = all.first().cloned();
-        }
-        let height = ui.text_style_height(&egui::TextStyle::Body) + 4.0;
+        let world = &self.scene.world;
+        let all: Vec<(Kind, String)> = [
+            (Kind::Cuboid, names::<Mesh>(world)),
+            (Kind::Light, names::<Light>(world)),
+            (Kind::Camera, names::<Camera>(world)),
+        ]
+        .into_iter()
+        .flat_map(|(kind, names)| names.into_iter().map(move |name| (kind, name)))
+        .collect();
+        let selected = self.desk.selected.get_or_insert_with(|| all[0].clone());
+        let height = ui.text_style_height(&TextStyle::Body) + 4.0;
         let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
         scroll.show_rows(ui, height, all.len(), |ui, rows| {
             for each in &all[rows] {
-                let (kind, name) = each;
-                let is_chosen = self.desk.selected.as_ref() == Some(each);
-                let kind = match kind {
-                    Kind::Cuboid => "cuboid",
-                    Kind::Light => "light",
-                    Kind::Camera => "camera",
-                };
-                let row = Button::selectable(is_chosen, name)
-                    .shortcut_text(kind)
-                    .min_size(egui::vec2(ui.available_width(), 0.0));
-                if ui.add(row).clicked() {
-                    self.desk.selected = Some(each.clone());
+                let kind = format!("{:?}", each.0).to_lowercase();
+                let row = Button::selectable(selected == each, &each.1).shortcut_text(kind);
+                if ui
+                    .add(row.min_size(vec2(ui.available_width(), 0.0)))
+                    .clicked()
+                {
+                    each.clone_into(selected);
                 }
             }
         });
     }
 
-    /// Buttons that add, duplicate and delete; they write a record, from which the World is spawned.
+    /// Buttons that add, duplicate and delete. They write a record, from which the World is spawned.
     fn entity_buttons(&mut self, ui: &mut Ui) {
-        let mut record = SceneRecord::of(&self.scene.world);
-        let selected = self.desk.selected.clone();
-        let mut added = None;
+        let mut changed = None;
         ui.horizontal_wrapped(|ui| {
-            ui.weak("add");
-            if ui.small_button("cuboid").clicked() {
-                let name = unused("cuboid", record.cuboid.iter().map(|it| &it.name));
-                record
-                    .cuboid
-                    .push(CuboidRecord::new(&name, [1.0; 3], record.camera[0].target));
-                added = Some((Kind::Cuboid, name));
+            for (kind, name) in [
+                (Kind::Cuboid, "cuboid"),
+                (Kind::Light, "light"),
+                (Kind::Camera, "camera"),
+            ] {
+                let says = "A camera is added where the picture is seen from now.";
+                if ui
+                    .small_button(format!("add {name}"))
+                    .on_hover_text(says)
+                    .clicked()
+                {
+                    changed = Some(self.with_added(kind, name));
+                }
             }
-            if ui.small_button("light").clicked() {
-                let name = unused("light", record.light.iter().map(|it| &it.name));
-                let position = record.camera[0].position;
-                record
-                    .light
-                    .push(LightRecord::new(&name, LightKind::Diffuse, 100.0, position));
-                added = Some((Kind::Light, name));
-            }
-            if ui.small_button("camera").clicked() {
-                let mut camera: CameraRecord = record.camera[0].clone();
-                camera.name = unused("camera", record.camera.iter().map(|it| &it.name));
-                added = Some((Kind::Camera, camera.name.clone()));
-                record.camera.push(camera);
-            }
-            let Some((kind, name)) = selected else {
+            let Some((kind, name)) = self.desk.selected.clone() else {
                 return;
             };
-            if ui
-                .small_button("duplicate")
-                .on_hover_text("Adds a copy of the selected entity.")
-                .clicked()
-            {
-                let copy = duplicate(&mut record, kind, &name);
-                added = copy.map(|copy| (kind, copy));
+            if ui.small_button("duplicate").clicked() {
+                changed = self.with_duplicate(kind, &name);
             }
+            let world = &self.scene.world;
             let is_last = match kind {
-                Kind::Cuboid => record.cuboid.len() == 1,
+                Kind::Cuboid => ordered::<Mesh>(world).len() == 1,
                 Kind::Light => false,
-                Kind::Camera => record.camera.len() == 1,
+                Kind::Camera => ordered::<Camera>(world).len() == 1,
             };
             let delete = ui.add_enabled(!is_last, Button::new("delete").small());
             if delete
                 .on_disabled_hover_text("A scene has at least one.")
                 .clicked()
             {
-                record
-                    .cuboid
-                    .retain(|it| kind != Kind::Cuboid || it.name != name);
-                record
-                    .light
-                    .retain(|it| kind != Kind::Light || it.name != name);
-                record
-                    .camera
-                    .retain(|it| kind != Kind::Camera || it.name != name);
-                if record.view.camera.as_ref() == Some(&name) && kind == Kind::Camera {
-                    record.view.camera = None;
-                }
-                self.desk.selected = None;
-                self.restore(&record);
+                changed = Some((self.without(kind, &name), None));
             }
         });
-        if let Some(added) = added {
+        if let Some((record, selected)) = changed {
             self.restore(&record);
-            self.desk.selected = Some(added);
+            self.desk.selected = selected;
         }
     }
 
-    fn name_row(&mut self, ui: &mut Ui, kind: Kind, entity: Entity, name: String) {
+    fn with_added(&self, kind: Kind, stem: &str) -> (SceneRecord, Option<(Kind, String)>) {
+        let world = &self.scene.world;
+        let mut record = SceneRecord::of(world);
+        let seen = Viewpoint::of(world, active_camera(world));
+        let name = match kind {
+            Kind::Cuboid => {
+                let name = unused(stem, record.cuboid.iter().map(|it| &it.name));
+                record
+                    .cuboid
+                    .push(CuboidRecord::new(&name, [1.0; 3], seen.camera.target));
+                name
+            }
+            Kind::Light => {
+                let name = unused(stem, record.light.iter().map(|it| &it.name));
+                let light = LightRecord::new(&name, LightKind::Diffuse, 100.0, seen.position);
+                record.light.push(light);
+                name
+            }
+            Kind::Camera => {
+                let name = unused(stem, record.camera.iter().map(|it| &it.name));
+                let sees = [seen.camera.fov, seen.camera.height];
+                let camera = CameraRecord::new(&name, seen.position, seen.camera.target, sees);
+                record.camera.push(CameraRecord {
+                    up: seen.camera.up,
+                    near: seen.camera.near,
+                    ..camera
+                });
+                name
+            }
+        };
+        (record, Some((kind, name)))
+    }
+
+    fn with_duplicate(
+        &self,
+        kind: Kind,
+        name: &str,
+    ) -> Option<(SceneRecord, Option<(Kind, String)>)> {
+        let mut record = SceneRecord::of(&self.scene.world);
+        let copy = match kind {
+            Kind::Cuboid => duplicate(&mut record.cuboid, name, |it| &mut it.name),
+            Kind::Light => duplicate(&mut record.light, name, |it| &mut it.name),
+            Kind::Camera => duplicate(&mut record.camera, name, |it| &mut it.name),
+        }?;
+        if let Some(cuboid) = record.cuboid.last_mut().filter(|_| kind == Kind::Cuboid) {
+            cuboid.position.x += 1.25 * cuboid.size.x;
+        }
+        Some((record, Some((kind, copy))))
+    }
+
+    fn without(&self, kind: Kind, name: &str) -> SceneRecord {
+        let mut record = SceneRecord::of(&self.scene.world);
+        match kind {
+            Kind::Cuboid => record.cuboid.retain(|it| it.name != name),
+            Kind::Light => record.light.retain(|it| it.name != name),
+            Kind::Camera => {
+                record.camera.retain(|it| it.name != name);
+                record.view.camera.take_if(|camera| camera == name);
+            }
+        }
+        record
+    }
+
+    fn name_row(&mut self, ui: &mut Ui, kind: Kind, entity: Entity, name: &str) {
         ui.horizontal(|ui| {
             ui.label("name")
                 .on_hover_text("Unique among entities of its kind.");
-            let id = ui.id().with(("name", &name));
-            let mut text = ui
-                .data_mut(|data| data.get_temp::<String>(id))
-                .unwrap_or_else(|| name.clone());
+            let id = ui.id().with(("name", name));
+            let typed = ui.data_mut(|data| data.get_temp::<String>(id));
+            let mut text = typed.unwrap_or_else(|| name.to_owned());
             let field = ui.add(TextEdit::singleline(&mut text).desired_width(140.0));
             if field.lost_focus() {
                 ui.data_mut(|data| data.remove::<String>(id));
-                self.rename(kind, entity, text);
+                self.rename(kind, entity, name, text);
             } else {
                 ui.data_mut(|data| data.insert_temp(id, text));
             }
         });
     }
 
-    fn rename(&mut self, kind: Kind, entity: Entity, name: String) {
-        if self
-            .scene
-            .world
-            .get::<&Name>(entity)
-            .is_ok_and(|own| own.0 == name)
-        {
+    fn rename(&mut self, kind: Kind, entity: Entity, before: &str, name: String) {
+        if name == before {
             return;
         }
-        let is_free = self.find(kind, &name).is_none();
-        let is_name = !name.is_empty()
-            && (kind != Kind::Light || !name.contains(',') && name != "all" && name != "none");
-        if !is_free || !is_name {
-            return self.say(format!("{name:?} cannot be the name: it is empty, taken, or cannot be written in a list of lights"));
+        let is_list = name.contains(',') || name == "all" || name == "none";
+        let is_name = !name.is_empty() && !(kind == Kind::Light && is_list);
+        if !is_name || self.find(kind, &name).is_some() {
+            return self.say(format!("{name:?} is taken, or cannot be a name"));
         }
         // The entity was just found.
         let _ = self.scene.world.insert_one(entity, Name(name.clone()));
         self.desk.selected = Some((kind, name));
     }
 
-    fn cuboid_rows(&mut self, ui: &mut Ui, entity: Entity) {
+    fn cuboid_numbers(&self, ui: &mut Ui, entity: Entity) {
+        let world = &self.scene.world;
         let mut query =
-            self.scene
-                .world
-                .query_one::<(&mut Transform, &mut Mesh, &mut Material, &mut ShadingMode)>(entity);
+            world.query_one::<(&mut Transform, &mut Mesh, &mut Material, &mut ShadingMode)>(entity);
         let Ok((transform, mesh, material, mode)) = query.get() else {
             return;
         };
         let mut size = mesh.size();
-        Grid::new("cuboid").num_columns(4).show(ui, |ui| {
-            vector(
-                ui,
-                "size",
-                &mut size,
-                range::LENGTH,
-                "Edge lengths, in world units",
-            );
-            vector(
-                ui,
-                "position",
-                &mut transform.position,
-                range::COORDINATE,
-                "Centre, in world units",
-            );
-            vector(
-                ui,
-                "rotation",
-                &mut transform.rotation,
-                range::ANGLE,
-                "Degrees about the x, y and z axes, in this order",
-            );
+        Grid::new("cuboid").show(ui, |ui| {
+            fields::SIZE.vector(ui, &mut size);
+            fields::CENTRE.vector(ui, &mut transform.position);
+            fields::ROTATION.vector(ui, &mut transform.rotation);
+            fields::AMBIENT.color(ui, &mut material.ambient);
+            fields::DIFFUSE.color(ui, &mut material.diffuse);
+            fields::SPECULAR.color(ui, &mut material.specular);
         });
         if size != mesh.size() {
             *mesh = Mesh::cuboid(size);
         }
         ui.horizontal(|ui| {
-            ui.label("shading");
-            ui.selectable_value(mode, ShadingMode::Gouraud, "Gouraud");
-            ui.selectable_value(mode, ShadingMode::Phong, "Phong");
-        });
-        Grid::new("material").num_columns(5).show(ui, |ui| {
-            coefficients(
-                ui,
-                "ambient",
-                &mut material.ambient,
-                "Reflected share of ambient light",
-            );
-            coefficients(
-                ui,
-                "diffuse",
-                &mut material.diffuse,
-                "Reflected share of diffuse light",
-            );
-            coefficients(
-                ui,
-                "specular",
-                &mut material.specular,
-                "Reflected share of specular light",
-            );
+            ui.label("shininess");
+            let slider = Slider::new(&mut material.shininess, range::SHININESS).logarithmic(true);
+            let slider = slider
+                .smallest_positive(0.1)
+                .custom_formatter(format_number);
+            ui.add(slider)
+                .on_hover_text("The exponent of the highlight, 0 to 1e6.");
         });
         ui.horizontal(|ui| {
-            ui.label("shininess");
-            let slider = Slider::new(&mut material.shininess, range::SHININESS)
-                .logarithmic(true)
-                .smallest_positive(0.1);
-            ui.add(slider.custom_formatter(format_number))
-                .on_hover_text("The exponent of the highlight, 0 to 1e6.");
+            ui.label("shading");
+            ui.radio_value(mode, ShadingMode::Gouraud, "gouraud");
+            ui.radio_value(mode, ShadingMode::Phong, "phong");
         });
     }
 
-    fn light_numbers(&mut self, ui: &mut Ui, entity: Entity) {
+    fn light_numbers(&self, ui: &mut Ui, entity: Entity) {
         let mut query = self
             .scene
             .world
@@ -292,209 +304,109 @@ impl App {
         };
         ui.horizontal(|ui| {
             ui.checkbox(&mut light.on, "on");
-            ComboBox::from_id_salt("kind")
-                .selected_text(light.kind.name())
-                .show_ui(ui, |ui| {
-                    for kind in LightKind::ALL {
-                        ui.selectable_value(&mut light.kind, kind, kind.name());
-                    }
-                });
-        });
-        Grid::new("light").num_columns(5).show(ui, |ui| {
-            coefficients(
-                ui,
-                "color",
-                &mut light.color,
-                "Share of full strength by channel",
-            );
-            labelled(
-                ui,
-                "intensity",
-                &mut light.intensity,
-                range::STRENGTH,
-                "Strength of the light",
-            );
-            labelled(
-                ui,
-                "gain",
-                &mut light.gain,
-                range::STRENGTH,
-                "Levels of 255 for each unit of intensity",
-            );
-        });
-        if light.kind != LightKind::Ambient {
-            Grid::new("place").num_columns(4).show(ui, |ui| {
-                vector(
-                    ui,
-                    "position",
-                    &mut transform.position,
-                    range::COORDINATE,
-                    "World units; the disc in the picture can be dragged, with Shift in depth",
-                );
+            let kinds = ComboBox::from_id_salt("kind").selected_text(light.kind.name());
+            kinds.show_ui(ui, |ui| {
+                for kind in LightKind::ALL {
+                    ui.selectable_value(&mut light.kind, kind, kind.name());
+                }
             });
-        }
+        });
+        Grid::new("light").show(ui, |ui| {
+            fields::COLOR.color(ui, &mut light.color);
+            fields::INTENSITY.number(ui, &mut light.intensity);
+            fields::GAIN.number(ui, &mut light.gain);
+            if light.kind != LightKind::Ambient {
+                fields::PLACE.vector(ui, &mut transform.position);
+            }
+        });
     }
 
-    fn camera_numbers(&mut self, ui: &mut Ui, entity: Entity) {
-        let mut query = self
-            .scene
-            .world
-            .query_one::<(&mut Transform, &mut Camera, &mut Orbit)>(entity);
+    fn camera_numbers(&self, ui: &mut Ui, entity: Entity) {
+        let world = &self.scene.world;
+        let mut query = world.query_one::<(&mut Transform, &mut Camera, &mut Orbit)>(entity);
         let Ok((transform, camera, orbit)) = query.get() else {
             return;
         };
-        Grid::new("camera").num_columns(4).show(ui, |ui| {
-            vector(
-                ui,
-                "position",
-                &mut transform.position,
-                range::COORDINATE,
-                "The eye, in world units",
-            );
-            vector(
-                ui,
-                "target",
-                &mut camera.target,
-                range::COORDINATE,
-                "The point it looks at, in world units",
-            );
-            vector(
-                ui,
-                "up",
-                &mut camera.up,
-                range::COORDINATE,
-                "The direction that is up in the picture",
-            );
-            labelled(
-                ui,
-                "fov",
-                &mut camera.fov,
-                range::FIELD_OF_VIEW,
-                "Vertical field of view in degrees; perspective",
-            );
-            labelled(
-                ui,
-                "height",
-                &mut camera.height,
-                range::LENGTH,
-                "World units seen vertically; orthographic",
-            );
-            let mut has_near = camera.near.is_some();
-            let says =
-                "Distance of the near plane; else a thousandth of the distance to the target";
-            ui.checkbox(&mut has_near, "near").on_hover_text(says);
-            let own = camera
-                .near
-                .unwrap_or_else(|| camera.near_from(transform.position));
-            camera.near = has_near.then_some(own);
-            if let Some(near) = &mut camera.near {
-                number(ui, near, range::LENGTH, says);
+        Grid::new("camera").show(ui, |ui| {
+            fields::EYE.vector(ui, &mut transform.position);
+            fields::TARGET.vector(ui, &mut camera.target);
+            fields::UP.vector(ui, &mut camera.up);
+            fields::FOV.number(ui, &mut camera.fov);
+            fields::HEIGHT.number(ui, &mut camera.height);
+            let mut near = camera.near_from(transform.position);
+            let before = near;
+            fields::NEAR.number(ui, &mut near);
+            if near != before {
+                camera.near = Some(near);
             }
-            ui.end_row();
-            labelled(
-                ui,
-                "azimuth",
-                &mut orbit.azimuth,
-                range::ORBIT,
-                "Degrees that the camera was moved to the right",
-            );
-            labelled(
-                ui,
-                "elevation",
-                &mut orbit.elevation,
-                range::ORBIT,
-                "Degrees that the camera was moved up",
-            );
-            labelled(
-                ui,
-                "zoom",
-                &mut orbit.zoom,
-                1e-3..=1e3,
-                "Factor of the distance and of the height",
-            );
+            fields::AZIMUTH.number(ui, &mut orbit.azimuth);
+            fields::ELEVATION.number(ui, &mut orbit.elevation);
+            fields::ZOOM.number(ui, &mut orbit.zoom);
         });
     }
 }
 
-/// Adds a copy of an entity, a cuboid beside itself; returns its name.
-fn duplicate(record: &mut SceneRecord, kind: Kind, name: &str) -> Option<String> {
-    match kind {
-        Kind::Cuboid => {
-            let mut copy = record.cuboid.iter().find(|it| it.name == name)?.clone();
-            copy.name = unused(name, record.cuboid.iter().map(|it| &it.name));
-            copy.position.x += 1.25 * copy.size.x;
-            record.cuboid.push(copy);
-            record.cuboid.last().map(|it| it.name.clone())
-        }
-        Kind::Light => {
-            let mut copy = record.light.iter().find(|it| it.name == name)?.clone();
-            copy.name = unused(name, record.light.iter().map(|it| &it.name));
-            record.light.push(copy);
-            record.light.last().map(|it| it.name.clone())
-        }
-        Kind::Camera => {
-            let mut copy = record.camera.iter().find(|it| it.name == name)?.clone();
-            copy.name = unused(name, record.camera.iter().map(|it| &it.name));
-            record.camera.push(copy);
-            record.camera.last().map(|it| it.name.clone())
-        }
+impl Field {
+    /// A row with one number.
+    fn number(&self, ui: &mut Ui, value: &mut f64) {
+        ui.label(self.name).on_hover_text(self.says);
+        self.drag(ui, value);
+        ui.end_row();
     }
+
+    /// A row with three numbers.
+    fn vector(&self, ui: &mut Ui, value: &mut DVec3) {
+        ui.label(self.name).on_hover_text(self.says);
+        for axis in 0..3 {
+            self.drag(ui, &mut value[axis]);
+        }
+        ui.end_row();
+    }
+
+    /// A row with three channels and their colour.
+    fn color(&self, ui: &mut Ui, value: &mut DVec3) {
+        ui.horizontal(|ui| {
+            ui.label(self.name).on_hover_text(self.says);
+            color_button(ui, value);
+        });
+        for channel in 0..3 {
+            self.drag(ui, &mut value[channel]);
+        }
+        ui.end_row();
+    }
+
+    /// A number that is dragged, or clicked and typed. A drag changes it by a share of itself, to reach any magnitude.
+    fn drag(&self, ui: &mut Ui, value: &mut f64) {
+        let [least, most] =
+            [self.range.start(), self.range.end()].map(|it| format_number(*it, 0..=0));
+        let speed = (value.abs() * 0.01).max(0.01);
+        let drag = DragValue::new(value).speed(speed).range(self.range.clone());
+        ui.add(drag.custom_formatter(format_number))
+            .on_hover_text(format!(
+                "{}.\nDrag it, or click and type a number, {least} to {most}.",
+                self.says
+            ));
+    }
+}
+
+/// Adds a copy of the entity of this name; returns the copy's name.
+fn duplicate<T: Clone>(
+    all: &mut Vec<T>,
+    name: &str,
+    name_of: impl Fn(&mut T) -> &mut String,
+) -> Option<String> {
+    let names: Vec<String> = all.iter_mut().map(|it| name_of(it).clone()).collect();
+    let mut copy = all[names.iter().position(|own| own == name)?].clone();
+    let new = unused(name, names.iter());
+    new.clone_into(name_of(&mut copy));
+    all.push(copy);
+    Some(new)
 }
 
 /// `stem`, or the first of `stem 2`, `stem 3`, ... that no entity has.
 fn unused<'a>(stem: &str, names: impl Iterator<Item = &'a String> + Clone) -> String {
-    let candidates = (2..).map(|number| format!("{stem} {number}"));
-    let mut candidates = std::iter::once(stem.to_owned()).chain(candidates);
+    let numbered = (2..).map(|number| format!("{stem} {number}"));
+    let mut candidates = std::iter::once(stem.to_owned()).chain(numbered);
     let is_free = |name: &String| names.clone().all(|taken| taken != name);
     candidates.find(is_free).unwrap_or_default()
-}
-
-/// A number that is dragged, or clicked and typed.
-fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>, says: &str) -> Response {
-    let (least, most) = (
-        format_number(*range.start(), 0..=0),
-        format_number(*range.end(), 0..=0),
-    );
-    // A drag changes a number by its own size, so that it reaches any magnitude.
-    let speed = (value.abs() * 0.01).max(0.01);
-    let drag = DragValue::new(value)
-        .speed(speed)
-        .range(range)
-        .custom_formatter(format_number);
-    ui.add(drag).on_hover_text(format!(
-        "{says}.\nDrag it, or click and type a number, {least} to {most}."
-    ))
-}
-
-fn labelled(ui: &mut Ui, name: &str, value: &mut f64, range: RangeInclusive<f64>, says: &str) {
-    ui.label(name).on_hover_text(says);
-    number(ui, value, range, says);
-    ui.end_row();
-}
-
-fn vector(ui: &mut Ui, name: &str, value: &mut DVec3, range: RangeInclusive<f64>, says: &str) {
-    ui.label(name).on_hover_text(says);
-    for axis in 0..3 {
-        number(ui, &mut value[axis], range.clone(), says);
-    }
-    ui.end_row();
-}
-
-fn coefficients(ui: &mut Ui, name: &str, value: &mut DVec3, says: &str) {
-    ui.label(name).on_hover_text(says);
-    for axis in 0..3 {
-        number(ui, &mut value[axis], range::STRENGTH, says);
-    }
-    color_button(ui, value);
-    ui.end_row();
-}
-
-/// Six significant digits at most, with an exponent where the number is very large or small.
-fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    match rounded.abs() {
-        0.0 => "0".to_owned(),
-        1e-3..1e6 => rounded.to_string(),
-        _ => format!("{rounded:e}"),
-    }
 }

@@ -247,7 +247,7 @@ fn what_is_added_comes_last_of_its_kind_and_what_is_removed_takes_its_comments_a
             .unwrap_or_else(|| panic!("{word}: {added}"))
     };
     assert!(place("name = \"ambient\"") < place("name = \"new\""));
-    assert!(place("name = \"new\"") < place("[[camera]]"));
+    assert!(place("name = \"new\"") < place("\n[[camera]]"));
     assert_eq!(edited(&added, |record| drop(record.light.pop())), text);
 
     let less = edited(LOOKED_AT, |record| drop(record.camera.remove(0)));

@@ -267,10 +267,13 @@ pub enum Number {
     Height,
     Near,
     Background,
+    /// How high the eye is over a face, which it looks along or down at: of no key, but what several make together.
+    Gap,
 }
 
 impl Number {
-    const ALL: [Number; 18] = [
+    /// The last one as often as five others.
+    const ALL: [Number; 23] = [
         Number::Size,
         Number::Position,
         Number::Rotation,
@@ -289,6 +292,11 @@ impl Number {
         Number::Height,
         Number::Near,
         Number::Background,
+        Number::Gap,
+        Number::Gap,
+        Number::Gap,
+        Number::Gap,
+        Number::Gap,
     ];
 
     /// The least size above 0 and the largest that the scene format allows.
@@ -310,6 +318,7 @@ impl Number {
             | Number::Up => [5e-324, 1e100],
             Number::Fov => [5e-324, 179.0],
             Number::Background => [5e-324, 255.0],
+            Number::Gap => [1e-12, 1e3],
         }
     }
 
@@ -390,6 +399,23 @@ impl Extreme {
             Number::Height => camera.height = value,
             Number::Near => camera.near = Some(value),
             Number::Background => view.background[axis] = value,
+            Number::Gap => {
+                let mut query = world.query_mut::<(&Mesh, &mut Transform)>().into_iter();
+                let (mesh, transform) = query.next().expect("there is a cuboid");
+                if index < 2 {
+                    transform.rotation = DVec3::ZERO;
+                }
+                let axes = transform.axes();
+                let mut over = mesh.corners[7] * DVec3::new(0.3, -0.2, 0.34);
+                over[axis] = mesh.corners[7][axis] + value;
+                let mut ahead = DVec3::new(0.54, 0.31, -0.84);
+                ahead[axis] = [0.0, -1e-5, -0.1, -1.0][index % 4];
+                *eye = transform.position + axes * over;
+                camera.target = *eye + axes * ahead * value.min(1.0);
+                camera.up = axes.col(axis) + DVec3::new(1e-3, 2e-3, 0.0);
+                camera.near = Some(value * 1e-3);
+                camera.height = 3.0 * value;
+            }
             Number::Color | Number::Intensity | Number::Gain | Number::LightPosition => {
                 let mut lights: Vec<_> = world
                     .query_mut::<(&mut Light, &mut Transform)>()

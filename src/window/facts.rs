@@ -1,0 +1,156 @@
+//! The facts about the picture: the questions that the window asks of its jobs, and their answers.
+
+use std::sync::{Arc, mpsc};
+use std::time::Duration;
+
+use super::app::App;
+use super::comparison::Comparison;
+use super::inspector::Kind;
+use super::jobs::{Answer, Job, Jobs, Order, Probed, State, Task, answer_all};
+use crate::components::{Inspector, Probed as ProbedPixel, Show, Side, Tab, ViewMode};
+use crate::prove::Proof;
+use crate::requires::PartChange;
+use crate::trade::Report;
+
+/// How often the progress of a job is shown: laying out takes time from what is measured.
+const PROGRESS: Duration = Duration::from_millis(200);
+
+/// The answers, as far as they are known.
+#[derive(Default)]
+pub struct Facts {
+    pub probe: Job<Box<Probed>>,
+    /// The picture without the part that is left out, 0x00RRGGBB.
+    pub without: Job<Vec<u32>>,
+    pub comparison: Job<Box<Comparison>>,
+    pub proof: Job<Box<Proof>>,
+    pub required: Job<Vec<PartChange>>,
+    pub report: Job<Box<Report>>,
+}
+
+impl Facts {
+    /// The picture is another one.
+    pub fn are_old(&mut self) {
+        for task in [
+            Task::Probe([0, 0]),
+            Task::Compare,
+            Task::Prove,
+            Task::Require,
+            Task::Measure,
+        ] {
+            *self.state(task) = State::Idle;
+        }
+        self.without.state = State::Idle;
+    }
+
+    fn state(&mut self, task: Task) -> &mut State {
+        match task {
+            Task::Probe(_) => &mut self.probe.state,
+            Task::LeaveOut(_) => &mut self.without.state,
+            Task::Compare => &mut self.comparison.state,
+            Task::Prove => &mut self.proof.state,
+            Task::Require => &mut self.required.state,
+            Task::Measure => &mut self.report.state,
+        }
+    }
+}
+
+impl App {
+    /// The questions whose answers the window shows and does not have, in the order of their worth.
+    fn tasks(&mut self) -> Vec<Task> {
+        let (show, Inspector(tab)): (Show, Inspector) = (self.look(), self.look());
+        let is_live = self.jobs.is_some();
+        let shows_exact = self.desk.shows_exact
+            || show.mode == ViewMode::Error
+            || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
+        let [width, height] = self.pictures.size();
+        let ProbedPixel(pixel) = self.look();
+        let pixel = pixel.filter(|[x, y]| *x < width && *y < height);
+        let wanted = |task, is_wanted: bool| is_wanted.then_some(task);
+        let tasks = [
+            pixel.map(Task::Probe),
+            self.desk.left_out.map(Task::LeaveOut),
+            wanted(Task::Compare, is_live || shows_exact),
+            wanted(Task::Prove, is_live || tab == Some(Tab::Proof)),
+            wanted(Task::Require, tab == Some(Tab::Required)),
+            wanted(Task::Measure, is_live && self.desk.measures),
+        ];
+        let is_open = |task: &Task| {
+            let state = self.facts.state(*task);
+            matches!(state, State::Idle | State::Running(_))
+        };
+        tasks.into_iter().flatten().filter(is_open).collect()
+    }
+
+    /// Asks the open questions once the picture rests, or at once where there are no background jobs.
+    pub fn order_jobs(&mut self) {
+        if self.jobs.is_some() && !self.rests() {
+            return;
+        }
+        let tasks = self.tasks();
+        if tasks.iter().all(|task| self.ordered.contains(task)) {
+            return;
+        }
+        let order = Order {
+            name: self.scene.name.clone(),
+            record: Arc::clone(&self.state),
+            size: self.picture_size(),
+            threads: self.threads,
+            tasks: tasks.clone(),
+        };
+        self.ordered = tasks;
+        if let Some(jobs) = &mut self.jobs {
+            return jobs.submit(order);
+        }
+        let (tell, answers) = mpsc::channel();
+        let tell = |task, answer| drop(tell.send((task, answer)));
+        answer_all(&order, self.level, &|| false, &tell);
+        answers
+            .try_iter()
+            .for_each(|(task, answer)| self.take(task, answer));
+    }
+
+    /// Takes the answers of the jobs; whether the window shows something new by them.
+    pub fn receive(&mut self, now: Duration) -> bool {
+        let answers = self.jobs.as_ref().map_or_else(Vec::new, Jobs::answers);
+        let mut is_new = false;
+        for (task, answer) in answers {
+            let is_progress = matches!(answer, Answer::Progress(_));
+            is_new |= !is_progress || now >= self.next_progress;
+            self.take(task, answer);
+        }
+        if is_new {
+            self.next_progress = now + PROGRESS;
+        }
+        is_new
+    }
+
+    fn take(&mut self, task: Task, answer: Answer) {
+        let facts = &mut self.facts;
+        if !matches!(answer, Answer::Progress(_)) {
+            self.ordered.retain(|ordered| *ordered != task);
+        }
+        match answer {
+            Answer::Probe(probed) => {
+                if let Some(object) = &probed.probe.object {
+                    self.desk.selected = Some((Kind::Cuboid, object.clone()));
+                }
+                facts.probe.finish(probed);
+            }
+            Answer::LeaveOut(picture) => facts.without.finish(picture),
+            Answer::Compare(comparison) => facts.comparison.finish(comparison),
+            Answer::Prove(proof) => {
+                if let Some(comparison) = &mut facts.comparison.value {
+                    comparison.mark(&proof);
+                }
+                facts.proof.finish(proof);
+            }
+            Answer::Require(parts) => facts.required.finish(parts),
+            Answer::Measure(report) => facts.report.finish(report),
+            Answer::Progress(share) => *facts.state(task) = State::Running(share),
+            Answer::Failed(reason) => {
+                *facts.state(task) = State::Failed(reason.clone());
+                self.say(reason);
+            }
+        }
+    }
+}
