@@ -1,14 +1,16 @@
 //! The commands there are, each with its options and its help.
 //!
 //! ```text
-//! words --parsing--> Command with checked values (commands, options) --main--> done, or a Failure --failure--> exit status
+//! words --parse--> Command with checked values (commands, options) --main--> done, or a Failure --failure--> exit status
 //! ```
 //! Rule: every command and option is declared here, in the words that `--help` prints.
 
 mod commands;
 mod failure;
 pub mod options;
-mod parsing;
+
+use std::ffi::OsString;
+use std::io::{self, ErrorKind, Write};
 
 use anyhow::Context;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -22,7 +24,6 @@ pub use commands::{
     ReplayOptions, RequiresOptions, TradeOptions, ViewOptions,
 };
 pub use failure::Failure;
-pub use parsing::parse;
 
 /// The command line: a command, or the options of `view` without its name.
 #[derive(Debug, Parser)]
@@ -85,7 +86,7 @@ a sheet of the six.")]
     /// Measures what every shading method costs and how far it errs, and which of them are worth their time
     #[command(
         mut_arg("size", |argument| argument.default_value("1920x1080")),
-        mut_arg("threads", |argument| argument.help("How many threads draw the frames that are timed, 1 to 1024 [default: 1; with --scale the most, all cores]")),
+        mut_arg("threads", |argument| argument.help("How many threads draw the frames that are timed, 1 to 1024 [default: 1]")),
         mut_arg("shading", |argument| argument.hide(true)),
         mut_arg("tolerance", |argument| argument.hide(true)),
         after_help = "\
@@ -94,14 +95,9 @@ Examples:
   shadetrade trade bench-close -o close
   shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
   shadetrade trade --methods gouraud-0.5,phong-0.5
-  shadetrade trade --scale --quick
 
-Prints a verdict and a table; with -o also writes trade.json, trade.csv, trade.md, trade.svg (error
-against time) and an error map of each method. Errors are against exact Phong in f64, in levels.
-
-With --scale it times frames instead: of 480p to 8K (--size times 4/9 to 4), under 1 to 64 lights,
-with 1 to 10,000 cuboids, by 1 to all threads. Pixels and threads show the scene. With -o it writes
-scale.json.")]
+Prints a verdict and a table; with -o also writes trade.json, trade.md, trade.svg (error against
+time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
     Trade(TradeOptions),
     /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
     #[command(after_help = "\
@@ -157,7 +153,7 @@ With --chart it sweeps one number of a scene at a time instead: shininess, edge 
 distance from the origin, of the eye and of a light, field of view, intensity, number of lights. Four
 evaluations are compared with intervals that enclose the exact levels: the textbook's formula in f32,
 this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps 0.05
-level (0.5 at tolerance 0.5); with -o also writes stability.svg, stability.csv and stability.json.")]
+level (0.5 at tolerance 0.5); with -o also writes stability.svg and stability.json.")]
     Extremes(ExtremesOptions),
     /// Draws a recording again, without a display
     #[command(after_help = "\
@@ -209,6 +205,23 @@ impl Command {
             .use_current_thread()
             .build_global()
             .context("cannot start the threads that draw")
+    }
+}
+
+/// The command of a command line, or none where help or the version was asked for: that is printed already.
+///
+/// # Errors
+/// When the command line is wrong, or help could not be printed.
+pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
+    match Arguments::try_parse_from(words) {
+        Ok(Arguments { command, view }) => Ok(Some(command.unwrap_or(Command::View(view)))),
+        Err(error) if error.use_stderr() => Err(Failure::of(&error)),
+        Err(help) => match help.print().and_then(|()| io::stdout().flush()) {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Work(
+                anyhow::Error::from(error).context("cannot write to standard output"),
+            )),
+            _ => Ok(None),
+        },
     }
 }
 

@@ -12,9 +12,7 @@ use shadetrade::window::{self, NoDisplay};
 use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
-    let begun = output::survive_file_limits().map_err(Failure::from);
-    let command = begun.and_then(|()| cli::parse(std::env::args_os()));
-    match command.and_then(run) {
+    match cli::parse(std::env::args_os()).and_then(run) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
@@ -41,7 +39,6 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let (request, folder) = (options.request()?, options.output.as_deref());
             let done = match options.batch {
                 Some(number) => trade::process::run(&request, number),
-                None if options.scale => trade::scale::run(&request, folder),
                 None => trade::run(request, folder),
             };
             Ok(done?)

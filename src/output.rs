@@ -1,8 +1,8 @@
-//! Content in, a file or standard output out.
+//! Files that are written whole or not at all, and standard output.
 //!
-//! Rule: a file is written whole or not at all. The content goes to a hidden temporary file in the same folder, which
-//! takes the target's name once everything is on the disk. Devices, pipes and descriptors are written directly; a
-//! symbolic link stays a link and its target is replaced; a reader that closes our standard output early is no error.
+//! The content goes to a hidden temporary file in the same folder, which
+//! takes the target's name once everything is on the disk. Devices and pipes are written directly; a symbolic link stays
+//! a link and its target is replaced; a reader that closes our standard output early is no error.
 
 mod animation;
 
@@ -28,10 +28,9 @@ pub enum Output {
 }
 
 impl From<PathBuf> for Output {
-    /// `-` and the system's names for it are standard output, everything else is a path.
+    /// `-` and `/dev/stdout` are standard output, everything else is a path.
     fn from(path: PathBuf) -> Self {
-        let stdout = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
-        if stdout.iter().any(|name| path.as_os_str() == *name) {
+        if path.as_os_str() == "-" || path.as_os_str() == "/dev/stdout" {
             Output::Stdout
         } else {
             Output::File(path)
@@ -98,18 +97,6 @@ pub fn make_folder(path: &Path) -> anyhow::Result<()> {
         }
         made => made.with_context(|| format!("cannot make the folder {}", path.display())),
     }
-}
-
-/// Makes a limit on the size of files an error of the write that exceeds it, as a full disk is: the signal that comes with
-/// it ends the program unless something handles it.
-///
-/// # Errors
-/// When the system refuses the handler.
-pub fn survive_file_limits() -> anyhow::Result<()> {
-    #[cfg(unix)]
-    signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default())
-        .context("cannot handle the signal of a full disk")?;
-    Ok(())
 }
 
 /// Prints a record to standard output: as JSON, or as `text` tells it to a person.
@@ -179,7 +166,7 @@ fn write_file(
 ) -> anyhow::Result<()> {
     let old = match fs::metadata(path) {
         Ok(found) if found.is_dir() => bail!("it is a folder; give the name of a file"),
-        Ok(found) if found.is_file() && !is_descriptor(path) => {
+        Ok(found) if found.is_file() => {
             // What a plain write would be refused, a replacement is refused too.
             OpenOptions::new().write(true).open(path)?;
             Some(found)
@@ -204,22 +191,11 @@ fn write_file(
     let file = temporary_file(folder)?;
     buffered(file.as_file(), content)?;
     if let Some(old) = old {
-        // Only root can change a file's owner. For all others the new file is their own.
-        #[cfg(unix)]
-        let _ = {
-            use std::os::unix::fs::{MetadataExt, fchown};
-            fchown(file.as_file(), Some(old.uid()), Some(old.gid()))
-        };
         file.as_file().set_permissions(old.permissions())?;
     }
     file.as_file().sync_all()?;
     file.persist(&target).map_err(|error| error.error)?;
     Ok(())
-}
-
-/// Whether the path names an open file of a process, such as /dev/fd/3, which may have no name any more.
-fn is_descriptor(path: &Path) -> bool {
-    fs::canonicalize(folder_of(path)).is_ok_and(|folder| folder.starts_with("/proc"))
 }
 
 /// Writes a new file into `folder` under the first of the names that `name` gives for 1, 2, ... and nobody has taken;

@@ -5,7 +5,6 @@
 //! Request ---+                                                   +-- front --> Report --> export, plot, error_map
 //!            +-- accuracy: pictures against the reference -------+
 //! ```
-//! [`scale`] measures how time grows with pixels, lights, cuboids and threads.
 //!
 //! Rule: measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it.
 
@@ -21,7 +20,6 @@ pub mod plot;
 pub mod process;
 pub(crate) mod progress;
 pub mod record;
-pub mod scale;
 pub mod tables;
 pub mod timing;
 pub mod verdict;
@@ -254,7 +252,7 @@ pub fn run(request: Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
         write_files(&report, folder)?;
         output::say(&format!(
-            "wrote trade.json, trade.csv, trade.md, trade.svg and {} into {}",
+            "wrote trade.json, trade.md, trade.svg and {} into {}",
             words::counted(report.methods.len(), "error map"),
             folder.display()
         ));
@@ -270,14 +268,13 @@ pub(crate) fn make_writable(folder: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Writes `trade.json`, `.csv`, `.md`, `.svg` and an error map for every method into a folder that is there.
+/// Writes `trade.json`, `.md`, `.svg` and an error map for every method into a folder that is there.
 ///
 /// # Errors
 /// When one of them could not be written.
 pub fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
     for (name, content) in [
         ("trade.json", export::json(report)?),
-        ("trade.csv", export::csv(report)?),
         ("trade.md", export::markdown(report)),
         ("trade.svg", plot::svg(report)?),
     ] {

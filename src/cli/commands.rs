@@ -14,8 +14,8 @@ use image::ImageFormat;
 use super::Failure;
 use super::options::{self, DrawingOptions, WorkerOptions};
 use crate::output::{Output, quoted};
-use crate::scene::{MAX_SIDE, Scene};
-use crate::shading::{METHODS, Method};
+use crate::scene::Scene;
+use crate::shading::METHODS;
 use crate::trade::{self, process};
 
 /// The options of `view`.
@@ -97,15 +97,12 @@ pub struct TradeOptions {
     /// As few samples as a median needs; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
     pub quick: bool,
-    /// How long to time frames in all, the reference apart; no less than 30 of each method, with --scale 8 [default: 20]
+    /// How long to time frames in all, the reference apart; no less than 30 of each method [default: 20]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<Duration>,
-    /// Measures only these [default: all, with --scale gouraud-0.5, phong-0.5 and phong-0]
+    /// Measures only these [default: all]
     #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(METHODS.iter().map(|method| method.id)))]
     pub methods: Option<Vec<String>>,
-    /// Measures time against pixels, lights, cuboids and threads instead
-    #[arg(long)]
-    pub scale: bool,
     /// Times this batch of the scene on standard input and prints the times; `trade` calls itself so
     #[arg(long, hide = true)]
     pub batch: Option<usize>,
@@ -115,8 +112,7 @@ impl TradeOptions {
     /// What is to be measured.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, a shading or tolerance is asked for, or a size too large to
-    /// scale.
+    /// [`Failure::Usage`] when the scene is wrong, a shading or tolerance is asked for.
     pub fn request(&self) -> Result<trade::Request, Failure> {
         let given = [
             ("--shading", self.drawing.shading.is_some()),
@@ -131,17 +127,7 @@ impl TradeOptions {
             None => self.drawing.open()?,
             Some(_) => self.drawing.apply_to(scene_from_stdin()?)?,
         };
-        if self.scale {
-            let most = MAX_SIDE / trade::scale::LARGEST;
-            if drawing.size.iter().any(|side| *side > most) {
-                return Err(Failure::Usage(anyhow!(
-                    "--scale draws pictures up to {} times as wide and high as --size, which is {most}x{most} at most then",
-                    trade::scale::LARGEST
-                )));
-            }
-        } else if self.drawing.workers.threads.is_none() {
-            drawing.threads = 1;
-        }
+        drawing.threads = self.drawing.workers.threads.unwrap_or(1);
         let time = if self.quick {
             trade::QUICK_TIME
         } else {
@@ -152,11 +138,11 @@ impl TradeOptions {
         let command = format!("shadetrade {}", words.join(" "));
         let mut request = trade::Request::new(drawing, time, command);
         request.time_batch = process::in_a_process;
-        let measured = |method: &Method| match &self.methods {
-            Some(ids) => ids.iter().any(|id| id == method.id),
-            None => !self.scale || trade::scale::METHODS.contains(&method.id),
-        };
-        request.methods.retain(measured);
+        if let Some(ids) = &self.methods {
+            request
+                .methods
+                .retain(|method| ids.iter().any(|id| id == method.id));
+        }
         Ok(request)
     }
 }

@@ -25,20 +25,12 @@ impl From<anyhow::Error> for Failure {
 }
 
 impl Failure {
-    /// Clap's error with one more tip, as one paragraph: clap sets its tips and the usage apart with blank lines.
-    pub(super) fn of(error: &clap::Error, tip: Option<String>) -> Self {
+    /// Clap's error as one paragraph: clap sets its tips and the usage apart with blank lines.
+    pub(super) fn of(error: &clap::Error) -> Self {
         let text = error.render().to_string();
-        let tip = tip.map(|tip| format!("  tip: {tip}"));
-        let lines: Vec<&str> = text
-            .trim_start_matches("error: ")
-            .lines()
-            // That tip is for scenes named like an option; a mistyped option is far more likely.
-            .filter(|line| !line.trim().is_empty() && !line.starts_with("  tip: to pass "))
-            .collect();
-        let end = lines.iter().position(|line| line.starts_with("Usage:"));
-        let (what, how) = lines.split_at(end.unwrap_or(lines.len()));
-        let paragraph = [what, tip.as_deref().as_slice(), how].concat();
-        Failure::Usage(anyhow!(paragraph.join("\n")))
+        let lines = text.trim_start_matches("error: ").lines();
+        let lines: Vec<&str> = lines.filter(|line| !line.trim().is_empty()).collect();
+        Failure::Usage(anyhow!(lines.join("\n")))
     }
 
     /// Says on standard error what went wrong; the status to end with.

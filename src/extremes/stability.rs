@@ -35,7 +35,7 @@ use crate::shading::EXACT;
 use crate::trade::export::json;
 use crate::trade::make_writable;
 use crate::trade::progress::{OnProgress, with_bar};
-pub use report::{csv, table};
+pub use report::table;
 pub use sweeps::{SWEEPS, Sweep};
 use textbook::Textbook;
 
@@ -181,13 +181,12 @@ pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Resul
     if let Some(folder) = out {
         for (name, content) in [
             ("stability.json", json(&curves)?),
-            ("stability.csv", csv(&curves)?),
             ("stability.svg", plot::svg(&curves)?),
         ] {
             Output::File(folder.join(name)).write(|writer| writer.write_all(content.as_bytes()))?;
         }
         say(&format!(
-            "wrote stability.json, stability.csv and stability.svg into {}",
+            "wrote stability.json and stability.svg into {}",
             folder.display()
         ));
     }

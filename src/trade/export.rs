@@ -1,13 +1,11 @@
-//! A report in; the texts of `trade.json`, `trade.csv`, `trade.md` and the terminal's table out.
+//! A report as `trade.json`, as `trade.md` and as the terminal's table.
 //!
-//! Rule: pure. JSON and CSV hold every field of the record; Markdown and the terminal show the figures of `COLUMNS`.
+//! JSON holds every field of the record. Markdown and the terminal show the figures of `COLUMNS`.
 
-use anyhow::Context;
 use serde::Serialize;
-use serde_json::Value;
 
 use super::flip;
-use super::record::{Measurement, Report, Subject};
+use super::record::{Measurement, Report};
 use super::tables::{self, aligned, wrapped};
 use super::timing::{BATCHES, Timing};
 use super::verdict::verdict;
@@ -16,74 +14,9 @@ use super::words::{counted, short};
 /// A record as JSON text: `trade.json` of a [`Report`].
 ///
 /// # Errors
-/// Those of the JSON library, which has no reason to give one.
+/// Never in practice: a record has nothing that JSON cannot hold.
 pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(record)? + "\n")
-}
-
-/// `trade.csv`: a row for each method with what was measured and where.
-///
-/// # Errors
-/// Those of the libraries, which have no reason to give one.
-pub fn csv(report: &Report) -> anyhow::Result<String> {
-    #[derive(Serialize)]
-    struct Row<'a> {
-        #[serde(flatten)]
-        subject: &'a Subject,
-        #[serde(flatten)]
-        measurement: &'a Measurement,
-    }
-    csv_of(report.methods.iter().map(|measurement| Row {
-        subject: &report.subject,
-        measurement,
-    }))
-}
-
-/// Records as CSV (RFC 4180): a column is called after its way in the JSON, as `ms.median`; a list is one cell, spaces
-/// between its items; a cell is empty where a quantity does not exist. Raw samples are in the JSON alone.
-///
-/// # Errors
-/// Those of the libraries, which have no reason to give one.
-pub fn csv_of<T: Serialize>(records: impl Iterator<Item = T>) -> anyhow::Result<String> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for (index, record) in records.enumerate() {
-        let mut cells = Vec::new();
-        flatten("", &serde_json::to_value(record)?, &mut cells);
-        let (names, values): (Vec<String>, Vec<String>) = cells.into_iter().unzip();
-        if index == 0 {
-            writer.write_record(names)?;
-        }
-        writer.write_record(values)?;
-    }
-    let bytes = writer.into_inner().context("the table cannot be written")?;
-    Ok(String::from_utf8(bytes)?)
-}
-
-/// The names and cells of a record's figures.
-fn flatten(name: &str, value: &Value, cells: &mut Vec<(String, String)>) {
-    match value {
-        Value::Object(keys) => {
-            for (key, value) in keys.iter().filter(|(key, _)| *key != "raw") {
-                let dot = if name.is_empty() { "" } else { "." };
-                flatten(&format!("{name}{dot}{key}"), value, cells);
-            }
-        }
-        Value::Array(items) => {
-            let items: Vec<String> = items.iter().map(cell).collect();
-            cells.push((name.to_owned(), items.join(" ")));
-        }
-        _ => cells.push((name.to_owned(), cell(value))),
-    }
-}
-
-fn cell(value: &Value) -> String {
-    match value {
-        Value::Null => String::new(),
-        Value::String(text) => text.clone(),
-        // As the CSV library writes it.
-        Value::Number(number) => number.to_string().replace("e+", "e"),
-        _ => value.to_string(),
-    }
 }
 
 /// A column of a table for people: its head, and its cell for a method.

@@ -1,4 +1,4 @@
-//! What was measured, and where: the one record that JSON, CSV, Markdown and the terminal's table are made of.
+//! What was measured, and where: the one record that JSON, Markdown and the terminal's table are made of.
 //!
 //! Rule: a figure is computed once and stands here once, under the name that `trade.json` gives it; every key is there in
 //! every report, and a quantity that does not exist is `null`.

@@ -35,11 +35,7 @@ pub struct Timing {
     /// batches are the fewest that give 95 %. Frames within a batch are correlated, so batches are counted, not frames (batch
     /// means; Law, Simulation Modeling and Analysis, 9.5.3).
     pub interval: [f64; 2],
-    /// The median of the distances from the median.
-    pub mad: f64,
     pub min: f64,
-    /// The least sample that at least 99 % do not exceed (nearest rank).
-    pub p99: f64,
     /// Every sample in order.
     pub raw: Vec<f64>,
 }
@@ -52,9 +48,6 @@ impl Timing {
     pub fn of(batches: &[Vec<f64>]) -> Self {
         let raw = batches.concat();
         let median = median(&raw);
-        let distances: Vec<f64> = raw.iter().map(|time| (time - median).abs()).collect();
-        let mut sorted = raw.clone();
-        sorted.sort_unstable_by(f64::total_cmp);
         let medians = batches.iter().map(|batch| self::median(batch));
         Timing {
             samples: raw.len(),
@@ -63,9 +56,7 @@ impl Timing {
                 medians.clone().fold(f64::INFINITY, f64::min),
                 medians.fold(0.0, f64::max),
             ],
-            mad: self::median(&distances),
-            min: sorted[0],
-            p99: sorted[(sorted.len() * 99).div_ceil(100) - 1],
+            min: raw.iter().copied().fold(f64::INFINITY, f64::min),
             raw,
         }
     }

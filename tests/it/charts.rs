@@ -3,8 +3,8 @@
 use std::sync::LazyLock;
 
 use fearless_simd::Level;
-use serde_json::Value;
-use shadetrade::extremes::stability::{Curve, EVALUATIONS, SWEEPS, csv, measure, table};
+use serde::Deserialize;
+use shadetrade::extremes::stability::{Curve, EVALUATIONS, SWEEPS, measure, table};
 use shadetrade::prove::Verdict;
 use shadetrade::trade::export::json;
 
@@ -85,39 +85,43 @@ fn the_textbook_in_f32_errs_where_paper_says() {
     }
 }
 
-/// Reading JSON may be an ulp off.
-fn is_near(found: &Value, number: f64) -> bool {
-    found
-        .as_f64()
-        .is_some_and(|found| (found - number).abs() <= 1e-15 * number)
+/// A curve as JSON holds it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Read {
+    number: String,
+    unit: String,
+    evaluation: String,
+    limit: f64,
+    keeps: Option<[f64; 2]>,
+    points: Vec<ReadPoint>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadPoint {
+    value: f64,
+    error: [f64; 2],
+    verdict: String,
 }
 
 #[test]
-fn csv_and_json_hold_every_point() {
-    let parsed: Value =
-        serde_json::from_str(&json(&*CURVES).expect("it is text")).expect("it is JSON");
-    let text = csv(&CURVES).expect("it is text");
-    let mut rows = text.lines().skip(1);
-    for (curve, object) in CURVES.iter().zip(parsed.as_array().expect("an array")) {
-        assert_eq!(object["number"], curve.number);
-        assert_eq!(object["evaluation"], curve.evaluation);
-        assert_eq!(object["limit"], curve.limit);
-        for (point, object) in curve
-            .points
-            .iter()
-            .zip(object["points"].as_array().expect("an array"))
-        {
-            assert!(is_near(&object["value"], point.value));
-            let cells: Vec<&str> = rows.next().expect("a row").split(',').collect();
-            assert_eq!([cells[0], cells[3]], [curve.number, curve.evaluation]);
-            assert_eq!(cells[2].parse(), Ok(point.value));
-            assert_eq!(cells[5].parse(), Ok(point.error[0]));
-            assert_eq!(cells[6].parse(), Ok(point.error[1]));
-            assert!(is_near(&object["error"][1], point.error[1]));
-            assert_eq!(object["verdict"], cells[7]);
+fn json_holds_every_point() {
+    let read: Vec<Read> =
+        serde_json::from_str(&json(&*CURVES).expect("it is text")).expect("it holds curves");
+    assert_eq!(read.len(), CURVES.len());
+    for (read, curve) in read.iter().zip(CURVES.iter()) {
+        assert_eq!(
+            [&read.number, &read.unit, &read.evaluation],
+            [curve.number, curve.unit, curve.evaluation]
+        );
+        assert_eq!((read.limit, read.keeps), (curve.limit, curve.keeps));
+        assert_eq!(read.points.len(), curve.points.len());
+        for (read, point) in read.points.iter().zip(&curve.points) {
+            assert_eq!((read.value, read.error), (point.value, point.error));
+            assert_eq!(read.verdict, format!("{:?}", point.verdict).to_lowercase());
         }
     }
-    assert_eq!(rows.next(), None);
 }
 
 /// The longest run, by trying all of them.

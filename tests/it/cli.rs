@@ -12,7 +12,7 @@ mod pictures;
 #[cfg(unix)]
 mod processes;
 mod requires;
-mod scale;
+mod trade;
 
 use std::fs;
 use std::path::Path;

@@ -7,6 +7,5 @@ mod exports;
 mod measured;
 mod metrics;
 mod requests;
-mod scaling;
 mod statistics;
 mod words;

@@ -1,12 +1,7 @@
-//! Curves in; a table and CSV out.
-//!
-//! Rule: pure; every figure is one of the curves'.
-
-use serde_json::json;
+//! The curves as a table for a terminal.
 
 use super::{Curve, EVALUATIONS};
 use crate::prove::Verdict;
-use crate::trade::export;
 use crate::trade::tables::{aligned, wrapped};
 
 /// What a terminal shows: for each number, the range in which each evaluation keeps its limit.
@@ -44,25 +39,4 @@ fn span(ends: [f64; 2]) -> String {
         _ => format!("{value:.1e}").replace(".0e", "e"),
     };
     ends.map(rounded).join(" to ")
-}
-
-/// CSV with a line for each value and evaluation.
-///
-/// # Errors
-/// Those of the CSV library, which has no reason to give one.
-pub fn csv(curves: &[Curve]) -> anyhow::Result<String> {
-    export::csv_of(curves.iter().flat_map(|curve| {
-        curve.points.iter().map(|point| {
-            json!({
-                "number": curve.number,
-                "unit": curve.unit,
-                "value": point.value,
-                "evaluation": curve.evaluation,
-                "limit": curve.limit,
-                "least_error": point.error[0],
-                "largest_error": point.error[1],
-                "verdict": point.verdict,
-            })
-        })
-    }))
 }

@@ -164,37 +164,6 @@ mod unix {
     }
 
     #[test]
-    fn a_replaced_file_keeps_its_owner() {
-        // Nobody but root may give a file away.
-        if !is_root() {
-            return;
-        }
-        let folder = folder();
-        let file = folder.path().join("a.png");
-        fs::write(&file, "old").unwrap();
-        std::os::unix::fs::chown(&file, Some(1234), Some(4321)).unwrap();
-        set_mode(&file, 0o4751);
-        assert_works(folder.path(), &format!("{SMALL} a.png"));
-        let found = fs::metadata(&file).unwrap();
-        assert_eq!(
-            (found.uid(), found.gid(), mode(&file)),
-            (1234, 4321, 0o4751)
-        );
-    }
-
-    #[test]
-    #[cfg(target_os = "linux")]
-    fn an_open_file_without_a_name_is_written() {
-        let folder = folder();
-        let script =
-            format!("exec 3<> gone; rm gone; $0 {SMALL} /dev/fd/3 && cat /dev/fd/3 > copy.png");
-        let output = in_shell(folder.path(), &script);
-        assert!(output.status.success(), "{}", said(&output));
-        decode(&fs::read(folder.path().join("copy.png")).unwrap());
-        assert_eq!(listing(folder.path()), ["copy.png"]);
-    }
-
-    #[test]
     fn a_standard_output_that_cannot_be_written_is_an_error() {
         let folder = folder();
         fs::write(folder.path().join("a"), "mine").unwrap();

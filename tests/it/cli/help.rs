@@ -1,4 +1,4 @@
-//! Help, versions and completions: what they promise is what the parser takes.
+//! Help: its examples are what the parser takes.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -58,35 +58,6 @@ fn every_command_has_a_description_and_examples_that_parse() {
 }
 
 #[test]
-fn help_is_the_same_however_it_is_asked_for() {
-    let page = help("--help");
-    for line in ["-h", "help", "help --help", "help -h"] {
-        assert_eq!(help(line), page, "{line}");
-    }
-    for command in commands() {
-        let page = help(&format!("{command} --help"));
-        assert_eq!(help(&format!("help {command}")), page);
-        assert_eq!(help(&format!("{command} -h")), page);
-    }
-    let output = run(folder().path(), "help rendr");
-    assert!(said(&output).contains("'render'"), "{}", said(&output));
-}
-
-#[test]
-fn help_fits_in_100_columns() {
-    for page in commands()
-        .iter()
-        .map(|command| format!("{command} --help"))
-        .chain(["-h".into(), "--help".into()])
-    {
-        assert!(
-            help(&page).lines().all(|line| line.chars().count() <= 100),
-            "{page}"
-        );
-    }
-}
-
-#[test]
 fn the_options_of_view_need_not_its_name() {
     for line in [
         "bench-far --size 800x600",
@@ -105,32 +76,6 @@ fn the_options_of_view_need_not_its_name() {
             parse(format!("shadetrade {line}")),
             parse(format!("shadetrade view {line}"))
         );
-    }
-}
-
-#[test]
-fn the_version_is_that_of_the_package() {
-    assert_eq!(
-        help("--version"),
-        format!("shadetrade {}\n", env!("CARGO_PKG_VERSION"))
-    );
-}
-
-#[test]
-fn a_piped_help_has_no_colours_and_neither_has_an_error() {
-    let output = run(folder().path(), "--help");
-    assert!(!output.stdout.contains(&0x1b));
-    let output = run(folder().path(), "--bogus");
-    assert!(!output.stderr.contains(&0x1b));
-}
-
-#[test]
-fn completions_name_every_command_for_every_shell() {
-    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
-        let script = help(&format!("completions {shell}"));
-        for command in commands() {
-            assert!(script.contains(&command), "{shell} lacks {command}");
-        }
     }
 }
 

@@ -217,7 +217,7 @@ fn without_a_display_the_built_in_scene_becomes_figures() {
 }
 
 #[test]
-fn without_a_display_another_scene_is_for_render() {
+fn without_a_display_a_scene_or_a_view_that_is_named_is_for_render() {
     let folder = folder();
     for (line, scene) in [
         ("bench-far", "bench-far"),

@@ -17,9 +17,7 @@ pub fn timing(median: f64) -> Timing {
         samples: 3,
         median,
         interval: [0.995 * median, 1.005 * median],
-        mad: 0.001 * median,
         min: 0.5 * median,
-        p99: 2.0 * median,
         raw: vec![0.5 * median, median, 2.0 * median],
     }
 }

@@ -1,85 +1,14 @@
 //! The texts and pictures made of a made-up measurement: they hold its figures.
 
-use serde_json::Value;
+use serde::Deserialize;
+use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::trade::{Report, export, plot};
 
+use super::contract::{self, Figure};
 use super::example;
 
-fn json(report: &Report) -> Value {
-    let text = export::json(report).expect("it is written");
-    serde_json::from_str(&text).expect("it is JSON")
-}
-
-/// The rows of `trade.csv`, a cell by its column.
-fn csv(report: &Report) -> Vec<impl Fn(&str) -> String> {
-    let text = export::csv(report).expect("it is written");
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let head = reader.headers().expect("it has a head").clone();
-    let row = |row: Result<csv::StringRecord, csv::Error>| {
-        let (head, row) = (head.clone(), row.expect("it is a row"));
-        move |column: &str| {
-            let at = head.iter().position(|name| name == column);
-            row[at.unwrap_or_else(|| panic!("there is no column {column}"))].to_owned()
-        }
-    };
-    reader.records().map(row).collect()
-}
-
-/// The figures of a record by their way in the JSON, but for raw samples.
-fn figures(way: &str, value: &Value, found: &mut Vec<(String, Value)>) {
-    match value {
-        Value::Object(keys) => {
-            for (key, value) in keys.iter().filter(|(key, _)| *key != "raw") {
-                let dot = if way.is_empty() { "" } else { "." };
-                figures(&format!("{way}{dot}{key}"), value, found);
-            }
-        }
-        _ => found.push((way.to_owned(), value.clone())),
-    }
-}
-
-#[test]
-fn the_csv_has_a_column_for_every_figure_of_the_json() {
-    for report in [example::report(), example::empty_report()] {
-        let (json, csv) = (json(&report), csv(&report));
-        let methods = json["methods"].as_array().expect("there are methods");
-        assert_eq!(csv.len(), methods.len());
-        for (method, cell) in methods.iter().zip(csv) {
-            let mut expected = Vec::new();
-            figures("", method, &mut expected);
-            assert!(expected.len() > 20);
-            for (way, value) in expected {
-                let cell = cell(&way);
-                match value {
-                    Value::Null => assert_eq!(cell, "", "{way}"),
-                    Value::String(text) => assert_eq!(cell, text, "{way}"),
-                    Value::Array(items) => {
-                        assert_eq!(cell.split(' ').count(), items.len(), "{way}");
-                    }
-                    _ => assert_eq!(
-                        cell.parse::<Value>().expect("it is a figure"),
-                        value,
-                        "{way}"
-                    ),
-                }
-            }
-            assert_eq!(cell("scene"), "cuboid");
-            assert_eq!(cell("machine.lanes"), "avx2");
-            assert_eq!(cell("size"), "40 30");
-        }
-    }
-}
-
-#[test]
-fn a_name_out_of_a_file_is_one_cell_of_the_csv() {
-    let mut report = example::report();
-    report.subject.scene = "a, \"b\"\nc".to_owned();
-    let rows = csv(&report);
-    assert_eq!(rows.len(), report.methods.len());
-    assert!(
-        rows.iter()
-            .all(|cell| cell("scene") == report.subject.scene)
-    );
+fn json(report: &Report) -> contract::Report {
+    contract::read(&export::json(report).expect("it is written"))
 }
 
 #[test]
@@ -106,95 +35,107 @@ fn the_markdown_has_the_cells_of_the_terminal() {
 
 #[test]
 fn the_json_of_the_example_says_what_was_measured() {
-    let report = example::report();
-    let value = json(&report);
-    let method = &value["methods"][0];
-    assert_eq!(method["id"], "gouraud-0.5");
-    assert_eq!(method["mode"], "gouraud");
-    assert_eq!(method["ms"]["median"], 0.002);
-    assert_eq!(
-        method["ms"]["raw"],
-        serde_json::json!([0.001, 0.002, 0.004])
-    );
-    assert_eq!(method["ns_per_covered_pixel"], 2.0);
-    assert_eq!(method["stages"]["rasterization"], 0.0015);
-    assert_eq!(method["error"]["max"], 163.0);
-    assert_eq!(method["error"]["flip_mean"], 163.0 / 512.0);
-    assert_eq!(method["own_error"]["max"], 0.25);
-    assert_eq!(method["edge_pixels"], 1);
-    assert_eq!(method["on_front"], true);
-    assert_eq!(value["size"], serde_json::json!([40, 30]));
-    assert_eq!(value["projection"], "perspective");
-    assert_eq!(value["covered_pixels"], 1000);
+    let report = json(&example::report());
+    assert_eq!(report.command, "shadetrade trade");
+    assert_eq!(report.size, [40, 30]);
+    assert_eq!(report.projection, Projection::Perspective);
+    assert_eq!(report.covered_pixels, 1000);
+    let method = &report.methods[0];
+    assert_eq!(method.id, "gouraud-0.5");
+    assert_eq!(method.mode, ShadingMode::Gouraud);
+    assert_eq!(method.ms.median, 0.002);
+    assert_eq!(method.ms.raw, [0.001, 0.002, 0.004]);
+    assert_eq!(method.ns_per_covered_pixel, Figure::Some(2.0));
+    assert_eq!(method.stages["rasterization"], 0.0015);
+    assert_eq!(method.counts.model_evaluations, 8);
+    assert_eq!(method.counts.specular_evaluations, 4);
+    assert_eq!(method.error.levels.max, Figure::Some(163.0));
+    assert_eq!(method.error.flip_mean, Figure::Some(163.0 / 512.0));
+    assert_eq!(method.own_error.max, Figure::Some(0.25));
+    assert_eq!(method.edge_pixels, 1);
+    assert!(method.on_front);
 }
 
 #[test]
 fn the_json_of_nothing_keeps_every_key() {
-    let [some, none] = [example::report(), example::empty_report()].map(|report| {
-        let mut found = Vec::new();
-        figures("", &json(&report)["methods"][0], &mut found);
-        found
-    });
-    let ways = |figures: &[(String, Value)]| -> Vec<String> {
-        figures.iter().map(|(way, _)| way.clone()).collect()
-    };
-    assert_eq!(ways(&some), ways(&none));
-    let null = |way: &str| {
-        none.iter()
-            .any(|(other, value)| other == way && value.is_null())
-    };
-    for way in [
-        "error.max",
-        "error.flip_mean",
-        "own_error.rmse",
-        "ns_per_covered_pixel",
-    ] {
-        assert!(null(way), "{way} does not exist");
+    let report = json(&example::empty_report());
+    assert_eq!(report.covered_pixels, 0);
+    assert_eq!(report.methods.len(), 4);
+}
+
+/// A plot: what its tests look at.
+#[derive(Deserialize)]
+struct Svg {
+    #[serde(default)]
+    circle: Vec<Circle>,
+    #[serde(default)]
+    polyline: Vec<Polyline>,
+    text: Vec<Text>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Circle {
+    #[serde(rename = "@cx")]
+    x: f64,
+    #[serde(rename = "@cy")]
+    y: f64,
+}
+
+#[derive(Deserialize)]
+struct Polyline {
+    #[serde(rename = "@points")]
+    points: String,
+}
+
+#[derive(Deserialize)]
+struct Text {
+    #[serde(rename = "@y")]
+    y: f64,
+    #[serde(rename = "$text")]
+    text: String,
+}
+
+impl Svg {
+    /// Panics where the plot is no XML.
+    fn of(report: &Report) -> Svg {
+        let text = plot::svg(report).expect("it is drawn");
+        let forbidden = |c: char| (c.is_control() && c != '\n') || "\u{fffe}\u{ffff}".contains(c);
+        assert!(!text.contains(forbidden), "characters that XML has not");
+        assert!(!text.contains("NaN") && !text.contains("inf"));
+        quick_xml::de::from_str(&text).expect("it is XML")
+    }
+
+    /// The rows of the texts that hold `part`.
+    fn rows(&self, part: &str) -> Vec<f64> {
+        let texts = self.text.iter().filter(|text| text.text.contains(part));
+        texts.map(|text| text.y).collect()
     }
 }
 
 #[test]
-fn the_plot_is_well_formed_and_names_every_method() {
+fn the_plot_names_every_method_and_the_scene() {
     let mut report = example::report();
     report.subject.scene = "<scene> & \"quotes\" \u{7} \u{fffe}".to_owned();
-    let text = plot::svg(&report).expect("it is drawn");
-    assert_well_formed(&text);
+    let plot = Svg::of(&report);
     for measurement in &report.methods {
-        let label = format!("\n{}\n</text>", measurement.method.id);
-        assert_eq!(text.matches(&label).count(), 1, "{}", measurement.method.id);
+        let is_label = |text: &&Text| text.text.trim() == measurement.method.id;
+        assert_eq!(plot.text.iter().filter(is_label).count(), 1);
     }
-    assert!(
-        text.contains("&lt;scene&gt; &amp;"),
-        "markup in names is escaped"
-    );
-    assert!(
-        text.contains("\u{2264} 0.001"),
-        "the floor says that zero stands on it"
-    );
-    assert!(!text.contains("NaN") && !text.contains("inf"));
+    assert_eq!(plot.rows("<scene> & \"quotes\"").len(), 1);
+    assert_eq!(plot.rows("\u{2264} 0.001").len(), 1, "zero is on the floor");
 }
 
 #[test]
 fn every_point_lies_in_the_plot_however_small_its_error() {
     let mut report = example::report();
     report.methods[2].accuracy.error.levels = Some(example::error(1e-30));
-    let text = plot::svg(&report).expect("it is drawn");
-    let attribute = |tag: &str, name: &str| -> Option<f64> {
-        let (_, rest) = tag.split_once(name)?;
-        rest.split('"').nth(1)?.parse().ok()
-    };
-    let mut points = 0;
-    for tag in text.lines().filter(|line| line.starts_with("<circle")) {
-        let x = attribute(tag, "cx=").expect("a circle has a place");
-        let y = attribute(tag, "cy=").expect("a circle has a place");
-        assert!(
-            (0.0..960.0).contains(&x) && (0.0..600.0).contains(&y),
-            "{tag}"
-        );
-        points += 1;
+    let plot = Svg::of(&report);
+    for point in &plot.circle {
+        let is_within = (0.0..960.0).contains(&point.x) && (0.0..600.0).contains(&point.y);
+        assert!(is_within, "{point:?}");
     }
     // A disc and a rim for each of four methods and of five words of the key.
-    assert_eq!(points, 2 * (4 + 5));
+    assert_eq!(plot.circle.len(), 2 * (4 + 5));
 }
 
 #[test]
@@ -202,14 +143,7 @@ fn labels_stay_apart_where_points_are_in_one_place() {
     let mut report = example::report();
     let one = report.methods[0].clone();
     report.methods = vec![one; 9];
-    let text = plot::svg(&report).expect("it is drawn");
-    let lines: Vec<&str> = text.lines().collect();
-    let label = |lines: &[&str]| {
-        let [tag, text] = lines else { return None };
-        let y = tag.split(" y=\"").nth(1)?.split('"').next()?;
-        (*text == "gouraud-0.5").then(|| y.parse::<f64>().expect("it is a number"))
-    };
-    let mut rows: Vec<f64> = lines.windows(2).filter_map(label).collect();
+    let mut rows = Svg::of(&report).rows("gouraud-0.5");
     rows.sort_by(f64::total_cmp);
     assert_eq!(rows.len(), 9);
     assert!(
@@ -219,33 +153,25 @@ fn labels_stay_apart_where_points_are_in_one_place() {
 }
 
 #[test]
-fn the_plot_of_nothing_says_so() {
-    let text = plot::svg(&example::empty_report()).expect("it is drawn");
-    assert_well_formed(&text);
-    assert!(text.contains("No pixel of this view can be compared"));
+fn the_plot_of_nothing_has_no_points() {
+    let plot = Svg::of(&example::empty_report());
+    assert!(plot.circle.is_empty() && !plot.text.is_empty());
 }
 
 #[test]
 fn the_front_goes_down_in_steps_from_the_fastest() {
-    let text = plot::svg(&example::report()).expect("it is drawn");
-    let corners = |line: &str| -> Vec<[f64; 2]> {
-        let points = line
-            .split("points=\"")
-            .nth(1)
-            .and_then(|rest| rest.split('"').next());
-        let corner = |pair: &str| -> Option<[f64; 2]> {
-            let (x, y) = pair.split_once(',')?;
-            Some([x.parse().ok()?, y.parse().ok()?])
+    let plot = Svg::of(&example::report());
+    let corners = |line: &Polyline| -> Vec<[f64; 2]> {
+        let corner = |pair: &str| {
+            let (x, y) = pair.split_once(',').expect("a pair");
+            [x, y].map(|number| number.parse().expect("a number"))
         };
-        points
-            .into_iter()
-            .flat_map(str::split_whitespace)
-            .filter_map(corner)
-            .collect()
+        line.points.split_whitespace().map(corner).collect()
     };
     // Two corners for each of three methods, and the end.
-    let front = text
-        .lines()
+    let front = plot
+        .polyline
+        .iter()
         .map(corners)
         .find(|line| line.len() == 7)
         .expect("there is a line of seven points");
@@ -256,48 +182,5 @@ fn the_front_goes_down_in_steps_from_the_fastest() {
             "right and down: {front:?}"
         );
         assert!(from_x == to_x || from_y == to_y, "never both: {front:?}");
-    }
-}
-
-/// Panics unless every element that is opened is closed in turn and every entity is one of XML's.
-fn assert_well_formed(text: &str) {
-    let mut open: Vec<&str> = Vec::new();
-    let mut rest = text;
-    while let Some(start) = rest.find('<') {
-        assert_entities(&rest[..start]);
-        let end = start + rest[start..].find('>').expect("a tag ends");
-        let tag = &rest[start + 1..end];
-        assert_eq!(
-            tag.matches('"').count() % 2,
-            0,
-            "quotes are in pairs: {tag}"
-        );
-        if let Some(name) = tag.strip_prefix('/') {
-            assert_eq!(open.pop(), Some(name), "elements close in turn");
-        } else if !tag.ends_with('/') {
-            open.push(
-                tag.split_whitespace()
-                    .next()
-                    .expect("an element has a name"),
-            );
-        }
-        rest = &rest[end + 1..];
-    }
-    assert!(open.is_empty(), "{open:?} is not closed");
-    assert!(
-        !text
-            .chars()
-            .any(|c| (c.is_control() && c != '\n') || c == '\u{fffe}' || c == '\u{ffff}'),
-        "XML has neither control characters nor these"
-    );
-}
-
-fn assert_entities(text: &str) {
-    for part in text.split('&').skip(1) {
-        let entity = part.split(';').next().unwrap_or_default();
-        assert!(
-            ["lt", "gt", "amp", "quot", "apos"].contains(&entity),
-            "&{entity}; is no entity"
-        );
     }
 }
