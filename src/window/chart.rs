@@ -101,7 +101,7 @@ impl App {
         );
         let painter = ui.painter_at(place);
         scale.draw(&painter, place, Color32::GRAY);
-        let largest = comparison.and_then(|it| it.errors).map(|errors| errors.max);
+        let largest = comparison.and_then(|it| it.error);
         for mark in [Some(self.look::<Tolerance>().0), largest]
             .into_iter()
             .flatten()

@@ -144,10 +144,10 @@ impl App {
             fact(ui, format!("{time:.3} ms"), ink, true, says);
         }
         let comparison = &self.facts.comparison;
-        let errors = comparison.value.as_ref().and_then(|it| it.errors);
-        if let Some(errors) = errors.filter(|_| width > 400.0) {
+        let error = comparison.value.as_ref().and_then(|it| it.error);
+        if let Some(error) = error.filter(|_| width > 400.0) {
             let says = "The largest error of a pixel against exact Phong, in levels of 255.";
-            let text = format!("off by {} of 255", short(errors.max));
+            let text = format!("off by {} of 255", short(error));
             fact(ui, text, ink, comparison.current().is_some(), says);
         }
         if let Some(proof) = self.facts.proof.value.as_ref().filter(|_| width > 620.0) {
