@@ -56,10 +56,15 @@ impl Output {
         content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> anyhow::Result<()> {
         match self {
-            Output::Stdout => match standard_output().and_then(|file| buffered(file, content)) {
-                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-                written => written.context("cannot write to standard output"),
-            },
+            Output::Stdout => {
+                // An encoder hides the kind of an error, so the content is made before it is written.
+                let mut bytes = Vec::new();
+                let made = content(&mut bytes).and_then(|()| standard_output());
+                match made.and_then(|mut stdout| stdout.write_all(&bytes)) {
+                    Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+                    written => written.context("cannot write to standard output"),
+                }
+            }
             Output::File(path) => write_file(path, content)
                 .with_context(|| format!("cannot write {}", path.display())),
         }

@@ -44,7 +44,7 @@ fn whole_files(folder: &Path, hidden_allowed: bool) -> Vec<String> {
 #[test]
 fn a_reader_that_leaves_early_is_no_error_of_any_command() {
     for line in [
-        "render --size 64x48 -o -",
+        "render -o -",
         "render --size 64x48 --reference -o -",
         "figures",
         "probe --pixel 5,5",
