@@ -283,7 +283,9 @@ impl App {
 
     /// Puts the World into another state.
     pub fn restore(&mut self, record: &SceneRecord) {
+        let on = self.look::<Spin>().on;
         self.scene.world = record.spawn();
+        self.set_look(Spin { on, ..self.look() });
     }
 
     /// Shows another scene in place of this one.
@@ -314,14 +316,25 @@ impl App {
             self.restore(&Arc::clone(&self.state));
             return self.say(reason.to_string());
         }
-        let (before, after) = (Arc::clone(&self.state), Arc::new(record));
-        if is_another_picture(&before, &after) {
+        let after = Arc::new(record);
+        self.history.note(self.now, &self.state, &after);
+        self.adopt(after);
+    }
+
+    /// Makes this, which the World is already, the state that changes are told from.
+    fn adopt(&mut self, after: Arc<SceneRecord>) {
+        if is_another_picture(&self.state, &after) {
             self.picture_changed();
-        } else if before.view.pixel != after.view.pixel {
+        } else if self.state.view.pixel != after.view.pixel {
             self.facts.probe.state = State::Idle;
         }
-        self.history.note(self.now, &before, &after);
         self.state = after;
+    }
+
+    /// Goes to a state of the history.
+    pub fn travel(&mut self, record: &SceneRecord) {
+        self.restore(record);
+        self.adopt(Arc::new(SceneRecord::of(&self.scene.world)));
     }
 
     fn picture_changed(&mut self) {

@@ -8,6 +8,7 @@ use crate::components::{
     ActiveCamera, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
     ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, get, names, ordered,
 };
+use crate::scene::SceneRecord;
 
 impl App {
     /// Runs the commands of the keys that were pressed, unless a text field has the focus.
@@ -96,11 +97,11 @@ impl App {
             }
             Command::Undo => {
                 let before = self.history.undo(&self.state);
-                self.travel(before, "undo", "nothing to undo");
+                self.travel_or_say(before, "undo");
             }
             Command::Redo => {
                 let after = self.history.redo(&self.state);
-                self.travel(after, "redo", "nothing to redo");
+                self.travel_or_say(after, "redo");
             }
             Command::Save => drop(self.save(false)),
             Command::SaveAs => drop(self.save(true)),
@@ -212,18 +213,13 @@ impl App {
         self.desk.panel_folded = false;
     }
 
-    fn travel(
-        &mut self,
-        found: Option<(std::sync::Arc<crate::scene::SceneRecord>, String)>,
-        verb: &str,
-        nothing: &str,
-    ) {
+    fn travel_or_say(&mut self, found: Option<(SceneRecord, String)>, verb: &str) {
         match found {
             Some((record, label)) => {
-                self.restore(&record);
+                self.travel(&record);
                 self.say(format!("{verb}: {label}"));
             }
-            None => self.say(nothing),
+            None => self.say(format!("nothing to {verb}")),
         }
     }
 

@@ -9,7 +9,7 @@ use egui::util::undoer::{Settings, Undoer};
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::scene::SceneRecord;
+use crate::scene::{SceneRecord, ViewRecord};
 
 /// The memory that all states together may take, in bytes.
 const MEMORY: usize = 64 << 20;
@@ -43,41 +43,78 @@ impl History {
 
     /// Notes a change from `before` to `after`.
     pub fn note(&mut self, now: Duration, before: &Arc<SceneRecord>, after: &Arc<SceneRecord>) {
-        let subject = Difference::between(before, after).subject;
+        let (before, after) = (undoable(before), undoable(after));
+        if before == after {
+            return;
+        }
+        let subject = Difference::between(&before, &after).subject;
         if subject != self.subject {
-            self.undoer.add_undo(before);
+            self.undoer.add_undo(&before);
         }
         self.subject = subject;
-        self.feed(now, after);
+        self.undoer.feed_state(now.as_secs_f64(), &after);
     }
 
     /// Ends a step that has not changed for a second.
     pub fn feed(&mut self, now: Duration, present: &Arc<SceneRecord>) {
-        self.undoer.feed_state(now.as_secs_f64(), present);
+        if self.undoer.is_in_flux() {
+            self.undoer
+                .feed_state(now.as_secs_f64(), &undoable(present));
+        }
     }
 
     /// The state before the last change, and the name of that change.
-    pub fn undo(&mut self, present: &Arc<SceneRecord>) -> Option<(Arc<SceneRecord>, String)> {
+    pub fn undo(&mut self, present: &Arc<SceneRecord>) -> Option<(SceneRecord, String)> {
         self.subject.clear();
-        let before = Arc::clone(self.undoer.undo(present)?);
-        let label = Difference::between(&before, present).label();
-        Some((before, label))
+        let now = undoable(present);
+        let before = self.undoer.undo(&now)?;
+        let label = Difference::between(before, &now).label();
+        Some((seen_as(before, present), label))
     }
 
     /// The state that was last taken back, and the name of its change.
-    pub fn redo(&mut self, present: &Arc<SceneRecord>) -> Option<(Arc<SceneRecord>, String)> {
+    pub fn redo(&mut self, present: &Arc<SceneRecord>) -> Option<(SceneRecord, String)> {
         self.subject.clear();
-        let after = Arc::clone(self.undoer.redo(present)?);
-        let label = Difference::between(present, &after).label();
-        Some((after, label))
+        let now = undoable(present);
+        let after = self.undoer.redo(&now)?;
+        let label = Difference::between(&now, after).label();
+        Some((seen_as(after, present), label))
     }
 
     pub fn has_undo(&self, present: &Arc<SceneRecord>) -> bool {
-        self.undoer.has_undo(present)
+        self.undoer.has_undo(&undoable(present))
     }
 
     pub fn has_redo(&self, present: &Arc<SceneRecord>) -> bool {
-        self.undoer.has_redo(present)
+        self.undoer.has_redo(&undoable(present))
+    }
+}
+
+/// A state without the rotation, the probed pixel, the magnification and the open tab, which undo leaves as they are.
+fn undoable(record: &Arc<SceneRecord>) -> Arc<SceneRecord> {
+    let view = placed(&record.view, &ViewRecord::default());
+    if view == record.view {
+        return Arc::clone(record);
+    }
+    let record = SceneRecord::clone(record);
+    Arc::new(SceneRecord { view, ..record })
+}
+
+/// A state that was kept, with the rotation, pixel, magnification and tab of another one.
+fn seen_as(record: &SceneRecord, present: &SceneRecord) -> SceneRecord {
+    SceneRecord {
+        view: placed(&record.view, &present.view),
+        ..record.clone()
+    }
+}
+
+fn placed(view: &ViewRecord, place: &ViewRecord) -> ViewRecord {
+    ViewRecord {
+        turned: place.turned,
+        pixel: place.pixel,
+        magnifier: place.magnifier,
+        inspector: place.inspector,
+        ..view.clone()
     }
 }
 
