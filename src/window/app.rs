@@ -8,6 +8,7 @@
 //! The World is the only state of the scene and of how it is looked at. A change is a difference between two
 //! [`SceneRecord`]s, whatever made it.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -21,6 +22,7 @@ use super::file::{News, SceneFile};
 use super::history::History;
 use super::jobs::{Answer, Job, Jobs, Order, Probed, State, Task, answer_all};
 use super::pictures::Pictures;
+use super::recording::Recorder;
 use crate::components::{
     Inspector, Probed as ProbedPixel, Show, Side, Spin, Tab, View, ViewMode, get, viewer,
 };
@@ -99,6 +101,7 @@ pub struct App {
     pub pictures: Pictures,
     pub history: History,
     pub file: SceneFile,
+    pub recorder: Option<Recorder>,
     /// The World as it was last written down.
     pub state: Arc<SceneRecord>,
     /// The place of the picture, in points.
@@ -148,6 +151,7 @@ impl App {
         Ok(App {
             history: History::new(&state),
             file: SceneFile::of(&scene),
+            recorder: None,
             scene,
             state,
             facts: Facts::default(),
@@ -243,6 +247,7 @@ impl App {
         let context = self.painter.context.clone();
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
+        self.record(size);
         self.draw()?;
         self.order_jobs()?;
         self.copy_picture(size);
@@ -356,6 +361,16 @@ impl App {
         self.state = after;
     }
 
+    /// Writes the state into the recording, if there is one.
+    fn record(&mut self, size: [usize; 2]) {
+        if let Some(recorder) = &mut self.recorder
+            && let Err(error) = recorder.note(self.now, &self.scene.name, &self.state, size)
+        {
+            self.recorder = None;
+            self.say(format!("the recording ends here: {error}"));
+        }
+    }
+
     fn picture_changed(&mut self) {
         if let Some(jobs) = &self.jobs {
             jobs.cancel();
@@ -402,32 +417,38 @@ impl App {
         Ok(())
     }
 
-    /// Copies the picture into its place in the window, magnified.
-    fn copy_picture(&mut self, [width, height]: [usize; 2]) {
-        self.pixels.clear();
-        self.pixels.resize(width * height, 0);
+    /// The picture as it is shown, not magnified.
+    pub fn shown(&self) -> Cow<'_, [u32]> {
         let show: Show = self.look();
-        let [columns, rows] = self.pictures.size();
         let [exact, error_map] = [
             self.facts.comparison.current(),
             self.facts.comparison.current(),
         ];
         let exact = exact.map(|it| it.exact.as_slice());
         let error_map = error_map.map(|it| it.error_map.as_slice());
-        let shown = if self.desk.left_out.is_some() {
+        if self.desk.left_out.is_some() {
             let without = self.facts.without.current().map(Vec::as_slice);
             super::pictures::or_dimmed(without, self.pictures.frame())
         } else if self.desk.shows_exact {
             super::pictures::or_dimmed(exact, self.pictures.frame())
         } else {
             self.pictures.shown(&show, exact, error_map)
-        };
+        }
+    }
+
+    /// Copies the picture into its place in the window, magnified.
+    fn copy_picture(&mut self, [width, height]: [usize; 2]) {
+        let mut pixels = std::mem::take(&mut self.pixels);
+        pixels.clear();
+        pixels.resize(width * height, 0);
+        let [columns, rows] = self.pictures.size();
+        let shown = self.shown();
         let magnifier = self
             .look::<crate::components::Magnifier>()
             .within([columns, rows]);
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
-        let lines = self.pixels.chunks_exact_mut(width).skip(top).take(rows);
+        let lines = pixels.chunks_exact_mut(width).skip(top).take(rows);
         for (y, line) in lines.enumerate() {
             let [x, y] = magnifier.pixel([0, y as i32]);
             let drawn = &shown[y * columns..][x..columns];
@@ -443,6 +464,7 @@ impl App {
                 .zip(drawn)
                 .for_each(|(square, pixel)| square.fill(*pixel));
         }
+        self.pixels = pixels;
     }
 
     /// The questions whose answers the window shows and does not have, in the order of their worth.
