@@ -137,7 +137,7 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
             "warning: {name}:{line}: the last line is cut off and left out"
         ));
     }
-    let drawing = log.drawing(options.workers.threads(), options.workers.simd)?;
+    let drawing = log.drawing(options.workers.threads(), options.workers.simd);
     if !plays {
         let (output, animated) = (options.output.as_ref(), options.animated());
         return Ok(replaying::run(

@@ -88,12 +88,15 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
 pub fn play(log: &Log, drawing: Drawing) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
-    let mut frames = log.frames().peekable();
-    show(
-        &mut display,
-        &mut app,
-        Some(&mut |app, now| replay::play(&mut frames, app, now)),
-    )
+    let mut frames = log.frames.iter().peekable();
+    let mut script = |app: &mut App, now| {
+        while let Some(frame) = frames.next_if(|frame| frame.at <= now) {
+            app.now = now;
+            replay::play(app, frame)?;
+        }
+        Ok(frames.peek().map_or(Duration::MAX, |next| next.at))
+    };
+    show(&mut display, &mut app, Some(&mut script))
 }
 
 /// Takes the place of the user: changes the state, and returns the time of the next change.

@@ -11,7 +11,6 @@
 
 use std::fmt::Display;
 use std::io::{self, Write};
-use std::iter;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -31,6 +30,7 @@ const USUAL_SIZE: [usize; 2] = [960, 720];
 const MAX_TIME: Duration = Duration::from_secs(1_000_000_000);
 /// The most letters that an error quotes.
 const QUOTED: usize = 40;
+const FIRST: &str = "`scene`, which a recording begins with";
 
 /// Writes a log while things happen.
 pub struct Recorder {
@@ -93,68 +93,86 @@ impl Recorder {
 /// # Errors
 /// When a record cannot be written as JSON.
 pub fn patch(before: &SceneRecord, after: &SceneRecord) -> serde_json::Result<Patch> {
-    let mut sides = [Value::Null, Value::Null];
-    if !std::ptr::eq(before, after) {
-        let [one, other] = [before, after];
-        keep_different(&mut sides, "background", &one.background, &other.background)?;
-        keep_different(&mut sides, "view", &one.view, &other.view)?;
-        keep_different_entities(&mut sides, "cuboid", &one.cuboid, &other.cuboid)?;
-        keep_different_entities(&mut sides, "light", &one.light, &other.light)?;
-        keep_different_entities(&mut sides, "camera", &one.camera, &other.camera)?;
+    let (one, other, mut sides) = (before, after, [Value::Null, Value::Null]);
+    if !std::ptr::eq(one, other) {
+        keep_difference(&mut sides, "background", &one.background, &other.background)?;
+        keep_difference(&mut sides, "view", &one.view, &other.view)?;
+        keep_differences(&mut sides, "cuboid", &one.cuboid, &other.cuboid)?;
+        keep_differences(&mut sides, "light", &one.light, &other.light)?;
+        keep_differences(&mut sides, "camera", &one.camera, &other.camera)?;
     }
     Ok(json_patch::diff(&sides[0], &sides[1]))
 }
 
-fn keep_different<T: PartialEq + Serialize>(
-    sides: &mut [Value; 2],
-    key: &str,
-    before: &T,
-    after: &T,
-) -> serde_json::Result<()> {
-    if before != after {
-        sides[0][key] = serde_json::to_value(before)?;
-        sides[1][key] = serde_json::to_value(after)?;
-    }
-    Ok(())
-}
-
 /// Entities are compared before they become JSON, which would take longer than a frame for ten thousand of them.
-fn keep_different_entities<T: PartialEq + Serialize>(
+fn keep_differences<T: PartialEq + Serialize>(
     sides: &mut [Value; 2],
     kind: &str,
-    before: &[T],
-    after: &[T],
+    one: &[T],
+    other: &[T],
 ) -> serde_json::Result<()> {
-    if before.len() != after.len() {
+    if one.len() != other.len() {
         // The array as a whole is replaced.
-        sides[0][kind] = Value::Null;
-        sides[1][kind] = serde_json::to_value(after)?;
-        return Ok(());
+        return keep_difference(sides, kind, &None, &Some(other));
     }
-    for (index, (before, after)) in before.iter().zip(after).enumerate() {
-        if before != after {
-            // The path of an array's element is that of an object whose keys are numbers.
-            let index = index.to_string();
-            sides[0][kind][&index] = serde_json::to_value(before)?;
-            sides[1][kind][&index] = serde_json::to_value(after)?;
-        }
+    // The path of an array's element is that of an object whose keys are numbers.
+    let mut kept = [Value::Null, Value::Null];
+    for (index, (one, other)) in one.iter().zip(other).enumerate() {
+        keep_difference(&mut kept, &index.to_string(), one, other)?;
+    }
+    for (side, kept) in sides
+        .iter_mut()
+        .zip(kept)
+        .filter(|(_, kept)| !kept.is_null())
+    {
+        side[kind] = kept;
     }
     Ok(())
 }
 
-/// A line's meaning.
-#[derive(Debug)]
+fn keep_difference<T: PartialEq + Serialize>(
+    sides: &mut [Value; 2],
+    key: &str,
+    one: &T,
+    other: &T,
+) -> serde_json::Result<()> {
+    if one != other {
+        sides[0][key] = serde_json::to_value(one)?;
+        sides[1][key] = serde_json::to_value(other)?;
+    }
+    Ok(())
+}
+
+/// The record that a patch makes of another one.
+///
+/// # Errors
+/// When the patch does not apply, or what it makes is no valid scene.
+pub fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecord> {
+    let mut value = serde_json::to_value(record)?;
+    json_patch::patch(&mut value, patch)?;
+    let record: SceneRecord = serde_json::from_value(value)?;
+    record.check()?;
+    Ok(record)
+}
+
+/// The meaning of a line.
 pub enum Event {
     /// A scene of this name is opened.
-    Scene(String, SceneRecord),
-    State(SceneRecord),
+    Scene(NamedScene),
+    Patch(Patch),
     /// Of the window, in pixels.
     Size([usize; 2]),
     Say(String),
 }
 
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NamedScene {
+    pub name: String,
+    pub scene: SceneRecord,
+}
+
 /// Everything that happens at one time.
-#[derive(Debug)]
 pub struct Frame {
     pub time: Duration,
     /// The time when it is played: pauses are cut.
@@ -164,15 +182,11 @@ pub struct Frame {
 
 /// A log that was read and is valid.
 pub struct Log {
-    name: String,
-    text: String,
-    idle: Duration,
-    /// The number of frames.
-    pub count: usize,
-    /// The largest width and the largest height.
-    pub canvas: [usize; 2],
+    /// In the order of their times, and at least one.
+    pub frames: Vec<Frame>,
     /// The number of the last line, if it was cut off.
     pub cut_off: Option<usize>,
+    start: NamedScene,
 }
 
 impl Log {
@@ -183,164 +197,107 @@ impl Log {
     pub fn read(name: &str, bytes: &[u8], idle: Duration) -> anyhow::Result<Log> {
         let text = String::from_utf8_lossy(bytes);
         let (text, rest) = text.split_at(text.rfind('\n').map_or(0, |end| end + 1));
-        let mut log = Log {
-            name: name.to_owned(),
-            text: text.to_owned(),
-            idle,
-            count: 0,
-            canvas: [0, 0],
-            cut_off: (!rest.is_empty()).then_some(text.lines().count() + 1),
-        };
-        let (mut count, mut canvas) = (0, [0, 0]);
-        let mut size = None;
-        for frame in log.frames() {
-            for event in frame?.events {
-                if let Event::Size(new) = event {
-                    size = Some(new);
+        let (mut frames, mut start, mut state) = (Vec::<Frame>::new(), None, None);
+        for (number, line) in (1..).zip(text.lines()) {
+            let last = frames.last().map_or(Duration::ZERO, |frame| frame.time);
+            let (time, event) = read_line(line, last, &mut state).map_err(|(rest, reason)| {
+                let column = line[..line.len() - rest.len()].chars().count() + 1;
+                anyhow!("{name}:{number}:{column}: {reason}")
+            })?;
+            if let (Event::Scene(scene), None) = (&event, &start) {
+                start = Some(scene.clone());
+            }
+            match frames.last_mut() {
+                Some(frame) if frame.time == time => frame.events.push(event),
+                last => {
+                    let at = last.map(|last| last.at + idle.min(time - last.time));
+                    frames.push(Frame {
+                        time,
+                        at: at.unwrap_or_default(),
+                        events: vec![event],
+                    });
                 }
             }
-            let [width, height] = size.unwrap_or(USUAL_SIZE);
-            canvas = [width.max(canvas[0]), height.max(canvas[1])];
-            count += 1;
         }
-        (log.count, log.canvas) = (count, canvas);
-        log.start()?;
-        Ok(log)
-    }
-
-    /// The frames, in the order of their times.
-    pub fn frames(&self) -> impl Iterator<Item = anyhow::Result<Frame>> + '_ {
-        let mut reader = Reader::default();
-        let lines = (1..).zip(self.text.lines());
-        let mut events = lines
-            .map(move |(number, line)| {
-                reader.read(line).map_err(|(rest, reason)| {
-                    let column = line[..line.len() - rest.len()].chars().count() + 1;
-                    anyhow!("{}:{number}:{column}: {reason}", self.name)
-                })
-            })
-            .peekable();
-        let (mut last, mut at) = (None, Duration::ZERO);
-        iter::from_fn(move || {
-            let (time, event) = match events.next()? {
-                Ok(event) => event,
-                Err(error) => return Some(Err(error)),
-            };
-            at += last.map_or(Duration::ZERO, |last| self.idle.min(time - last));
-            last = Some(time);
-            let mut frame = Frame {
-                time,
-                at,
-                events: vec![event],
-            };
-            let is_same = |next: &anyhow::Result<(Duration, Event)>| matches!(next, Ok((next, _)) if *next == time);
-            while let Some(Ok((_, event))) = events.next_if(is_same) {
-                frame.events.push(event);
-            }
-            Some(Ok(frame))
+        Ok(Log {
+            frames,
+            cut_off: (!rest.is_empty()).then_some(text.lines().count() + 1),
+            start: start.with_context(|| format!("{name}:1:1: {}", found("", FIRST)))?,
         })
-    }
-
-    /// The scene and the size at the start.
-    fn start(&self) -> anyhow::Result<(Scene, [usize; 2])> {
-        let frame = self.frames().next().transpose()?;
-        let (mut scene, mut size) = (None, USUAL_SIZE);
-        for event in frame.into_iter().flat_map(|frame| frame.events) {
-            match event {
-                Event::Scene(name, record) => scene = Some(Scene::spawn(name, &record)),
-                Event::Size(first) => size = first,
-                _ => {}
-            }
-        }
-        let empty = || format!("{}:1:1: found no line, expected `scene`", self.name);
-        Ok((scene.with_context(empty)?, size))
     }
 
     /// The window as it opens, drawn by so many threads at this level.
-    ///
-    /// # Errors
-    /// None, for the log is valid.
-    pub fn drawing(&self, threads: usize, level: Level) -> anyhow::Result<Drawing> {
-        let (scene, size) = self.start()?;
-        Ok(Drawing {
-            scene,
-            size,
+    pub fn drawing(&self, threads: usize, level: Level) -> Drawing {
+        let size = self.frames.first().and_then(Frame::size);
+        Drawing {
+            scene: Scene::spawn(self.start.name.clone(), &self.start.scene),
+            size: size.unwrap_or(USUAL_SIZE),
             threads,
             level,
-        })
+        }
+    }
+}
+
+impl Frame {
+    /// The size that the window gets.
+    pub fn size(&self) -> Option<[usize; 2]> {
+        let sizes = self.events.iter().filter_map(|event| match event {
+            Event::Size(size) => Some(*size),
+            _ => None,
+        });
+        sizes.last()
     }
 }
 
 /// The rest of a line from its mistake on, and the reason.
 type Fault<'a> = (&'a str, String);
 
-/// The time and the state that the lines so far lead to.
-#[derive(Default)]
-struct Reader {
-    time: Duration,
-    record: Option<SceneRecord>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct NamedScene {
-    name: String,
-    scene: SceneRecord,
-}
-
-impl Reader {
-    fn read<'a>(&mut self, line: &'a str) -> Result<(Duration, Event), Fault<'a>> {
-        let (time, rest) = line.split_once(' ').unwrap_or((line, ""));
-        let (name, argument) = rest.split_once(' ').unwrap_or((rest, ""));
-        let (least, most) = (self.time.as_secs_f64(), MAX_TIME.as_secs());
-        self.time = time
-            .parse()
-            .ok()
-            .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
-            .filter(|time| (self.time..=MAX_TIME).contains(time))
-            .ok_or_else(|| {
-                (
-                    line,
-                    found(time, &format!("seconds from {least} to {most}")),
-                )
-            })?;
-        let event = match (name, &self.record) {
-            ("scene", _) => {
-                let NamedScene { name, scene } = parsed(argument)?;
-                scene.check().map_err(|reason| fault(argument, reason))?;
-                self.record = Some(scene.clone());
-                Event::Scene(name, scene)
+/// Reads a line after the time `last`, and changes the state as it says.
+fn read_line<'a>(
+    line: &'a str,
+    last: Duration,
+    state: &mut Option<SceneRecord>,
+) -> Result<(Duration, Event), Fault<'a>> {
+    let (time, rest) = line.split_once(' ').unwrap_or((line, ""));
+    let (name, argument) = rest.split_once(' ').unwrap_or((rest, ""));
+    let fault = |reason: &dyn Display| (argument, format!("this gives no scene: {reason}"));
+    let (least, most) = (last.as_secs_f64(), MAX_TIME.as_secs());
+    let time = time
+        .parse()
+        .ok()
+        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
+        .filter(|time| (last..=MAX_TIME).contains(time))
+        .ok_or_else(|| {
+            (
+                line,
+                found(time, &format!("seconds from {least} to {most}")),
+            )
+        })?;
+    let event = match (name, &state) {
+        ("scene", _) => {
+            let named: NamedScene = parsed(argument)?;
+            named.scene.check().map_err(|reason| fault(&reason))?;
+            *state = Some(named.scene.clone());
+            Event::Scene(named)
+        }
+        (_, None) => return Err((rest, found(name, FIRST))),
+        ("patch", Some(record)) => {
+            let patch = parsed(argument)?;
+            *state = Some(patched(record, &patch).map_err(|reason| fault(&reason))?);
+            Event::Patch(patch)
+        }
+        ("size", _) => {
+            let size: [usize; 2] = parsed(argument)?;
+            if !size.iter().all(|side| (1..=MAX_SIDE).contains(side)) {
+                let expected = format!("two numbers from 1 to {MAX_SIDE}");
+                return Err((argument, found(argument, &expected)));
             }
-            (_, None) => return Err((rest, found(name, "`scene`, which a recording begins with"))),
-            ("patch", Some(record)) => {
-                let patch: Patch = parsed(argument)?;
-                let record = patched(record, &patch).map_err(|reason| fault(argument, reason))?;
-                self.record = Some(record.clone());
-                Event::State(record)
-            }
-            ("size", _) => Event::Size(size(argument)?),
-            ("say", _) => Event::Say(parsed(argument)?),
-            _ => return Err((rest, found(name, "`scene`, `patch`, `size` or `say`"))),
-        };
-        Ok((self.time, event))
-    }
-}
-
-fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecord> {
-    let mut value = serde_json::to_value(record)?;
-    json_patch::patch(&mut value, patch)?;
-    let record: SceneRecord = serde_json::from_value(value)?;
-    record.check()?;
-    Ok(record)
-}
-
-fn size(argument: &str) -> Result<[usize; 2], Fault<'_>> {
-    let size: [usize; 2] = parsed(argument)?;
-    let is_legal = size.iter().all(|side| (1..=MAX_SIDE).contains(side));
-    let expected = format!("two numbers from 1 to {MAX_SIDE}");
-    is_legal
-        .then_some(size)
-        .ok_or_else(|| (argument, found(argument, &expected)))
+            Event::Size(size)
+        }
+        ("say", _) => Event::Say(parsed(argument)?),
+        _ => return Err((rest, found(name, "`scene`, `patch`, `size` or `say`"))),
+    };
+    Ok((time, event))
 }
 
 fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, Fault<'_>> {
@@ -351,10 +308,6 @@ fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, Fault<'_>> {
         let rest = text.get(error.column().saturating_sub(1)..);
         (rest.unwrap_or(text), reason.to_owned())
     })
-}
-
-fn fault(rest: &str, reason: impl Display) -> Fault<'_> {
-    (rest, format!("no scene comes of this: {reason}"))
 }
 
 fn found(text: &str, expected: &str) -> String {

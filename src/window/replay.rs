@@ -4,17 +4,16 @@
 
 use std::fmt::Write;
 use std::io;
-use std::iter::Peekable;
 use std::time::Duration;
 
 use egui::RawInput;
 
 use super::app::App;
-use super::recording::{Event, Frame, Log};
+use super::recording::{Event, Frame, Log, patched};
 use crate::drawing::Drawing;
 use crate::memory;
 use crate::output::{Animation, Output, say};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneRecord};
 use crate::trade::progress::with_bar;
 
 /// How long the last frame of an animation is shown.
@@ -24,35 +23,23 @@ const STEPS: usize = 4;
 /// The bytes of a pixel in the window's buffer and in its picture.
 const PIXEL: usize = 8;
 
-/// Lets everything happen that is due at `now`; returns the time of the next frame.
+/// Changes the state as a frame says.
 ///
 /// # Errors
-/// The first mistake in the log.
-pub fn play(
-    frames: &mut Peekable<impl Iterator<Item = anyhow::Result<Frame>>>,
-    app: &mut App,
-    now: Duration,
-) -> anyhow::Result<Duration> {
-    app.now = now;
-    while let Some(frame) = frames.next_if(|next| !matches!(next, Ok(frame) if frame.at > now)) {
-        happen(app, frame?);
-    }
-    let next = frames.peek().and_then(|next| next.as_ref().ok());
-    Ok(next.map_or(Duration::MAX, |next| next.at))
-}
-
-/// Changes the state as a frame says; returns the size that the window gets, if there is one.
-fn happen(app: &mut App, frame: Frame) -> Option<[usize; 2]> {
-    let mut size = None;
-    for event in frame.events {
+/// None of a valid log.
+pub fn play(app: &mut App, frame: &Frame) -> anyhow::Result<()> {
+    for event in &frame.events {
         match event {
-            Event::Scene(name, record) => app.open(Scene::spawn(name, &record)),
-            Event::State(record) => app.restore(&record),
+            Event::Scene(it) => app.open(Scene::spawn(it.name.clone(), &it.scene)),
+            Event::Patch(patch) => {
+                let state = SceneRecord::of(&app.scene.world);
+                app.restore(&patched(&state, patch)?);
+            }
             Event::Say(words) => app.say(words),
-            Event::Size(new) => size = Some(new),
+            Event::Size(_) => {}
         }
     }
-    size
+    Ok(())
 }
 
 /// A frame as it was drawn.
@@ -80,27 +67,20 @@ pub fn draw(
     let mut size = drawing.size;
     let mut app = App::new(drawing, false)?;
     app.shows_times = false;
-    let mut frames = log.frames().peekable();
-    for index in 0.. {
-        let Some(frame) = frames.next().transpose()? else {
-            break;
-        };
-        let (time, now) = (frame.time, frame.at);
-        app.now = now;
-        size = happen(&mut app, frame).unwrap_or(size);
+    for (index, frame) in log.frames.iter().enumerate() {
+        app.now = frame.at;
+        play(&mut app, frame)?;
+        size = frame.size().unwrap_or(size);
         memory::check(size, PIXEL * size[0] * size[1])?;
         for _ in 0..STEPS {
-            app.step(now, size, RawInput::default())?;
+            app.step(frame.at, size, RawInput::default())?;
         }
-        let lasts = match frames.peek() {
-            Some(Ok(next)) => next.at - now,
-            _ => LAST,
-        };
+        let next = log.frames.get(index + 1);
         take(&Drawn {
             app: &app,
             index,
-            time,
-            lasts,
+            time: frame.time,
+            lasts: next.map_or(LAST, |next| next.at - frame.at),
             size,
         })?;
     }
@@ -119,17 +99,22 @@ pub fn run(
     animated: bool,
     with_hashes: bool,
 ) -> anyhow::Result<()> {
+    let count = log.frames.len();
+    let sizes = log.frames.iter().filter_map(Frame::size);
+    let canvas = sizes.fold(drawing.size, |[width, height], size| {
+        [width.max(size[0]), height.max(size[1])]
+    });
     let mut hashes = String::new();
     with_bar(|on_progress| {
         let mut note = |drawn: &Drawn| {
             let hash = hash(&drawn.app.shown());
             let done = drawn.index + 1;
-            on_progress("replaying", done as f64 / log.count as f64);
+            on_progress("replaying", done as f64 / count as f64);
             writeln!(hashes, "{:.3} {hash:016x}", drawn.time.as_secs_f64())
         };
         match output {
             Some(output) if animated => output.write(|writer| {
-                let mut animation = Animation::new(writer, log.canvas, log.count)?;
+                let mut animation = Animation::new(writer, canvas, count)?;
                 draw(log, drawing, |drawn| {
                     note(drawn)?;
                     Ok(animation.add(drawn.app.pixels(), drawn.size, drawn.lasts)?)
@@ -140,7 +125,7 @@ pub fn run(
             _ => draw(log, drawing, |drawn| {
                 note(drawn)?;
                 match output {
-                    Some(output) if drawn.index + 1 == log.count => {
+                    Some(output) if drawn.index + 1 == count => {
                         output.write_png(drawn.app.pixels(), drawn.size)
                     }
                     _ => Ok(()),
@@ -152,7 +137,7 @@ pub fn run(
         Output::Stdout.write(|writer| writer.write_all(hashes.as_bytes()))?;
     }
     let written = output.map_or_else(String::new, |it| format!("; wrote {}", it.name()));
-    say(&format!("replayed {} frames{written}", log.count));
+    say(&format!("replayed {} frames{written}", count));
     Ok(())
 }
 
