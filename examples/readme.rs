@@ -34,9 +34,10 @@ fn main() -> anyhow::Result<()> {
         let mut app = App::new(drawing, true)?;
         app.run(Command::Shading(ShadingMode::Phong));
         app.run(Command::View(mode));
-        app.run(Command::Measure);
         let start = Instant::now();
         let step = |app: &mut App| app.step(start.elapsed(), SIZE, RawInput::default());
+        step(&mut app)?;
+        app.run(Command::Measure);
         while app.facts.report.current().is_none() {
             step(&mut app)?;
             thread::sleep(Duration::from_millis(20));

@@ -158,7 +158,7 @@ pub fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecor
 /// The meaning of a line.
 pub enum Event {
     /// A scene of this name is opened.
-    Scene(NamedScene),
+    Scene(Box<NamedScene>),
     Patch(Patch),
     /// Of the window, in pixels.
     Size([usize; 2]),
@@ -186,7 +186,7 @@ pub struct Log {
     pub frames: Vec<Frame>,
     /// The number of the last line, if it was cut off.
     pub cut_off: Option<usize>,
-    start: NamedScene,
+    start: Box<NamedScene>,
 }
 
 impl Log {
@@ -210,7 +210,7 @@ impl Log {
             match frames.last_mut() {
                 Some(frame) if frame.time == time => frame.events.push(event),
                 last => {
-                    let at = last.map(|last| last.at + idle.min(time - last.time));
+                    let at = last.map(|last| last.at + idle.min(time.saturating_sub(last.time)));
                     frames.push(Frame {
                         time,
                         at: at.unwrap_or_default(),
@@ -241,11 +241,11 @@ impl Log {
 impl Frame {
     /// The size that the window gets.
     pub fn size(&self) -> Option<[usize; 2]> {
-        let sizes = self.events.iter().filter_map(|event| match event {
+        let mut sizes = self.events.iter().rev().filter_map(|event| match event {
             Event::Size(size) => Some(*size),
             _ => None,
         });
-        sizes.last()
+        sizes.next()
     }
 }
 
@@ -278,7 +278,7 @@ fn read_line<'a>(
             let named: NamedScene = parsed(argument)?;
             named.scene.check().map_err(|reason| fault(&reason))?;
             *state = Some(named.scene.clone());
-            Event::Scene(named)
+            Event::Scene(Box::new(named))
         }
         (_, None) => return Err((rest, found(name, FIRST))),
         ("patch", Some(record)) => {

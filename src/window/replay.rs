@@ -80,7 +80,7 @@ pub fn draw(
             app: &app,
             index,
             time: frame.time,
-            lasts: next.map_or(LAST, |next| next.at - frame.at),
+            lasts: next.map_or(LAST, |next| next.at.saturating_sub(frame.at)),
             size,
         })?;
     }
@@ -137,7 +137,7 @@ pub fn run(
         Output::Stdout.write(|writer| writer.write_all(hashes.as_bytes()))?;
     }
     let written = output.map_or_else(String::new, |it| format!("; wrote {}", it.name()));
-    say(&format!("replayed {} frames{written}", count));
+    say(&format!("replayed {count} frames{written}"));
     Ok(())
 }
 
