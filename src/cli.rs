@@ -155,17 +155,19 @@ evaluations are compared with intervals that enclose the exact levels: the textb
 this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps 0.05
 level (0.5 at tolerance 0.5); with -o also writes stability.svg and stability.json.")]
     Extremes(ExtremesOptions),
-    /// Draws a recording again, without a display
+    /// Plays a recording in a window, or draws it into a file
     #[command(after_help = "\
 Examples:
-  shadetrade replay lesson.log -o lesson.apng
+  shadetrade replay lesson.log
+  shadetrade replay lesson.log -o lesson.apng --idle 5
   shadetrade replay lesson.log -o last.png
   shadetrade replay lesson.log --hash --simd fallback
 
-A frame is the picture with the boards that lay over it, without the panel, and without the marks of
-the proof in the error map. Lines of one time make one frame. A line may be written by hand:
-  2.500 say \"words over the picture\"
-The same log gives the same hashes at every SIMD level and with any number of threads.")]
+A frame is the window without times, which differ between machines. Lines of one time make one frame.
+A line may be written by hand:
+  2.500 say \"words for the status line\"
+A hash is that of the picture in the window. It is the same at every SIMD level and with any number
+of threads.")]
     Replay(ReplayOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "\

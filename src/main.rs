@@ -1,14 +1,16 @@
 //! shadetrade: parses the command line, runs one command, says what went wrong.
 
+use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::anyhow;
+use anyhow::{Context, anyhow};
 
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
 };
-use shadetrade::window::{self, NoDisplay};
+use shadetrade::window::recording::Log;
+use shadetrade::window::{self, NoDisplay, replay as replaying};
 use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
@@ -102,7 +104,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
     let drawing = options.drawing.open()?;
     let scene = drawing.scene.name.clone();
-    match window::run(drawing) {
+    match window::run(drawing, options.record.as_deref()) {
         Err(missing) if missing.is::<NoDisplay>() && is_plain => {
             output::say(&format!("{missing}; drawing the figures instead"));
             Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
@@ -114,7 +116,40 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     }
 }
 
-/// Draws a recording again.
-fn replay(_options: &ReplayOptions) -> Result<(), Failure> {
-    Err(Failure::Work(anyhow!("the window is being rebuilt")))
+/// Draws a recording again, or plays it in a window where nothing is asked for.
+fn replay(options: &ReplayOptions) -> Result<(), Failure> {
+    options.check_output()?;
+    let plays = options.output.is_none() && !options.hash;
+    if plays {
+        window::restart_in_fit_environment()?;
+    }
+    let name = options.log.to_string_lossy();
+    let bytes = fs::read(&options.log);
+    let log = bytes
+        .with_context(|| format!("cannot read the recording {name}"))
+        .and_then(|bytes| Log::read(&name, &bytes, options.idle))
+        .map_err(Failure::Usage)?;
+    if let Some(line) = log.cut_off {
+        output::say(&format!(
+            "warning: {name}:{line}: the last line is cut off and left out"
+        ));
+    }
+    let drawing = log.drawing(options.workers.threads(), options.workers.simd);
+    if !plays {
+        let (output, animated) = (options.output.as_ref(), options.animated());
+        return Ok(replaying::run(
+            &log,
+            drawing,
+            output,
+            animated,
+            options.hash,
+        )?);
+    }
+    match window::play(&log, drawing) {
+        Err(missing) if missing.is::<NoDisplay>() => Err(Failure::Work(anyhow!(
+            "{missing}; `shadetrade replay {} -o FILE.apng` draws an animation without one",
+            output::quoted(&name)
+        ))),
+        closed => Ok(closed?),
+    }
 }

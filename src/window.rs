@@ -24,18 +24,24 @@ mod layout;
 pub mod lights;
 mod panel;
 pub mod pictures;
+pub mod recording;
+pub mod replay;
 mod style;
 pub mod viewport;
 
+use std::fs::File;
+use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use egui::RawInput;
+use anyhow::Context;
+use egui::{Event, Key, RawInput};
 
 use crate::drawing::Drawing;
 use crate::output;
 use app::App;
 use display::Display;
+use recording::{Log, Recorder};
 
 pub use display::{NoDisplay, restart_in_fit_environment};
 
@@ -50,16 +56,57 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
 
-/// Shows `drawing` in a window of its size until the user quits.
+/// Shows `drawing` in a window of its size until the user quits, and records that in a new file if one is named.
 ///
 /// # Errors
-/// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, or memory does not
-/// suffice.
-pub fn run(drawing: Drawing) -> anyhow::Result<()> {
-    let start = Instant::now();
-    let size = drawing.size;
-    let mut display = Display::open("shadetrade", size)?;
+/// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, memory does not
+/// suffice, or there is such a file.
+pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
+    let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
+    if let Some(path) = recording {
+        let file = File::create_new(path);
+        let file = file.with_context(|| format!("cannot record to {}", path.display()))?;
+        app.recorder = Some(Recorder::new(file));
+    }
+    show(&mut display, &mut app, None)?;
+    match app.rescue() {
+        Some(Ok(path)) => output::say(&format!(
+            "the changes that were not saved are in {}",
+            path.display()
+        )),
+        Some(Err(error)) => output::say(&format!(
+            "the changes that were not saved are lost: {error}"
+        )),
+        None => {}
+    }
+    Ok(())
+}
+
+/// Plays `log`, which begins with `drawing`, in a window until the user quits.
+///
+/// # Errors
+/// As [`run`].
+pub fn play(log: &Log, drawing: Drawing) -> anyhow::Result<()> {
+    let mut display = Display::open("shadetrade", drawing.size)?;
+    let mut app = App::new(drawing, true)?;
+    let mut frames = log.frames.iter().peekable();
+    let mut script = |app: &mut App, now| {
+        while let Some(frame) = frames.next_if(|frame| frame.at <= now) {
+            app.now = now;
+            replay::play(app, frame)?;
+        }
+        Ok(frames.peek().map_or(Duration::MAX, |next| next.at))
+    };
+    show(&mut display, &mut app, Some(&mut script))
+}
+
+/// Takes the place of the user: changes the state, and returns the time of the next change.
+type Script<'a> = &'a mut dyn FnMut(&mut App, Duration) -> anyhow::Result<Duration>;
+
+/// The loop of the window.
+fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> anyhow::Result<()> {
+    let start = Instant::now();
     let (mut title, mut size) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
@@ -72,13 +119,21 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
         }
         let is_resized = std::mem::replace(&mut size, display.size()) != size;
         if has_events || is_resized || now >= due || app.receive(now) {
-            let input = RawInput {
+            let mut input = RawInput {
                 modifiers: display.input.modifiers,
                 events: std::mem::take(&mut display.input.events),
                 ..RawInput::default()
             };
+            let mut next = Duration::MAX;
+            if let Some(script) = &mut script {
+                app.quits = [Key::Escape, Key::Q]
+                    .iter()
+                    .any(|key| is_pressed(&input, *key));
+                input = RawInput::default();
+                next = script(app, now)?;
+            }
             let output = app.step(now, size, input)?;
-            due = now.saturating_add(output.repaint_after);
+            due = now.saturating_add(output.repaint_after).min(next);
             if title != output.title {
                 title = output.title;
                 display.set_title(&title);
@@ -105,15 +160,11 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
             thread::sleep(pause.min(due.saturating_sub(now)));
         }
     }
-    match app.rescue() {
-        Some(Ok(path)) => output::say(&format!(
-            "the changes that were not saved are in {}",
-            path.display()
-        )),
-        Some(Err(error)) => output::say(&format!(
-            "the changes that were not saved are lost: {error}"
-        )),
-        None => {}
-    }
     Ok(())
+}
+
+fn is_pressed(input: &RawInput, wanted: Key) -> bool {
+    let is_press =
+        |event: &Event| matches!(event, Event::Key { key, pressed: true, .. } if *key == wanted);
+    input.events.iter().any(is_press)
 }

@@ -35,12 +35,15 @@ pub struct ReplayOptions {
     /// The recording
     #[arg(value_name = "LOG")]
     pub log: PathBuf,
-    /// Where the last frame goes as PNG, `-` is standard output; a file that ends in .apng takes all frames, as animated PNG
+    /// Where the last frame goes as PNG, `-` is standard output; a file that ends in .apng takes all frames, as animated PNG [default: a window plays it]
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Option<Output>,
-    /// Prints the time and a hash of every frame
+    /// Prints the time and a hash of the picture of every frame
     #[arg(long)]
     pub hash: bool,
+    /// Pauses that are longer are cut to this
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "2", allow_negative_numbers = true)]
+    pub idle: Duration,
     /// Who draws.
     #[command(flatten)]
     pub workers: WorkerOptions,

@@ -8,6 +8,7 @@
 //! The World is the only state of the scene and of how it is looked at. A change is a difference between two
 //! [`SceneRecord`]s, whatever made it.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -22,6 +23,7 @@ use super::history::History;
 use super::inspector::Kind;
 use super::jobs::{Jobs, State, Task};
 use super::pictures::{Pictures, or_dimmed};
+use super::recording::Recorder;
 use super::viewport::Grab;
 use crate::components::{Magnifier, Probed, Show, Spin, View, get, viewer};
 use crate::drawing::Drawing;
@@ -84,6 +86,7 @@ pub struct App {
     pub pictures: Pictures,
     pub history: History,
     pub file: SceneFile,
+    pub recorder: Option<Recorder>,
     /// The World as it was last written down.
     pub state: Arc<SceneRecord>,
     /// The place of the picture, in points.
@@ -133,6 +136,7 @@ impl App {
         Ok(App {
             history: History::new(&state),
             file: SceneFile::of(&scene),
+            recorder: None,
             scene,
             state,
             facts: Facts::default(),
@@ -217,6 +221,7 @@ impl App {
         let context = self.painter.context.clone();
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
+        self.record(size);
         self.draw()?;
         self.order_jobs();
         self.copy_picture(size);
@@ -337,6 +342,16 @@ impl App {
         self.adopt(Arc::new(SceneRecord::of(&self.scene.world)));
     }
 
+    /// Writes the state into the recording, if there is one.
+    fn record(&mut self, size: [usize; 2]) {
+        if let Some(recorder) = &mut self.recorder
+            && let Err(error) = recorder.note(self.now, &self.scene.name, &self.state, size)
+        {
+            self.recorder = None;
+            self.say(format!("the recording ends here: {error}"));
+        }
+    }
+
     fn picture_changed(&mut self) {
         if let Some(jobs) = &self.jobs {
             jobs.cancel();
@@ -390,27 +405,33 @@ impl App {
         self.set_look(Probed(Some(pixel)));
     }
 
-    /// Copies the picture into its place in the window, magnified.
-    fn copy_picture(&mut self, [width, height]: [usize; 2]) {
-        // The panels and the picture cover every pixel, so none is cleared.
-        self.pixels.resize(width * height, 0);
+    /// The picture as it is shown, not magnified, 0x00RRGGBB.
+    pub fn shown(&self) -> Cow<'_, [u32]> {
         let show: Show = self.look();
-        let [columns, rows] = self.pictures.size();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
         let error_map = comparison.map(|it| it.error_map.as_slice());
         let without = self.facts.without.current().map(Vec::as_slice);
-        let shown = if self.desk.left_out.is_some() {
+        if self.desk.left_out.is_some() {
             or_dimmed(without, self.pictures.frame())
         } else if self.desk.shows_exact {
             or_dimmed(exact, self.pictures.frame())
         } else {
             self.pictures.shown(&show, exact, error_map)
-        };
+        }
+    }
+
+    /// Copies the picture into its place in the window, magnified.
+    fn copy_picture(&mut self, [width, height]: [usize; 2]) {
+        let mut pixels = std::mem::take(&mut self.pixels);
+        // The panels and the picture cover every pixel, so none is cleared.
+        pixels.resize(width * height, 0);
+        let [columns, rows] = self.pictures.size();
+        let shown = self.shown();
         let magnifier = self.look::<Magnifier>().within([columns, rows]);
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
-        let lines = self.pixels.chunks_exact_mut(width).skip(top).take(rows);
+        let lines = pixels.chunks_exact_mut(width).skip(top).take(rows);
         for (y, line) in lines.enumerate() {
             let [x, y] = magnifier.pixel([0, y as i32]);
             let drawn = &shown[y * columns..][x..columns];
@@ -426,6 +447,7 @@ impl App {
                 .zip(drawn)
                 .for_each(|(square, pixel)| square.fill(*pixel));
         }
+        self.pixels = pixels;
     }
 
     fn take_news(&mut self, news: News) {

@@ -11,6 +11,7 @@ mod names;
 mod pictures;
 #[cfg(unix)]
 mod processes;
+mod replays;
 mod requires;
 mod trade;
 

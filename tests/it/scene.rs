@@ -1,7 +1,7 @@
 //! Scene files: what they say and may not say, what they become, and that they are saved without loss.
 
 mod errors;
-mod random;
+pub mod random;
 mod read;
 mod record;
 mod saved;

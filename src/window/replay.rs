@@ -1,0 +1,150 @@
+//! Replay: the states of a recording are shown at their times, in the window or, frame by frame, without a display.
+//!
+//! Without a display the window shows no times, which are the machine's: its frames are the same everywhere.
+
+use std::fmt::Write;
+use std::io;
+use std::time::Duration;
+
+use egui::RawInput;
+
+use super::app::App;
+use super::recording::{Event, Frame, Log, patched};
+use crate::drawing::Drawing;
+use crate::memory;
+use crate::output::{Animation, Output, say};
+use crate::scene::{Scene, SceneRecord};
+use crate::trade::progress::with_bar;
+
+/// How long the last frame of an animation is shown.
+const LAST: Duration = Duration::from_secs(2);
+/// The most steps until the window shows the answers to the questions of the step before.
+const STEPS: usize = 4;
+/// The bytes of a pixel in the window's buffer and in its picture.
+const PIXEL: usize = 8;
+
+/// Changes the state as a frame says.
+///
+/// # Errors
+/// None of a valid log.
+pub fn play(app: &mut App, frame: &Frame) -> anyhow::Result<()> {
+    for event in &frame.events {
+        match event {
+            Event::Scene(it) => app.open(Scene::spawn(it.name.clone(), &it.scene)),
+            Event::Patch(patch) => {
+                let state = SceneRecord::of(&app.scene.world);
+                app.restore(&patched(&state, patch)?);
+            }
+            Event::Say(words) => app.say(words),
+            Event::Size(_) => {}
+        }
+    }
+    Ok(())
+}
+
+/// A frame as it was drawn.
+pub struct Drawn<'a> {
+    pub app: &'a App,
+    /// Counted from 0.
+    pub index: usize,
+    /// The time in the log.
+    pub time: Duration,
+    /// How long it is shown.
+    pub lasts: Duration,
+    /// Of the window, in pixels.
+    pub size: [usize; 2],
+}
+
+/// Draws the window as `log` says, and hands over each of its frames.
+///
+/// # Errors
+/// When a frame does not fit in memory, or `take` fails.
+pub fn draw(
+    log: &Log,
+    drawing: Drawing,
+    mut take: impl FnMut(&Drawn) -> anyhow::Result<()>,
+) -> anyhow::Result<()> {
+    let mut size = drawing.size;
+    let mut app = App::new(drawing, false)?;
+    app.shows_times = false;
+    for (index, frame) in log.frames.iter().enumerate() {
+        app.now = frame.at;
+        play(&mut app, frame)?;
+        size = frame.size().unwrap_or(size);
+        memory::check(size, PIXEL * size[0] * size[1])?;
+        for _ in 0..STEPS {
+            app.step(frame.at, size, RawInput::default())?;
+        }
+        let next = log.frames.get(index + 1);
+        take(&Drawn {
+            app: &app,
+            index,
+            time: frame.time,
+            lasts: next.map_or(LAST, |next| next.at.saturating_sub(frame.at)),
+            size,
+        })?;
+    }
+    Ok(())
+}
+
+/// Draws `log` again: writes its last frame, or all of them where `animated`, and prints a hash of each picture where
+/// that is asked for.
+///
+/// # Errors
+/// When a frame does not fit in memory, or something cannot be written.
+pub fn run(
+    log: &Log,
+    drawing: Drawing,
+    output: Option<&Output>,
+    animated: bool,
+    with_hashes: bool,
+) -> anyhow::Result<()> {
+    let count = log.frames.len();
+    let sizes = log.frames.iter().filter_map(Frame::size);
+    let canvas = sizes.fold(drawing.size, |[width, height], size| {
+        [width.max(size[0]), height.max(size[1])]
+    });
+    let mut hashes = String::new();
+    with_bar(|on_progress| {
+        let mut note = |drawn: &Drawn| {
+            let hash = hash(&drawn.app.shown());
+            let done = drawn.index + 1;
+            on_progress("replaying", done as f64 / count as f64);
+            writeln!(hashes, "{:.3} {hash:016x}", drawn.time.as_secs_f64())
+        };
+        match output {
+            Some(output) if animated => output.write(|writer| {
+                let mut animation = Animation::new(writer, canvas, count)?;
+                draw(log, drawing, |drawn| {
+                    note(drawn)?;
+                    Ok(animation.add(drawn.app.pixels(), drawn.size, drawn.lasts)?)
+                })
+                .map_err(io::Error::other)?;
+                animation.finish()
+            }),
+            _ => draw(log, drawing, |drawn| {
+                note(drawn)?;
+                match output {
+                    Some(output) if drawn.index + 1 == count => {
+                        output.write_png(drawn.app.pixels(), drawn.size)
+                    }
+                    _ => Ok(()),
+                }
+            }),
+        }
+    })?;
+    if with_hashes {
+        Output::Stdout.write(|writer| writer.write_all(hashes.as_bytes()))?;
+    }
+    let written = output.map_or_else(String::new, |it| format!("; wrote {}", it.name()));
+    say(&format!("replayed {count} frames{written}"));
+    Ok(())
+}
+
+/// FNV-1a in 64 bits (Fowler, Noll and Vo) of the bytes 0, red, green and blue of every pixel.
+pub fn hash(pixels: &[u32]) -> u64 {
+    let bytes = pixels.iter().flat_map(|pixel| pixel.to_be_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}

@@ -1,0 +1,3 @@
+//! The window without a display.
+
+mod recording;

@@ -1,0 +1,333 @@
+//! Recordings are written and replayed without loss, and what is wrong in one is found.
+
+use std::cell::RefCell;
+use std::io::{self, Write};
+use std::rc::Rc;
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::{Event, Key, Modifiers, RawInput};
+use fearless_simd::Level;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
+use serde_json::json;
+use shadetrade::drawing::Drawing;
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::simd;
+use shadetrade::window::app::App;
+use shadetrade::window::recording::{Log, Recorder, patch};
+use shadetrade::window::replay::{draw, hash};
+
+use crate::scene::random;
+
+/// A file in memory with a limit on its length.
+#[derive(Clone)]
+struct File(Rc<RefCell<Vec<u8>>>, usize);
+
+impl Write for File {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let mut file = self.0.borrow_mut();
+        if file.len() + bytes.len() > self.1 {
+            return Err(io::Error::other("the disk is full"));
+        }
+        file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl File {
+    fn new(most: usize) -> Self {
+        File(Rc::default(), most)
+    }
+
+    fn text(&self) -> String {
+        String::from_utf8(self.0.borrow().clone()).expect("a log is text")
+    }
+}
+
+const SIZE: [usize; 2] = [700, 480];
+
+/// A window that records into a file.
+fn recorded(file: &File) -> App {
+    let drawing = Drawing {
+        scene: Scene::load(None).expect("it is built in"),
+        size: SIZE,
+        threads: 1,
+        level: Level::new(),
+    };
+    let mut app = App::new(drawing, false).expect("there are threads");
+    app.shows_times = false;
+    app.recorder = Some(Recorder::new(file.clone()));
+    app
+}
+
+fn press(app: &mut App, milliseconds: u64, key: Option<Key>) {
+    let event = |key, pressed| Event::Key {
+        key,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    let events = key.map(|key| vec![event(key, true), event(key, false)]);
+    let input = RawInput {
+        events: events.unwrap_or_default(),
+        ..RawInput::default()
+    };
+    let now = Duration::from_millis(milliseconds);
+    app.step(now, SIZE, input).expect("there is memory");
+}
+
+fn read(text: &str) -> anyhow::Result<Log> {
+    Log::read("a.log", text.as_bytes(), Duration::from_secs(2))
+}
+
+/// The time, the state and the hash of the picture of every frame.
+fn replayed(log: &Log, threads: usize, level: Level) -> Vec<(Duration, Arc<SceneRecord>, u64)> {
+    let mut frames = Vec::new();
+    let drawing = log.drawing(threads, level);
+    draw(log, drawing, |drawn| {
+        let hash = hash(&drawn.app.shown());
+        frames.push((drawn.time, Arc::clone(&drawn.app.state), hash));
+        Ok(())
+    })
+    .expect("there is memory");
+    frames
+}
+
+/// A log of a scene and these lines.
+fn log(lines: &str) -> String {
+    let scene = Scene::load(None).expect("it is built in");
+    let scene = json!({ "name": "cuboid", "scene": SceneRecord::of(&scene.world) });
+    format!("0.000 scene {scene}\n{lines}")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4))]
+
+    #[test]
+    fn a_window_is_replayed_as_it_was(keys in vec(select(vec![
+        Key::W, Key::R, Key::Num3, Key::A, Key::G, Key::P, Key::OpenBracket, Key::CloseBracket, Key::C, Key::O,
+        Key::ArrowLeft, Key::ArrowUp, Key::Plus, Key::Home, Key::F2, Key::F3, Key::F4, Key::F5, Key::F6, Key::Z,
+        Key::E, Key::Escape,
+    ]), 4..8)) {
+        let file = File::new(usize::MAX);
+        let mut app = recorded(&file);
+        let mut expected: Vec<(Duration, Arc<SceneRecord>, u64)> = Vec::new();
+        for (index, key) in std::iter::once(None).chain(keys.into_iter().map(Some)).enumerate() {
+            let now = 40 * index as u64;
+            press(&mut app, now, key);
+            for _ in 0..3 {
+                press(&mut app, now, None);
+            }
+            if expected.last().is_none_or(|(_, state, _)| *state != app.state) {
+                let frame = (Duration::from_millis(now), Arc::clone(&app.state), hash(&app.shown()));
+                expected.push(frame);
+            }
+        }
+        let log = read(&file.text()).expect("it was recorded");
+        prop_assert_eq!(log.frames[0].size(), Some(SIZE));
+        prop_assert_eq!(log.frames.len(), expected.len());
+        for level in simd::NAMES.into_iter().filter_map(simd::named) {
+            for threads in [1, 2] {
+                prop_assert_eq!(&replayed(&log, threads, level), &expected);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+
+    #[test]
+    fn a_patch_makes_of_one_record_the_other(before in random::record(), mut after in random::record(), is_near: bool) {
+        if is_near {
+            let changed = std::mem::replace(&mut after, before.clone());
+            after.view.divider = changed.view.divider;
+            after.background = changed.background;
+            after.cuboid[0].size = changed.cuboid[0].size;
+            after.camera[0].near = changed.camera[0].near;
+            for (light, changed) in after.light.iter_mut().zip(&changed.light) {
+                light.color = changed.color;
+            }
+        }
+        let found = patch(&before, &after).unwrap();
+        let [one, other] = [&before, &after].map(|record| serde_json::to_value(record).unwrap());
+        let mut patched = one;
+        json_patch::patch(&mut patched, &found).unwrap();
+        prop_assert_eq!(patched, other);
+        prop_assert!(patch(&after, &after.clone()).unwrap().is_empty());
+    }
+
+    #[test]
+    fn no_wrong_byte_and_no_cut_ends_in_a_panic(place: prop::sample::Index, byte: u8, cuts: bool) {
+        let text = log(LINES);
+        let mut bytes = text.clone().into_bytes();
+        let place = place.index(bytes.len());
+        if cuts {
+            bytes.truncate(place);
+        } else {
+            bytes[place] = byte;
+        }
+        // A mistake is told with its place.
+        if let Err(error) = Log::read("a.log", &bytes, Duration::ZERO) {
+            prop_assert!(error.to_string().starts_with("a.log:"), "{}", error);
+        }
+    }
+}
+
+/// What may follow a scene.
+const LINES: &str = r#"0.000 size [320,200]
+0.500 patch [{"op":"replace","path":"/light/0/on","value":false}]
+0.500 patch [{"op":"add","path":"/view/pixel","value":[16383,16383]},{"op":"remove","path":"/light/1"}]
+10.5 say "words"
+11.000 patch [{"op":"add","path":"/view/magnifier","value":{"scale":64,"corner":[16383,16383]}}]
+11.000 size [1,1]
+"#;
+
+#[test]
+fn a_change_of_one_number_is_one_operation_that_names_it() {
+    let scene = Scene::load(None).expect("it is built in");
+    let before = SceneRecord::of(&scene.world);
+    let mut after = before.clone();
+    after.light[2].on = false;
+    let expected = json!([{ "op": "replace", "path": "/light/2/on", "value": false }]);
+    assert_eq!(json!(patch(&before, &after).unwrap()), expected);
+    after.light.pop();
+    let found = json!(patch(&before, &after).unwrap());
+    assert_eq!(found[0]["path"], "/light");
+    assert_eq!(found.as_array().map(Vec::len), Some(1));
+}
+
+#[test]
+fn every_cut_of_a_log_is_its_whole_lines() {
+    let text = log(LINES);
+    let head = text.find('\n').unwrap() + 1;
+    for cut in head..=text.len() {
+        let log = read(&text[..cut]).expect("the rest is left out");
+        let lines = text[..cut].matches('\n').count();
+        let is_whole = text[..cut].ends_with('\n');
+        assert_eq!(log.cut_off, (!is_whole).then_some(lines + 1));
+        let times = [1, 1, 2, 2, 3, 4, 4];
+        assert_eq!(log.frames.len(), times[lines - 1], "cut at {cut}");
+    }
+    assert!(read(&text[..head - 1]).is_err());
+}
+
+#[test]
+fn the_ends_of_what_a_log_may_say_are_drawn() {
+    let log = read(&log(LINES)).expect("it is valid");
+    let frames = replayed(&log, 1, Level::new());
+    assert_eq!(frames.len(), 4);
+    assert_eq!(frames[3].1.view.magnifier.scale, 64);
+}
+
+#[test]
+fn pauses_are_cut_and_shorter_ones_are_not() {
+    let text = log("0.500 say \"a\"\n0.750 say \"b\"\n100.75 say \"c\"\n101.75 say \"d\"\n");
+    let log = read(&text).expect("it is valid");
+    let (times, played): (Vec<_>, Vec<_>) = log
+        .frames
+        .iter()
+        .map(|frame| (frame.time.as_secs_f64(), frame.at.as_secs_f64()))
+        .unzip();
+    assert_eq!(times, [0.0, 0.5, 0.75, 100.75, 101.75]);
+    assert_eq!(played, [0.0, 0.5, 0.75, 2.75, 3.75]);
+}
+
+#[test]
+fn mistakes_are_told_with_their_place() {
+    for (line, column, words) in [
+        ("", 1, "seconds"),
+        ("x say \"a\"", 1, "seconds from 1"),
+        ("nan say \"a\"", 1, "\"nan\""),
+        ("-1 say \"a\"", 1, "seconds"),
+        ("1e300 say \"a\"", 1, "1000000000"),
+        ("0.999 say \"a\"", 1, "seconds from 1 "),
+        ("2", 2, "`say`"),
+        ("2 quit", 3, "`scene`, `patch`, `size` or `say`"),
+        ("2 say words", 7, "expected value"),
+        ("2 say 3", 7, "string"),
+        ("2 size [0,1]", 8, "16384"),
+        ("2 size [16385,1]", 8, "16384"),
+        ("2 size [1.5,1]", 11, "1.5"),
+        ("2 size [1,1,1]", 13, "trailing characters"),
+        (
+            "2 scene {\"name\":\"\u{e9}\",\"scene\":{}}",
+            30,
+            "missing field `cuboid`",
+        ),
+        ("2 scene {\"lamp\":3}", 15, "unknown field `lamp`"),
+        ("2 patch {}", 9, "sequence"),
+        (
+            "2 patch [{\"op\":\"remove\",\"path\":\"/light/9\"}]",
+            9,
+            "/light/9",
+        ),
+        (
+            "2 patch [{\"op\":\"remove\",\"path\":\"/camera\"}]",
+            9,
+            "`camera`",
+        ),
+        (
+            "2 patch [{\"op\":\"replace\",\"path\":\"/cuboid/0/size/0\",\"value\":-4}]",
+            9,
+            "-4",
+        ),
+        (
+            "2 patch [{\"op\":\"replace\",\"path\":\"/light/0/name\",\"value\":\"red\"}]",
+            9,
+            "red",
+        ),
+    ] {
+        let error = read(&log(&format!("1.000 say \"ok\"\n{line}\n"))).err();
+        let error = error
+            .unwrap_or_else(|| panic!("{line} is accepted"))
+            .to_string();
+        let place = format!("a.log:3:{column}: ");
+        assert!(
+            error.starts_with(&place) && error.contains(words),
+            "{line}: {error}"
+        );
+    }
+    for text in [
+        "",
+        "0 say \"a\"",
+        "0 say \"a\"\n",
+        "\n",
+        "shadetrade log 1\n",
+    ] {
+        let error = read(text).err().expect("it has no scene").to_string();
+        assert!(error.starts_with("a.log:1:"), "{error}");
+    }
+}
+
+#[test]
+fn a_recording_that_cannot_be_written_ends_and_the_window_says_so() {
+    let file = File::new(4000);
+    let mut app = recorded(&file);
+    for now in 0..200 {
+        press(&mut app, now, Some(Key::W));
+    }
+    assert!(app.recorder.is_none());
+    let message = app.desk.message.expect("a message").text;
+    assert!(message.contains("the disk is full"), "{message}");
+    assert!(read(&file.text()).is_ok_and(|log| log.frames.len() > 1));
+}
+
+#[test]
+fn another_scene_is_written_as_a_whole() {
+    let file = File::new(usize::MAX);
+    let mut app = recorded(&file);
+    press(&mut app, 0, None);
+    app.open(Scene::load(Some("bench-far")).expect("it is built in"));
+    press(&mut app, 10, None);
+    let log = read(&file.text()).expect("it was recorded");
+    let frames = replayed(&log, 1, Level::new());
+    assert_eq!(frames.last().map(|frame| &frame.1), Some(&app.state));
+    assert!(file.text().contains("0.010 scene {\"name\":\"bench-far\""));
+}
