@@ -22,7 +22,7 @@ pub mod keys;
 pub mod lights;
 mod panel;
 pub mod pictures;
-mod style;
+pub mod style;
 pub mod viewport;
 
 use std::thread;

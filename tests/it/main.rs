@@ -17,3 +17,4 @@ mod stability;
 mod support;
 mod systems;
 mod trade;
+mod window;
