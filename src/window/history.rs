@@ -23,6 +23,8 @@ pub struct History {
     undoer: Undoer<Arc<SceneRecord>>,
     /// The subject of the last change, which a change of the same continues.
     subject: String,
+    /// The state that undo or redo has just led to: reaching it is no change of its own.
+    restored: Option<Arc<SceneRecord>>,
 }
 
 impl History {
@@ -38,11 +40,17 @@ impl History {
         History {
             undoer,
             subject: String::new(),
+            restored: None,
         }
     }
 
     /// Notes a change from `before` to `after`.
     pub fn note(&mut self, now: Duration, before: &Arc<SceneRecord>, after: &Arc<SceneRecord>) {
+        if self.restored.take().as_ref() == Some(after) {
+            return;
+        }
+        // The step before ends even if nothing was fed since.
+        self.feed(now, before);
         let subject = Difference::between(before, after).subject;
         if subject != self.subject {
             self.undoer.add_undo(before);
@@ -60,6 +68,7 @@ impl History {
     pub fn undo(&mut self, present: &Arc<SceneRecord>) -> Option<(Arc<SceneRecord>, String)> {
         self.subject.clear();
         let before = Arc::clone(self.undoer.undo(present)?);
+        self.restored = Some(Arc::clone(&before));
         let label = Difference::between(&before, present).label();
         Some((before, label))
     }
@@ -68,6 +77,7 @@ impl History {
     pub fn redo(&mut self, present: &Arc<SceneRecord>) -> Option<(Arc<SceneRecord>, String)> {
         self.subject.clear();
         let after = Arc::clone(self.undoer.redo(present)?);
+        self.restored = Some(Arc::clone(&after));
         let label = Difference::between(present, &after).label();
         Some((after, label))
     }
