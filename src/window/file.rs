@@ -68,6 +68,8 @@ impl SceneFile {
         let is_certain = self.doubted.replace(present) == Some(present);
         let news = match present {
             None => News::Deleted,
+            // Reading a pipe would wait for its writer.
+            Some(_) if !path.is_file() => News::Wrong(format!("{} is no file", path.display())),
             Some(_) => match Scene::load_path(path) {
                 Ok(scene) => News::Read(Box::new(scene)),
                 Err(error) => News::Wrong(error.to_string()),
