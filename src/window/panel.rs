@@ -23,17 +23,23 @@ use crate::scene::{BUILT_IN, Scene, range};
 /// The least and the usual width of the panel and of the inspector, in points.
 const LEAST: f32 = 215.0;
 const USUAL: f32 = 300.0;
+/// The least width of a side over the picture, which a smaller window cuts off.
+const LEAST_OVER: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
 
 impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
     pub fn ui(&mut self, ui: &mut Ui) {
-        self.take_keys(ui);
         let width = ui.available_width();
-        let Inspector(tab) = self.look();
         // The picture keeps half of the width.
         let has_room = [width >= 2.0 * LEAST, width >= 4.0 * LEAST];
+        for (over, has_room) in self.desk.over.iter_mut().zip(has_room) {
+            *over &= !has_room;
+        }
+        self.desk.panel_folded &= has_room[0];
+        self.take_keys(ui);
+        let Inspector(tab) = self.look();
         let both = has_room[1] && tab.is_some() && !self.desk.panel_folded;
         let most = width / 2.0 - if both { LEAST } else { 0.0 };
         let usual = USUAL.min(width / if both { 4.0 } else { 3.0 }).max(LEAST);
@@ -161,7 +167,8 @@ impl App {
             is_changed = ui.add(slider).on_hover_text(TOLERANCE).changed();
             keys_of(ui, "[ ]");
         });
-        if is_changed {
+        let Tolerance(before) = self.look();
+        if is_changed && short(tolerance) != short(before) {
             let levels = if tolerance < 1e-4 {
                 0.0
             } else {
@@ -205,7 +212,8 @@ impl App {
         ui.checkbox(&mut light.on, &name.0)
             .on_hover_text(format!("This light {kind}"));
         super::inspector::color_button(ui, &mut light.color);
-        let speed = (light.intensity * 0.01).max(0.01);
+        let before = light.intensity;
+        let speed = (before * 0.01).max(0.01);
         ui.add(
             DragValue::new(&mut light.intensity)
                 .range(range::STRENGTH)
@@ -213,6 +221,10 @@ impl App {
                 .custom_formatter(|value, _| short(value)),
         )
         .on_hover_text("Intensity, 0 to 1e30. Drag it, or click to type.");
+        // A number that was looked at is written back with the digits that are shown.
+        if short(light.intensity) == short(before) {
+            light.intensity = before;
+        }
         let named = ["white", "red", "specular", "ambient"]
             .into_iter()
             .find(|own| *own == name.0);
@@ -636,8 +648,8 @@ fn over(
         .constrain(false);
     area.show(ui.ctx(), |ui| {
         Frame::side_top_panel(ui.style()).show(ui, |ui| {
-            ui.set_width((USUAL - 16.0).min(room.x - 16.0));
-            ui.set_height(room.y - 8.0);
+            ui.set_width((USUAL - 16.0).min(room.x - 16.0).max(LEAST_OVER));
+            ui.set_height((room.y - 8.0).max(0.0));
             content(ui);
         });
     });

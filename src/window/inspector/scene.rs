@@ -274,11 +274,15 @@ impl App {
         });
         ui.horizontal(|ui| {
             ui.label("shininess");
+            let before = material.shininess;
             let slider = Slider::new(&mut material.shininess, range::SHININESS)
                 .logarithmic(true)
                 .smallest_positive(0.1);
             ui.add(slider.custom_formatter(format_number))
                 .on_hover_text("The exponent of the highlight, 0 to 1e6.");
+            if format_number(material.shininess, 0..=0) == format_number(before, 0..=0) {
+                material.shininess = before;
+            }
         });
     }
 
@@ -455,15 +459,21 @@ fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>, says: &str) 
         format_number(*range.start(), 0..=0),
         format_number(*range.end(), 0..=0),
     );
+    let before = *value;
     // A drag changes a number by its own size, so that it reaches any magnitude.
     let speed = (value.abs() * 0.01).max(0.01);
     let drag = DragValue::new(value)
         .speed(speed)
         .range(range)
         .custom_formatter(format_number);
-    ui.add(drag).on_hover_text(format!(
+    let response = ui.add(drag).on_hover_text(format!(
         "{says}.\nDrag it, or click and type a number, {least} to {most}."
-    ))
+    ));
+    // A number that was looked at is written back with the digits that are shown.
+    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
+        *value = before;
+    }
+    response
 }
 
 fn labelled(ui: &mut Ui, name: &str, value: &mut f64, range: RangeInclusive<f64>, says: &str) {
