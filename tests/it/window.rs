@@ -10,7 +10,9 @@ mod widgets;
 
 use std::time::Duration;
 
-use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, RawInput, TouchPhase, vec2};
+use egui::{
+    Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, RawInput, TouchPhase, vec2,
+};
 use fearless_simd::Level;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::app::{App, Output};
@@ -78,15 +80,18 @@ impl Window {
         self.step(Vec::new());
     }
 
-    fn key(&mut self, key: Key, pressed: bool) {
-        let modifiers = self.modifiers;
-        self.step(vec![Event::Key {
+    fn key_event(&self, key: Key, pressed: bool) -> Event {
+        Event::Key {
             key,
             physical_key: None,
             pressed,
             repeat: false,
-            modifiers,
-        }]);
+            modifiers: self.modifiers,
+        }
+    }
+
+    fn key(&mut self, key: Key, pressed: bool) {
+        self.step(vec![self.key_event(key, pressed)]);
     }
 
     fn press(&mut self, key: Key) {
@@ -153,16 +158,10 @@ impl Window {
     fn enter(&mut self, text: &str) {
         for character in text.chars() {
             let key = Key::from_name(&character.to_uppercase().to_string());
-            let modifiers = self.modifiers;
-            let press = key.map(|key| Event::Key {
-                key,
-                physical_key: None,
-                pressed: true,
-                repeat: false,
-                modifiers,
-            });
-            let text = Event::Text(character.to_string());
-            self.step(press.into_iter().chain([text]).collect());
+            let [press, release] =
+                [true, false].map(|pressed| key.map(|key| self.key_event(key, pressed)));
+            let text = Some(Event::Text(character.to_string()));
+            self.step([press, text, release].into_iter().flatten().collect());
         }
     }
 
@@ -180,7 +179,9 @@ impl Window {
     fn files(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.folder.path()).expect("the folder is there");
         let names = entries.map(|entry| entry.expect("an entry").file_name());
-        let mut names: Vec<String> = names.map(|name| name.to_string_lossy().into_owned()).collect();
+        let mut names: Vec<String> = names
+            .map(|name| name.to_string_lossy().into_owned())
+            .collect();
         names.sort();
         names
     }

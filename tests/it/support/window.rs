@@ -44,8 +44,15 @@ pub fn widgets(app: App, size: [usize; 2]) -> Harness<'static, App> {
 
 /// The middle of each widget of this label, without the key beside it.
 pub fn places(harness: &Harness<App>, label: &str) -> Vec<Pos2> {
-    let is_named = |own: &str| own.strip_prefix(label).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
+    let is_named = |own: &str| {
+        own.strip_prefix(label)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+    };
     let all = harness.query_all_by(|node| node.role() != Role::Label);
-    let named = all.filter(|node| node.accesskit_node().label().is_some_and(|own| is_named(&own)));
+    let named = all.filter(|node| {
+        node.accesskit_node()
+            .label()
+            .is_some_and(|own| is_named(&own))
+    });
     named.map(|node| node.rect().center()).collect()
 }

@@ -20,14 +20,27 @@ fn compared(window: &Window) -> Comparison {
     let mut world = window.app.state.spawn();
     let view = View::of(&world, window.app.picture_size());
     let comparison = Comparison::of(&mut world, &view, Level::new(), &|| false);
-    comparison.expect("a small picture fits").expect("nobody cancels")
+    comparison
+        .expect("a small picture fits")
+        .expect("nobody cancels")
 }
 
 #[test]
 fn picture_and_numbers_are_those_of_the_scene_that_is_shown() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::F5);
-    for key in [Key::P, Key::W, Key::O, Key::CloseBracket, Key::CloseBracket, Key::ArrowLeft, Key::Plus, Key::C, Key::Home, Key::G] {
+    for key in [
+        Key::P,
+        Key::W,
+        Key::O,
+        Key::CloseBracket,
+        Key::CloseBracket,
+        Key::ArrowLeft,
+        Key::Plus,
+        Key::C,
+        Key::Home,
+        Key::G,
+    ] {
         window.press(key);
         let comparison = window.app.facts.comparison.current().expect("an answer");
         let fresh = compared(&window);
@@ -53,18 +66,42 @@ fn every_answer_is_old_after_a_change_of_the_picture_and_only_then() {
     }
     let states = |window: &Window| {
         let facts = &window.app.facts;
-        [&facts.probe.state, &facts.comparison.state, &facts.required.state].map(Clone::clone)
+        [
+            &facts.probe.state,
+            &facts.comparison.state,
+            &facts.required.state,
+        ]
+        .map(Clone::clone)
     };
     window.step(Vec::new());
     assert_eq!(states(&window), [const { State::Done }; 3]);
-    for key in [Key::F2, Key::F6, Key::Z, Key::X, Key::H, Key::H, Key::I, Key::I] {
+    for key in [
+        Key::F2,
+        Key::F6,
+        Key::Z,
+        Key::X,
+        Key::H,
+        Key::H,
+        Key::I,
+        Key::I,
+    ] {
         window.press(key);
-        assert_eq!(states(&window), [const { State::Done }; 3], "{key:?} changes no picture");
+        assert_eq!(
+            states(&window),
+            [const { State::Done }; 3],
+            "{key:?} changes no picture"
+        );
     }
-    window.press(Key::Escape);
-    window.press(Key::Escape);
+    window.app.set_look(Inspector(None));
     window.press(Key::F2);
-    for key in [Key::W, Key::G, Key::O, Key::ArrowLeft, Key::C, Key::OpenBracket] {
+    for key in [
+        Key::W,
+        Key::G,
+        Key::O,
+        Key::ArrowLeft,
+        Key::C,
+        Key::OpenBracket,
+    ] {
         let facts = &mut window.app.facts;
         facts.comparison.state = State::Done;
         facts.required.state = State::Done;
@@ -78,7 +115,11 @@ fn every_answer_is_old_after_a_change_of_the_picture_and_only_then() {
     facts.comparison.state = State::Done;
     window.size = [140, 90];
     window.step(Vec::new());
-    assert_eq!(window.app.facts.comparison.state, State::Idle, "another size");
+    assert_eq!(
+        window.app.facts.comparison.state,
+        State::Idle,
+        "another size"
+    );
     assert_eq!(window.app.pixels().len(), 140 * 90);
 }
 
@@ -103,15 +144,30 @@ fn a_part_is_left_out_and_comes_back() {
     window.press(Key::P);
     window.press(Key::N);
     let whole = window.app.pictures.frame().to_vec();
-    let parts = window.app.facts.required.current().expect("an answer").clone();
-    assert!(parts.iter().any(|it| it.name.contains("red")), "a light is a part");
+    let parts = window
+        .app
+        .facts
+        .required
+        .current()
+        .expect("an answer")
+        .clone();
+    assert!(
+        parts.iter().any(|it| it.name.contains("red")),
+        "a light is a part"
+    );
     let most = parts.first().expect("a part");
     assert!(most.change.most() >= parts.last().expect("a part").change.most());
     window.app.desk.left_out = Some(most.part);
     window.press(Key::Escape);
     window.app.desk.left_out = Some(most.part);
     window.step(Vec::new());
-    let without = window.app.facts.without.current().expect("an answer").clone();
+    let without = window
+        .app
+        .facts
+        .without
+        .current()
+        .expect("an answer")
+        .clone();
     assert_ne!(without, whole);
     assert!(window.seen() == without);
     window.press(Key::Escape);
@@ -137,7 +193,11 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 fn modes_that_differ_are_mixed_and_a_key_makes_them_one() {
     let mut scene = default_scene();
     let mut record = shadetrade::scene::SceneRecord::of(&scene.world);
-    record.cuboid.push(shadetrade::scene::CuboidRecord::new("other", [1.0; 3], [3.0, 0.0, 0.0]));
+    record.cuboid.push(shadetrade::scene::CuboidRecord::new(
+        "other",
+        [1.0; 3],
+        [3.0, 0.0, 0.0],
+    ));
     record.cuboid[0].shading = ShadingMode::Gouraud;
     scene = Scene::spawn(scene.name, &record);
     let mut window = Window::of(scene, SMALL);

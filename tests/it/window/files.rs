@@ -25,7 +25,9 @@ fn on_file() -> (Window, PathBuf) {
 /// Makes an edit that a file would have to keep.
 fn edit(window: &mut Window, intensity: f64) {
     let lights = window.app.scene.world.query_mut::<&mut Light>();
-    lights.into_iter().for_each(|light| light.intensity = intensity);
+    lights
+        .into_iter()
+        .for_each(|light| light.intensity = intensity);
     window.step(Vec::new());
     window.wait(PAUSE);
 }
@@ -50,10 +52,19 @@ fn a_file_is_saved_in_place_with_its_comments_and_is_read_as_it_was() {
     assert_eq!(window.files(), ["mine.toml"]);
     assert_eq!(read(&path), window.record());
     let saved = fs::read_to_string(&path).expect("text");
-    for comment in BUILT_IN[0].1.lines().filter(|line| line.starts_with('#') && !line.starts_with("# near")) {
+    for comment in BUILT_IN[0]
+        .1
+        .lines()
+        .filter(|line| line.starts_with('#') && !line.starts_with("# near"))
+    {
         assert!(saved.contains(comment), "{comment}");
     }
-    let command = window.app.desk.message.as_ref().and_then(|it| it.copy.clone());
+    let command = window
+        .app
+        .desk
+        .message
+        .as_ref()
+        .and_then(|it| it.copy.clone());
     assert!(command.expect("a command to copy").contains("mine.toml"));
 }
 
@@ -65,10 +76,17 @@ fn a_new_file_has_the_scenes_name_and_a_number_and_replaces_none() {
     assert_eq!(window.files(), ["cuboid-2.toml", "cuboid.toml"]);
     edit(&mut window, 3.0);
     save(&mut window);
-    assert_eq!(window.files(), ["cuboid-2.toml", "cuboid.toml"], "it has a file now");
+    assert_eq!(
+        window.files(),
+        ["cuboid-2.toml", "cuboid.toml"],
+        "it has a file now"
+    );
     edit(&mut window, 4.0);
     window.press_with(CONTROL_SHIFT, Key::S);
-    assert_eq!(window.files(), ["cuboid-2.toml", "cuboid-3.toml", "cuboid.toml"]);
+    assert_eq!(
+        window.files(),
+        ["cuboid-2.toml", "cuboid-3.toml", "cuboid.toml"]
+    );
     let file = |name: &str| window.folder.path().join(name);
     assert_eq!(read(&file("cuboid.toml")).light[0].intensity, 3.0);
     assert_eq!(read(&file("cuboid-3.toml")), window.record());
@@ -82,7 +100,11 @@ fn a_file_that_cannot_be_written_is_told_and_the_edits_stay() {
     fs::remove_file(&path).expect("removed");
     fs::create_dir(&path).expect("made");
     save(&mut window);
-    assert!(window.message().starts_with("not saved"), "{}", window.message());
+    assert!(
+        window.message().starts_with("not saved"),
+        "{}",
+        window.message()
+    );
     assert!(window.app.is_edited());
 }
 
@@ -90,7 +112,15 @@ fn a_file_that_cannot_be_written_is_told_and_the_edits_stay() {
 fn the_title_has_a_star_while_edits_are_not_saved() {
     let (mut window, _) = on_file();
     let has_star = |window: &Window| window.output.title.contains('*');
-    for key in [Key::W, Key::ArrowLeft, Key::P, Key::F3, Key::E, Key::O, Key::CloseBracket] {
+    for key in [
+        Key::W,
+        Key::ArrowLeft,
+        Key::P,
+        Key::F3,
+        Key::E,
+        Key::O,
+        Key::CloseBracket,
+    ] {
         window.press(key);
         assert!(!has_star(&window), "{key:?} is looking");
     }
@@ -134,7 +164,11 @@ fn edits_that_nobody_saved_are_rescued_into_a_new_file() {
     assert!(window.app.rescue().is_none());
     edit(&mut window, 3.0);
     for name in ["mine-unsaved.toml", "mine-unsaved-2.toml"] {
-        let rescued = window.app.rescue().expect("there are edits").expect("written");
+        let rescued = window
+            .app
+            .rescue()
+            .expect("there are edits")
+            .expect("written");
         assert_eq!(rescued.file_name().expect("a name"), name);
         assert_eq!(read(&rescued), window.record());
     }
@@ -146,10 +180,15 @@ fn another_scene_takes_no_edits_with_it() {
     let (mut window, _) = on_file();
     edit(&mut window, 3.0);
     let edits = window.record();
-    window.app.open(Scene::load(Some("assignment")).expect("built in"));
+    window
+        .app
+        .open(Scene::load(Some("assignment")).expect("built in"));
     window.wait(PAUSE);
     assert!(window.output.title.contains("assignment"));
-    let kept = window.files().into_iter().find(|name| name.contains("unsaved"));
+    let kept = window
+        .files()
+        .into_iter()
+        .find(|name| name.contains("unsaved"));
     let kept = kept.expect("the edits are in a file");
     assert_eq!(read(&window.folder.path().join(kept)), edits);
     window.undo();
@@ -163,7 +202,9 @@ fn a_changed_file_is_read_again_and_undo_brings_the_edits_back() {
     window.press(Key::O);
     edit(&mut window, 3.0);
     let edited = window.record();
-    let text = BUILT_IN[0].1.replace("size = [4.0, 3.0, 2.0]", "size = [5.0, 3.25, 2.0]");
+    let text = BUILT_IN[0]
+        .1
+        .replace("size = [4.0, 3.0, 2.0]", "size = [5.0, 3.25, 2.0]");
     fs::write(&path, text).expect("written");
     window.wait(PAUSE);
     let record = window.record();
@@ -196,7 +237,10 @@ fn a_wrong_file_is_told_with_its_place_and_the_scene_stays_until_it_is_right() {
     fs::write(&path, BUILT_IN[0].1.replace("fov = 30.0", "fov = -30.0")).expect("written");
     (0..3).for_each(|_| window.wait(PAUSE));
     let error = window.app.desk.file_error.clone().expect("an error");
-    assert!(error.contains("mine.toml") && error.contains("fov"), "{error}");
+    assert!(
+        error.contains("mine.toml") && error.contains("fov"),
+        "{error}"
+    );
     assert_eq!(window.record(), before);
     fs::write(&path, BUILT_IN[0].1.replace("fov = 30.0", "fov = 31.25")).expect("written");
     window.wait(PAUSE);
@@ -225,7 +269,14 @@ fn a_deleted_file_is_told_and_saving_writes_it_again() {
     let before = window.record();
     fs::remove_file(&path).expect("removed");
     (0..3).for_each(|_| window.wait(PAUSE));
-    assert!(window.app.desk.file_error.as_ref().is_some_and(|it| it.contains("mine.toml")));
+    assert!(
+        window
+            .app
+            .desk
+            .file_error
+            .as_ref()
+            .is_some_and(|it| it.contains("mine.toml"))
+    );
     assert_eq!(window.record(), before);
     save(&mut window);
     assert_eq!(read(&path), before);
@@ -263,10 +314,24 @@ fn screenshots_are_the_pixels_that_are_shown() {
             let [red, green, blue] = pixel.0.map(u32::from);
             red << 16 | green << 8 | blue
         });
-        ([picture.width() as usize, picture.height() as usize], pixels.collect::<Vec<u32>>())
+        (
+            [picture.width() as usize, picture.height() as usize],
+            pixels.collect::<Vec<u32>>(),
+        )
     };
-    let shown: Vec<u32> = window.app.pixels().iter().map(|pixel| pixel & 0x00ff_ffff).collect();
-    window.key(Key::F12, true);
+    let shown: Vec<u32> = window
+        .app
+        .pixels()
+        .iter()
+        .map(|pixel| pixel & 0x00ff_ffff)
+        .collect();
+    window.press(Key::F12);
+    assert_eq!(
+        window.files(),
+        ["shadetrade-001.png"],
+        "{}",
+        window.message()
+    );
     let (size, pixels) = load(&window, "shadetrade-001.png");
     assert_eq!(size, SIZE);
     assert!(pixels == shown);

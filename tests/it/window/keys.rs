@@ -18,7 +18,10 @@ fn prepare(window: &mut Window, command: Command) {
         }
         Command::View(ViewMode::Picture) => window.press(Key::F5),
         Command::Magnify(-1) => window.press(Key::Z),
-        Command::ResetView => [Key::ArrowLeft, Key::Minus, Key::Z].map(|key| window.press(key)).into_iter().collect(),
+        Command::ResetView => [Key::ArrowLeft, Key::Minus, Key::Z]
+            .map(|key| window.press(key))
+            .into_iter()
+            .collect(),
         Command::Redo => {
             window.press(Key::P);
             window.undo();
@@ -41,7 +44,9 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
     };
     match command {
         Command::Light(index) => switch(index),
-        Command::LightNamed(name) => switch(lights.iter().position(|own| *own == name).expect("a light")),
+        Command::LightNamed(name) => {
+            switch(lights.iter().position(|own| *own == name).expect("a light"))
+        }
         Command::Shading(mode) => record.cuboid[0].shading = mode,
         Command::FileShading | Command::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
         Command::Redo => record.cuboid[0].shading = ShadingMode::Phong,
@@ -86,7 +91,11 @@ fn every_key_does_what_its_words_say() {
             let measured = window.app.desk.measures;
             window.modifiers = *modifiers;
             window.key(*key, true);
-            assert_eq!(window.app.desk.shows_exact, command == Command::ShowExact, "{key:?}");
+            assert_eq!(
+                window.app.desk.shows_exact,
+                command == Command::ShowExact,
+                "{key:?}"
+            );
             window.key(*key, false);
             assert!(!window.app.desk.shows_exact, "{key:?}");
             let (mut after, wanted) = (window.record(), expected(command, &before));
@@ -96,8 +105,16 @@ fn every_key_does_what_its_words_say() {
             let desk = &window.app.desk;
             assert_eq!(desk.help, command == Command::Help, "{key:?}");
             assert_eq!(desk.panel_folded, command == Command::Panel, "{key:?}");
-            assert_eq!(desk.measures != measured, command == Command::Measure, "{key:?}");
-            assert_eq!(window.app.look::<Spin>().on, command == Command::Rotate, "{key:?}");
+            assert_eq!(
+                desk.measures != measured,
+                command == Command::Measure,
+                "{key:?}"
+            );
+            assert_eq!(
+                window.app.look::<Spin>().on,
+                command == Command::Rotate,
+                "{key:?}"
+            );
             assert_eq!(window.app.quits, command == Command::Quit, "{key:?}");
             let saved = match command {
                 Command::Save | Command::SaveAs => vec!["cuboid.toml"],
@@ -112,7 +129,15 @@ fn every_key_does_what_its_words_say() {
 #[test]
 fn a_key_that_can_do_nothing_says_so() {
     let mut window = Window::open();
-    for (key, times) in [(Key::Num9, 1), (Key::Z, 8), (Key::X, 8), (Key::OpenBracket, 9), (Key::ArrowUp, 60), (Key::Plus, 60), (Key::Escape, 3)] {
+    for (key, times) in [
+        (Key::Num9, 1),
+        (Key::Z, 8),
+        (Key::X, 8),
+        (Key::OpenBracket, 9),
+        (Key::ArrowUp, 60),
+        (Key::Plus, 60),
+        (Key::Escape, 3),
+    ] {
         (0..times).for_each(|_| window.press(key));
         let before = window.record();
         window.app.desk.message = None;
@@ -143,7 +168,7 @@ fn keys_write_into_a_field_that_has_the_focus_and_do_nothing_else() {
     window.press(Key::F6);
     assert_eq!(window.record().view.show, ViewMode::Tiles);
     window.press_with(Modifiers::COMMAND, Key::S);
-    assert_eq!(window.files(), ["cuboid.toml"]);
+    assert_eq!(window.files(), ["cuboid.toml"], "{}", window.message());
     window.press(Key::Escape);
     window.press(Key::P);
     assert_eq!(window.record().cuboid[0].shading, ShadingMode::Phong);
@@ -157,7 +182,9 @@ fn fields() -> Pos2 {
     let open = places(&harness, "open")[0];
     let fields = harness.query_all_by_role(egui::accesskit::Role::TextInput);
     let places = fields.map(|field| field.rect().center());
-    places.min_by(|one, other| one.distance(open).total_cmp(&other.distance(open))).expect("a field")
+    places
+        .min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)))
+        .expect("a field")
 }
 
 #[test]
@@ -168,7 +195,10 @@ fn the_key_that_opens_the_scenes_tab_closes_it() {
         assert_eq!(window.app.look::<Inspector>(), Inspector(open));
     }
     window.press(Key::N);
-    assert_eq!(window.app.look::<Inspector>(), Inspector(Some(Tab::Required)));
+    assert_eq!(
+        window.app.look::<Inspector>(),
+        Inspector(Some(Tab::Required))
+    );
 }
 
 #[test]
@@ -185,7 +215,10 @@ fn escape_closes_one_thing_that_is_seen_at_a_time() {
             if window.message() == "Q quits" {
                 break;
             }
-            assert!(window.app.pixels() != before, "{size:?}: help {help}, message {opened}");
+            assert!(
+                window.app.pixels() != before,
+                "{size:?}: help {help}, message {opened}"
+            );
         }
         assert_eq!(window.message(), "Q quits", "{size:?}");
         assert_eq!(window.app.look::<Inspector>(), Inspector(None));

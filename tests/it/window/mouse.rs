@@ -1,11 +1,11 @@
 //! Clicks, drags and the wheel over the picture, and what is shown there.
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, vec2};
+use shadetrade::components::LightKind;
 use shadetrade::components::{
     Inspector, Light, Magnifier, Probed, ShadingMode, Show, Spin, Tab, Transform, ViewMode,
 };
 use shadetrade::scene::{LightRecord, Scene, SceneRecord};
-use shadetrade::components::LightKind;
 use shadetrade::window::inspector::Kind;
 use shadetrade::window::lights::Marker;
 
@@ -98,7 +98,10 @@ fn a_click_selects_in_the_scenes_tab() {
     let selected = |window: &Window| window.app.desk.selected.clone();
     assert_eq!(selected(&window), Some((Kind::Light, "near".to_owned())));
     window.click(window.app.place.center());
-    assert_eq!(selected(&window), Some((Kind::Cuboid, "emerald".to_owned())));
+    assert_eq!(
+        selected(&window),
+        Some((Kind::Cuboid, "emerald".to_owned()))
+    );
     assert_eq!(window.app.look::<Inspector>(), Inspector(Some(Tab::Scene)));
 }
 
@@ -110,13 +113,19 @@ fn a_drag_turns_the_camera_as_far_in_one_step_as_in_many() {
         let at = window.app.place.center();
         window.drag(at, at + vec2(100.0, 50.0), steps);
         let orbit = window.record().camera[0].orbit;
-        assert!(orbit.azimuth < 0.0 && orbit.elevation > 0.0, "the cuboid follows");
+        assert!(
+            orbit.azimuth < 0.0 && orbit.elevation > 0.0,
+            "the cuboid follows"
+        );
         window.point_at(at);
         assert_eq!(window.record().camera[0].orbit, orbit, "the button is up");
         turned.push([orbit.azimuth, orbit.elevation]);
     }
     for axis in 0..2 {
-        assert!((turned[0][axis] - turned[1][axis]).abs() < 1e-3, "{turned:?}");
+        assert!(
+            (turned[0][axis] - turned[1][axis]).abs() < 1e-3,
+            "{turned:?}"
+        );
     }
 }
 
@@ -129,7 +138,12 @@ fn every_light_with_a_place_has_a_marker_of_its_own_in_the_picture() {
     let names = ["white", "red", "specular"];
     let places = names.map(|name| place_of(&window, name));
     for (index, place) in places.iter().enumerate() {
-        assert!(places[..index].iter().all(|other| other.distance(*place) > 10.0), "{places:?}");
+        assert!(
+            places[..index]
+                .iter()
+                .all(|other| other.distance(*place) > 10.0),
+            "{places:?}"
+        );
     }
     assert_eq!(window.app.markers().len(), names.len());
     let before = window.record();
@@ -156,7 +170,10 @@ fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
         window.button(from + by, false);
         let missed = place_of(&window, "near").distance(from + by);
         assert!(missed < 3.0, "{missed} pixels in {steps} steps");
-        let position = window.record().light[4].position.expect("a place").to_array();
+        let position = window.record().light[4]
+            .position
+            .expect("a place")
+            .to_array();
         for number in position {
             assert!(format!("{number}").len() <= 6, "{position:?}");
         }
@@ -224,7 +241,11 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
     // The lower rows have no words over them.
     let lower = |window: &Window| window.seen()[width * (height - 150)..].to_vec();
     let sides = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| {
-        window.press(if mode == ShadingMode::Phong { Key::P } else { Key::G });
+        window.press(if mode == ShadingMode::Phong {
+            Key::P
+        } else {
+            Key::G
+        });
         lower(&window)
     });
     assert_ne!(sides[0], sides[1]);
@@ -301,11 +322,17 @@ fn views_without_an_answer_yet_never_show_something_else() {
 fn a_light_dragged_beyond_the_range_of_places_stays() {
     let mut window = with_light_in_sight();
     let far = 9.99e99;
-    let lights = window.app.scene.world.query_mut::<&mut Transform>().with::<&Light>();
+    let lights = window
+        .app
+        .scene
+        .world
+        .query_mut::<&mut Transform>()
+        .with::<&Light>();
     lights.into_iter().for_each(|place| place.position.x = far);
     window.step(Vec::new());
+    let mut from = glam::DVec3::splat(far);
     for _ in 0..50 {
-        window.app.drag_light("near", vec2(1e6, 0.0), false);
+        from = window.app.drag_light("near", from, vec2(1e6, 0.0), false);
     }
     window.step(Vec::new());
     window.record().check().expect("a legal scene");

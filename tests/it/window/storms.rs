@@ -73,7 +73,16 @@ impl Storm {
                 self.window.wheel(at, notches as f32);
             }
             9 => {
-                let text = ["1", "0.5", "-1e30", "1e300", "nan", "a", "\u{e9}\u{4e2d}", ""][self.choice(8)];
+                let text = [
+                    "1",
+                    "0.5",
+                    "-1e30",
+                    "1e300",
+                    "nan",
+                    "a",
+                    "\u{e9}\u{4e2d}",
+                    "",
+                ][self.choice(8)];
                 self.window.enter(text);
             }
             10 => {
@@ -101,12 +110,21 @@ impl Storm {
     }
 
     fn press_any(&mut self) {
-        let bindings: Vec<_> = BINDINGS.iter().filter(|it| self.most == SMALL || !is_slow(it.command)).collect();
+        let bindings: Vec<_> = BINDINGS
+            .iter()
+            .filter(|it| self.most == SMALL || !is_slow(it.command))
+            .collect();
         let binding = bindings[self.choice(bindings.len())];
         let (modifiers, key) = binding.keys[self.choice(binding.keys.len())];
         self.window.press_with(modifiers, key);
         if self.choice(4) == 0 {
-            let keys = [Key::Tab, Key::Enter, Key::Backspace, Key::Delete, Key::ArrowDown];
+            let keys = [
+                Key::Tab,
+                Key::Enter,
+                Key::Backspace,
+                Key::Delete,
+                Key::ArrowDown,
+            ];
             let key = keys[self.choice(keys.len())];
             self.window.press(key);
         }
@@ -124,7 +142,13 @@ impl Storm {
 
 fn is_slow(command: Command) -> bool {
     use shadetrade::components::ViewMode;
-    matches!(command, Command::Tab(Tab::Required) | Command::View(ViewMode::Error) | Command::WipeExact | Command::ShowExact)
+    matches!(
+        command,
+        Command::Tab(Tab::Required)
+            | Command::View(ViewMode::Error)
+            | Command::WipeExact
+            | Command::ShowExact
+    )
 }
 
 /// Storms of both kinds.
@@ -159,14 +183,18 @@ fn after_a_storm_everything_is_undone_and_what_is_saved_is_read_again() {
 fn a_storm_has_the_same_pixels_at_every_simd_level() {
     let levels: Vec<Level> = simd::NAMES.into_iter().filter_map(simd::named).collect();
     for (seed, most) in storms(2) {
-        let mut storms: Vec<_> = levels.iter().map(|level| Storm::new(seed, most, *level)).collect();
+        let mut storms: Vec<_> = levels
+            .iter()
+            .map(|level| Storm::new(seed, most, *level))
+            .collect();
         for event in 0..EVENTS {
             for storm in &mut storms {
                 storm.blow();
                 storm.window.folder_keeps_nothing();
             }
             for storm in &storms[1..] {
-                let same = storm.window.app.pictures.frame() == storms[0].window.app.pictures.frame();
+                let same =
+                    storm.window.app.pictures.frame() == storms[0].window.app.pictures.frame();
                 assert!(same, "{seed}, event {event}");
             }
         }
