@@ -23,7 +23,7 @@ use crate::scene::{BUILT_IN, Scene, range};
 /// The least and the usual width of the panel and of the inspector, in points.
 const LEAST: f32 = 215.0;
 const USUAL: f32 = 300.0;
-/// The least width of a side over the picture, which a smaller window cuts off.
+/// The least size of what lies over the picture; a smaller window cuts it off.
 const LEAST_OVER: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
@@ -554,13 +554,13 @@ impl App {
     fn help(&mut self, ui: &mut Ui) {
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
             let screen = ui.ctx().content_rect().size();
-            ui.set_max_width((screen.x - 40.0).min(640.0));
+            ui.set_max_width((screen.x - 40.0).clamp(LEAST_OVER, 640.0));
             ui.horizontal(|ui| {
                 ui.heading("Keys");
                 ui.weak("H or Esc closes this. Hover anything to learn what it is.");
             });
             ScrollArea::vertical()
-                .max_height(screen.y - 90.0)
+                .max_height((screen.y - 90.0).max(LEAST_OVER))
                 .show(ui, |ui| {
                     let mut rows: Vec<(&str, &str, Vec<String>)> = Vec::new();
                     for binding in BINDINGS {
