@@ -26,7 +26,7 @@ mod panel;
 pub mod pictures;
 pub mod recording;
 pub mod replay;
-mod style;
+pub mod style;
 pub mod viewport;
 
 use std::fs::File;

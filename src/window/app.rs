@@ -293,8 +293,16 @@ impl App {
         self.set_look(Spin { on, ..self.look() });
     }
 
-    /// Shows another scene in place of this one.
+    /// Shows another scene in place of this one, whose edits go into a file.
     pub fn open(&mut self, scene: Scene) {
+        match self.rescue() {
+            Some(Ok(path)) => self.say(format!(
+                "the changes that were not saved are in {}",
+                path.display()
+            )),
+            Some(Err(error)) => return self.say(format!("not opened: {error}")),
+            None => {}
+        }
         if let Some(path) = &scene.path {
             self.desk.recent.retain(|recent| recent != path);
             self.desk.recent.insert(0, path.clone());
@@ -527,6 +535,7 @@ impl App {
             Ok(path) => {
                 self.scene.name = path.to_string_lossy().into_owned();
                 self.scene.path = Some(path.clone());
+                self.desk.file_error = None;
                 let [width, height] = self.picture_size();
                 let path = crate::output::quoted(&path.to_string_lossy());
                 self.say(format!("saved {path}"));

@@ -107,7 +107,7 @@ impl App {
             Command::SaveAs => drop(self.save(true)),
             Command::Panel => {
                 self.desk.panel_folded ^= true;
-                self.desk.over[0] = !self.desk.panel_folded;
+                self.desk.over[0] ^= true;
             }
             Command::Help => self.desk.help ^= true,
             Command::Screenshot { window } => self.desk.screenshot = Some(window),
@@ -230,8 +230,11 @@ impl App {
             self.desk.asks_to_save = false;
         } else if self.desk.help {
             self.desk.help = false;
-        } else if self.desk.over != [false; 2] {
-            self.desk.over = [false; 2];
+        } else if self.desk.over[0] {
+            self.desk.over[0] = false;
+        } else if self.desk.over[1] {
+            self.desk.over[1] = false;
+            self.set_look(Inspector(None));
         } else if self.desk.left_out.take().is_some() {
         } else if probed.is_some() {
             self.set_look(Probed(None));

@@ -7,6 +7,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use anyhow::{Context, anyhow};
+use arboard::Clipboard;
 use egui::{CursorIcon, Event, PointerButton, Pos2};
 use minifb::{CursorStyle, InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
@@ -37,7 +38,7 @@ pub struct Display {
     reports: Rc<RefCell<Vec<Report>>>,
     /// Events that were not taken yet, in pixels of the window.
     pub input: Input,
-    clipboard: Option<arboard::Clipboard>,
+    clipboard: Option<Clipboard>,
     is_wayland: bool,
     is_active: bool,
     mouse: Option<Pos2>,
@@ -84,7 +85,7 @@ impl Display {
             window,
             reports,
             input: Input::default(),
-            clipboard: arboard::Clipboard::new().ok(),
+            clipboard: None,
             is_wayland,
             is_active: false,
             mouse: None,
@@ -132,8 +133,7 @@ impl Display {
     /// # Errors
     /// When there is none.
     pub fn copy(&mut self, text: String) -> anyhow::Result<()> {
-        let clipboard = self.clipboard.as_mut().context("there is no clipboard")?;
-        Ok(clipboard.set_text(text)?)
+        Ok(opened(&mut self.clipboard)?.set_text(text)?)
     }
 
     /// Shows pixels, `0x00RRGGBB`, row by row from the top, and gathers events.
@@ -192,7 +192,7 @@ impl Display {
         }
         for report in reports {
             let clipboard = &mut self.clipboard;
-            let text = || clipboard.as_mut()?.get_text().ok();
+            let text = || opened(clipboard).ok()?.get_text().ok();
             self.input.report(report, text);
         }
     }
@@ -226,6 +226,14 @@ impl Display {
             self.wheel -= notches;
             self.input.wheel(notches as i32);
         }
+    }
+}
+
+/// The clipboard, which is opened once it is used: closing it takes a second.
+fn opened(clipboard: &mut Option<Clipboard>) -> Result<&mut Clipboard, arboard::Error> {
+    match clipboard {
+        Some(clipboard) => Ok(clipboard),
+        None => Ok(clipboard.insert(Clipboard::new()?)),
     }
 }
 

@@ -47,6 +47,8 @@ impl History {
         if before == after {
             return;
         }
+        // The step before ends even if nothing was fed since.
+        self.undoer.feed_state(now.as_secs_f64(), &before);
         let subject = Difference::between(&before, &after).subject;
         if subject != self.subject {
             self.undoer.add_undo(&before);

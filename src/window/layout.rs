@@ -17,24 +17,27 @@ use crate::components::{Inspector, Show, Tab, Tolerance, ViewMode};
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
 const USUAL: f32 = 300.0;
+/// The least size of what lies over the picture; a smaller window cuts it off.
+const LEAST_OVER: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
 
 impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
     pub fn ui(&mut self, ui: &mut Ui) {
+        let width = ui.available_width();
+        let has_room = [width >= 2.0 * LEAST, width >= 4.0 * LEAST];
+        for (over, has_room) in self.desk.over.iter_mut().zip(has_room) {
+            *over &= !has_room;
+        }
+        self.desk.panel_folded &= has_room[0];
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
-        let width = ui.available_width();
         let Inspector(tab) = self.look();
-        let has_room = [width >= 2.0 * LEAST, width >= 4.0 * LEAST];
         let is_open = [
             has_room[0] && !self.desk.panel_folded,
             has_room[1] && tab.is_some(),
         ];
-        for side in 0..2 {
-            self.desk.over[side] &= !has_room[side];
-        }
         let both = is_open == [true; 2];
         let most = (width / 2.0 - if both { LEAST } else { 0.0 }).max(LEAST);
         let usual = USUAL.min(width / if both { 4.0 } else { 3.0 }).max(LEAST);
@@ -174,10 +177,11 @@ impl App {
             }
         }
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
-            ui.set_width((screen.x - 40.0).min(640.0));
+            ui.set_width((screen.x - 40.0).clamp(LEAST_OVER, 640.0));
             ui.heading("Keys");
             ui.weak("H or Esc closes this. A tooltip says what a thing is.");
-            let scroll = ScrollArea::vertical().max_height(screen.y - 100.0);
+            let height = (screen.y - 100.0).max(LEAST_OVER);
+            let scroll = ScrollArea::vertical().max_height(height);
             scroll.show(ui, |ui| {
                 ui.columns(if screen.x > 600.0 { 2 } else { 1 }, |columns| {
                     for (index, section) in SECTIONS.iter().enumerate() {
@@ -238,8 +242,8 @@ fn over(ui: &Ui, id: &str, at: (Align2, Pos2), room: Vec2, content: impl FnOnce(
     let area = Area::new(Id::new(id)).order(Order::Middle).constrain(false);
     area.pivot(at.0).fixed_pos(at.1).show(ui.ctx(), |ui| {
         Frame::side_top_panel(ui.style()).show(ui, |ui| {
-            ui.set_width((USUAL - 16.0).min(room.x - 16.0));
-            ui.set_height(room.y - 8.0);
+            ui.set_width((room.x - 16.0).clamp(LEAST_OVER, USUAL - 16.0));
+            ui.set_height((room.y - 8.0).max(LEAST_OVER));
             content(ui);
         });
     });

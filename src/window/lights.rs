@@ -23,6 +23,8 @@ const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 /// The disc of a light, or an arrow at the border towards one out of sight.
 pub struct Marker {
     pub name: String,
+    /// The light's place, in world units.
+    pub position: DVec3,
     at: Pos2,
     /// The direction of a light out of sight.
     way: Option<Vec2>,
@@ -97,6 +99,7 @@ impl App {
             }
             markers.push(Marker {
                 name: name.0.clone(),
+                position: transform.position,
                 at,
                 way,
                 color: brightest(light.color),
@@ -146,8 +149,9 @@ impl App {
         })
     }
 
-    /// Moves a light by pixels of the picture, in depth where asked for. Its place is rounded to what a pixel can mean.
-    pub fn drag_light(&mut self, name: &str, by: Vec2, in_depth: bool) {
+    /// Moves a light from a place by pixels of the picture, in depth where asked for, and returns where to. It stands at
+    /// that place rounded to what a pixel can mean.
+    pub fn drag_light(&mut self, name: &str, from: DVec3, by: Vec2, in_depth: bool) -> DVec3 {
         let lens = Lens::new(&self.view());
         let [right, up, forward] = lens.axes;
         let [across, down] = [by.x, by.y].map(f64::from);
@@ -156,28 +160,23 @@ impl App {
         } else {
             right * across - up * down
         };
-        let lights = self
-            .scene
-            .world
+        let pixel = lens.pitch * lens.homogeneous(lens.seen(from)).z.abs();
+        let step = 10.0_f64.powf(pixel.log10().floor());
+        let moved = from + way * pixel;
+        let rounded = moved
+            .to_array()
+            .map(|it| (it / step).round() / step.recip());
+        if !rounded.iter().all(|it| range::COORDINATE.contains(it)) {
+            return from;
+        }
+        let world = &mut self.scene.world;
+        let lights = world
             .query_mut::<(&Name, &mut Transform)>()
             .with::<&Light>();
         for (_, transform) in lights.into_iter().filter(|(own, _)| own.0 == name) {
-            let pixel = lens.pitch * lens.homogeneous(lens.seen(transform.position)).z.abs();
-            let step = 10.0_f64.powf(pixel.log10().floor());
-            let moved = transform.position + way * pixel;
-            let rounded = DVec3::from(
-                moved
-                    .to_array()
-                    .map(|it| (it / step).round() / step.recip()),
-            );
-            let is_allowed = rounded
-                .to_array()
-                .iter()
-                .all(|it| range::COORDINATE.contains(it));
-            if is_allowed {
-                transform.position = rounded;
-            }
+            transform.position = rounded.into();
         }
+        moved
     }
 
     /// Draws n, o, and l and r of each place with lights, from the probed pixel at `at`, as they lie across the view.

@@ -4,6 +4,7 @@ use egui::{
     Align2, Color32, CursorIcon, Event, FontId, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2,
     vec2,
 };
+use glam::DVec3;
 
 use super::app::App;
 use super::lights::Marker;
@@ -27,9 +28,10 @@ pub enum Grab {
     Nothing,
     Camera,
     Divider,
-    /// The light of this name.
-    Light(String),
-    Magnified,
+    /// A light, by its name and its place before that is rounded.
+    Light(String, DVec3),
+    /// The magnified picture, by its place before the drag and the pixels of the window since.
+    Magnified(Magnifier, Vec2),
 }
 
 impl App {
@@ -86,7 +88,7 @@ impl App {
             _ if self.desk.grab == Grab::Divider => CursorIcon::ResizeHorizontal,
             _ if is_dragged => CursorIcon::Grabbing,
             Grab::Divider => CursorIcon::ResizeHorizontal,
-            Grab::Light(_) => CursorIcon::Grab,
+            Grab::Light(..) => CursorIcon::Grab,
             _ => CursorIcon::Crosshair,
         }
     }
@@ -95,9 +97,9 @@ impl App {
     fn grab(&self, at: Pos2, markers: &[Marker], pans: bool) -> Grab {
         let marker = markers.iter().find(|marker| marker.is_caught(at));
         match marker {
-            Some(marker) => Grab::Light(marker.name.clone()),
+            Some(marker) => Grab::Light(marker.name.clone(), marker.position),
             None if self.divider().is_some_and(|x| (x - at.x).abs() < REACH) => Grab::Divider,
-            None if pans => Grab::Magnified,
+            None if pans => Grab::Magnified(self.magnifier(), Vec2::ZERO),
             None => Grab::Camera,
         }
     }
@@ -122,11 +124,14 @@ impl App {
                 let divider = column.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
                 self.set_look(Show { divider, ..show });
             }
-            Grab::Light(name) => self.drag_light(&name, pixels, in_depth),
-            Grab::Magnified => {
-                let by = by * self.scale();
-                let panned = magnifier.panned([by.x as i32, by.y as i32], size);
-                self.set_look(panned);
+            Grab::Light(name, place) => {
+                let place = self.drag_light(&name, place, pixels, in_depth);
+                self.desk.grab = Grab::Light(name, place);
+            }
+            Grab::Magnified(from, before) => {
+                let by = before + by * self.scale();
+                self.set_look(from.panned([by.x as i32, by.y as i32], size));
+                self.desk.grab = Grab::Magnified(from, by);
             }
         }
     }

@@ -6,3 +6,4 @@ pub mod random_scene;
 pub mod scene;
 #[cfg(unix)]
 pub mod signal;
+pub mod window;

@@ -1,3 +1,199 @@
-//! The window without a display.
+//! The window without a display: events go into `App::step`; components, files, messages and pixels come of it.
 
+mod facts;
+mod files;
+mod history;
+mod keys;
+mod mouse;
 mod recording;
+mod storms;
+mod widgets;
+
+use std::time::Duration;
+
+use egui::{
+    Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, RawInput, TouchPhase, vec2,
+};
+use fearless_simd::Level;
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::window::app::{App, Output};
+use tempfile::TempDir;
+
+use super::support::window::{app, default_scene};
+
+/// There is room for the panel, the inspector and a small picture.
+const SIZE: [usize; 2] = [900, 600];
+/// The time between two steps.
+const FRAME: Duration = Duration::from_millis(20);
+/// A change after this time is another step of the history.
+const PAUSE: Duration = Duration::from_secs(2);
+
+/// A window, its clock, and the folder that it saves into.
+struct Window {
+    app: App,
+    size: [usize; 2],
+    now: Duration,
+    modifiers: Modifiers,
+    output: Output,
+    folder: TempDir,
+}
+
+impl Window {
+    fn open() -> Self {
+        Window::of(default_scene(), SIZE)
+    }
+
+    fn of(scene: Scene, size: [usize; 2]) -> Self {
+        Window::with(app(scene, size, Level::new()), size)
+    }
+
+    fn with(mut app: App, size: [usize; 2]) -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        app.folder = folder.path().to_path_buf();
+        let step = |app: &mut App| app.step(Duration::ZERO, size, RawInput::default());
+        // Widgets have their sizes after the first pass.
+        step(&mut app).expect("a small picture fits");
+        let output = step(&mut app).expect("a small picture fits");
+        Window {
+            app,
+            size,
+            now: Duration::ZERO,
+            modifiers: Modifiers::NONE,
+            output,
+            folder,
+        }
+    }
+
+    fn step(&mut self, events: Vec<Event>) {
+        self.now += FRAME;
+        let input = RawInput {
+            modifiers: self.modifiers,
+            events,
+            ..RawInput::default()
+        };
+        let output = self.app.step(self.now, self.size, input);
+        self.output = output.expect("the picture fits");
+    }
+
+    /// A step after a time in which nothing happens.
+    fn wait(&mut self, time: Duration) {
+        self.now += time;
+        self.step(Vec::new());
+    }
+
+    fn key_event(&self, key: Key, pressed: bool) -> Event {
+        Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers: self.modifiers,
+        }
+    }
+
+    fn key(&mut self, key: Key, pressed: bool) {
+        self.step(vec![self.key_event(key, pressed)]);
+    }
+
+    fn press(&mut self, key: Key) {
+        self.key(key, true);
+        self.key(key, false);
+    }
+
+    fn press_with(&mut self, modifiers: Modifiers, key: Key) {
+        self.modifiers = modifiers;
+        self.press(key);
+        self.modifiers = Modifiers::NONE;
+    }
+
+    fn undo(&mut self) {
+        self.press_with(Modifiers::COMMAND, Key::Z);
+    }
+
+    fn redo(&mut self) {
+        self.press_with(Modifiers::COMMAND, Key::Y);
+    }
+
+    fn button(&mut self, pos: Pos2, pressed: bool) {
+        let modifiers = self.modifiers;
+        self.step(vec![Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers,
+        }]);
+    }
+
+    fn point_at(&mut self, at: Pos2) {
+        self.step(vec![Event::PointerMoved(at)]);
+    }
+
+    fn click(&mut self, at: Pos2) {
+        self.point_at(at);
+        self.button(at, true);
+        self.button(at, false);
+    }
+
+    /// Drags in so many steps.
+    fn drag(&mut self, from: Pos2, to: Pos2, steps: usize) {
+        self.point_at(from);
+        self.button(from, true);
+        for step in 1..=steps {
+            self.point_at(from + (to - from) * (step as f32 / steps as f32));
+        }
+        self.button(to, false);
+    }
+
+    fn wheel(&mut self, at: Pos2, notches: f32) {
+        let modifiers = self.modifiers;
+        self.point_at(at);
+        self.step(vec![Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, notches),
+            phase: TouchPhase::Move,
+            modifiers,
+        }]);
+    }
+
+    /// Types, each character with its key as far as it has one.
+    fn enter(&mut self, text: &str) {
+        for character in text.chars() {
+            let key = Key::from_name(&character.to_uppercase().to_string());
+            let [press, release] =
+                [true, false].map(|pressed| key.map(|key| self.key_event(key, pressed)));
+            let text = Some(Event::Text(character.to_string()));
+            self.step([press, text, release].into_iter().flatten().collect());
+        }
+    }
+
+    fn record(&self) -> SceneRecord {
+        SceneRecord::of(&self.app.scene.world)
+    }
+
+    /// The message in the status line.
+    fn message(&self) -> &str {
+        let message = self.app.desk.message.as_ref();
+        message.map_or("", |message| &message.text)
+    }
+
+    /// The names of the files that were saved, in order.
+    fn files(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.folder.path()).expect("the folder is there");
+        let names = entries.map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = names
+            .map(|name| name.to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// The pixels of the picture's place in the window.
+    fn seen(&self) -> Vec<u32> {
+        let [left, top] = [self.app.place.min.x, self.app.place.min.y].map(|it| it as usize);
+        let [width, height] = self.app.picture_size();
+        let rows = self.app.pixels().chunks_exact(self.size[0]);
+        let rows = rows.skip(top).take(height);
+        let pixels = rows.flat_map(|row| &row[left..left + width]);
+        pixels.map(|pixel| pixel & 0x00ff_ffff).collect()
+    }
+}

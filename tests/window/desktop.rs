@@ -6,14 +6,16 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use image::RgbImage;
-use shadetrade::canvas::Point;
 use tempfile::TempDir;
+
+/// A place in the window, in pixels.
+pub type Point = [i32; 2];
 
 /// How long anything may take before it counts as failed.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Width and height of a display, in pixels.
-pub const SCREEN: (u32, u32) = (3840, 2160);
+const SCREEN: (u32, u32) = (3840, 2160);
 
 /// An X server without a screen to look at.
 struct Display {
@@ -95,7 +97,7 @@ impl Program {
         until("the window is there", || {
             let found = program.display.run(
                 "xdotool",
-                &["search", "--onlyvisible", "--name", "^shadetrade"],
+                &["search", "--onlyvisible", "--name", "shadetrade"],
             );
             let found = String::from_utf8_lossy(&found);
             found
@@ -134,6 +136,18 @@ impl Program {
         self.xdotool(&["mousedown", "1"]);
         // As long as a finger, and longer than a slow frame of a busy machine.
         sleep(Duration::from_millis(100));
+        self.xdotool(&["mouseup", "1"]);
+    }
+
+    /// Drags in small steps, as a hand does.
+    pub fn drag(&self, from: Point, [right, down]: Point) {
+        self.point_at(from);
+        self.xdotool(&["mousedown", "1"]);
+        for _ in 0..10 {
+            let [x, y] = [right / 10, down / 10].map(|step| step.to_string());
+            self.xdotool(&["mousemove_relative", "--sync", "--", &x, &y]);
+            sleep(Duration::from_millis(30));
+        }
         self.xdotool(&["mouseup", "1"]);
     }
 

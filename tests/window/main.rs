@@ -1,5 +1,5 @@
 //! The real window, opened on an Xvfb of its own and driven from outside: `cargo test --test window -- --ignored`.
-#![cfg(all(target_os = "linux", any()))] // Until the window is there again.
+#![cfg(target_os = "linux")]
 
 mod desktop;
 mod display;

@@ -280,12 +280,14 @@ impl App {
         }
         ui.horizontal(|ui| {
             ui.label("shininess");
+            let before = material.shininess;
             let slider = Slider::new(&mut material.shininess, range::SHININESS).logarithmic(true);
             let slider = slider
                 .smallest_positive(0.1)
                 .custom_formatter(format_number);
             ui.add(slider)
                 .on_hover_text("The exponent of the highlight, 0 to 1e6.");
+            keep_digits(before, &mut material.shininess);
         });
         ui.horizontal(|ui| {
             ui.label("shading");
@@ -379,13 +381,21 @@ impl Field {
     fn drag(&self, ui: &mut Ui, value: &mut f64) {
         let [least, most] =
             [self.range.start(), self.range.end()].map(|it| format_number(*it, 0..=0));
-        let speed = (value.abs() * 0.01).max(0.01);
+        let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
         let drag = DragValue::new(value).speed(speed).range(self.range.clone());
-        ui.add(drag.custom_formatter(format_number))
-            .on_hover_text(format!(
-                "{}.\nDrag it, or click and type a number, {least} to {most}.",
-                self.says
-            ));
+        let drag = ui.add(drag.custom_formatter(format_number));
+        drag.on_hover_text(format!(
+            "{}.\nDrag it, or click and type a number, {least} to {most}.",
+            self.says
+        ));
+        keep_digits(before, value);
+    }
+}
+
+/// Keeps the digits of a number that was only looked at: a widget writes back the digits that it shows.
+fn keep_digits(before: f64, value: &mut f64) {
+    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
+        *value = before;
     }
 }
 

@@ -1,68 +1,58 @@
-//! The window's state without a display, and where its rows stand.
+//! The window without a display, and the places of its widgets by their labels.
 
+use egui::accesskit::Role;
+use egui::{Pos2, UiBuilder};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
-use shadetrade::canvas::{Point, Rect};
-use shadetrade::components::Projection;
 use shadetrade::drawing::Drawing;
 use shadetrade::scene::Scene;
-use shadetrade::window::bindings::Action;
-use shadetrade::window::hud::board::Board;
-use shadetrade::window::hud::lines::{Command, Line};
-use shadetrade::window::hud::{Hud, Part};
-use shadetrade::window::session::Session;
+use shadetrade::window::{app::App, style};
 
-/// The size of the window in these tests, in pixels.
-pub const SIZE: [usize; 2] = [960, 720];
-
-/// The sizes of windows that are common, in pixels.
-pub const COMMON: [[usize; 2]; 3] = [[640, 480], [960, 720], [1920, 1080]];
-
-/// The window as it opens on `scene`.
-pub fn session_of(scene: Scene) -> Session {
-    Session::new(drawing(scene))
+/// The built-in default scene.
+pub fn default_scene() -> Scene {
+    Scene::load(None).expect("the built-in scene is valid")
 }
 
-pub fn drawing(scene: Scene) -> Drawing {
-    Drawing {
+/// The window on `scene`; questions about its picture are answered at once.
+pub fn app(scene: Scene, size: [usize; 2], level: Level) -> App {
+    let drawing = Drawing {
         scene,
-        camera: 0,
-        projection: Projection::Perspective,
-        shading: None,
-        tolerance: 0.5,
-        size: SIZE,
+        size,
         threads: 1,
-        level: Level::new(),
-    }
+        level,
+    };
+    let mut app = App::new(drawing, false).expect("one thread is always there");
+    app.shows_times = false;
+    app
 }
 
-/// The window as it opens on the default scene.
-pub fn default_session() -> Session {
-    session_of(Scene::load(None).expect("the built-in scene is valid"))
+/// The widgets of a window of `size`, laid out as in the window itself.
+pub fn widgets(app: App, size: [usize; 2]) -> Harness<'static, App> {
+    let builder = Harness::builder().with_size(size.map(|side| side as f32));
+    let mut harness = builder.build_ui_state(
+        |ui, app: &mut App| {
+            style::apply(ui.ctx());
+            let all = UiBuilder::new().max_rect(ui.ctx().content_rect());
+            ui.scope_builder(all, |ui| app.ui(ui));
+        },
+        app,
+    );
+    harness.run_ok();
+    harness
 }
 
-pub fn hud(session: &Session, size: [usize; 2]) -> Hud {
-    Hud::new(session, size)
-}
-
-/// The first board of this kind.
-pub fn board(hud: &Hud, part: Part) -> &Board {
-    hud.boards(part).next().expect("there is room")
-}
-
-pub fn commands(hud: &Hud, part: Part) -> Vec<(&Command, Rect)> {
-    hud.boards(part)
-        .flat_map(|board| &board.rows)
-        .filter_map(|(line, rect)| match line {
-            Line::Command(command) => Some((command, *rect)),
-            _ => None,
-        })
-        .collect()
-}
-
-/// A place where a click does `action`, among the rows of `part`.
-pub fn place_of(hud: &Hud, part: Part, action: Action) -> Option<Point> {
-    let rows = commands(hud, part).into_iter();
-    let mut points =
-        rows.flat_map(|(_, row)| (row.x..row.right()).map(move |x| [x, row.y + row.height / 2]));
-    points.find(|point| hud.action_at(*point) == Some(action))
+/// The middle of each widget of this label, without the key beside it.
+pub fn places(harness: &Harness<App>, label: &str) -> Vec<Pos2> {
+    let is_named = |own: &str| {
+        own.strip_prefix(label)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+    };
+    let all = harness.query_all_by(|node| node.role() != Role::Label);
+    let named = all.filter(|node| {
+        node.accesskit_node()
+            .label()
+            .is_some_and(|own| is_named(&own))
+    });
+    named.map(|node| node.rect().center()).collect()
 }

@@ -1,0 +1,208 @@
+//! Answers about the picture: they are those of the picture that is shown, and old ones are known to be old.
+
+use egui::{Key, Pos2};
+use fearless_simd::Level;
+use shadetrade::components::{Inspector, ShadingMode, Tab, View};
+use shadetrade::frame::Keep;
+use shadetrade::scene::Scene;
+use shadetrade::window::comparison::Comparison;
+use shadetrade::window::jobs::State;
+
+use super::{PAUSE, Window};
+use crate::support::scene::draw;
+use crate::support::window::default_scene;
+
+/// A window so small that everything is computed in no time.
+const SMALL: [usize; 2] = [130, 100];
+
+/// What a comparison of the present picture says, computed anew.
+fn compared(window: &Window) -> Comparison {
+    let mut world = window.app.state.spawn();
+    let view = View::of(&world, window.app.picture_size());
+    let comparison = Comparison::of(&mut world, &view, Level::new(), &|| false);
+    comparison
+        .expect("a small picture fits")
+        .expect("nobody cancels")
+}
+
+#[test]
+fn picture_and_numbers_are_those_of_the_scene_that_is_shown() {
+    let mut window = Window::of(default_scene(), SMALL);
+    window.press(Key::F5);
+    for key in [
+        Key::P,
+        Key::W,
+        Key::O,
+        Key::CloseBracket,
+        Key::CloseBracket,
+        Key::ArrowLeft,
+        Key::Plus,
+        Key::C,
+        Key::Home,
+        Key::G,
+    ] {
+        window.press(key);
+        let comparison = window.app.facts.comparison.current().expect("an answer");
+        let fresh = compared(&window);
+        assert_eq!(comparison.error, fresh.error, "{key:?}");
+        assert!(comparison.exact == fresh.exact, "{key:?}");
+        let mut world = window.app.state.spawn();
+        let view = View::of(&world, window.app.picture_size());
+        let frame = draw(&mut world, &view, Keep::Display);
+        assert!(window.app.pictures.frame() == frame.pixels(), "{key:?}");
+    }
+}
+
+#[test]
+fn every_answer_is_old_after_a_change_of_the_picture_and_only_then() {
+    let mut window = Window::of(default_scene(), SMALL);
+    window.press(Key::P);
+    // The inspector lies over the small picture.
+    window.click(window.app.place.center());
+    window.press(Key::N);
+    for key in [Key::F5, Key::Escape] {
+        window.press(key);
+    }
+    let states = |window: &Window| {
+        let facts = &window.app.facts;
+        [
+            &facts.probe.state,
+            &facts.comparison.state,
+            &facts.required.state,
+        ]
+        .map(Clone::clone)
+    };
+    window.step(Vec::new());
+    assert_eq!(states(&window), [const { State::Done }; 3]);
+    for key in [
+        Key::F2,
+        Key::F6,
+        Key::Z,
+        Key::X,
+        Key::H,
+        Key::H,
+        Key::I,
+        Key::I,
+    ] {
+        window.press(key);
+        assert_eq!(
+            states(&window),
+            [const { State::Done }; 3],
+            "{key:?} changes no picture"
+        );
+    }
+    window.app.set_look(Inspector(None));
+    window.press(Key::F2);
+    for key in [
+        Key::W,
+        Key::G,
+        Key::O,
+        Key::ArrowLeft,
+        Key::C,
+        Key::OpenBracket,
+    ] {
+        let facts = &mut window.app.facts;
+        facts.comparison.state = State::Done;
+        facts.required.state = State::Done;
+        window.press(key);
+        let facts = &window.app.facts;
+        assert_eq!(facts.comparison.state, State::Idle, "{key:?}");
+        assert_eq!(facts.required.state, State::Idle, "{key:?}");
+        assert!(facts.comparison.current().is_none() && facts.comparison.value.is_some());
+    }
+    let facts = &mut window.app.facts;
+    facts.comparison.state = State::Done;
+    window.size = [140, 90];
+    window.step(Vec::new());
+    assert_eq!(
+        window.app.facts.comparison.state,
+        State::Idle,
+        "another size"
+    );
+    assert_eq!(window.app.pixels().len(), 140 * 90);
+}
+
+#[test]
+fn a_probed_pixel_outside_of_a_smaller_window_is_not_asked_for() {
+    let mut window = Window::of(default_scene(), [300, 200]);
+    window.click(Pos2::new(250.0, 150.0));
+    let pixel = window.record().view.pixel;
+    assert!(pixel.is_some());
+    window.size = [60, 50];
+    window.wait(PAUSE);
+    assert_eq!(window.app.facts.probe.state, State::Idle);
+    window.size = [300, 200];
+    window.wait(PAUSE);
+    let probed = window.app.facts.probe.current().expect("an answer");
+    assert_eq!(Some(probed.probe.pixel), pixel);
+}
+
+#[test]
+fn a_part_is_left_out_and_comes_back() {
+    let mut window = Window::of(default_scene(), SMALL);
+    window.press(Key::P);
+    window.press(Key::N);
+    let whole = window.app.pictures.frame().to_vec();
+    let parts = window
+        .app
+        .facts
+        .required
+        .current()
+        .expect("an answer")
+        .clone();
+    assert!(
+        parts.iter().any(|it| it.name.contains("red")),
+        "a light is a part"
+    );
+    let most = parts.first().expect("a part");
+    assert!(most.change.most() >= parts.last().expect("a part").change.most());
+    window.app.desk.left_out = Some(most.part);
+    window.press(Key::Escape);
+    window.app.desk.left_out = Some(most.part);
+    window.step(Vec::new());
+    let without = window
+        .app
+        .facts
+        .without
+        .current()
+        .expect("an answer")
+        .clone();
+    assert_ne!(without, whole);
+    assert!(window.seen() == without);
+    window.press(Key::Escape);
+    assert!(window.seen() == whole);
+}
+
+#[test]
+fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
+    let mut window = Window::of(default_scene(), [1000, 120]);
+    window.app.set_look(Inspector(Some(Tab::Proof)));
+    window.wait(PAUSE);
+    window.wait(PAUSE);
+    let proof = window.app.facts.proof.current().expect("an answer");
+    let [width, height] = window.app.picture_size();
+    assert_eq!(proof.refuted, 0);
+    assert_eq!(proof.proven + proof.undecided, (width * height) as u64);
+    window.press(Key::W);
+    let again = window.app.facts.proof.current().expect("the tab is open");
+    assert_eq!(again.refuted, 0);
+}
+
+#[test]
+fn modes_that_differ_are_mixed_and_a_key_makes_them_one() {
+    let mut scene = default_scene();
+    let mut record = shadetrade::scene::SceneRecord::of(&scene.world);
+    record.cuboid.push(shadetrade::scene::CuboidRecord::new(
+        "other",
+        [1.0; 3],
+        [3.0, 0.0, 0.0],
+    ));
+    record.cuboid[0].shading = ShadingMode::Gouraud;
+    scene = Scene::spawn(scene.name, &record);
+    let mut window = Window::of(scene, SMALL);
+    assert_eq!(window.app.shading(), None);
+    window.press(Key::P);
+    assert_eq!(window.app.shading(), Some(ShadingMode::Phong));
+    window.press(Key::F);
+    assert_eq!(window.record().cuboid, record.cuboid);
+}

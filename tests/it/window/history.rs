@@ -1,0 +1,189 @@
+//! Undo and redo: everything comes back bit for bit, with a name, and within a bounded memory.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::{Key, Modifiers};
+use shadetrade::components::LightKind;
+use shadetrade::components::Spin;
+use shadetrade::scene::{LightRecord, SceneRecord};
+use shadetrade::window::history::History;
+
+use super::{PAUSE, Window};
+use crate::support::window::default_scene;
+
+/// A key that changes something, and a word of the change's name.
+const CHANGES: [(Key, &str); 11] = [
+    (Key::W, "white"),
+    (Key::Num2, "red"),
+    (Key::P, "emerald"),
+    (Key::O, "projection"),
+    (Key::CloseBracket, "tolerance"),
+    (Key::ArrowLeft, "orbit"),
+    (Key::Plus, "orbit"),
+    (Key::F5, "show"),
+    (Key::F4, "show"),
+    (Key::Z, "magnifier"),
+    (Key::C, "camera"),
+];
+
+#[test]
+fn each_change_is_taken_back_and_made_again_by_name() {
+    for (key, word) in CHANGES {
+        // A second after the change, and at once.
+        for pause in [PAUSE, Duration::ZERO] {
+            let mut window = Window::open();
+            let before = (window.record(), window.seen());
+            window.press(key);
+            window.wait(pause);
+            let after = (window.record(), window.seen());
+            assert_ne!(after.0, before.0, "{key:?}");
+            for _ in 0..2 {
+                window.undo();
+                assert!(
+                    (window.record(), window.seen()) == before,
+                    "{key:?} is undone"
+                );
+                assert!(window.message().starts_with("undo: ") && window.message().contains(word));
+                window.redo();
+                assert!(
+                    (window.record(), window.seen()) == after,
+                    "{key:?} is redone"
+                );
+                assert!(window.message().starts_with("redo: ") && window.message().contains(word));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_chain_of_changes_is_walked_back_and_forth() {
+    for pause in [PAUSE, Duration::ZERO] {
+        let mut window = Window::open();
+        let mut records = vec![window.record()];
+        let changes = CHANGES.into_iter().map(|(key, _)| key).chain([Key::E]);
+        for key in changes.filter(|key| *key != Key::F4) {
+            window.press(key);
+            window.wait(pause);
+            records.push(window.record());
+        }
+        if pause.is_zero() {
+            // The orbit went on within a second: arrow and zoom are one step.
+            records.remove(6);
+        }
+        for _ in 0..2 {
+            for record in records.iter().rev().skip(1) {
+                window.undo();
+                assert_eq!(window.record(), *record);
+            }
+            window.undo();
+            assert_eq!(window.message(), "nothing to undo");
+            for record in &records[1..] {
+                window.press_with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+                assert_eq!(window.record(), *record);
+            }
+            window.redo();
+            assert_eq!(window.message(), "nothing to redo");
+        }
+    }
+}
+
+#[test]
+fn a_new_change_ends_what_could_be_redone() {
+    let mut window = Window::open();
+    window.press(Key::W);
+    window.wait(PAUSE);
+    window.undo();
+    window.press(Key::P);
+    let after = window.record();
+    window.redo();
+    assert_eq!(window.record(), after);
+    window.undo();
+    assert_eq!(window.record(), SceneRecord::of(&default_scene().world));
+}
+
+#[test]
+fn changes_of_one_thing_within_a_second_are_one_step() {
+    let mut window = Window::open();
+    let start = window.record();
+    (0..5).for_each(|_| window.press(Key::ArrowLeft));
+    let five = window.record();
+    // Nothing happens in between, so no step is taken either.
+    window.now += PAUSE;
+    (0..3).for_each(|_| window.press(Key::ArrowLeft));
+    window.undo();
+    assert_eq!(window.record(), five);
+    window.undo();
+    assert_eq!(window.record(), start);
+    window.redo();
+    assert_eq!(window.record(), five);
+    // A slow drag is one step too.
+    window.wait(PAUSE);
+    let at = window.app.place.center();
+    window.drag(at, at + egui::vec2(90.0, 30.0), 200);
+    window.wait(PAUSE);
+    window.undo();
+    assert_eq!(window.record(), five);
+}
+
+#[test]
+fn what_was_switched_twice_long_apart_is_two_steps() {
+    let mut window = Window::open();
+    let start = window.record();
+    window.press(Key::W);
+    let off = window.record();
+    window.now += PAUSE;
+    window.press(Key::W);
+    window.now += PAUSE;
+    window.undo();
+    assert_eq!(window.record(), off);
+    window.undo();
+    assert_eq!(window.record(), start);
+}
+
+#[test]
+fn undo_stops_the_rotation_and_turns_back() {
+    let mut window = Window::open();
+    let start = window.record();
+    window.press(Key::Space);
+    (0..20).for_each(|_| window.wait(PAUSE / 50));
+    assert!(window.record().view.turned > 0);
+    window.undo();
+    window.wait(PAUSE);
+    assert_eq!(window.record(), start);
+    assert!(!window.app.look::<Spin>().on);
+}
+
+/// How many steps can be undone after so many edits of a scene, two seconds apart.
+fn steps_after(edits: u32, record: &SceneRecord) -> usize {
+    let mut present = Arc::new(record.clone());
+    let mut history = History::new(&present);
+    for edit in 1..=edits {
+        let mut next = record.clone();
+        next.background.x = f64::from(edit % 250);
+        let next = Arc::new(next);
+        history.note(PAUSE * edit, &present, &next);
+        history.feed(PAUSE * edit + PAUSE / 2, &next);
+        present = next;
+    }
+    let mut steps = 0;
+    while let Some((before, label)) = history.undo(&present) {
+        assert!(label.contains("background"), "{label}");
+        present = Arc::new(before);
+        steps += 1;
+    }
+    steps
+}
+
+#[test]
+fn ten_thousand_edits_keep_no_more_states_than_the_memory_allows() {
+    let record = SceneRecord::of(&default_scene().world);
+    let steps = steps_after(10_000, &record);
+    assert!((400..=500).contains(&steps), "{steps}");
+    // 64 MiB in states of 512 bytes an entity.
+    let mut large = record;
+    let light = LightRecord::new("light", LightKind::Diffuse, 1.0, [0.0; 3]);
+    large.light = vec![light; 10_000];
+    let steps = steps_after(40, &large);
+    assert!((8..=13).contains(&steps), "{steps}");
+}

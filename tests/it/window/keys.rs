@@ -1,0 +1,245 @@
+//! Every key of the table, by its command.
+
+use egui::{Key, Modifiers, Pos2};
+use shadetrade::components::{
+    Inspector, Magnifier, Orbit, Projection, ShadingMode, Side, Spin, Tab, ViewMode,
+};
+use shadetrade::scene::SceneRecord;
+use shadetrade::window::keys::{BINDINGS, Command};
+
+use super::{PAUSE, SIZE, Window};
+use crate::support::window::{app, default_scene, places, widgets};
+
+/// Brings the window into a state in which the command does something.
+fn prepare(window: &mut Window, command: Command) {
+    match command {
+        Command::Shading(ShadingMode::Gouraud) | Command::FileShading | Command::Undo => {
+            window.press(Key::P);
+        }
+        Command::View(ViewMode::Picture) => window.press(Key::F5),
+        Command::Magnify(-1) => window.press(Key::Z),
+        Command::ResetView => [Key::ArrowLeft, Key::Minus, Key::Z]
+            .map(|key| window.press(key))
+            .into_iter()
+            .collect(),
+        Command::Redo => {
+            window.press(Key::P);
+            window.undo();
+        }
+        Command::Close => window.press(Key::H),
+        _ => {}
+    }
+    window.wait(PAUSE);
+}
+
+/// The record after the command, as its words and the format of scenes have it.
+fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
+    let mut record = before.clone();
+    let view = &mut record.view;
+    let lights = ["white", "red", "specular", "ambient"];
+    let mut switch = |index: usize| {
+        if let Some(light) = record.light.get_mut(index) {
+            light.on ^= true;
+        }
+    };
+    match command {
+        Command::Light(index) => switch(index),
+        Command::LightNamed(name) => {
+            switch(lights.iter().position(|own| *own == name).expect("a light"))
+        }
+        Command::Shading(mode) => record.cuboid[0].shading = mode,
+        Command::FileShading | Command::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
+        Command::Redo => record.cuboid[0].shading = ShadingMode::Phong,
+        Command::Tolerance(way) => {
+            view.tolerance = if way > 0 { 1.0 } else { 0.25 };
+            view.sides = sides(view.tolerance);
+        }
+        Command::NextProjection => view.projection = Projection::Orthographic,
+        Command::NextCamera => view.camera = Some("2".to_owned()),
+        Command::View(mode) => view.show = mode,
+        Command::WipeExact => {
+            view.show = ViewMode::Wipe;
+            view.sides = [Side::Picture, Side::Reference];
+        }
+        Command::Magnify(way) => view.magnifier.scale = if way > 0 { 2 } else { 1 },
+        Command::Orbit(right, up) => {
+            record.camera[0].orbit.azimuth = right;
+            record.camera[0].orbit.elevation = up;
+        }
+        Command::Zoom(steps) => record.camera[0].orbit.zoom = 1.1_f64.powi(-steps),
+        Command::ResetView => {
+            record.camera[0].orbit = Orbit::default();
+            view.magnifier = Magnifier::default();
+        }
+        Command::Tab(tab) => view.inspector = Some(tab),
+        _ => {}
+    }
+    record
+}
+
+fn sides(tolerance: f64) -> [Side; 2] {
+    [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method { mode, tolerance })
+}
+
+#[test]
+fn every_key_does_what_its_words_say() {
+    for binding in BINDINGS {
+        for (modifiers, key) in binding.keys {
+            let (command, mut window) = (binding.command, Window::open());
+            prepare(&mut window, command);
+            let before = window.record();
+            let measured = window.app.desk.measures;
+            window.modifiers = *modifiers;
+            window.key(*key, true);
+            assert_eq!(
+                window.app.desk.shows_exact,
+                command == Command::ShowExact,
+                "{key:?}"
+            );
+            window.key(*key, false);
+            assert!(!window.app.desk.shows_exact, "{key:?}");
+            let (mut after, wanted) = (window.record(), expected(command, &before));
+            // The corner follows the middle.
+            after.view.magnifier.corner = wanted.view.magnifier.corner;
+            assert_eq!(after, wanted, "{key:?}, {}", binding.says);
+            let desk = &window.app.desk;
+            assert_eq!(desk.help, command == Command::Help, "{key:?}");
+            assert_eq!(desk.panel_folded, command == Command::Panel, "{key:?}");
+            assert_eq!(
+                desk.measures != measured,
+                command == Command::Measure,
+                "{key:?}"
+            );
+            assert_eq!(
+                window.app.look::<Spin>().on,
+                command == Command::Rotate,
+                "{key:?}"
+            );
+            assert_eq!(window.app.quits, command == Command::Quit, "{key:?}");
+            let saved = match command {
+                Command::Save | Command::SaveAs => vec!["cuboid.toml"],
+                Command::Screenshot { .. } => vec!["shadetrade-001.png"],
+                _ => Vec::new(),
+            };
+            assert_eq!(window.files(), saved, "{key:?}");
+        }
+    }
+}
+
+#[test]
+fn a_key_that_can_do_nothing_says_so() {
+    let mut window = Window::open();
+    for (key, times) in [
+        (Key::Num9, 1),
+        (Key::Z, 8),
+        (Key::X, 8),
+        (Key::OpenBracket, 9),
+        (Key::ArrowUp, 60),
+        (Key::Plus, 60),
+        (Key::Escape, 3),
+    ] {
+        (0..times).for_each(|_| window.press(key));
+        let before = window.record();
+        window.app.desk.message = None;
+        window.press(key);
+        assert_eq!(window.record(), before, "{key:?}");
+        assert!(!window.message().is_empty(), "{key:?}");
+    }
+    window.undo();
+    (0..20).for_each(|_| window.undo());
+    assert_eq!(window.message(), "nothing to undo");
+}
+
+#[test]
+fn keys_write_into_a_field_that_has_the_focus_and_do_nothing_else() {
+    let places = fields();
+    let mut window = Window::open();
+    window.click(places);
+    let before = window.record();
+    window.enter("wrsagpfmco=-bzxehniq1 23?[]");
+    for key in [Key::Home, Key::ArrowLeft, Key::PageUp, Key::Space] {
+        window.press(key);
+    }
+    assert_eq!(window.record(), before);
+    assert_eq!(window.app.desk.path, "wrsagpfmco=-bzxehniq1 23?[]");
+    let desk = &window.app.desk;
+    assert!(!desk.help && !desk.panel_folded && !desk.shows_exact && !window.app.quits);
+    // Keys that no field has a use for.
+    window.press(Key::F6);
+    assert_eq!(window.record().view.show, ViewMode::Tiles);
+    window.press_with(Modifiers::COMMAND, Key::S);
+    assert_eq!(window.files(), ["cuboid.toml"], "{}", window.message());
+    window.press(Key::Escape);
+    window.press(Key::P);
+    assert_eq!(window.record().cuboid[0].shading, ShadingMode::Phong);
+}
+
+/// The field of the scene's path.
+fn fields() -> Pos2 {
+    use egui_kittest::kittest::Queryable;
+    let app = app(default_scene(), SIZE, fearless_simd::Level::new());
+    let harness = widgets(app, SIZE);
+    let open = places(&harness, "open")[0];
+    let fields = harness.query_all_by_role(egui::accesskit::Role::TextInput);
+    let places = fields.map(|field| field.rect().center());
+    places
+        .min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)))
+        .expect("a field")
+}
+
+#[test]
+fn the_key_that_opens_the_scenes_tab_closes_it() {
+    let mut window = Window::open();
+    for open in [Some(Tab::Scene), None, Some(Tab::Scene)] {
+        window.press(Key::E);
+        assert_eq!(window.app.look::<Inspector>(), Inspector(open));
+    }
+    window.press(Key::N);
+    assert_eq!(
+        window.app.look::<Inspector>(),
+        Inspector(Some(Tab::Required))
+    );
+}
+
+#[test]
+fn escape_closes_one_thing_that_is_seen_at_a_time() {
+    for size in [SIZE, [500, 400]] {
+        let mut window = Window::of(default_scene(), size);
+        window.click(window.app.place.center());
+        window.press(Key::H);
+        for _ in 0..4 {
+            window.point_at(Pos2::ZERO);
+            let (before, help) = (window.app.pixels().to_vec(), window.app.desk.help);
+            let opened = window.app.desk.message.is_some();
+            window.press(Key::Escape);
+            if window.message() == "Q quits" {
+                break;
+            }
+            assert!(
+                window.app.pixels() != before,
+                "{size:?}: help {help}, message {opened}"
+            );
+        }
+        assert_eq!(window.message(), "Q quits", "{size:?}");
+        assert_eq!(window.app.look::<Inspector>(), Inspector(None));
+    }
+}
+
+#[test]
+fn the_keys_of_panel_and_scene_show_and_hide_in_a_narrow_window_too() {
+    let mut window = Window::of(default_scene(), [400, 300]);
+    let folded = window.app.pixels().to_vec();
+    for key in [Key::I, Key::E] {
+        window.press(key);
+        assert!(window.app.pixels() != folded, "{key:?} opens");
+        window.press(key);
+        assert!(window.app.pixels() == folded, "{key:?} closes");
+        window.press(key);
+        window.press(Key::Escape);
+        assert!(window.app.pixels() == folded, "Escape closes {key:?}");
+        window.press(key);
+        assert!(window.app.pixels() != folded, "{key:?} opens again");
+        window.press(key);
+        assert!(window.app.pixels() == folded, "{key:?} closes again");
+    }
+}

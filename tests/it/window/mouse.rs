@@ -1,0 +1,341 @@
+//! Clicks, drags and the wheel over the picture, and what is shown there.
+
+use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, vec2};
+use shadetrade::components::LightKind;
+use shadetrade::components::{
+    Inspector, Light, Magnifier, Probed, ShadingMode, Show, Spin, Tab, Transform, ViewMode,
+};
+use shadetrade::scene::{LightRecord, Scene, SceneRecord};
+use shadetrade::window::inspector::Kind;
+use shadetrade::window::lights::Marker;
+
+use super::{PAUSE, SIZE, Window};
+use crate::support::window::default_scene;
+
+/// A window on the default scene with a light in sight beside the cuboid.
+fn with_light_in_sight() -> Window {
+    let mut record = SceneRecord::of(&default_scene().world);
+    let light = LightRecord::new("near", LightKind::Diffuse, 50.0, [0.0, 2.0, 1.0]);
+    record.light.push(light);
+    Window::of(Scene::spawn("lit".to_owned(), &record), SIZE)
+}
+
+/// The middle of the places where a press catches a marker, as an average.
+fn middle(marker: &Marker, area: Rect) -> Pos2 {
+    let [mut sum, mut count] = [vec2(0.0, 0.0), vec2(0.0, 0.0)];
+    for x in area.min.x as i32..area.max.x as i32 {
+        for y in area.min.y as i32..area.max.y as i32 {
+            let at = Pos2::new(x as f32, y as f32);
+            if marker.is_caught(at) {
+                sum += at.to_vec2();
+                count += vec2(1.0, 1.0);
+            }
+        }
+    }
+    assert!(count.x > 0.0, "{} cannot be caught", marker.name);
+    (sum / count).to_pos2()
+}
+
+fn place_of(window: &Window, name: &str) -> Pos2 {
+    let markers = window.app.markers();
+    let marker = markers.iter().find(|marker| marker.name == name);
+    middle(marker.expect("a marker"), window.app.place)
+}
+
+#[test]
+fn each_notch_of_the_wheel_is_a_step_and_as_many_back_undo_them_bit_for_bit() {
+    let mut window = Window::open();
+    let at = window.app.place.center();
+    let start = (window.record(), window.seen());
+    for notches in [1.0_f32, 7.0, -3.0] {
+        let zoom = |window: &Window| window.record().camera[0].orbit.zoom;
+        (0..notches.abs() as usize).for_each(|_| window.wheel(at, notches.signum()));
+        let one_by_one = zoom(&window);
+        let factor = 1.1_f64.powf(-f64::from(notches));
+        assert!((one_by_one / factor - 1.0).abs() < 1e-12, "{one_by_one}");
+        window.wheel(at, -notches);
+        assert!((window.record(), window.seen()) == start, "{notches}");
+        window.wheel(at, notches);
+        assert_eq!(zoom(&window), one_by_one, "all notches at once");
+        (0..notches.abs() as usize).for_each(|_| window.wheel(at, -notches.signum()));
+        assert!((window.record(), window.seen()) == start, "{notches}");
+    }
+    window.wheel(Pos2::new(40.0, 300.0), 3.0);
+    assert_eq!(window.record(), start.0, "over the panel");
+}
+
+#[test]
+fn a_click_probes_the_pixel_under_the_mouse_and_tells_the_bytes_that_are_shown() {
+    let mut window = Window::open();
+    window.press(Key::P);
+    // The first click makes room for the inspector.
+    window.click(window.app.place.center());
+    for way in [vec2(0.0, 0.0), vec2(31.0, -12.0), vec2(-40.0, 25.0)] {
+        let at = window.app.place.center() + way;
+        window.click(at);
+        let pixel = (at - window.app.place.min).to_pos2();
+        let [x, y] = [pixel.x as usize, pixel.y as usize];
+        assert_eq!(window.app.look::<Probed>(), Probed(Some([x, y])));
+        assert_eq!(window.app.look::<Inspector>(), Inspector(Some(Tab::Pixel)));
+        let probed = window.app.facts.probe.current().expect("an answer");
+        assert_eq!(probed.probe.object.as_deref(), Some("emerald"));
+        let surface = probed.probe.surface.as_ref().expect("a surface");
+        let [width, _] = window.app.picture_size();
+        let [_, drawn @ ..] = window.app.pictures.frame()[y * width + x].to_be_bytes();
+        assert_eq!(surface.phong.bytes, drawn);
+    }
+    window.click(window.app.place.min + vec2(3.0, 3.0));
+    let probed = window.app.facts.probe.current().expect("an answer");
+    assert_eq!(probed.probe.object, None, "background");
+}
+
+#[test]
+fn a_click_selects_in_the_scenes_tab() {
+    let mut window = with_light_in_sight();
+    window.press(Key::E);
+    window.step(Vec::new());
+    window.click(place_of(&window, "near"));
+    let selected = |window: &Window| window.app.desk.selected.clone();
+    assert_eq!(selected(&window), Some((Kind::Light, "near".to_owned())));
+    window.click(window.app.place.center());
+    assert_eq!(
+        selected(&window),
+        Some((Kind::Cuboid, "emerald".to_owned()))
+    );
+    assert_eq!(window.app.look::<Inspector>(), Inspector(Some(Tab::Scene)));
+}
+
+#[test]
+fn a_drag_turns_the_camera_as_far_in_one_step_as_in_many() {
+    let mut turned = Vec::new();
+    for steps in [1, 10] {
+        let mut window = Window::open();
+        let at = window.app.place.center();
+        window.drag(at, at + vec2(100.0, 50.0), steps);
+        let orbit = window.record().camera[0].orbit;
+        assert!(
+            orbit.azimuth < 0.0 && orbit.elevation > 0.0,
+            "the cuboid follows"
+        );
+        window.point_at(at);
+        assert_eq!(window.record().camera[0].orbit, orbit, "the button is up");
+        turned.push([orbit.azimuth, orbit.elevation]);
+    }
+    for axis in 0..2 {
+        assert!(
+            (turned[0][axis] - turned[1][axis]).abs() < 1e-3,
+            "{turned:?}"
+        );
+    }
+}
+
+#[test]
+fn every_light_with_a_place_has_a_marker_of_its_own_in_the_picture() {
+    let mut window = Window::open();
+    window.press(Key::E);
+    window.step(Vec::new());
+    // All three stand behind the eye, in one place.
+    let names = ["white", "red", "specular"];
+    let places = names.map(|name| place_of(&window, name));
+    for (index, place) in places.iter().enumerate() {
+        assert!(
+            places[..index]
+                .iter()
+                .all(|other| other.distance(*place) > 10.0),
+            "{places:?}"
+        );
+    }
+    assert_eq!(window.app.markers().len(), names.len());
+    let before = window.record();
+    window.drag(places[1], places[1] + vec2(-40.0, 20.0), 4);
+    let after = window.record();
+    assert_ne!(after.light[1].position, before.light[1].position);
+    assert_eq!(after.light[0], before.light[0]);
+}
+
+#[test]
+fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
+    for steps in [1, 3, 60] {
+        let mut window = with_light_in_sight();
+        window.press(Key::E);
+        window.step(Vec::new());
+        let (from, by) = (place_of(&window, "near"), vec2(60.0, 40.0));
+        // A drag begins after a few pixels.
+        window.point_at(from);
+        window.button(from, true);
+        for step in 0..=steps {
+            let share = step as f32 / steps as f32;
+            window.point_at(from + vec2(10.0, 0.0) * (1.0 - share) + by * share);
+        }
+        window.button(from + by, false);
+        let missed = place_of(&window, "near").distance(from + by);
+        assert!(missed < 3.0, "{missed} pixels in {steps} steps");
+        let position = window.record().light[4]
+            .position
+            .expect("a place")
+            .to_array();
+        for number in position {
+            assert!(format!("{number}").len() <= 6, "{position:?}");
+        }
+    }
+}
+
+#[test]
+fn the_magnifier_keeps_the_pixel_under_the_mouse_and_shows_squares() {
+    let mut window = Window::open();
+    let at = window.app.place.center() + vec2(33.0, 21.0);
+    let frame = window.app.pictures.frame().to_vec();
+    let [width, height] = window.app.picture_size();
+    window.modifiers = Modifiers::COMMAND;
+    for scale in [2, 4, 8] {
+        window.wheel(at, 1.0);
+        let magnifier = window.app.magnifier();
+        assert_eq!(magnifier.scale, scale);
+        let [x, y] = magnifier.corner;
+        let seen = window.seen();
+        for row in 0..height {
+            for column in 0..width {
+                let [from_x, from_y] = [x + column / scale, y + row / scale];
+                if from_x < width && from_y < height {
+                    assert_eq!(seen[row * width + column], frame[from_y * width + from_x]);
+                }
+            }
+        }
+        let place = (at - window.app.place.min) / scale as f32;
+        let pixel = [x + place.x as usize, y + place.y as usize];
+        let wanted = at - window.app.place.min;
+        assert_eq!(pixel, [wanted.x as usize, wanted.y as usize]);
+    }
+    window.wheel(at, -3.0);
+    assert_eq!(window.app.magnifier().scale, 1);
+}
+
+#[test]
+fn a_magnified_picture_is_moved_as_far_by_small_steps_as_by_a_large_one() {
+    let corners = [1, 5, 64].map(|steps| {
+        let mut window = Window::open();
+        (0..4).for_each(|_| window.press(Key::Z));
+        window.modifiers = Modifiers::COMMAND;
+        let from = window.app.place.center();
+        window.point_at(from);
+        window.button(from, true);
+        for step in 1..=steps {
+            window.point_at(from - vec2(64.0 * step as f32 / steps as f32, 0.0));
+        }
+        window.look_corner()
+    });
+    assert_eq!(corners[0], corners[1]);
+    assert_eq!(corners[0], corners[2]);
+}
+
+impl Window {
+    fn look_corner(&self) -> [usize; 2] {
+        self.app.look::<Magnifier>().corner
+    }
+}
+
+#[test]
+fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
+    let mut window = Window::open();
+    let [width, height] = window.app.picture_size();
+    // The lower rows have no words over them.
+    let lower = |window: &Window| window.seen()[width * (height - 150)..].to_vec();
+    let sides = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| {
+        window.press(if mode == ShadingMode::Phong {
+            Key::P
+        } else {
+            Key::G
+        });
+        lower(&window)
+    });
+    assert_ne!(sides[0], sides[1]);
+    window.press(Key::F3);
+    let mut x = window.app.place.center().x;
+    for share in [0.3, 0.7, -1.0, 2.0] {
+        let y = window.app.place.max.y - 30.0;
+        let to = window.app.place.min.x + width as f32 * share;
+        window.point_at(Pos2::new(x, y));
+        assert_eq!(window.output.cursor, CursorIcon::ResizeHorizontal);
+        let orbit = window.record().camera[0].orbit;
+        window.drag(Pos2::new(x, y), Pos2::new(to, y), 3);
+        assert_eq!(window.record().camera[0].orbit, orbit, "the camera rests");
+        let divider = window.app.look::<Show>().divider;
+        let wanted = f64::from(share.clamp(0.02, 0.98));
+        assert!((divider - wanted).abs() < 0.01, "{divider}");
+        let column = (divider * width as f64).round() as usize;
+        x = window.app.place.min.x + column as f32;
+        let seen = lower(&window);
+        for (index, pixel) in seen.iter().enumerate() {
+            let own = index % width;
+            // The line of the divider lies over a few columns.
+            if own.abs_diff(column) > 3 {
+                assert_eq!(*pixel, sides[usize::from(own >= column)][index]);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_rotation_goes_on_by_the_clock_and_stays_where_it_is_stopped() {
+    let mut window = Window::open();
+    let still = window.seen();
+    window.press(Key::Space);
+    for _ in 0..10 {
+        let (before, spin) = (window.now, window.app.look::<Spin>());
+        window.wait(PAUSE / 20);
+        let degrees = window.app.look::<Spin>().degrees - spin.degrees;
+        let expected = (window.now - before).as_millis() / 30;
+        assert!(u128::from(degrees).abs_diff(expected) <= 1, "{degrees}");
+        assert!(window.output.repaint_after.as_millis() <= 30);
+    }
+    assert_ne!(window.seen(), still);
+    window.press(Key::Space);
+    let turned = window.record().view.turned;
+    assert!(turned > 0);
+    window.wait(PAUSE);
+    assert_eq!(window.record().view.turned, turned);
+    window.press(Key::Home);
+    assert_eq!(window.seen(), still);
+}
+
+#[test]
+fn views_without_an_answer_yet_never_show_something_else() {
+    // Tiles are tinted, the error map and exact Phong are those of the comparison.
+    let mut window = Window::open();
+    window.press(Key::P);
+    let picture = window.seen();
+    window.press(Key::F6);
+    assert_ne!(window.seen(), picture);
+    window.press(Key::F5);
+    let comparison = window.app.facts.comparison.current().expect("an answer");
+    assert_eq!(window.seen(), comparison.error_map);
+    window.press(Key::F2);
+    window.key(Key::B, true);
+    let comparison = window.app.facts.comparison.current().expect("an answer");
+    assert_eq!(window.seen(), comparison.exact);
+    window.key(Key::B, false);
+    assert_eq!(window.seen(), picture);
+    assert_eq!(window.record().view.show, ViewMode::Picture);
+}
+
+#[test]
+fn a_light_dragged_beyond_the_range_of_places_stays() {
+    let mut window = with_light_in_sight();
+    let far = 9.99e99;
+    let lights = window
+        .app
+        .scene
+        .world
+        .query_mut::<&mut Transform>()
+        .with::<&Light>();
+    lights.into_iter().for_each(|place| place.position.x = far);
+    window.step(Vec::new());
+    let mut from = glam::DVec3::splat(far);
+    for _ in 0..50 {
+        from = window.app.drag_light("near", from, vec2(1e6, 0.0), false);
+    }
+    window.step(Vec::new());
+    window.record().check().expect("a legal scene");
+    let text = shadetrade::scene::updated("", &window.record());
+    Scene::parse("dragged", &text).unwrap_or_else(|error| panic!("{error}"));
+}

@@ -1,0 +1,211 @@
+//! Random events in windows of any size: nothing panics, everything is undone, what is saved is read again, and every SIMD
+//! level shows the same pixels.
+
+use std::time::Duration;
+
+use egui::{Key, Modifiers, pos2};
+use fearless_simd::Level;
+use shadetrade::components::{Inspector, Tab, get, overwrite};
+use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::simd;
+use shadetrade::window::keys::{BINDINGS, Command};
+
+use super::Window;
+use crate::support::cases::cases;
+use crate::support::random::Random;
+use crate::support::window::{app, default_scene};
+
+/// Events of a storm.
+const EVENTS: usize = 40;
+/// The window's sides are below these: the second storm answers every question of its pictures, so they are small.
+const LARGE: [f64; 2] = [1600.0, 1200.0];
+const SMALL: [f64; 2] = [110.0, 80.0];
+
+/// The states that cannot be undone, each the first of a scene.
+struct Storm {
+    window: Window,
+    first: SceneRecord,
+    name: String,
+    random: Random,
+    most: [f64; 2],
+}
+
+impl Storm {
+    fn new(seed: u64, most: [f64; 2], level: Level) -> Self {
+        let size = most.map(|side| side as usize / 2);
+        let window = Window::with(app(default_scene(), size, level), size);
+        Storm {
+            first: window.record(),
+            name: window.app.scene.name.clone(),
+            window,
+            random: Random(seed),
+            most,
+        }
+    }
+
+    fn choice(&mut self, count: usize) -> usize {
+        self.random.within(0.0, count as f64) as usize
+    }
+
+    fn place(&mut self) -> egui::Pos2 {
+        let [width, height] = self.window.size.map(|side| side as f64);
+        let at = [width, height].map(|side| self.random.within(-0.02 * side, 1.02 * side) as f32);
+        pos2(at[0], at[1])
+    }
+
+    /// One event, and what the window shows after it.
+    fn blow(&mut self) {
+        match self.choice(12) {
+            0..=4 => self.press_any(),
+            5 | 6 => {
+                let at = self.place();
+                self.window.click(at);
+            }
+            7 => {
+                let (from, to) = (self.place(), self.place());
+                let steps = 1 + self.choice(4);
+                self.window.modifiers.shift = self.choice(2) == 0;
+                self.window.drag(from, to, steps);
+            }
+            8 => {
+                let (at, notches) = (self.place(), self.random.within(-5.0, 5.0).round());
+                self.window.modifiers.command = self.choice(2) == 0;
+                self.window.wheel(at, notches as f32);
+            }
+            9 => {
+                let text = [
+                    "1",
+                    "0.5",
+                    "-1e30",
+                    "1e300",
+                    "nan",
+                    "a",
+                    "\u{e9}\u{4e2d}",
+                    "",
+                ][self.choice(8)];
+                self.window.enter(text);
+            }
+            10 => {
+                let most = self.most;
+                self.window.size = most.map(|side| self.random.within(1.0, side) as usize);
+                self.window.step(Vec::new());
+            }
+            _ => {
+                let wait = self.random.within(0.0, 2.5);
+                self.window.wait(Duration::from_secs_f64(wait));
+            }
+        }
+        self.window.modifiers = Modifiers::NONE;
+        if self.most == LARGE {
+            self.fold_slow_answers();
+        }
+        let name = &self.window.app.scene.name;
+        let is_opened = *name != self.name && BUILT_IN.iter().any(|(built_in, _)| name == built_in);
+        if is_opened {
+            self.first = SceneRecord::of(&Scene::load(Some(name)).expect("built in").world);
+        }
+        self.name.clone_from(name);
+        self.window.app.quits = false;
+        self.window.record().check().expect("a legal scene");
+    }
+
+    fn press_any(&mut self) {
+        let bindings: Vec<_> = BINDINGS
+            .iter()
+            .filter(|it| self.most == SMALL || !is_slow(it.command))
+            .collect();
+        let binding = bindings[self.choice(bindings.len())];
+        let (modifiers, key) = binding.keys[self.choice(binding.keys.len())];
+        self.window.press_with(modifiers, key);
+        if self.choice(4) == 0 {
+            let keys = [
+                Key::Tab,
+                Key::Enter,
+                Key::Backspace,
+                Key::Delete,
+                Key::ArrowDown,
+            ];
+            let key = keys[self.choice(keys.len())];
+            self.window.press(key);
+        }
+    }
+
+    /// Proofs of large pictures take long.
+    fn fold_slow_answers(&mut self) {
+        let world = &mut self.window.app.scene.world;
+        let viewer = shadetrade::components::viewer(world);
+        if let Some(Inspector(Some(Tab::Required | Tab::Proof))) = get(world, viewer) {
+            overwrite(world, &Inspector(None));
+        }
+    }
+}
+
+fn is_slow(command: Command) -> bool {
+    use shadetrade::components::ViewMode;
+    matches!(
+        command,
+        Command::Tab(Tab::Required)
+            | Command::View(ViewMode::Error)
+            | Command::WipeExact
+            | Command::ShowExact
+    )
+}
+
+/// Storms of both kinds.
+fn storms(unset: usize) -> impl Iterator<Item = (u64, [f64; 2])> {
+    (0..cases(unset) as u64).flat_map(|seed| [(2 * seed, SMALL), (2 * seed + 1, LARGE)])
+}
+
+#[test]
+fn after_a_storm_everything_is_undone_and_what_is_saved_is_read_again() {
+    for (seed, most) in storms(2) {
+        let mut storm = Storm::new(seed, most, Level::new());
+        (0..EVENTS).for_each(|_| storm.blow());
+        let window = &mut storm.window;
+        window.size = [90, 70];
+        window.app.desk.help = false;
+        let path = {
+            assert!(window.app.save(true), "{seed}: {}", window.message());
+            window.app.file.path.clone().expect("a file")
+        };
+        let read = Scene::load_path(&path).unwrap_or_else(|error| panic!("{seed}: {error}"));
+        assert_eq!(SceneRecord::of(&read.world), window.record(), "{seed}");
+        window.wait(Duration::from_secs(2));
+        while window.message() != "nothing to undo" {
+            window.app.run(Command::Undo);
+            window.step(Vec::new());
+        }
+        assert_eq!(window.record(), storm.first, "{seed}");
+    }
+}
+
+#[test]
+fn a_storm_has_the_same_pixels_at_every_simd_level() {
+    let levels: Vec<Level> = simd::NAMES.into_iter().filter_map(simd::named).collect();
+    for (seed, most) in storms(2) {
+        let mut storms: Vec<_> = levels
+            .iter()
+            .map(|level| Storm::new(seed, most, *level))
+            .collect();
+        for event in 0..EVENTS / 2 {
+            for storm in &mut storms {
+                storm.blow();
+                storm.window.folder_keeps_nothing();
+            }
+            for storm in &storms[1..] {
+                let same =
+                    storm.window.app.pictures.frame() == storms[0].window.app.pictures.frame();
+                assert!(same, "{seed}, event {event}");
+            }
+        }
+    }
+}
+
+impl Window {
+    /// Two windows save under the same names.
+    fn folder_keeps_nothing(&self) {
+        for name in self.files() {
+            let _ = std::fs::remove_file(self.folder.path().join(name));
+        }
+    }
+}

@@ -1,0 +1,353 @@
+//! Widgets by their labels: what is clicked and typed there is in the components.
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use fearless_simd::Level;
+use shadetrade::components::{
+    Inspector, Light, Projection, ShadingMode, Show, Side, Spin, Tab, Tolerance, ViewMode, names,
+};
+use shadetrade::scene::{BUILT_IN, SceneRecord};
+use shadetrade::window::app::App;
+use shadetrade::window::inspector::Kind;
+
+use super::{PAUSE, Window};
+use crate::support::window::{app, default_scene, places, widgets};
+
+/// A window in which every section and tab is seen.
+const SIZE: [usize; 2] = [1400, 1000];
+
+fn open() -> Harness<'static, App> {
+    widgets(app(default_scene(), SIZE, Level::new()), SIZE)
+}
+
+fn record(harness: &Harness<App>) -> SceneRecord {
+    SceneRecord::of(&harness.state().scene.world)
+}
+
+fn click_at(harness: &mut Harness<App>, at: Pos2) {
+    harness.hover_at(at);
+    harness.run_ok();
+    harness.drag_at(at);
+    harness.run_ok();
+    harness.drop_at(at);
+    harness.run_ok();
+}
+
+/// Clicks the widget of this label.
+#[track_caller]
+fn click(harness: &mut Harness<App>, label: &str) {
+    let found = places(harness, label);
+    assert!(!found.is_empty(), "there is no {label:?}");
+    click_at(harness, found[0]);
+}
+
+/// Clicks the last widget of this label in the inspector.
+#[track_caller]
+fn click_inside(harness: &mut Harness<App>, label: &str) {
+    let left = harness.state().place.max.x;
+    let mut found = places(harness, label);
+    found.retain(|at| at.x > left);
+    let place = *found
+        .last()
+        .unwrap_or_else(|| panic!("there is no {label:?}"));
+    click_at(harness, place);
+}
+
+/// Clicks a number right of a label, and types another.
+#[track_caller]
+fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
+    click_at(harness, number(harness, label, column));
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(egui::Event::Text(text.to_owned()));
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+}
+
+/// The place of a number right of the last text of this name.
+#[track_caller]
+fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
+    let rows = harness.query_all_by(|node| node.role() == Role::Label);
+    let row = rows.filter(|node| node.accesskit_node().value().as_deref() == Some(label));
+    let row = row
+        .last()
+        .unwrap_or_else(|| panic!("there is no {label:?}"))
+        .rect();
+    let numbers = harness.query_all_by(|node| node.role() == Role::SpinButton);
+    let mut numbers: Vec<Pos2> = numbers.map(|node| node.rect().center()).collect();
+    numbers.retain(|at| row.y_range().contains(at.y) && at.x > row.max.x);
+    numbers.sort_by(|one, other| one.x.total_cmp(&other.x));
+    numbers[column]
+}
+
+#[test]
+fn the_panel_switches_what_its_labels_say() {
+    let mut harness = open();
+    click(&mut harness, "Phong");
+    assert_eq!(harness.state().shading(), Some(ShadingMode::Phong));
+    click(&mut harness, "Gouraud");
+    assert_eq!(harness.state().shading(), Some(ShadingMode::Gouraud));
+    click(&mut harness, "Phong");
+    click(&mut harness, "as the file");
+    assert_eq!(harness.state().shading(), Some(ShadingMode::Gouraud));
+    for (index, name) in ["white", "red", "specular", "ambient"]
+        .into_iter()
+        .enumerate()
+    {
+        for on in [false, true] {
+            click(&mut harness, name);
+            assert_eq!(record(&harness).light[index].on, on, "{name}");
+        }
+    }
+    click(&mut harness, "orthographic");
+    assert_eq!(
+        harness.state().look::<Projection>(),
+        Projection::Orthographic
+    );
+    click(&mut harness, "perspective");
+    assert_eq!(
+        harness.state().look::<Projection>(),
+        Projection::Perspective
+    );
+    for (label, mode) in [
+        ("Gouraud | Phong", ViewMode::Wipe),
+        ("error map", ViewMode::Error),
+        ("tiles", ViewMode::Tiles),
+        ("picture", ViewMode::Picture),
+    ] {
+        click(&mut harness, label);
+        assert_eq!(harness.state().look::<Show>().mode, mode, "{label}");
+    }
+    click(&mut harness, "picture | exact");
+    assert_eq!(
+        harness.state().look::<Show>().sides,
+        [Side::Picture, Side::Reference]
+    );
+    click(&mut harness, "rotate");
+    assert!(harness.state().look::<Spin>().on);
+    click(&mut harness, "rotate");
+    assert!(!harness.state().look::<Spin>().on);
+    click(&mut harness, "help");
+    assert!(harness.state().desk.help);
+}
+
+#[test]
+fn the_tolerance_is_typed_and_dragged() {
+    let mut harness = open();
+    enter(&mut harness, "tolerance", 0, "2");
+    assert_eq!(harness.state().look::<Tolerance>(), Tolerance(2.0));
+    enter(&mut harness, "tolerance", 0, "exact");
+    assert_eq!(harness.state().look::<Tolerance>(), Tolerance(0.0));
+    enter(&mut harness, "tolerance", 0, "1000");
+    assert_eq!(harness.state().look::<Tolerance>(), Tolerance(255.0));
+    let slider = harness
+        .query_all_by(|node| node.role() == Role::Slider)
+        .next()
+        .expect("a slider")
+        .rect();
+    let mut last = -1.0;
+    for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
+        click_at(
+            &mut harness,
+            slider.left_center() + vec2(slider.width() * share, 0.0),
+        );
+        let Tolerance(levels) = harness.state().look();
+        assert!(
+            Tolerance::is_legal(levels) && levels > last,
+            "{levels} after {last}"
+        );
+        last = levels;
+    }
+    assert_eq!(last, 255.0);
+}
+
+#[test]
+fn the_tabs_of_the_inspector_open_by_their_names() {
+    let mut harness = open();
+    harness.key_press(Key::E);
+    harness.run_ok();
+    for (name, tab) in [
+        ("Pixel", Tab::Pixel),
+        ("Required", Tab::Required),
+        ("Proof", Tab::Proof),
+        ("Scene", Tab::Scene),
+    ] {
+        click_inside(&mut harness, name);
+        assert_eq!(
+            harness.state().look::<Inspector>(),
+            Inspector(Some(tab)),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn entities_are_added_copied_renamed_and_deleted() {
+    let mut harness = open();
+    harness.key_press(Key::E);
+    harness.run_ok();
+    let start = record(&harness);
+    for kind in ["light", "camera", "cuboid"] {
+        // The last button of this name adds; those of the list select.
+        click_inside(&mut harness, kind);
+        let counts = |harness: &Harness<App>| {
+            let now = record(harness);
+            [now.cuboid.len(), now.light.len(), now.camera.len()]
+        };
+        let added = counts(&harness);
+        assert_eq!(added.iter().sum::<usize>(), 8, "{kind}");
+        click(&mut harness, "duplicate");
+        assert_eq!(counts(&harness).iter().sum::<usize>(), 9, "{kind}");
+        record(&harness).check().expect("a legal scene");
+        click(&mut harness, "delete");
+        assert_eq!(counts(&harness), added, "{kind}");
+        let kinds = [
+            ("light", Kind::Light),
+            ("camera", Kind::Camera),
+            ("cuboid", Kind::Cuboid),
+        ];
+        let of = kinds.into_iter().find(|(name, _)| *name == kind);
+        harness.state_mut().desk.selected = of.map(|(name, kind)| (kind, name.to_owned()));
+        harness.run_ok();
+        click(&mut harness, "delete");
+        assert_eq!(record(&harness), start, "{kind}");
+    }
+    // The last cuboid cannot go.
+    click(&mut harness, "emerald");
+    click(&mut harness, "delete");
+    assert_eq!(record(&harness), start);
+    // A name that is taken, or that a list of lights cannot hold, is refused.
+    for (name, is_taken) in [
+        ("blue", true),
+        ("red", false),
+        ("", false),
+        ("a,b", false),
+        ("all", false),
+    ] {
+        let before = names::<Light>(&harness.state().scene.world);
+        let white = before[0].clone();
+        click_inside(&mut harness, &white);
+        let fields = harness.query_all_by_role(Role::TextInput);
+        let inspector = harness.state().place.max.x;
+        let field = fields
+            .map(|field| field.rect().center())
+            .find(|at| at.x > inspector);
+        click_at(&mut harness, field.expect("the field of the name"));
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.run_ok();
+        match name {
+            "" => harness.key_press(Key::Backspace),
+            _ => harness.event(egui::Event::Text(name.to_owned())),
+        }
+        harness.key_press(Key::Enter);
+        harness.run_ok();
+        let after = names::<Light>(&harness.state().scene.world);
+        assert_eq!(after[0] == name, is_taken, "{name:?}: {after:?}");
+        assert_eq!(after[1..], before[1..]);
+    }
+}
+
+#[test]
+fn numbers_are_typed_within_their_range() {
+    let mut harness = open();
+    harness.key_press(Key::E);
+    harness.run_ok();
+    click(&mut harness, "emerald");
+    for (label, column, text, wanted) in [
+        ("size", 1, "7.25", 7.25),
+        ("size", 0, "-3", 1e-100),
+        ("position", 2, "-1e3", -1000.0),
+        ("size", 2, "x", 2.0),
+    ] {
+        enter(&mut harness, label, column, text);
+        let cuboid = &record(&harness).cuboid[0];
+        let found = if label == "size" {
+            cuboid.size
+        } else {
+            cuboid.position
+        };
+        assert_eq!(found[column], wanted, "{label} {text}");
+    }
+    enter(&mut harness, "shininess", 0, "5");
+    assert_eq!(record(&harness).cuboid[0].material.shininess, 5.0);
+    enter(&mut harness, "background", 0, "300");
+    assert_eq!(record(&harness).background.x, 255.0);
+    click_inside(&mut harness, "white");
+    enter(&mut harness, "gain", 0, "40.5");
+    assert_eq!(record(&harness).light[0].gain, 40.5);
+}
+
+#[test]
+fn a_number_that_is_looked_at_keeps_every_digit() {
+    let mut scene = default_scene();
+    let mut start = SceneRecord::of(&scene.world);
+    start.cuboid[0].position.x = 0.123_456_789_012;
+    start.light[0].intensity = 1234.567_891;
+    start.view.tolerance = 0.123_45;
+    scene.world = start.spawn();
+    let mut harness = widgets(app(scene, SIZE, Level::new()), SIZE);
+    harness.key_press(Key::E);
+    harness.run_ok();
+    start = record(&harness);
+    click(&mut harness, "emerald");
+    let lights = harness.query_all_by(|node| node.role() == Role::SpinButton);
+    let all: Vec<Pos2> = lights.map(|node| node.rect().center()).collect();
+    // The focus leaves a number before it is laid out, and after.
+    for at in all.iter().rev().chain(&all) {
+        click_at(&mut harness, *at);
+    }
+    assert_eq!(record(&harness), start);
+}
+
+#[test]
+fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("other.toml");
+    std::fs::write(&path, BUILT_IN[3].1).expect("written");
+    let mut harness = open();
+    for (text, opens) in [
+        ("nowhere.toml", false),
+        (path.to_str().expect("UTF-8"), true),
+    ] {
+        let open = places(&harness, "open")[0];
+        let fields = harness.query_all_by_role(Role::TextInput);
+        let field = fields
+            .map(|it| it.rect().center())
+            .min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)));
+        click_at(&mut harness, field.expect("a field"));
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.event(egui::Event::Text(text.to_owned()));
+        harness.key_press(Key::Enter);
+        harness.run_ok();
+        assert_eq!(harness.state().scene.path.is_some(), opens);
+        assert_eq!(harness.state().desk.file_error.is_some(), !opens, "{text}");
+    }
+    assert_eq!(harness.state().desk.recent, [path]);
+}
+
+#[test]
+fn quitting_with_edits_saves_or_not_or_goes_on() {
+    for (label, files, quits) in [
+        ("save and quit", 1, true),
+        ("quit without saving", 0, true),
+        ("go on", 0, false),
+    ] {
+        let mut window = Window::open();
+        let lights = window.app.scene.world.query_mut::<&mut Light>();
+        lights.into_iter().for_each(|light| light.intensity = 3.0);
+        window.wait(PAUSE);
+        window.press(Key::Q);
+        let Window { app, folder, .. } = window;
+        let mut harness = widgets(app, super::SIZE);
+        click(&mut harness, label);
+        assert_eq!(harness.state().quits, quits, "{label}");
+        assert_eq!(
+            std::fs::read_dir(folder.path()).expect("listed").count(),
+            files,
+            "{label}"
+        );
+        let is_lost = harness.state().rescue().is_some();
+        assert_eq!(is_lost, label == "go on", "{label}");
+    }
+}
