@@ -56,6 +56,8 @@ pub struct Message {
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
+    /// Whether the panel and the inspector have room beside the picture.
+    pub has_room: [bool; 2],
     /// The panel and the inspector are open over the picture, where there is no room beside it.
     pub over: [bool; 2],
     /// Exact Phong is shown while a key is held.

@@ -235,10 +235,11 @@ impl App {
         } else if self.desk.over[1] {
             self.desk.over[1] = false;
             self.set_look(Inspector(None));
+        } else if self.desk.file_error.take().is_some() {
         } else if self.desk.left_out.take().is_some() {
         } else if probed.is_some() {
             self.set_look(Probed(None));
-        } else if self.look::<Inspector>().0.is_some() {
+        } else if self.desk.has_room[1] && self.look::<Inspector>().0.is_some() {
             self.set_look(Inspector(None));
         } else {
             self.say("Q quits");

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
+use anyhow::bail;
+
 use crate::output::{Output, write_numbered};
 use crate::scene::{self, Scene, SceneRecord};
 
@@ -31,6 +33,8 @@ pub struct SceneFile {
     /// The scene as the file has it.
     pub saved: Arc<SceneRecord>,
     seen: Stamp,
+    /// Whether the file holds no valid scene.
+    is_wrong: bool,
     /// A stamp that differs from the one seen, until it is looked at again.
     doubted: Option<Stamp>,
     next: Duration,
@@ -48,6 +52,7 @@ impl SceneFile {
             text: scene.text.clone(),
             saved: Arc::new(saved),
             seen: scene.path.as_deref().and_then(stamp),
+            is_wrong: false,
             doubted: None,
             next: Duration::ZERO,
         }
@@ -73,6 +78,7 @@ impl SceneFile {
         };
         (is_certain || matches!(news, News::Read(_))).then(|| {
             self.seen = present;
+            self.is_wrong = matches!(news, News::Wrong(_));
             news
         })
     }
@@ -89,6 +95,11 @@ impl SceneFile {
     ) -> anyhow::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
         let path = match &self.path {
+            Some(_) if !new && self.is_wrong => {
+                bail!(
+                    "the file has an error, and saving would lose its text; Ctrl Shift S saves to a new one"
+                )
+            }
             Some(path) if !new => {
                 let output = Output::File(path.clone());
                 output.write(|writer| writer.write_all(text.as_bytes()))?;
@@ -97,6 +108,7 @@ impl SceneFile {
             _ => self.write_new(folder, &text)?,
         };
         self.seen = stamp(&path);
+        self.is_wrong = false;
         self.path = Some(path.clone());
         self.text = text;
         self.saved = Arc::clone(record);

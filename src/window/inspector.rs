@@ -186,3 +186,10 @@ pub fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
         _ => format!("{rounded:e}"),
     }
 }
+
+/// Keeps the digits of a number that was only looked at: a widget writes back the digits that it shows.
+pub fn keep_digits(before: f64, value: &mut f64) {
+    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
+        *value = before;
+    }
+}

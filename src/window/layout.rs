@@ -27,9 +27,10 @@ impl App {
     pub fn ui(&mut self, ui: &mut Ui) {
         let width = ui.available_width();
         let has_room = [width >= 2.0 * LEAST, width >= 4.0 * LEAST];
-        for (over, has_room) in self.desk.over.iter_mut().zip(has_room) {
-            *over &= !has_room;
+        for side in 0..2 {
+            self.desk.over[side] &= !has_room[side];
         }
+        self.desk.has_room = has_room;
         self.desk.panel_folded &= has_room[0];
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
@@ -43,7 +44,9 @@ impl App {
         let usual = USUAL.min(width / if both { 4.0 } else { 3.0 }).max(LEAST);
         let side = |panel: Panel| panel.size_range(LEAST..=most).default_size(usual);
         if is_open[0] {
-            side(Panel::left("panel")).show_inside(ui, |ui| self.scrolled_panel(ui));
+            // Beside the inspector it has a width of its own, so that it is as wide as before once that is folded.
+            let id = if both { "panel beside" } else { "panel" };
+            side(Panel::left(id)).show_inside(ui, |ui| self.scrolled_panel(ui));
         } else if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
             self.desk.panel_folded = false;
             self.desk.over[0] ^= true;

@@ -12,7 +12,7 @@ use hecs::Entity;
 
 use super::app::App;
 use super::file::load;
-use super::inspector::{color_button, format_number};
+use super::inspector::{color_button, format_number, keep_digits};
 use super::keys::{Command, binding, caption};
 use crate::components::{
     ActiveCamera, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side, Spin, Tab,
@@ -56,7 +56,7 @@ impl App {
             self.offer(ui, Command::FileShading, false);
         });
         let Tolerance(before) = self.look();
-        let mut tolerance = before;
+        let (mut tolerance, mut is_dragged) = (before, false);
         ui.horizontal(|ui| {
             ui.label("tolerance").on_hover_text(TOLERANCE);
             let slider = Slider::new(&mut tolerance, 0.0..=255.0)
@@ -66,19 +66,21 @@ impl App {
                     0.0 => "exact".to_owned(),
                     _ => format_number(value, digits),
                 })
-                .custom_parser(|text| {
-                    if text == "exact" {
-                        Some(0.0)
-                    } else {
-                        text.parse().ok()
-                    }
+                .custom_parser(|text| match text {
+                    "exact" => Some(0.0),
+                    _ => text.parse().ok(),
                 });
-            ui.add(slider).on_hover_text(TOLERANCE);
+            is_dragged = ui.add(slider).on_hover_text(TOLERANCE).dragged();
             ui.weak("[ ]");
         });
+        if is_dragged {
+            // The movement of a hand means no more than two digits.
+            tolerance = format!("{tolerance:.1e}").parse().unwrap_or(tolerance);
+        }
+        keep_digits(before, &mut tolerance);
         if tolerance != before {
             let is_exact = tolerance < Tolerance::LEAST;
-            self.set_tolerance(if is_exact { 0.0 } else { two_digits(tolerance) });
+            self.set_tolerance(if is_exact { 0.0 } else { tolerance.min(255.0) });
         }
     }
 
@@ -115,13 +117,14 @@ impl App {
                 LightKind::Specular => "Feeds the specular term, max(0, o.r)^shininess.",
             });
         color_button(ui, &mut light.color);
-        let speed = (light.intensity * 0.01).max(0.01);
+        let (before, speed) = (light.intensity, (light.intensity * 0.01).max(0.01));
         let intensity = DragValue::new(&mut light.intensity).speed(speed);
         let intensity = intensity
             .range(range::STRENGTH)
             .custom_formatter(format_number);
-        ui.add(intensity)
-            .on_hover_text("Intensity, 0 to 1e30. Drag it, or click to type.");
+        let says = "Intensity, 0 to 1e30. Drag it, or click to type.";
+        ui.add(intensity).on_hover_text(says);
+        keep_digits(before, &mut light.intensity);
         let names = ["white", "red", "specular", "ambient"];
         let named = names.into_iter().find(|own| *own == name.0);
         ui.weak(caption(
@@ -248,9 +251,4 @@ fn command_button(ui: &mut Ui, command: Command, is_chosen: bool, is_enabled: bo
 fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
     let header = CollapsingHeader::new(RichText::new(title).strong()).default_open(true);
     header.show_unindented(ui, rows);
-}
-
-/// Rounded to two significant digits: the movement of a hand means no more.
-fn two_digits(value: f64) -> f64 {
-    format!("{value:.1e}").parse().unwrap_or(value)
 }

@@ -145,7 +145,7 @@ impl App {
         let [width, height] = self.picture_size();
         self.set_look(Probed(Some([x.min(width - 1), y.min(height - 1)])));
         // The scene's tab stays open: a click selects the cuboid there.
-        if self.look::<Inspector>().0 != Some(Tab::Scene) {
+        if self.desk.has_room[1] && self.look::<Inspector>().0 != Some(Tab::Scene) {
             self.set_look(Inspector(Some(Tab::Pixel)));
         }
     }

@@ -6,7 +6,7 @@ use egui::{Button, ComboBox, DragValue, Grid, ScrollArea, Slider, TextEdit, Text
 use glam::DVec3;
 use hecs::Entity;
 
-use super::{color_button, format_number};
+use super::{color_button, format_number, keep_digits};
 use crate::components::{
     Background, Camera, Light, LightKind, Material, Mesh, Name, Orbit, ShadingMode, Transform,
     Viewpoint, active_camera, names, ordered,
@@ -389,13 +389,6 @@ impl Field {
             self.says
         ));
         keep_digits(before, value);
-    }
-}
-
-/// Keeps the digits of a number that was only looked at: a widget writes back the digits that it shows.
-fn keep_digits(before: f64, value: &mut f64) {
-    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
-        *value = before;
     }
 }
 

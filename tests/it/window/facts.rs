@@ -123,18 +123,26 @@ fn every_answer_is_old_after_a_change_of_the_picture_and_only_then() {
 }
 
 #[test]
-fn a_probed_pixel_outside_of_a_smaller_window_is_not_asked_for() {
+fn a_probed_pixel_stays_on_its_point_when_the_window_changes_its_size() {
     let mut window = Window::of(default_scene(), [300, 200]);
     window.click(Pos2::new(250.0, 150.0));
-    let pixel = window.record().view.pixel;
-    assert!(pixel.is_some());
-    window.size = [60, 50];
-    window.wait(PAUSE);
-    assert_eq!(window.app.facts.probe.state, State::Idle);
-    window.size = [300, 200];
-    window.wait(PAUSE);
+    let before = window.record().view.pixel.expect("a pixel");
+    let [width, height] = window.app.picture_size();
+    window.size = [600, 400];
+    (0..2).for_each(|_| window.wait(PAUSE));
     let probed = window.app.facts.probe.current().expect("an answer");
-    assert_eq!(Some(probed.probe.pixel), pixel);
+    let pixel = probed.probe.pixel;
+    assert_eq!(Some(pixel), window.record().view.pixel);
+    let [wider, higher] = window.app.picture_size();
+    let scale = higher as f64 / height as f64;
+    for (before, after, sides) in [
+        (before[0], pixel[0], [width, wider]),
+        (before[1], pixel[1], [height, higher]),
+    ] {
+        let [from, to] = sides.map(|side| side as f64 / 2.0);
+        let expected = (before as f64 + 0.5 - from) * scale + to;
+        assert!((after as f64 - expected).abs() <= 1.0, "{pixel:?}");
+    }
 }
 
 #[test]
