@@ -6,7 +6,7 @@ use super::app::App;
 use super::keys::{self, Command, TOLERANCES, gouraud_phong};
 use crate::components::{
     ActiveCamera, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
-    ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, get, names, ordered,
+    ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
 };
 use crate::scene::SceneRecord;
 
@@ -225,31 +225,21 @@ impl App {
 
     /// Closes the uppermost thing that can be closed.
     fn close(&mut self) {
-        let probed = self.look::<Probed>().0;
-        if self.desk.asks_to_save {
-            self.desk.asks_to_save = false;
-        } else if self.desk.help {
-            self.desk.help = false;
-        } else if self.desk.over[0] {
-            self.desk.over[0] = false;
-        } else if self.desk.over[1] {
-            self.desk.over[1] = false;
-            self.set_look(Inspector(None));
-        } else if self.desk.file_error.take().is_some() {
-        } else if self.desk.left_out.take().is_some() {
-        } else if probed.is_some() {
+        let desk = &mut self.desk;
+        let is_shown = desk.has_room[1] || desk.over[1];
+        let switches = [&mut desk.asks_to_save, &mut desk.help, &mut desk.over[0]];
+        if let Some(switch) = switches.into_iter().find(|switch| **switch) {
+            *switch = false;
+        } else if desk.file_error.take().is_some() || desk.left_out.take().is_some() {
+            // The first of them is gone now.
+        } else if self.look::<Probed>().0.is_some() && !self.desk.over[1] {
             self.set_look(Probed(None));
-        } else if self.desk.has_room[1] && self.look::<Inspector>().0.is_some() {
+        } else if is_shown && self.look::<Inspector>().0.is_some() {
+            self.desk.over[1] = false;
             self.set_look(Inspector(None));
         } else {
             self.say("Q quits");
         }
-    }
-
-    /// The name of the camera that is looked through.
-    pub fn camera_name(&self) -> String {
-        let camera = active_camera(&self.scene.world);
-        get(&self.scene.world, camera).map_or_else(String::new, |Name(name)| name)
     }
 }
 

@@ -12,7 +12,7 @@ use tempfile::TempDir;
 pub type Point = [i32; 2];
 
 /// How long anything may take before it counts as failed.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Width and height of a display, in pixels.
 const SCREEN: (u32, u32) = (3840, 2160);

@@ -1,7 +1,7 @@
 //! The scene's file: saving, the mark of edits, quitting, and reading again when it changes.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use egui::{Key, Modifiers};
 use shadetrade::components::Light;
@@ -32,7 +32,7 @@ fn edit(window: &mut Window, intensity: f64) {
     window.wait(PAUSE);
 }
 
-fn read(path: &PathBuf) -> SceneRecord {
+fn read(path: &Path) -> SceneRecord {
     let scene = Scene::load_path(path).unwrap_or_else(|error| panic!("{error}"));
     SceneRecord::of(&scene.world)
 }
@@ -300,7 +300,7 @@ fn a_pipe_in_place_of_the_file_does_not_stop_the_window() {
         assert_eq!(window.record(), before);
         done.send(()).expect("it is waited for");
     });
-    let patience = std::time::Duration::from_secs(60);
+    let patience = std::time::Duration::from_mins(1);
     ends.recv_timeout(patience).expect("the window goes on");
 }
 

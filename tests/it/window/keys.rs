@@ -45,7 +45,7 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
     match command {
         Command::Light(index) => switch(index),
         Command::LightNamed(name) => {
-            switch(lights.iter().position(|own| *own == name).expect("a light"))
+            switch(lights.iter().position(|own| *own == name).expect("a light"));
         }
         Command::Shading(mode) => record.cuboid[0].shading = mode,
         Command::FileShading | Command::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,

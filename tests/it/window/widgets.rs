@@ -69,9 +69,9 @@ fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
 #[track_caller]
 fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
     let rows = harness.query_all_by(|node| node.role() == Role::Label);
-    let row = rows.filter(|node| node.accesskit_node().value().as_deref() == Some(label));
+    let mut row = rows.filter(|node| node.accesskit_node().value().as_deref() == Some(label));
     let row = row
-        .last()
+        .next_back()
         .unwrap_or_else(|| panic!("there is no {label:?}"))
         .rect();
     let numbers = harness.query_all_by(|node| node.role() == Role::SpinButton);
@@ -282,7 +282,7 @@ fn a_number_that_is_looked_at_keeps_every_digit() {
     let mut scene = default_scene();
     let mut start = SceneRecord::of(&scene.world);
     start.cuboid[0].position.x = 0.123_456_789_012;
-    start.light[0].intensity = 1234.567_891;
+    start.light[0].intensity = 1_234.567_891;
     start.view.tolerance = 0.123_45;
     scene.world = start.spawn();
     let mut harness = widgets(app(scene, SIZE, Level::new()), SIZE);
