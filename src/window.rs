@@ -46,7 +46,7 @@ use recording::{Log, Recorder};
 pub use display::{NoDisplay, restart_in_fit_environment};
 
 /// The time between two polls while the user does something, so that short clicks are seen.
-const BUSY_PAUSE: Duration = Duration::from_millis(4);
+const BUSY_PAUSE: Duration = Duration::from_millis(2);
 /// The time between two polls while nothing happens.
 const IDLE_PAUSE: Duration = Duration::from_millis(16);
 /// How long after the last event the user counts as busy.
