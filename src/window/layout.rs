@@ -42,17 +42,17 @@ impl App {
         let both = is_open == [true; 2];
         let most = (width / 2.0 - if both { LEAST } else { 0.0 }).max(LEAST);
         let usual = USUAL.min(width / if both { 4.0 } else { 3.0 }).max(LEAST);
+        // Each usual width has a remembered one of its own, so that a window that was narrow for a while looks as before.
+        let id = |name: &str| Id::new(name).with((both, usual as i32));
         let side = |panel: Panel| panel.size_range(LEAST..=most).default_size(usual);
         if is_open[0] {
-            // Beside the inspector it has a width of its own, so that it is as wide as before once that is folded.
-            let id = if both { "panel beside" } else { "panel" };
-            side(Panel::left(id)).show_inside(ui, |ui| self.scrolled_panel(ui));
+            side(Panel::left(id("panel"))).show_inside(ui, |ui| self.scrolled_panel(ui));
         } else if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
             self.desk.panel_folded = false;
             self.desk.over[0] ^= true;
         }
         if is_open[1] {
-            side(Panel::right("inspector")).show_inside(ui, |ui| self.inspector(ui));
+            side(Panel::right(id("inspector"))).show_inside(ui, |ui| self.inspector(ui));
         } else if is_opened(
             ui,
             Panel::right("folded inspector"),

@@ -265,7 +265,7 @@ fn edits_are_asked_for_by_q_and_rescued_where_the_frame_is_closed() {
         )));
         widgets(app, SIZE)
     };
-    let add = *places(&harness, "cuboid").last().expect("a button");
+    let add = *places(&harness, "add cuboid").last().expect("a button");
     program.click([add.x as i32, add.y as i32]);
     until("a star", || program.title().contains('*'));
     program.press("q");
