@@ -226,16 +226,18 @@ impl App {
     /// Closes the uppermost thing that can be closed.
     fn close(&mut self) {
         let desk = &mut self.desk;
-        let is_shown = desk.has_room[1] || desk.over[1];
         let switches = [&mut desk.asks_to_save, &mut desk.help, &mut desk.over[0]];
+        let has_inspector = desk.has_room[1] && self.state.view.inspector.is_some();
+        let has_pixel = self.state.view.pixel.is_some();
         if let Some(switch) = switches.into_iter().find(|switch| **switch) {
             *switch = false;
+        } else if std::mem::take(&mut desk.over[1]) {
+            self.set_look(Inspector(None));
         } else if desk.file_error.take().is_some() || desk.left_out.take().is_some() {
             // The first of them is gone now.
-        } else if self.look::<Probed>().0.is_some() && !self.desk.over[1] {
+        } else if has_pixel {
             self.set_look(Probed(None));
-        } else if is_shown && self.look::<Inspector>().0.is_some() {
-            self.desk.over[1] = false;
+        } else if has_inspector {
             self.set_look(Inspector(None));
         } else {
             self.say("Q quits");

@@ -125,7 +125,7 @@ fn every_answer_is_old_after_a_change_of_the_picture_and_only_then() {
 #[test]
 fn a_probed_pixel_stays_on_its_point_when_the_window_changes_its_size() {
     let mut window = Window::of(default_scene(), [300, 200]);
-    window.click(Pos2::new(250.0, 150.0));
+    window.click(Pos2::new(170.0, 120.0));
     let before = window.record().view.pixel.expect("a pixel");
     let [width, height] = window.app.picture_size();
     window.size = [600, 400];
