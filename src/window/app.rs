@@ -18,7 +18,7 @@ use fearless_simd::Level;
 use hecs::Component;
 
 use super::facts::Facts;
-use super::file::{News, SceneFile};
+use super::file::{INTERVAL, News, SceneFile};
 use super::history::History;
 use super::inspector::Kind;
 use super::jobs::{Jobs, State, Task};
@@ -242,7 +242,7 @@ impl App {
             repaint_after = repaint_after.min(self.next_degree.saturating_sub(self.now));
         }
         if self.file.path.is_some() {
-            repaint_after = repaint_after.min(Duration::from_millis(200));
+            repaint_after = repaint_after.min(INTERVAL);
         }
         let mut copied = platform
             .commands
@@ -295,8 +295,8 @@ impl App {
         self.set_look(Spin { on, ..self.look() });
     }
 
-    /// Shows another scene in place of this one, whose edits go into a file.
-    pub fn open(&mut self, scene: Scene) {
+    /// Shows the scene that the user chose; edits of the one before go into a file.
+    pub fn choose(&mut self, scene: Scene) {
         match self.rescue() {
             Some(Ok(path)) => self.say(format!(
                 "the changes that were not saved are in {}",
@@ -305,6 +305,11 @@ impl App {
             Some(Err(error)) => return self.say(format!("not opened: {error}")),
             None => {}
         }
+        self.open(scene);
+    }
+
+    /// Shows another scene in place of this one.
+    pub fn open(&mut self, scene: Scene) {
         if let Some(path) = &scene.path {
             self.desk.recent.retain(|recent| recent != path);
             self.desk.recent.insert(0, path.clone());

@@ -12,7 +12,7 @@ use crate::output::{Output, write_numbered};
 use crate::scene::{self, Scene, SceneRecord};
 
 /// The time from one look at the file to the next.
-const INTERVAL: Duration = Duration::from_millis(200);
+pub const INTERVAL: Duration = Duration::from_millis(200);
 
 /// A change of the file that was not made by saving.
 pub enum News {
@@ -105,7 +105,7 @@ impl SceneFile {
                 output.write(|writer| writer.write_all(text.as_bytes()))?;
                 path.clone()
             }
-            _ => self.write_new(folder, &text)?,
+            _ => write_new(folder, &self.stem(), &text)?,
         };
         self.seen = stamp(&path);
         self.is_wrong = false;
@@ -121,13 +121,7 @@ impl SceneFile {
     /// When it cannot be written.
     pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
-        let name = |number| numbered(&format!("{}-unsaved", self.stem()), number);
-        write_numbered(folder, name, |writer| writer.write_all(text.as_bytes()))
-    }
-
-    fn write_new(&self, folder: &Path, text: &str) -> io::Result<PathBuf> {
-        let name = |number| numbered(&self.stem(), number);
-        write_numbered(folder, name, |writer| writer.write_all(text.as_bytes()))
+        write_new(folder, &format!("{}-unsaved", self.stem()), &text)
     }
 
     fn stem(&self) -> String {
@@ -148,12 +142,13 @@ pub fn load(path: &Path) -> Result<Scene, String> {
     Scene::load_path(path).map_err(|error| error.to_string())
 }
 
-/// `NAME.toml`, then `NAME-2.toml` and so on.
-fn numbered(stem: &str, number: u32) -> String {
-    match number {
+/// Writes `NAME.toml`, or `NAME-2.toml` and so on where that exists.
+fn write_new(folder: &Path, stem: &str, text: &str) -> io::Result<PathBuf> {
+    let name = |number| match number {
         1 => format!("{stem}.toml"),
         _ => format!("{stem}-{number}.toml"),
-    }
+    };
+    write_numbered(folder, name, |writer| writer.write_all(text.as_bytes()))
 }
 
 fn stamp(path: &Path) -> Stamp {

@@ -220,7 +220,7 @@ impl App {
         });
         if let Some(path) = chosen {
             match load(&path) {
-                Ok(scene) => self.open(scene),
+                Ok(scene) => self.choose(scene),
                 Err(error) => self.desk.file_error = Some(error),
             }
         }

@@ -3,10 +3,11 @@
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
-    View, Viewpoint, cuboid,
+    Camera, FileOrder, Light, LightKind, Material, Name, Projection, Transform, View, Viewpoint,
 };
 use shadetrade::reference::{Sample, Truth, at_pixel, picture};
+
+use crate::support::scene;
 
 /// kA 0.1, kD 1 and kE 0.5 in every channel.
 pub const MATERIAL: Material = Material {
@@ -31,16 +32,7 @@ pub fn spawn_turned_cuboid(
         position: position.into(),
         rotation: rotation.into(),
     };
-    let order = world.query_mut::<&Mesh>().into_iter().count();
-    let (name, mesh) = (Name("cuboid".into()), Mesh::cuboid(size.into()));
-    world.spawn(cuboid(
-        order,
-        name,
-        transform,
-        mesh,
-        material,
-        ShadingMode::Phong,
-    ));
+    scene::spawn_cuboid(world, size.into(), transform, material);
 }
 
 /// A white light of 100 levels.

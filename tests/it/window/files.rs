@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use egui::{Key, Modifiers};
 use shadetrade::components::Light;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::window::recording::Log;
+use shadetrade::window::replay;
 
 use super::{PAUSE, SIZE, Window};
 
@@ -182,7 +184,7 @@ fn another_scene_takes_no_edits_with_it() {
     let edits = window.record();
     window
         .app
-        .open(Scene::load(Some("assignment")).expect("built in"));
+        .choose(Scene::load(Some("assignment")).expect("built in"));
     window.wait(PAUSE);
     assert!(window.output.title.contains("assignment"));
     let kept = window
@@ -193,6 +195,22 @@ fn another_scene_takes_no_edits_with_it() {
     assert_eq!(read(&window.folder.path().join(kept)), edits);
     window.undo();
     assert_eq!(window.message(), "nothing to undo");
+}
+
+#[test]
+fn a_recording_that_opens_another_scene_writes_no_file() {
+    let (mut window, _) = on_file();
+    edit(&mut window, 3.0);
+    let before = window.files();
+    let text = {
+        let record = serde_json::to_string(&window.record()).expect("JSON");
+        format!("0.000 scene {{\"name\":\"other\",\"scene\":{record}}}\n")
+    };
+    let log = Log::read("other.log", text.as_bytes(), PAUSE).expect("a recording");
+    replay::play(&mut window.app, &log.frames[0]).expect("it is played");
+    window.wait(PAUSE);
+    assert!(window.output.title.contains("other"));
+    assert_eq!(window.files(), before);
 }
 
 #[test]
