@@ -139,15 +139,18 @@ proven to be within the tolerance (0.05 level at tolerance 0).
 With -o it leaves out as many lights, cuboids and evaluations at every pixel as the tolerance allows
 together, and writes the scene that remains, with the one camera looked through.")]
     Requires(RequiresOptions),
-    /// Runs the table of numerical extremes: what each ought to give, what it gives, and whether that is right
+    /// Proves scenes at the ends of what numbers can be, each built in as `extremes/NAME`
     #[command(after_help = "\
 Examples:
   shadetrade extremes
-  shadetrade extremes --simd fallback
+  shadetrade extremes eye-inside horizon-1e12
+  shadetrade view extremes/horizon-1e12
   shadetrade extremes --json > extremes.json
   shadetrade extremes --chart -o stability
 
-Exit status 1 if a case fails. The largest picture takes a gigabyte of memory while it is drawn.
+Every pixel is proven as `prove` does it: from each camera, in both projections and both modes, at
+tolerance 0 and 0.5. Facts that are known on paper are compared too. The first line of a scene says
+what is extreme in it and what must be seen. Exit status 1 if an extreme fails.
 
 With --chart it sweeps one number of a scene at a time instead: shininess, edge length, aspect,
 distance from the origin, of the eye and of a light, field of view, intensity, number of lights. Four

@@ -217,6 +217,9 @@ pub struct RequiresOptions {
 /// The options of `extremes`.
 #[derive(Args, Debug)]
 pub struct ExtremesOptions {
+    /// Proves only these [default: all]
+    #[arg(value_name = "NAME", conflicts_with = "chart")]
+    pub names: Vec<String>,
     /// Sweeps one number of a scene at a time over its whole range instead, and shows how far f32, f64 and the renderer err
     #[arg(long)]
     pub chart: bool,
@@ -224,7 +227,7 @@ pub struct ExtremesOptions {
     #[arg(short, long, value_name = "DIR", requires = "chart",
           value_parser = PathBufValueParser::new().try_map(folder))]
     pub output: Option<PathBuf>,
-    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each case; with --chart, the curves
+    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves
     #[arg(long)]
     pub json: bool,
     /// Who draws.
