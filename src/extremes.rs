@@ -29,17 +29,13 @@ const FOLDER: &str = "extremes/";
 /// The least number of pixels, over the pictures from one camera, that show a cuboid: fewer prove little.
 const MIN_COVERED: u64 = 100;
 
-/// A scene and what is expected of it.
-pub struct Extreme {
-    /// Its built-in name without the folder.
-    pub name: &'static str,
-    expected: Expectation,
-}
-
-/// An entry of the index.
+/// A scene and what is expected of it, which the index says where it is not the rule.
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct Expectation {
+pub struct Extreme {
+    /// Its built-in name without the folder.
+    #[serde(skip)]
+    pub name: &'static str,
     /// Width and height of the pictures in pixels.
     size: [usize; 2],
     projections: Vec<Projection>,
@@ -47,9 +43,10 @@ struct Expectation {
     fact: Option<Fact>,
 }
 
-impl Default for Expectation {
+impl Default for Extreme {
     fn default() -> Self {
-        Expectation {
+        Extreme {
+            name: "",
             size: [96, 72],
             projections: Projection::ALL.to_vec(),
             modes: vec![ShadingMode::Gouraud, ShadingMode::Phong],
@@ -88,18 +85,15 @@ pub struct Outcome {
 /// When the index is wrong; it is built in.
 pub fn table() -> Vec<Extreme> {
     let index = include_str!("../assets/extremes/index.toml");
-    let mut index: BTreeMap<String, Expectation> =
-        toml::from_str(index).expect("the index is built in");
-    let names = EXTREMES
-        .iter()
-        .filter_map(|(path, _)| path.strip_prefix(FOLDER));
-    let table = names.map(|name| Extreme {
-        name,
-        expected: index.remove(name).unwrap_or_default(),
+    let mut index: BTreeMap<&str, Extreme> = toml::from_str(index).expect("the index is right");
+    let scenes = EXTREMES.iter().map(|(path, _)| {
+        let name = path.trim_start_matches(FOLDER);
+        let expected = index.remove(name).unwrap_or_default();
+        Extreme { name, ..expected }
     });
-    let table = table.collect();
+    let scenes = scenes.collect();
     assert!(index.is_empty(), "the index names scenes that do not exist");
-    table
+    scenes
 }
 
 /// The extremes of these names, with or without their folder; all if there are none.
@@ -110,14 +104,13 @@ pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     let mut table = table();
     let names: Vec<&str> = names
         .iter()
-        .map(|name| name.strip_prefix(FOLDER).unwrap_or(name))
+        .map(|it| it.trim_start_matches(FOLDER))
         .collect();
-    for name in &names {
-        let is_there = table.iter().any(|extreme| extreme.name == *name);
-        ensure!(
-            is_there,
-            "no extreme is named {name:?}; `shadetrade extremes` lists them"
-        );
+    let missing = names
+        .iter()
+        .find(|name| !table.iter().any(|it| it.name == **name));
+    if let Some(name) = missing {
+        bail!("no extreme is named {name:?}; `shadetrade extremes` lists them");
     }
     table.retain(|extreme| names.is_empty() || names.contains(&extreme.name));
     Ok(table)
@@ -136,7 +129,7 @@ pub fn examine(
         let observed = extreme.observe(level, all);
         Outcome {
             name: extreme.name,
-            expected: extreme.expected.text(),
+            expected: extreme.expected(),
             pass: observed.is_ok(),
             observed: observed.unwrap_or_else(|error| format!("{error:#}")),
         }
@@ -172,6 +165,17 @@ pub fn text(outcomes: &[Outcome]) -> String {
 }
 
 impl Extreme {
+    /// What is expected, in words.
+    fn expected(&self) -> String {
+        match self.fact {
+            None => "proven".to_owned(),
+            Some(Fact::Background) => "proven, nothing is seen".to_owned(),
+            Some(Fact::Cuboid(number)) => format!("proven, cuboid {number} alone"),
+            Some(Fact::Everywhere(level)) => format!("proven, {level} levels"),
+            Some(Fact::Pixel { at, levels }) => format!("proven, pixel {at:?} has {levels:?}"),
+        }
+    }
+
     /// Proves the pictures and checks what is known of them; how far they may err, in words.
     fn observe(&self, level: Level, all: bool) -> anyhow::Result<String> {
         let mut scene = Scene::load(Some(&format!("{FOLDER}{}", self.name)))?;
@@ -180,27 +184,22 @@ impl Extreme {
         for (number, camera) in names::<Camera>(&scene.world).iter().enumerate() {
             scene.look_from(camera)?;
             let mut seen = 0;
-            let views = self.expected.views(&scene.world);
-            let chosen = views
-                .into_iter()
-                .enumerate()
-                .filter(|(index, _)| all || (index / 2 + number) % 2 == 0);
-            for (index, view) in chosen.map(|(index, view)| (index % 2, view)) {
-                let proof = self.expected.check(&mut scene.world, &view, &mut frame);
+            for (index, view) in self.views(&scene.world).iter().enumerate() {
+                if !all && (index / 2 + number) % 2 == 1 {
+                    continue;
+                }
+                let proof = self.check(&mut scene.world, view, &mut frame);
                 let proof = proof.with_context(|| {
                     let mode = view.shading.map_or("", ShadingMode::name);
-                    let projection = view.projection.name();
-                    format!(
-                        "camera {camera}, {mode}, {projection}, tolerance {}",
-                        view.tolerance
-                    )
+                    let (projection, tolerance) = (view.projection.name(), view.tolerance);
+                    format!("camera {camera}, {projection}, {mode}, tolerance {tolerance}")
                 })?;
-                worst[index] = worst[index].max(proof.worst);
+                worst[index % 2] = worst[index % 2].max(proof.worst);
                 seen += proof.covered;
                 pictures += 1;
             }
             ensure!(
-                seen >= MIN_COVERED || self.expected.fact.is_some(),
+                seen >= MIN_COVERED || self.fact.is_some(),
                 "camera {camera}: only {seen} pixels show a cuboid"
             );
             covered += seen;
@@ -209,19 +208,6 @@ impl Extreme {
         Ok(format!(
             "{covered} pixels in {pictures} pictures: {exact:.0e} level at tolerance 0, {half:.2} at 0.5"
         ))
-    }
-}
-
-impl Expectation {
-    fn text(&self) -> String {
-        let known = match self.fact {
-            None => String::new(),
-            Some(Fact::Background) => ", nothing is seen".to_owned(),
-            Some(Fact::Cuboid(number)) => format!(", cuboid {number} alone"),
-            Some(Fact::Everywhere(level)) => format!(", {level} levels"),
-            Some(Fact::Pixel { levels, .. }) => format!(", {levels:?}"),
-        };
-        format!("proven{known}")
     }
 
     /// The pictures from the present camera, each exactly and then within half a level.

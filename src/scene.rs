@@ -6,14 +6,15 @@
 //!                     '-- updated (comments kept) --'
 //! ```
 //! Every number in a [`World`] spawned here is finite and within the [`range`] of its key, and every name is unique within its
-//! kind. Nothing else knows TOML.
+//! kind. Nothing else reads or writes scene files.
 
+mod check;
 mod error;
 mod file;
-mod form;
 pub mod range;
 mod record;
 mod save;
+mod world;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -22,10 +23,9 @@ use std::str::FromStr;
 use anyhow::{anyhow, bail};
 use hecs::World;
 
+pub use self::check::MAX_SIDE;
 pub use self::error::{Mistake, SceneError};
-pub use self::record::{
-    CameraRecord, CuboidRecord, LightRecord, MAX_SIDE, MaterialRecord, SceneRecord, ViewRecord,
-};
+pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 pub use self::save::updated;
 use crate::components::{ActiveCamera, Camera, Light, Name, names, ordered, overwrite};
 use crate::memory;
@@ -112,8 +112,10 @@ impl Scene {
                 hint: String::new(),
             }
         })?;
-        let record = SceneRecord::read(text).map_err(|fault| fault.locate(name, text))?;
-        let slip = record.slip().map(|slip| slip.locate(name, text));
+        let located = |span, message: &str| error::located(name, text, &span, message);
+        let record = SceneRecord::read(text).map_err(|(span, why)| located(span, &why))?;
+        let slip = record.slip();
+        let slip = slip.map(|slip| located(slip.span(text), &slip.to_string()));
         Ok(Scene {
             text: text.to_owned(),
             warning: slip.map(|slip| slip.to_string()),

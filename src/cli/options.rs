@@ -22,7 +22,7 @@ use crate::simd;
 /// What to draw and how, as the command line says it.
 #[derive(Args, Clone, Debug)]
 pub struct DrawingOptions {
-    /// A scene file, or one of the built-in scenes cuboid, bench-far, bench-close, assignment [default: cuboid]
+    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME [default: cuboid]
     #[arg(value_name = "SCENE")]
     pub scene: Option<PathBuf>,
     /// The camera of the scene to look through [default: as the scene says]

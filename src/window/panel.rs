@@ -196,22 +196,13 @@ impl App {
         let mut chosen: Option<PathBuf> = None;
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            let built_in = |scenes: &[(&str, _)]| {
-                let paths = scenes.iter().map(|(name, _)| PathBuf::from(name));
-                paths.collect::<Vec<_>>()
-            };
-            for (title, paths) in [
-                ("built in", built_in(&BUILT_IN)),
-                ("opened last", self.desk.recent.files.clone()),
-                ("extremes", built_in(EXTREMES)),
-            ] {
-                ui.weak(title);
-                for path in paths {
-                    let name = path.to_string_lossy();
-                    let is_open = self.scene.name == name;
-                    if ui.selectable_label(is_open, &*name).clicked() {
-                        chosen = Some(path.clone());
-                    }
+            let built_in = BUILT_IN.iter().chain(EXTREMES);
+            let built_in = built_in.map(|(name, _)| PathBuf::from(name));
+            for path in self.desk.recent.files.iter().cloned().chain(built_in) {
+                let name = path.to_string_lossy();
+                let is_open = self.scene.name == name;
+                if ui.selectable_label(is_open, &*name).clicked() {
+                    chosen = Some(path.clone());
                 }
             }
         });

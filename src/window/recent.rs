@@ -1,53 +1,48 @@
 //! The scene files that were opened last, kept from one session to the next.
 
-use std::env;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use crate::output::Output;
-
-/// The most files that are kept.
-const MOST: usize = 10;
 
 /// The files opened last, the latest first.
 #[derive(Default)]
 pub struct Recent {
     pub files: Vec<PathBuf>,
-    /// The list is kept there, a path a line.
+    /// The file that keeps them, a path a line; `None` keeps them for this session.
     list: Option<PathBuf>,
 }
 
 impl Recent {
-    /// The list in the user's folder for such things; what cannot be read is no file.
+    /// Those of the user.
     pub fn of_user() -> Self {
-        let state = env::var_os("XDG_STATE_HOME").map(PathBuf::from);
-        let home = env::var_os("HOME").map(|home| Path::new(&home).join(".local/state"));
-        match state.filter(|path| path.is_absolute()).or(home) {
-            Some(folder) => Recent::kept_in(&folder.join("shadetrade")),
-            None => Recent::default(),
-        }
+        let state = env::var_os("XDG_STATE_HOME").filter(|state| !state.is_empty());
+        let home = || Some(Path::new(&env::var_os("HOME")?).join(".local/state"));
+        let folder = state.map(PathBuf::from).or_else(home);
+        folder.map_or_else(Recent::default, |it| {
+            Recent::kept_in(&it.join("shadetrade"))
+        })
     }
 
-    /// The list in this folder.
+    /// Those that a folder keeps; what cannot be read is no file.
     pub fn kept_in(folder: &Path) -> Self {
         let list = folder.join("recent");
-        let text = std::fs::read_to_string(&list).unwrap_or_default();
+        let text = fs::read_to_string(&list).unwrap_or_default();
         Recent {
-            files: text.lines().take(MOST).map(PathBuf::from).collect(),
+            files: text.lines().map(PathBuf::from).collect(),
             list: Some(list),
         }
     }
 
-    /// Puts a file first. The list is a convenience: where it cannot be written, the session goes on without.
+    /// Puts a file first, of ten. They are a convenience: where they cannot be kept, nothing is said.
     pub fn add(&mut self, file: &Path) {
-        let Ok(file) = std::path::absolute(file) else {
-            return;
-        };
+        let file = std::path::absolute(file).unwrap_or_else(|_| file.to_path_buf());
         self.files.retain(|other| *other != file);
         self.files.insert(0, file);
-        self.files.truncate(MOST);
+        self.files.truncate(10);
         if let Some(list) = &self.list {
-            let _ = list.parent().map(std::fs::create_dir_all);
-            let lines: Vec<&str> = self.files.iter().filter_map(|file| file.to_str()).collect();
+            let _ = list.parent().map(fs::create_dir_all);
+            let lines: Vec<_> = self.files.iter().map(|it| it.to_string_lossy()).collect();
             let text = lines.join("\n");
             let _ = Output::File(list.clone()).write(|writer| writer.write_all(text.as_bytes()));
         }

@@ -10,7 +10,7 @@
 use glam::camera::rh::{proj, view};
 use glam::{DVec3, Mat3, Mat4, Vec3};
 
-use crate::components::{LightKind, Material, Mesh, TRIANGLES};
+use crate::components::{LightKind, Mesh, TRIANGLES};
 use crate::scene::{CuboidRecord, SceneRecord};
 
 /// A perspective picture.
@@ -90,12 +90,12 @@ impl<'a> Textbook<'a> {
             a * weights.x + b * weights.y + c * weights.z
         };
         let (position, normal) = (blend(&cuboid.corners), blend(&cuboid.normals).normalize());
-        let material = Material::from(self.scene.cuboid[face / 6].material);
+        let material = self.scene.cuboid[face / 6].material;
         let to_eye = (self.eye - position).normalize();
-        let terms = self.scene.light.iter().map(|record| {
-            let light = record.light();
+        let terms = self.scene.light.iter().map(|light| {
             let sent = light.color.as_vec3() * light.intensity as f32 * light.gain as f32;
-            let to_light = (record.place().as_vec3() - position).normalize();
+            let place = light.position.unwrap_or_default().as_vec3();
+            let to_light = (place - position).normalize();
             let facing = normal.dot(to_light);
             match light.kind {
                 LightKind::Ambient => material.ambient.as_vec3() * sent,

@@ -34,6 +34,13 @@ fn views(size: [usize; 2], eye: DVec3) -> Vec<View> {
     views
 }
 
+fn one_cuboid() -> World {
+    let mut world = empty();
+    let size = DVec3::new(4.0, 3.0, 2.0);
+    spawn_cuboid(&mut world, size, at(DVec3::ZERO), MATERIAL);
+    world
+}
+
 fn light_all(world: &mut World, place: DVec3) {
     for (kind, levels) in [
         (LightKind::Diffuse, 170.0),
@@ -58,13 +65,7 @@ fn assert_proven(world: &mut World, view: &View, least: u64) {
 
 /// A cuboid under `count` lights of one sum, half diffuse and half specular.
 fn under_many_lights(count: u32, place: impl Fn(f64) -> DVec3) -> World {
-    let mut world = empty();
-    spawn_cuboid(
-        &mut world,
-        DVec3::new(4.0, 3.0, 2.0),
-        at(DVec3::ZERO),
-        MATERIAL,
-    );
+    let mut world = one_cuboid();
     for index in 0..count {
         for (kind, levels) in [(LightKind::Diffuse, 200.0), (LightKind::Specular, 500.0)] {
             let levels = DVec3::splat(levels / f64::from(count));
@@ -144,13 +145,7 @@ fn a_bar_edge_on_behind_a_sheet_is_not_seen() {
 
 #[test]
 fn perspective_from_ten_thousand_times_as_far_is_orthographic() {
-    let mut world = empty();
-    spawn_cuboid(
-        &mut world,
-        DVec3::new(4.0, 3.0, 2.0),
-        at(DVec3::ZERO),
-        MATERIAL,
-    );
+    let mut world = one_cuboid();
     light_all(&mut world, DVec3::splat(10.0));
     let eye = EYE * 1e4;
     let [mut far, flat] =
@@ -181,13 +176,7 @@ fn perspective_from_ten_thousand_times_as_far_is_orthographic() {
 #[test]
 fn the_largest_picture_is_proven_in_samples() {
     let side = if is_full() { 16_384 } else { 1024 };
-    let mut world = empty();
-    spawn_cuboid(
-        &mut world,
-        DVec3::new(4.0, 3.0, 2.0),
-        at(DVec3::ZERO),
-        MATERIAL,
-    );
+    let mut world = one_cuboid();
     light_all(&mut world, DVec3::splat(10.0));
     let view = view([side, side], EYE, DVec3::ZERO, Projection::Perspective);
     let view = view.shaded(ShadingMode::Phong).with_tolerance(0.5);
@@ -217,13 +206,7 @@ fn the_largest_picture_is_proven_in_samples() {
 #[test]
 fn no_power_is_evaluated_for_a_light_that_sends_nothing() {
     for strength in [0.0, 1e-300] {
-        let mut world = empty();
-        spawn_cuboid(
-            &mut world,
-            DVec3::new(4.0, 3.0, 2.0),
-            at(DVec3::ZERO),
-            MATERIAL,
-        );
+        let mut world = one_cuboid();
         let levels = DVec3::splat(strength);
         spawn_light(&mut world, LightKind::Specular, levels, DVec3::splat(10.0));
         for view in views([96, 72], EYE) {

@@ -8,14 +8,12 @@ use proptest::option::of;
 use proptest::prelude::*;
 use proptest::sample::select;
 use shadetrade::components::{
-    LightKind, Magnifier, Orbit, Projection, ShadingMode, Side, Tab, ViewMode,
+    LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, ViewMode,
 };
 use shadetrade::scene::range::{
     ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
 };
-use shadetrade::scene::{
-    CameraRecord, CuboidRecord, LightRecord, MaterialRecord, SceneRecord, ViewRecord,
-};
+use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
 /// As often near 0 as far from it, and sometimes an end.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -46,7 +44,7 @@ pub fn cuboid() -> impl Strategy<Value = CuboidRecord> {
     (name(), places, modes, material).prop_map(
         |(name, (size, position, rotation), shading, (coefficients, shininess))| {
             let [ambient, diffuse, specular] = coefficients;
-            let material = MaterialRecord {
+            let material = Material {
                 ambient,
                 diffuse,
                 specular,
