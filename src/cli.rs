@@ -114,12 +114,14 @@ Examples:
   shadetrade prove
   shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
   shadetrade prove assignment --projection orthographic --json > proof.json
+  shadetrade prove --shading phong --picture other.png -o judged.png
 
 Encloses every pixel's exact levels by interval arithmetic, from the scene's numbers on, and
 compares what is drawn. Says how many pixels are proven, refuted or undecided, how many are so
 near an edge that they may show either side, and how far the f64 reference may be off. The map
-shows proven pixels dim, undecided ones yellow and refuted ones red. Exit status 1 if a pixel is
-refuted.")]
+shows proven pixels dim, undecided ones yellow and refuted ones red. With --picture it judges what
+another program drew: a byte is proven if it is the rounding of a level within the tolerance of every
+value of the enclosure (0.05 level at tolerance 0). Exit status 1 if a pixel is refuted.")]
     Prove(ProveOptions),
     /// Says which parts of the model a scene requires: what leaving out each errs, proven, and what it costs
     #[command(after_help = "\

@@ -49,7 +49,8 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::Prove(options)) => {
             let map = options.output.as_ref();
             let mut drawing = options.drawing.open_for(map)?;
-            Ok(prove::run(&mut drawing, map, options.json)?)
+            let picture = options.read_picture()?;
+            Ok(prove::run(&mut drawing, picture, map, options.json)?)
         }
         Some(Command::Requires(options)) => {
             let least = options.output.as_ref();

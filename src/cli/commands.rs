@@ -14,6 +14,7 @@ use image::ImageFormat;
 use super::Failure;
 use super::options::{self, DrawingOptions, WorkerOptions};
 use crate::output::{Output, quoted};
+use crate::prove::{Picture, read_png};
 use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::trade::{self, process};
@@ -192,12 +193,31 @@ pub struct ProveOptions {
     /// What is drawn, and how.
     #[command(flatten)]
     pub drawing: DrawingOptions,
+    /// Judges this picture of the scene, a PNG with 8 bits a channel that any program drew; its size is the picture's
+    #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
+    pub picture: Option<PathBuf>,
     /// Where a PNG of the verdicts goes
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(map_file))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
     pub json: bool,
+}
+
+impl ProveOptions {
+    /// The picture that is judged, if one is named.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when it cannot be judged, or the map would replace it.
+    pub fn read_picture(&self) -> Result<Option<Picture>, Failure> {
+        let Some(path) = &self.picture else {
+            return Ok(None);
+        };
+        if let Some(output) = &self.output {
+            options::refuse_to_replace(path, "picture", output)?;
+        }
+        read_png(path).map(Some).map_err(Failure::Usage)
+    }
 }
 
 /// The options of `requires`.

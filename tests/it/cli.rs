@@ -6,6 +6,7 @@ mod errors;
 mod faults;
 mod files;
 mod help;
+mod judging;
 #[cfg(unix)]
 mod names;
 mod pictures;

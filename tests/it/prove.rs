@@ -6,6 +6,7 @@ mod judge;
 mod known;
 mod limits;
 mod naive;
+mod picture;
 mod scenes;
 mod search;
 mod ties;
@@ -18,7 +19,7 @@ use shadetrade::reference::{Interval, Reference, Seen};
 
 /// The proof of the picture that the renderer draws.
 fn proof(world: &mut World, view: &View) -> Proof {
-    let proof = prove(world, view, Level::new(), &|| false, &|_| ());
+    let proof = prove(world, view, None, Level::new(), &|| false, &|_| ());
     proof
         .expect("a small picture fits")
         .expect("it is not cancelled")
