@@ -137,8 +137,8 @@ impl<R: Real> Reference<R> {
         }
     }
 
-    /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel may
-    /// show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
+    /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel
+    /// may show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
         let here = |cuboid: &&Cuboid<R>| cuboid.solid.rows.contains(&y);
         let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
@@ -159,7 +159,8 @@ impl<R: Real> Reference<R> {
         seen
     }
 
-    /// Overwrites `seen` with the surfaces of the cuboids in `met`, and the background unless one of them is certainly hit.
+    /// Overwrites `seen` with the surfaces of the cuboids in `met`, and the background unless one of them is certainly
+    /// hit.
     fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
         seen.clear();
         for met in met {

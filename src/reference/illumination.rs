@@ -18,9 +18,9 @@ use super::sight::{Place, Solid};
 use super::vector::Vector;
 use crate::components::{Light, LightKind, Material, Mesh};
 
-/// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per specular
-/// light, by its number modulo [`TIES`]. Lights with the same bit open together, so not every legal picture is enclosed
-/// where more than [`TIES`] lights are tied at one point. Those lights then lie in one plane with the point.
+/// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per
+/// specular light, by its number modulo [`TIES`]. Lights with the same bit open together, so not every legal picture is
+/// enclosed where more than [`TIES`] lights are tied at one point. Those lights then lie in one plane with the point.
 pub type Open = usize;
 
 /// The bits of [`Open`].

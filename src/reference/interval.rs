@@ -6,9 +6,9 @@
 //! ```
 //!
 //! The exact result of an operation on any numbers of its intervals lies in the resulting interval. Operations of f64
-//! round to nearest, so a bound that is not exact moves outwards by one float. A result that is undefined for some of the
-//! numbers, such as a division by an interval that holds 0, is the interval of all numbers. Exponential, logarithm, sine
-//! and cosine come from the crate maryada, whose bounds are proven (IEEE 1788.1).
+//! round to nearest, so a bound that is not exact moves outwards by one float. A result that is undefined for some of
+//! the numbers, such as a division by an interval that holds 0, is the interval of all numbers. Exponential, logarithm,
+//! sine and cosine come from the crate maryada, whose bounds are proven (IEEE 1788.1).
 
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -47,7 +47,8 @@ impl Interval {
         }
     }
 
-    /// The interval that encloses these values. Each is given with whether it is exact; otherwise it is rounded to nearest.
+    /// The interval that encloses these values. Each is given with whether it is exact; otherwise it is rounded to
+    /// nearest.
     fn around<const COUNT: usize>(values: [(f64, bool); COUNT]) -> Self {
         let [mut least, mut largest] = [f64::INFINITY, f64::NEG_INFINITY];
         for (value, is_exact) in values {
@@ -228,7 +229,8 @@ impl Div for Interval {
 mod tests {
     use super::*;
 
-    /// Every pair of numbers of many magnitudes: zero, short decimals, subnormal numbers and the largest float among them.
+    /// Every pair of numbers of many magnitudes: zero, short decimals, subnormal numbers and the largest float among
+    /// them.
     fn pairs() -> impl Iterator<Item = [f64; 2]> {
         let values: Vec<f64> = (0..40_u32)
             .map(|i| f64::from(i).sin() * 10_f64.powi((i as i32 * 7) % 25 - 12))

@@ -1,6 +1,7 @@
 //! The number types of the reference: f64 and f32 hold one rounded value, an interval encloses the exact one.
 //!
-//! A comparison of an interval that holds values of both answers is undecided (`None`). No caller takes undecided for no.
+//! A comparison of an interval that holds values of both answers is undecided (`None`). No caller takes undecided for
+//! no.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};

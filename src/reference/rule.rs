@@ -3,17 +3,17 @@
 /// A rule of the model that can be left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// A highlight exists only where n.l > 0. Without the rule its factor is max(0, o.r)^rho everywhere, so a light behind
-    /// a face may cause a highlight on it.
+    /// A highlight exists only where n.l > 0. Without the rule its factor is max(0, o.r)^rho everywhere, so a light
+    /// behind a face may cause a highlight on it.
     SpecularGate,
-    /// Phong's n is normalised after interpolation. Without the rule n is the affine combination of the unit normals of the
-    /// corners, which is shorter than 1 inside a face, and r = 2 (n.l) n - l is no unit vector either. Gouraud is not
-    /// affected, because it does not interpolate n.
+    /// Phong's n is normalised after interpolation. Without the rule n is the affine combination of the unit normals of
+    /// the corners, which is shorter than 1 inside a face, and r = 2 (n.l) n - l is no unit vector either. Gouraud is
+    /// not affected, because it does not interpolate n.
     UnitNormal,
-    /// Positions and normals (Phong) or levels (Gouraud) are interpolated on the triangle. Without the rule they are affine
-    /// functions of the pixel: the corners' weights a, b, c become a za, b zb, c zc over their sum. A corner behind the eye
-    /// has its value where the line through it and the eye intersects the picture. In orthographic projection the rule has
-    /// no effect.
+    /// Positions and normals (Phong) or levels (Gouraud) are interpolated on the triangle. Without the rule they are
+    /// affine functions of the pixel: the corners' weights a, b, c become a za, b zb, c zc over their sum. A corner
+    /// behind the eye has its value where the line through it and the eye intersects the picture. In orthographic
+    /// projection the rule has no effect.
     PerspectiveCorrect,
     /// The nearest cuboid is visible. Without the rule each cuboid is painted over those before it in the file.
     DepthTest,

@@ -43,8 +43,8 @@ impl<R: Real> Vector<R> {
 
     /// The vector scaled to length 1; zero stays zero.
     ///
-    /// The squares of very long and very short vectors overflow or underflow f64, so those vectors are scaled first. Each
-    /// component is clamped to -1..=1, because an interval exceeds it where the length may be 0.
+    /// The squares of very long and very short vectors overflow or underflow f64, so those vectors are scaled first.
+    /// Each component is clamped to -1..=1, because an interval exceeds it where the length may be 0.
     pub fn unit(self) -> Self {
         let bounds = self.0.map(|x| x.endpoints().map(f64::abs)).concat();
         let largest = bounds.into_iter().fold(0.0, f64::max);

@@ -12,7 +12,8 @@ use super::{Sight, own_axes};
 use crate::components::{Mesh, Projection, Transform};
 
 impl Sight<Interval> {
-    /// The columns and rows in which a cuboid may be visible; all of them if a corner may be behind the eye in perspective.
+    /// The columns and rows in which a cuboid may be visible; all of them if a corner may be behind the eye in
+    /// perspective.
     pub fn bounds(&self, transform: &Transform, mesh: &Mesh) -> [Range<usize>; 2] {
         let axes = own_axes(transform);
         let centre = Vector::exact(transform.position) - Vector::exact(self.eye);

@@ -1,7 +1,7 @@
 //! The side of an edge on the screen that a pixel centre is on.
 //!
-//! In f64 a centre exactly on the edge belongs to the side on the right, or below if the edge is horizontal (the top-left
-//! rule). An interval near the edge is undecided.
+//! In f64 a centre exactly on the edge belongs to the side on the right, or below if the edge is horizontal (the
+//! top-left rule). An interval near the edge is undecided.
 
 use std::cmp::Ordering;
 
@@ -17,8 +17,8 @@ pub struct Edge<R> {
     at_centre: R,
     right: R,
     down: R,
-    /// Length of the gradient, per pixel. Nothing is divided by it, because it may be 0: a face parallel to the picture has
-    /// the same distance from the near plane at every pixel.
+    /// Length of the gradient, per pixel. Nothing is divided by it, because it may be 0: a face parallel to the picture
+    /// has the same distance from the near plane at every pixel.
     pixel: R,
 }
 

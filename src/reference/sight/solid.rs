@@ -318,8 +318,8 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// The points that a line just outside a face may show: its intersection with the plane, and that point clamped to the
-    /// face. A line beyond the plane's horizon may show the far end of the face, or else any point of it.
+    /// The points that a line just outside a face may show: its intersection with the plane, and that point clamped to
+    /// the face. A line beyond the plane's horizon may show the far end of the face, or else any point of it.
     pub fn beside(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
         let turned = self.turned(face, line);
         let mut places = match descent(face, line).sign(0.0) {
@@ -339,8 +339,8 @@ impl<R: Real> Solid<R> {
 
     /// The far end of the face, if the line reaches it when turned towards the plane by at most [`edge::EDGE`] pixels.
     ///
-    /// A line that turns towards the plane first hits it at infinity, then ever nearer. It reaches the face at the nearer of
-    /// the two ends ahead.
+    /// A line that turns towards the plane first hits it at infinity, then ever nearer. It reaches the face at the
+    /// nearer of the two ends ahead.
     fn turned(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
         if self.projection == Projection::Orthographic {
             return Vec::new();
