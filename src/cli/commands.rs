@@ -36,7 +36,7 @@ pub struct ReplayOptions {
     /// The recording
     #[arg(value_name = "LOG")]
     pub log: PathBuf,
-    /// The PNG file of the last frame, `-` for standard output; a file ending in .apng takes all frames [default: play in a window]
+    /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Option<Output>,
     /// Prints the time and a hash of the picture of every frame
