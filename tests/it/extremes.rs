@@ -1,7 +1,7 @@
 //! Every extreme of the table passes.
 //!
-//! `SHADETRADE_EXTREMES=full` does what `shadetrade extremes` does, at every SIMD level of this machine: the largest picture
-//! has 16384 x 16384 pixels, which take a gigabyte, and a release build.
+//! `SHADETRADE_EXTREMES=full` runs the cases of `shadetrade extremes` at every SIMD level of this machine. The largest
+//! picture has 16384 x 16384 pixels, which takes a gigabyte of memory and a release build.
 
 use fearless_simd::Level;
 use rayon::prelude::*;
@@ -26,7 +26,7 @@ fn every_extreme_passes() {
         };
         let cases = table();
         assert!(cases.len() > 80, "the table is whole");
-        // Most of a case keeps one core busy.
+        // Most of a case runs on one core.
         let examined = cases.par_chunks(4).flat_map(|cases| {
             examine(cases, options, &|_, _| ()).expect("the system gives threads")
         });
@@ -41,7 +41,7 @@ fn every_extreme_passes() {
 }
 
 #[test]
-fn an_outcome_is_printed_with_its_name_what_was_expected_what_was_observed_and_whether_that_is_right()
+fn an_outcome_is_printed_with_its_name_expectation_observation_and_verdict()
  {
     let outcomes = [true, false].map(|pass| Outcome {
         name: "two by two",
