@@ -1,4 +1,4 @@
-//! What the verdict and the table say, and that they say nothing else than the numbers.
+//! The words of verdict and table, which must agree with the numbers.
 
 use shadetrade::components::ShadingMode;
 use shadetrade::trade::Report;
@@ -8,16 +8,16 @@ use shadetrade::trade::verdict::verdict;
 
 use super::example;
 
-/// A measurement, and parts of the sentence that are in its verdict and that are not.
+/// A measurement, parts that its verdict must contain, and parts that it must not contain.
 type Row = (
     fn(&mut Report),
     &'static [&'static str],
     &'static [&'static str],
 );
 
-/// Gouraud takes 2 ns and Phong 3, Gouraud errs by 163 levels and keeps nothing of the highlight.
+/// Gouraud takes 2 ns and Phong 3 ns; Gouraud errs by 163 levels and keeps nothing of the highlight.
 #[test]
-fn the_verdict_claims_what_is_measured_and_nothing_else() {
+fn the_verdict_states_only_measured_facts() {
     let rows: [Row; 9] = [
         (|_| (), &["1.5x", "163 levels", "highlight"], &["shortcut"]),
         (
@@ -41,7 +41,7 @@ fn the_verdict_claims_what_is_measured_and_nothing_else() {
             &["0.5x"],
             &[],
         ),
-        // Too short for the clock.
+        // Too short for the resolution of the clock.
         (
             |report| report.methods[0].timing = example::timing(0.0),
             &["0.003 ms"],
