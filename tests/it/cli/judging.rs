@@ -1,4 +1,4 @@
-//! `prove --picture`: PNG files of any program, and files that cannot be judged.
+//! `prove --picture`: PNG files of other programs, and files that cannot be judged.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use super::{assert_fails, assert_works, folder, run, said};
 
 const SMALL: &str = "--shading phong --tolerance 0";
 
-/// Writes the picture of the built-in scene as another kind of PNG.
+/// Writes the picture of the built-in scene as a PNG of another colour type.
 fn write(folder: &Path, name: &str, kind: impl Fn(DynamicImage) -> DynamicImage) {
     let picture = image::open(folder.join("drawn.png")).expect("a PNG");
     let path = folder.join(name);
@@ -27,7 +27,7 @@ fn judged(folder: &Path, name: &str) -> (Option<i32>, Value) {
 }
 
 #[test]
-fn a_picture_is_judged_whatever_kind_of_8_bits_it_has() {
+fn a_picture_of_any_8_bit_colour_type_is_judged() {
     let folder = folder();
     let folder = folder.path();
     assert_works(folder, &format!("render {SMALL} --size 96x72 -o drawn.png"));
@@ -52,7 +52,7 @@ fn a_picture_is_judged_whatever_kind_of_8_bits_it_has() {
 }
 
 #[test]
-fn a_file_that_cannot_be_judged_is_an_error_that_says_why() {
+fn a_file_that_cannot_be_judged_is_an_error_with_the_reason() {
     let folder = folder();
     let folder = folder.path();
     assert_works(folder, &format!("render {SMALL} --size 96x72 -o drawn.png"));

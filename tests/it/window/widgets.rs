@@ -1,4 +1,4 @@
-//! Widgets by their labels: what is clicked and typed there is in the components.
+//! Widgets by their labels: clicks and typed text change the components.
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, vec2};
@@ -15,7 +15,7 @@ use shadetrade::window::inspector::Kind;
 use super::{PAUSE, Window};
 use crate::support::window::{app, default_scene, places, widgets};
 
-/// A window in which every section and tab is seen.
+/// A size in which every section and tab is visible.
 const SIZE: [usize; 2] = [1400, 1000];
 
 fn open() -> Harness<'static, App> {
@@ -35,7 +35,7 @@ fn click_at(harness: &mut Harness<App>, at: Pos2) {
     harness.run_ok();
 }
 
-/// Clicks the widget of this label.
+/// Clicks the widget with this label.
 #[track_caller]
 fn click(harness: &mut Harness<App>, label: &str) {
     let found = places(harness, label);
@@ -43,7 +43,7 @@ fn click(harness: &mut Harness<App>, label: &str) {
     click_at(harness, found[0]);
 }
 
-/// Clicks the last widget of this label in the inspector.
+/// Clicks the last widget with this label in the inspector.
 #[track_caller]
 fn click_inside(harness: &mut Harness<App>, label: &str) {
     let left = harness.state().place.max.x;
@@ -55,7 +55,7 @@ fn click_inside(harness: &mut Harness<App>, label: &str) {
     click_at(harness, place);
 }
 
-/// Clicks a number right of a label, and types another.
+/// Clicks a number to the right of a label and types another.
 #[track_caller]
 fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
     click_at(harness, number(harness, label, column));
@@ -65,7 +65,7 @@ fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
     harness.run_ok();
 }
 
-/// The place of a number right of the last text of this name.
+/// The position of a number to the right of the last text with this name.
 #[track_caller]
 fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
     let rows = harness.query_all_by(|node| node.role() == Role::Label);
@@ -82,7 +82,7 @@ fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
 }
 
 #[test]
-fn the_panel_switches_what_its_labels_say() {
+fn the_panel_switches_the_things_on_its_labels() {
     let mut harness = open();
     click(&mut harness, "Phong");
     assert_eq!(harness.state().shading(), Some(ShadingMode::Phong));
@@ -212,11 +212,11 @@ fn entities_are_added_copied_renamed_and_deleted() {
         click(&mut harness, "delete");
         assert_eq!(record(&harness), start, "{kind}");
     }
-    // The last cuboid cannot go.
+    // The last cuboid cannot be deleted.
     click(&mut harness, "emerald");
     click(&mut harness, "delete");
     assert_eq!(record(&harness), start);
-    // A name that is taken, or that a list of lights cannot hold, is refused.
+    // A duplicate name, or a name that a list of lights cannot hold, is refused.
     for (name, is_taken) in [
         ("blue", true),
         ("red", false),
@@ -278,7 +278,7 @@ fn numbers_are_typed_within_their_range() {
 }
 
 #[test]
-fn a_number_that_is_looked_at_keeps_every_digit() {
+fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     let mut scene = default_scene();
     let mut start = SceneRecord::of(&scene.world);
     start.cuboid[0].position.x = 0.123_456_789_012;
@@ -292,7 +292,7 @@ fn a_number_that_is_looked_at_keeps_every_digit() {
     click(&mut harness, "emerald");
     let lights = harness.query_all_by(|node| node.role() == Role::SpinButton);
     let all: Vec<Pos2> = lights.map(|node| node.rect().center()).collect();
-    // The focus leaves a number before it is laid out, and after.
+    // The focus leaves each number once before it is laid out and once after.
     for at in all.iter().rev().chain(&all) {
         click_at(&mut harness, *at);
     }
@@ -300,7 +300,7 @@ fn a_number_that_is_looked_at_keeps_every_digit() {
 }
 
 #[test]
-fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_told() {
+fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("other.toml");
     std::fs::write(&path, BUILT_IN[3].1).expect("written");
@@ -326,7 +326,7 @@ fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_told() {
 }
 
 #[test]
-fn quitting_with_edits_saves_or_not_or_goes_on() {
+fn quitting_with_edits_saves_or_discards_them_or_is_cancelled() {
     for (label, files, quits) in [
         ("save and quit", 1, true),
         ("quit without saving", 0, true),
