@@ -167,7 +167,7 @@ Examples:
 
 A frame is the window without the times, which differ between machines. All lines with the same time
 make one frame. A line may be written by hand:
-2.500 say \"words for the status line\"
+  2.500 say \"words for the status line\"
 A hash covers the picture in the window. It is the same at every SIMD level and with any number of
 threads.")]
     Replay(ReplayOptions),

@@ -41,8 +41,7 @@ fn every_extreme_passes() {
 }
 
 #[test]
-fn an_outcome_is_printed_with_its_name_expectation_observation_and_verdict()
- {
+fn an_outcome_is_printed_with_its_name_expectation_observation_and_verdict() {
     let outcomes = [true, false].map(|pass| Outcome {
         name: "two by two",
         expected: "four".to_owned(),

@@ -33,10 +33,7 @@ fn a_wrong_command_line_ends_with_status_2_and_a_message() {
     )
     .unwrap();
     for (line, words) in [
-        (
-            "requires -o -",
-            &["'-'", "standard output"][..],
-        ),
+        ("requires -o -", &["'-'", "standard output"][..]),
         (
             "requires --camera 3",
             &["no camera is named \"3\"", "\"1\", \"2\""],
