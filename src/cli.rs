@@ -98,7 +98,7 @@ Examples:
 Prints a verdict and a table. With -o it also writes trade.json, trade.md, trade.svg (error against
 time) and an error map of each method. Errors are in levels of 255, against Phong in f64.")]
     Trade(TradeOptions),
-    /// Shows the evaluation of one pixel: position, vectors and the term of each light, for Gouraud, Phong and the reference
+    /// Shows the evaluation of one pixel: position, vectors and each term, for Gouraud, Phong and the reference
     #[command(after_help = "\
 Examples:
   shadetrade probe --pixel 480,300
