@@ -5,7 +5,7 @@
 use serde::Serialize;
 
 use super::flip;
-use super::record::{Measurement, Report};
+use super::record::{MethodReport, Report};
 use super::tables::{self, aligned, wrapped};
 use super::timing::{BATCHES, Timing};
 use super::verdict::verdict;
@@ -20,7 +20,7 @@ pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
 }
 
 /// A column of a table for people: its head, and its cell for a method.
-type Column = (&'static str, fn(&Measurement) -> String);
+type Column = (&'static str, fn(&MethodReport) -> String);
 
 const COLUMNS: [Column; 10] = [
     ("method", |one| one.method.id.to_owned()),

@@ -2,7 +2,7 @@
 //!
 //! Rule: every word follows from a measured number; what was not measured or cannot be told apart is not claimed.
 
-use super::record::{Measurement, Report};
+use super::record::{MethodReport, Report};
 use super::words::{levels, listed, ratio, short};
 use crate::components::ShadingMode;
 
@@ -49,7 +49,7 @@ pub fn verdict(report: &Report) -> String {
     text
 }
 
-fn phong_and_its_promise(phong: &Measurement) -> String {
+fn phong_and_its_promise(phong: &MethodReport) -> String {
     match phong.accuracy.own_error.map(|error| error.max) {
         Some(error) if error > HALF_A_LEVEL => format!(
             "Phong, meant to stay within half a level but {} off,",
@@ -59,7 +59,7 @@ fn phong_and_its_promise(phong: &Measurement) -> String {
     }
 }
 
-fn gouraud_and_its_error(gouraud: &Measurement) -> String {
+fn gouraud_and_its_error(gouraud: &MethodReport) -> String {
     match gouraud.max_error() {
         None => "no pixel of it can be compared with the reference".to_owned(),
         Some(error) if error <= SAME => "Gouraud draws the same picture".to_owned(),
@@ -74,7 +74,7 @@ fn gouraud_and_its_error(gouraud: &Measurement) -> String {
 }
 
 /// How far it errs, and what of the highlight is not where it belongs, if that is worth a word.
-fn errs_and_misses(error: f64, of: &Measurement) -> Vec<String> {
+fn errs_and_misses(error: f64, of: &MethodReport) -> Vec<String> {
     let errs = if error <= SAME {
         "does not err".to_owned()
     } else {
@@ -92,7 +92,7 @@ fn errs_and_misses(error: f64, of: &Measurement) -> Vec<String> {
 }
 
 /// What `one` costs next to `gouraud`, followed by the place.
-fn cost(one: &Measurement, gouraud: &Measurement, place: &str) -> String {
+fn cost(one: &MethodReport, gouraud: &MethodReport, place: &str) -> String {
     let [time, base] = [&one.timing, &gouraud.timing];
     if time.is_measurably_less_than(base) || base.is_measurably_less_than(time) {
         // The smaller of two times may be too short for the clock, and then there is no ratio.

@@ -65,7 +65,6 @@ pub struct Desk {
     pub left_out: Option<Part>,
     /// The window, or the picture alone, is to be written into a file.
     pub screenshot: Option<bool>,
-    pub measures: bool,
     /// Asks whether to save before the program ends.
     pub asks_to_save: bool,
     pub message: Option<Message>,
@@ -323,7 +322,7 @@ impl App {
         self.desk.left_out = None;
         self.desk.selected = None;
         self.desk.file_error = None;
-        self.picture_changed();
+        self.picture_changed(false);
     }
 
     /// Notes the difference that keys and widgets made.
@@ -343,8 +342,9 @@ impl App {
 
     /// Makes this, which the World is already, the state that changes are told from.
     fn adopt(&mut self, after: Arc<SceneRecord>) {
-        if is_another_picture(&self.state, &after) {
-            self.picture_changed();
+        let is_same_view = !is_another_view(&self.state, &after);
+        if !is_same_view || is_another_method(&self.state, &after) {
+            self.picture_changed(is_same_view);
         } else if self.state.view.pixel != after.view.pixel {
             self.facts.probe.state = State::Idle;
         }
@@ -367,13 +367,13 @@ impl App {
         }
     }
 
-    fn picture_changed(&mut self) {
+    /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
+    fn picture_changed(&mut self, is_same_view: bool) {
         if let Some(jobs) = &self.jobs {
             jobs.cancel();
         }
         self.ordered.clear();
-        self.facts.are_old();
-        self.desk.measures = false;
+        self.facts.are_old(is_same_view);
     }
 
     /// Draws the pictures if the state or their size is another one, and times them once they rest.
@@ -390,7 +390,7 @@ impl App {
             self.untimed = Some(self.now);
             if let Some((_, before)) = drawn.filter(|(_, drawn)| *drawn != size) {
                 self.keep_pixel(before, size);
-                self.picture_changed();
+                self.picture_changed(false);
             }
         } else if self
             .untimed
@@ -582,23 +582,29 @@ impl App {
     }
 }
 
-/// Whether two states differ in more than in what is shown of the picture.
-fn is_another_picture(before: &SceneRecord, after: &SceneRecord) -> bool {
-    let picture = |record: &SceneRecord| {
-        let view = &record.view;
-        ViewRecord {
-            camera: view.camera.clone(),
-            projection: view.projection,
-            tolerance: view.tolerance,
-            turned: view.turned,
-            ..ViewRecord::default()
-        }
+/// Whether two states show the scene otherwise, whatever the method.
+fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
+    let view = |record: &SceneRecord| {
+        let ViewRecord {
+            camera,
+            projection,
+            turned,
+            ..
+        } = &record.view;
+        (camera.clone(), *projection, *turned)
     };
-    picture(before) != picture(after)
+    view(before) != view(after)
         || before.background != after.background
-        || before.cuboid != after.cuboid
         || before.light != after.light
         || before.camera != after.camera
+        || differ(&before.cuboid, &after.cuboid, |it, other| {
+            it.shading = other.shading;
+        })
+}
+
+/// Whether two states of one view are drawn by different methods.
+fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
+    before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
 }
 
 /// Whether two lists of entities differ in more than what `forget` overwrites.

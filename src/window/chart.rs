@@ -4,18 +4,15 @@ use egui::{Color32, Sense, Ui, vec2};
 use egui_plot::{GridMark, Line, Plot, PlotPoints, Points};
 
 use super::app::App;
-use super::inspector::{ink, progress, short};
-use super::jobs::State;
-use super::keys::Command;
+use super::inspector::{progress, short};
 use super::pictures::TINTS;
 use super::style::STALE;
 use crate::components::{Show, Tolerance, ViewMode};
 use crate::paint::color;
 use crate::prove::{REFUTED, UNDECIDED};
 use crate::shading::TileKind;
-use crate::trade::Report;
+use crate::trade::Measurement;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
-use crate::trade::verdict::verdict;
 
 /// The least error that has a place of its own on the logarithmic axis, in levels.
 const LEAST_ERROR: f64 = 1e-4;
@@ -24,25 +21,20 @@ const ON_FRONT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 impl App {
     /// The trade of this view, and the button that measures it.
     pub fn chart(&mut self, ui: &mut Ui) {
-        let ink = ink(&self.facts.report);
-        if let Some(report) = &self.facts.report.value {
-            ui.colored_label(ink, verdict(report));
+        if let Some(measured) = &self.facts.trade.value {
             ui.weak("largest error of 255 against time of a frame");
-            self.plot(ui, report);
+            self.plot(ui, measured);
         }
-        match &self.facts.report.state {
-            State::Idle | State::Done => self.offer(ui, Command::Measure, false),
-            state => progress(ui, state, "measuring"),
-        }
+        progress(ui, &self.facts.trade.state, "measuring");
     }
 
     /// The time of a frame against the largest error, both logarithmic, a point a method.
-    fn plot(&self, ui: &mut Ui, report: &Report) {
-        let is_current = self.facts.report.current().is_some();
+    fn plot(&self, ui: &mut Ui, measured: &[Measurement]) {
+        let is_current = self.facts.trade.current().is_some();
         let (Tolerance(tolerance), shading) = (self.look(), self.shading());
         let place = |error: f64, time: f64| [time.log10(), error.max(LEAST_ERROR).log10()];
-        let methods = report.methods.iter().filter_map(|one| {
-            let at = place(one.max_error()?, one.timing.median);
+        let methods = measured.iter().filter_map(|one| {
+            let at = place(one.error?, one.timing.median);
             let is_shown = shading == Some(one.method.mode) && one.method.tolerance == tolerance;
             Some((one.method.id, at, one.on_front, is_shown))
         });
