@@ -32,6 +32,7 @@ use crate::output::{encode_png, write_numbered};
 use crate::paint::{Painter, area};
 use crate::requires::Part;
 use crate::scene::{Scene, SceneRecord, ViewRecord};
+use crate::shading::Method;
 
 /// The time without a change after which the picture is timed and compared.
 const REST: Duration = Duration::from_millis(100);
@@ -63,6 +64,8 @@ pub struct Desk {
     /// Exact Phong is shown while a key is held.
     pub shows_exact: bool,
     pub left_out: Option<Part>,
+    /// The method whose dot the mouse or the focus is on: its picture is shown instead.
+    pub preview: Option<Method>,
     /// The window, or the picture alone, is to be written into a file.
     pub screenshot: Option<bool>,
     /// Asks whether to save before the program ends.
@@ -109,6 +112,8 @@ pub struct App {
     next_degree: Duration,
     pub(super) next_progress: Duration,
     drawn: Option<(Arc<SceneRecord>, [usize; 2])>,
+    /// The method of [`Desk::preview`] whose picture was drawn since.
+    previewed: Option<Method>,
 }
 
 /// The part of a step that the window system carries out.
@@ -158,6 +163,7 @@ impl App {
             next_degree: Duration::ZERO,
             next_progress: Duration::ZERO,
             drawn: None,
+            previewed: None,
         })
     }
 
@@ -387,6 +393,7 @@ impl App {
         };
         if !drawn.as_ref().is_some_and(is_same) {
             self.pictures.draw(world, &show, &view)?;
+            self.previewed = None;
             self.untimed = Some(self.now);
             if let Some((_, before)) = drawn.filter(|(_, drawn)| *drawn != size) {
                 self.keep_pixel(before, size);
@@ -401,6 +408,13 @@ impl App {
                 self.pictures.time(world, &show, &view)?;
             }
             self.painter.context.request_repaint();
+        }
+        if self.desk.preview != self.previewed {
+            self.previewed = self.desk.preview;
+            if let Some(method) = self.previewed {
+                let world = &mut self.scene.world;
+                self.pictures.draw_preview(world, method, &view)?;
+            }
         }
         self.drawn = Some(present);
         Ok(())
@@ -431,6 +445,8 @@ impl App {
             or_dimmed(without, self.pictures.frame())
         } else if self.desk.shows_exact {
             or_dimmed(exact, self.pictures.frame())
+        } else if self.previewed.is_some() {
+            self.pictures.preview().into()
         } else {
             self.pictures.shown(&show, exact, error_map)
         }

@@ -122,7 +122,7 @@ impl App {
         }
     }
 
-    fn shade(&mut self, mode: ShadingMode) {
+    pub(super) fn shade(&mut self, mode: ShadingMode) {
         for own in self.scene.world.query_mut::<&mut ShadingMode>() {
             *own = mode;
         }

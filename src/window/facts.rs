@@ -213,6 +213,8 @@ impl App {
                 facts.trade.finish(measured);
                 facts.passes += 1;
             }
+            // What is known stays current while it is refined.
+            Answer::Progress(_) if task == Task::Measure && facts.passes > 0 => {}
             Answer::Progress(share) => *facts.state(task) = State::Running(share),
             Answer::Failed(reason) => {
                 *facts.state(task) = State::Failed(reason.clone());

@@ -9,7 +9,7 @@ use shadetrade::trade::machine::Machine;
 use shadetrade::trade::metrics::{Error, Picture};
 use shadetrade::trade::record::Subject;
 use shadetrade::trade::timing::Timing;
-use shadetrade::trade::{MethodReport, Report};
+use shadetrade::trade::{Measurement, MethodReport, Report};
 
 /// A timing whose interval is half a percent of its median to either side.
 pub fn timing(median: f64) -> Timing {
@@ -81,6 +81,18 @@ pub fn measurement(
             map: ErrorMap::between(pixel, black),
         },
         on_front,
+    }
+}
+
+/// What a window measures of a method.
+pub fn live(method: Method, median: f64, error: f64) -> Measurement {
+    Measurement {
+        method,
+        timing: timing(median),
+        error: Some(error),
+        worst: Some([0, 0]),
+        highlight_kept: None,
+        on_front: true,
     }
 }
 
