@@ -1,4 +1,4 @@
-//! The compiler that builds this in, `SHADETRADE_RUSTC` for `trade`'s reports out.
+//! Sets `SHADETRADE_RUSTC` to the version of the compiler, for the reports of `trade`.
 
 use std::process::Command;
 

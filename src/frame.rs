@@ -1,7 +1,7 @@
-//! Pixels: what one frame is drawn into, cut into bands for threads, and the display step.
+//! The buffers of one frame, which threads draw in bands of rows.
 //!
-//! Rule: a warm frame of unchanged size allocates nothing, clears only what the last frame touched, and holds the same
-//! bits however many threads drew it.
+//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew. Its bits do not depend
+//! on the number of threads.
 
 mod band;
 mod draw_list;
@@ -20,17 +20,17 @@ use crate::memory::{self, OutOfMemory};
 pub use crate::shading::display::{display_pixel, display_step};
 use crate::shading::{Scratch, TileKind};
 
-/// Who draws: the SIMD level and the threads.
+/// The SIMD level and the threads that draw.
 pub struct Workers {
     level: Level,
     pool: Option<ThreadPool>,
 }
 
 impl Workers {
-    /// `threads` 1 (or 0) is the calling thread alone.
+    /// Starts `threads` threads; for 1 (or 0) the calling thread draws.
     ///
     /// # Errors
-    /// When the system gives no threads.
+    /// If the threads cannot be started.
     pub fn new(threads: usize, level: Level) -> Result<Self, ThreadPoolBuildError> {
         let pool = if threads > 1 {
             Some(ThreadPoolBuilder::new().num_threads(threads).build()?)
@@ -40,7 +40,7 @@ impl Workers {
         Ok(Workers { level, pool })
     }
 
-    /// The calling thread alone, which no system refuses.
+    /// The calling thread alone, which cannot fail.
     pub fn alone(level: Level) -> Self {
         Workers { level, pool: None }
     }
@@ -50,7 +50,7 @@ impl Workers {
         self.level
     }
 
-    /// How many threads draw.
+    /// The number of threads that draw.
     pub fn threads(&self) -> usize {
         self.pool
             .as_ref()
@@ -58,38 +58,38 @@ impl Workers {
     }
 }
 
-/// What a frame keeps of every pixel.
+/// The buffers of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// The display step's bytes, 0x00RRGGBB, as a window takes them.
+    /// Displayed pixels, 0x00RRGGBB, in the format of the window.
     Display,
-    /// Unclamped, unrounded levels, the triangle seen, and how its tile was drawn.
+    /// Of each pixel the unclamped, unrounded levels, the visible triangle and the kind of its tile.
     Levels,
 }
 
-/// Set in the kind of pixels on the upper or left edge of their square.
+/// Bit set in the kind of pixels on the upper or left edge of their square.
 pub const OUTLINE: u8 = 0x80;
 
-/// The id of a pixel where nothing is drawn.
+/// The triangle of a pixel that shows the background.
 pub const NO_TRIANGLE: u32 = u32::MAX;
 
-/// The face of a triangle (cuboid * 6 + its face): both triangles of a face have the same, and [`NO_TRIANGLE`] one that no
-/// cuboid has.
+/// The face of a triangle: cuboid * 6 + face, the same for both triangles of a face. [`NO_TRIANGLE`] gives a number that
+/// no cuboid has.
 pub fn face(triangle: u32) -> u32 {
     triangle / 2
 }
 
-/// Farther than any depth.
+/// The nearness of the background: less than that of any surface.
 const FARTHEST: f64 = f64::MIN;
 
-/// What was done for one frame; the same on every machine.
+/// Counts of the work for one frame. They are the same on every machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Pixels covered by a triangle.
     pub covered_pixels: u64,
     /// Evaluations of the illumination model, at vertices or pixels.
     pub model_evaluations: u64,
-    /// Powers evaluated.
+    /// Evaluations of a specular power.
     pub specular_evaluations: u64,
     /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`].
     pub tiles: [u64; TileKind::ALL.len()],
@@ -106,11 +106,11 @@ impl AddAssign for Counts {
     }
 }
 
-/// A picture being drawn, and what the systems derive for all cuboids together; its memory is kept for the next one.
+/// A picture, and the data that the systems derive for all cuboids together. Its memory is reused for the next picture.
 pub struct Frame {
-    /// What it is seen through.
+    /// The camera and projection of this frame.
     pub lens: Lens,
-    /// What lights it.
+    /// The lights of this frame.
     pub illumination: Illumination,
     keep: Keep,
     workers: Workers,
@@ -151,12 +151,12 @@ impl Frame {
         }
     }
 
-    /// What it keeps.
+    /// The buffers that it keeps.
     pub fn keep(&self) -> Keep {
         self.keep
     }
 
-    /// Who draws it.
+    /// The threads and the SIMD level that draw it.
     pub fn workers(&self) -> &Workers {
         &self.workers
     }
@@ -166,48 +166,49 @@ impl Frame {
         self.size
     }
 
-    /// The rows of the picture held here: all of them unless a part was asked for.
+    /// The rows of the picture in the buffers: all of them, unless only a part was drawn.
     pub fn rows(&self) -> Range<usize> {
         self.rows.clone()
     }
 
-    /// 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
+    /// Displayed pixels, 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
     pub fn pixels(&self) -> &[u32] {
         &self.pixels
     }
 
-    /// Levels, row by row from the top; empty unless [`Keep::Levels`].
+    /// Unclamped levels of 255, row by row from the top; empty unless [`Keep::Levels`].
     pub fn levels(&self) -> &[[f32; 3]] {
         &self.levels
     }
 
-    /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or a depth buffer
-    /// was needed. With [`Keep::Display`] it is the first triangle of the face that is seen.
+    /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or
+    /// a depth buffer is used. With [`Keep::Display`] it is the first triangle of the visible face.
     pub fn triangles(&self) -> &[u32] {
         &self.triangles
     }
 
-    /// For each pixel that shows a triangle, how its tile was drawn: the place in [`TileKind::ALL`]; empty unless
-    /// [`Keep::Levels`].
+    /// The kind of each pixel's tile: its index in [`TileKind::ALL`], and [`OUTLINE`]. Undefined where no triangle is
+    /// visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
         &self.kinds
     }
 
-    /// What the last frame took.
+    /// The counts of the last frame.
     pub fn counts(&self) -> Counts {
         self.counts
     }
 
-    /// Notes that the model was evaluated at the eight corners of a cuboid, `powers` specular powers each.
+    /// Counts evaluations of the model at the eight corners of a cuboid, with `powers` specular powers each.
     pub(crate) fn count_vertices(&mut self, powers: usize) {
         self.counts.model_evaluations += 8;
         self.counts.specular_evaluations += 8 * powers as u64;
     }
 
-    /// Makes room for these rows of a picture, and starts counting anew.
+    /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. `deep` adds a depth
+    /// buffer.
     ///
     /// # Errors
-    /// When memory does not suffice; the frame is then empty.
+    /// If there is too little memory. The frame is then empty.
     pub(crate) fn begin(
         &mut self,
         size: [usize; 2],
@@ -222,7 +223,7 @@ impl Frame {
             return Ok(());
         }
         let Range { start, end } = rows;
-        // Where memory does not suffice, nothing of the old picture may be taken for the new one.
+        // If the allocation fails, the old picture must not be taken for the new one.
         (self.size, self.rows) = ([0, 0], 0..0);
         self.release();
         let needed = wanted(display) * size_of::<u32>()
@@ -241,7 +242,7 @@ impl Frame {
         Ok(())
     }
 
-    /// Gives back the memory of the picture held.
+    /// Frees the buffers.
     fn release(&mut self) {
         self.pixels = Vec::new();
         self.levels = Vec::new();
@@ -251,12 +252,13 @@ impl Frame {
         self.drawn = Vec::new();
     }
 
-    /// What is to be drawn, taken out while it is worked on.
+    /// Takes the list out of the frame; [`Frame::paint`] puts it back.
     pub(crate) fn take_list(&mut self) -> DrawList {
         std::mem::take(&mut self.list)
     }
 
-    /// Has `draw` fill the frame with what is listed, band by band, adds up what it counts, and keeps the list's memory.
+    /// Draws the list with `draw`, in bands on several threads if it covers enough pixels, and adds up the counts.
+    /// Keeps the memory of the list.
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
@@ -291,13 +293,13 @@ impl Frame {
     }
 }
 
-/// Below this many covered pixels a second thread costs more than it saves.
+/// Frames with fewer covered pixels are drawn on one thread: a second one costs more than it saves.
 const WORTH_SHARING: usize = 50_000;
 
-/// Bands for each thread, so that one that is done early helps the others.
+/// Bands per thread. A thread that finishes early takes over bands of others.
 const PARTS: usize = 4;
 
-/// Fills an empty vector.
+/// Fills an empty vector with `len` values.
 fn renew<T: Clone>(vector: &mut Vec<T>, len: usize, value: T) -> Result<(), TryReserveError> {
     vector.try_reserve_exact(len)?;
     vector.resize(len, value);

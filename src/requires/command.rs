@@ -1,6 +1,6 @@
-//! What a [`Drawing`] requires, as a table or JSON, and the least scene as a file.
+//! The command `requires`: prints a table or JSON, and writes the least scene.
 //!
-//! The file is a scene that is read as it stands; comments say what was left out of it and what that errs.
+//! The least scene is a valid scene file. Its comments list the parts left out and their error.
 
 use anyhow::Context;
 use serde::Serialize;
@@ -16,7 +16,7 @@ use crate::trade::progress::with_bar;
 use crate::trade::tables::{aligned, wrapped};
 use crate::trade::words::short;
 
-/// A part as `--json` and the table have it.
+/// A part in the table and in the output of `--json`.
 #[derive(Serialize)]
 struct Row {
     #[serde(skip)]
@@ -32,10 +32,10 @@ const LEGEND: &str = "Each part is left out alone. largest error: in levels of 2
     than the tolerance; time: share of a frame on one thread, the shortest of several, - where the renderer cannot \
     draw without it; required: not proven to keep the tolerance without it.";
 
-/// Finds what a picture requires, prints it, and writes the least scene if one is asked for.
+/// Prints the parts that a picture requires, and writes the least scene to `least_scene`.
 ///
 /// # Errors
-/// When the picture does not fit in memory, or something cannot be written.
+/// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
     let rows = rows(drawing, &view)?;
@@ -86,7 +86,7 @@ fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
     Ok(parts.map(row).collect())
 }
 
-/// The parts that err most first.
+/// The table, the largest error first.
 fn table(rows: &[Row]) -> String {
     let mut sorted: Vec<&Row> = rows.iter().collect();
     sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
@@ -104,7 +104,7 @@ fn table(rows: &[Row]) -> String {
     aligned(&head, &sorted.iter().map(cells).collect::<Vec<_>>())
 }
 
-/// An interval in as few words as say it.
+/// An interval as text: a single number if both ends read the same.
 fn error(ends: [f64; 2]) -> String {
     let [least, most] = ends.map(|level| short(Some(level)));
     if least == most || most == "<0.001" {
@@ -114,7 +114,7 @@ fn error(ends: [f64; 2]) -> String {
     }
 }
 
-/// Writes the least scene that keeps the tolerance, of those parts that a scene file can do without.
+/// Writes the least scene that keeps the tolerance. Only parts that a scene file can leave out are tried.
 fn write_least(
     subject: &str,
     scene: &Scene,
@@ -143,7 +143,7 @@ fn write_least(
             names.join(", ")
         ),
     };
-    // A name may hold a line break, which would end the comment.
+    // A line break in a name would end the comment.
     let comments = format!("The least scene for {subject}: {found}.");
     let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
     let mut record = SceneRecord::of(&without(scene, &left_out).world);

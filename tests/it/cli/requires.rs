@@ -35,7 +35,7 @@ fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
     for (line, words) in [
         (
             "requires -o -",
-            &["standard output takes what is found"][..],
+            &["'-'", "standard output"][..],
         ),
         (
             "requires --camera 3",
