@@ -1,4 +1,4 @@
-//! Pictures of other programs: their bytes are judged, their faces are not known.
+//! Pictures of other programs: their bytes are judged without known faces.
 
 use fearless_simd::Level;
 use shadetrade::components::{Projection, ShadingMode, View};
@@ -9,7 +9,7 @@ use shadetrade::systems;
 
 const SIZE: [usize; 2] = [80, 60];
 
-/// The bytes that the renderer gives a window.
+/// The renderer's bytes for a window.
 fn drawn(scene: &mut Scene, view: &View) -> Vec<u32> {
     let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
     systems::draw(&mut scene.world, view, &mut frame).expect("a small picture fits");
@@ -74,7 +74,7 @@ fn the_renderers_own_bytes_are_proven_and_a_changed_one_is_refuted() {
 }
 
 #[test]
-fn gouraud_is_refuted_as_phong_by_its_error() {
+fn gouraud_is_refuted_as_phong_by_its_known_error() {
     let mut scene = Scene::load(None).expect("the built-in scene");
     let view = exact(&scene, ShadingMode::Phong, Projection::Perspective);
     let gouraud = view.shaded(ShadingMode::Gouraud);
@@ -83,6 +83,6 @@ fn gouraud_is_refuted_as_phong_by_its_error() {
     assert!(proof.refuted > 100, "{}", proof.refuted);
     let errors: Vec<f64> = proof.examples.iter().map(|it| it.error[0]).collect();
     assert!(errors.is_sorted_by(|one, other| one >= other), "{errors:?}");
-    // The highlight, 160 levels of red in Phong, is missing.
+    // The highlight is missing: 160 levels of red under Phong.
     assert!(errors[0] > 100.0, "{errors:?}");
 }

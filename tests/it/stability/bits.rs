@@ -1,4 +1,4 @@
-//! The same picture has the same bits on any number of threads, in any parts, after any other picture.
+//! A picture has the same bits with any number of threads, in any parts, and after any other picture.
 
 use std::ops::Range;
 
@@ -32,7 +32,7 @@ fn rows_of(world: &mut World, view: &View, rows: Range<usize>, frame: &mut Frame
 }
 
 #[test]
-fn any_number_of_threads_draws_the_same_bits_and_counts_the_same_work() {
+fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
     for cuboids in [1, 3] {
         let mut world = still_life(cuboids);
         for keep in KEEPS {
@@ -41,7 +41,7 @@ fn any_number_of_threads_draws_the_same_bits_and_counts_the_same_work() {
                 .map(|threads| frame(keep, threads, Level::new()))
                 .into();
             for mut view in views([400, 320]).into_iter().step_by(2) {
-                // Near enough that the picture is worth sharing.
+                // So near that the frame is drawn on several threads.
                 view.viewpoint.camera.fov = 10.0;
                 view.viewpoint.camera.height = 2.0;
                 let view = &view;
@@ -76,7 +76,7 @@ fn every_simd_level_of_this_machine_draws_the_same_bits() {
 }
 
 #[test]
-fn some_rows_of_a_picture_are_the_same_bits_as_in_the_whole() {
+fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
     for cuboids in [1, 3] {
         let mut world = still_life(cuboids);
         for keep in KEEPS {
@@ -110,7 +110,7 @@ fn some_rows_of_a_picture_are_the_same_bits_as_in_the_whole() {
 }
 
 #[test]
-fn a_frame_that_held_other_pictures_before_holds_the_same_bits() {
+fn a_frame_that_held_other_pictures_has_the_same_bits() {
     let views = views([90, 70]);
     let closer = |view: &View| {
         let mut view = view.clone();
@@ -170,7 +170,7 @@ fn a_light_switched_off_and_on_again_leaves_the_same_bits() {
         }
         assert!(
             matter >= 4,
-            "all but a highlight that the vertices miss: {matter}"
+            "every light changes the picture except a highlight that the vertices miss: {matter}"
         );
     }
 }
