@@ -1,18 +1,20 @@
 //! Pixels: what one frame is drawn into, cut into bands for threads, and the display step.
 //!
-//! Rule: a warm frame of unchanged size allocates nothing, clears only what the last frame touched, and holds the same
-//! bits however many threads drew it.
+//! Rule: a warm frame of unchanged size allocates nothing (rayon's queue takes a block of memory every few dozen frames that
+//! several threads draw), clears only what the last frame touched, and holds the same bits however many threads drew it.
 
+mod aligned;
 mod band;
 mod draw_list;
 
-use std::collections::TryReserveError;
 use std::ops::{AddAssign, Range};
+use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
+use self::aligned::Aligned;
 pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::components::{Illumination, Lens};
@@ -82,7 +84,7 @@ pub fn face(triangle: u32) -> u32 {
 /// Farther than any depth.
 const FARTHEST: f64 = f64::MIN;
 
-/// What was done for one frame; the same on every machine.
+/// What was done for one frame; the same for any number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Pixels covered by a triangle.
@@ -91,7 +93,8 @@ pub struct Counts {
     pub model_evaluations: u64,
     /// Powers evaluated.
     pub specular_evaluations: u64,
-    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`].
+    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
+    /// a pixel of it is seen, since the strips of a frame may belong to different threads.
     pub tiles: [u64; TileKind::ALL.len()],
 }
 
@@ -117,14 +120,15 @@ pub struct Frame {
     size: [usize; 2],
     rows: Range<usize>,
     background: DVec3,
-    pixels: Vec<u32>,
-    levels: Vec<[f32; 3]>,
-    triangles: Vec<u32>,
-    kinds: Vec<u8>,
-    depths: Vec<f64>,
+    pixels: Aligned<u32>,
+    levels: Aligned<[f32; 3]>,
+    triangles: Aligned<u32>,
+    kinds: Aligned<u8>,
+    depths: Aligned<f64>,
     drawn: Vec<Drawn>,
     list: DrawList,
-    scratch: Box<Scratch>,
+    /// One for each thread.
+    scratch: Vec<Mutex<Scratch>>,
     counts: Counts,
 }
 
@@ -135,18 +139,18 @@ impl Frame {
             lens: Lens::default(),
             illumination: Illumination::default(),
             keep,
+            scratch: (0..workers.threads()).map(|_| Mutex::default()).collect(),
             workers,
             size: [0, 0],
             rows: 0..0,
             background: DVec3::ZERO,
-            pixels: Vec::new(),
-            levels: Vec::new(),
-            triangles: Vec::new(),
-            kinds: Vec::new(),
-            depths: Vec::new(),
+            pixels: Aligned::default(),
+            levels: Aligned::default(),
+            triangles: Aligned::default(),
+            kinds: Aligned::default(),
+            depths: Aligned::default(),
             drawn: Vec::new(),
             list: DrawList::default(),
-            scratch: Box::default(),
             counts: Counts::default(),
         }
     }
@@ -173,24 +177,24 @@ impl Frame {
 
     /// 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
     pub fn pixels(&self) -> &[u32] {
-        &self.pixels
+        self.pixels.as_slice()
     }
 
     /// Levels, row by row from the top; empty unless [`Keep::Levels`].
     pub fn levels(&self) -> &[[f32; 3]] {
-        &self.levels
+        self.levels.as_slice()
     }
 
     /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or a depth buffer
     /// was needed. With [`Keep::Display`] it is the first triangle of the face that is seen.
     pub fn triangles(&self) -> &[u32] {
-        &self.triangles
+        self.triangles.as_slice()
     }
 
     /// For each pixel that shows a triangle, how its tile was drawn: the place in [`TileKind::ALL`]; empty unless
     /// [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
-        &self.kinds
+        self.kinds.as_slice()
     }
 
     /// What the last frame took.
@@ -230,24 +234,27 @@ impl Frame {
             + wanted(deep || !display) * size_of::<u32>()
             + wanted(deep) * size_of::<f64>();
         memory::check(size, needed)?;
-        renew(&mut self.pixels, wanted(display), 0)
-            .and_then(|()| renew(&mut self.levels, wanted(!display), [0.0; 3]))
-            .and_then(|()| renew(&mut self.triangles, wanted(deep || !display), NO_TRIANGLE))
-            .and_then(|()| renew(&mut self.kinds, wanted(!display), 0))
-            .and_then(|()| renew(&mut self.depths, wanted(deep), FARTHEST))
-            .and_then(|()| renew(&mut self.drawn, end - start, Drawn::anything(size[0])))
+        let cleared = Drawn::anything(size[0]);
+        self.pixels
+            .renew(wanted(display), 0)
+            .and_then(|()| self.levels.renew(wanted(!display), [0.0; 3]))
+            .and_then(|()| self.triangles.renew(wanted(deep || !display), NO_TRIANGLE))
+            .and_then(|()| self.kinds.renew(wanted(!display), 0))
+            .and_then(|()| self.depths.renew(wanted(deep), FARTHEST))
+            .and_then(|()| self.drawn.try_reserve_exact(end - start))
             .map_err(memory::refused(size, needed))?;
+        self.drawn.resize(end - start, cleared);
         (self.size, self.rows) = (size, start..end);
         Ok(())
     }
 
     /// Gives back the memory of the picture held.
     fn release(&mut self) {
-        self.pixels = Vec::new();
-        self.levels = Vec::new();
-        self.triangles = Vec::new();
-        self.kinds = Vec::new();
-        self.depths = Vec::new();
+        self.pixels = Aligned::default();
+        self.levels = Aligned::default();
+        self.triangles = Aligned::default();
+        self.kinds = Aligned::default();
+        self.depths = Aligned::default();
         self.drawn = Vec::new();
     }
 
@@ -260,7 +267,7 @@ impl Frame {
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
-        list: DrawList,
+        mut list: DrawList,
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
     ) {
         if self.background != background {
@@ -271,21 +278,28 @@ impl Frame {
             width: self.size[0],
             rows: self.rows.clone(),
             background,
-            pixels: &mut self.pixels,
-            levels: &mut self.levels,
-            triangles: &mut self.triangles,
-            kinds: &mut self.kinds,
-            depths: &mut self.depths,
+            pixels: self.pixels.as_mut_slice(),
+            levels: self.levels.as_mut_slice(),
+            triangles: self.triangles.as_mut_slice(),
+            kinds: self.kinds.as_mut_slice(),
+            depths: self.depths.as_mut_slice(),
             drawn: &mut self.drawn,
         };
-        self.counts += match &self.workers.pool {
-            Some(pool) if list.covered() >= WORTH_SHARING => {
-                let cuts = list.cuts(&self.rows, PARTS * pool.current_num_threads());
-                pool.install(|| {
-                    band.split_and(&cuts, &|band| draw(&list, band, &mut Scratch::default()))
-                })
+        let scratch = &self.scratch;
+        let draw = |list: &DrawList, band: &mut Band| {
+            let thread = rayon::current_thread_index().unwrap_or(0) % scratch.len();
+            let mut scratch = scratch[thread]
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner);
+            draw(list, band, &mut scratch)
+        };
+        let pool = self.workers.pool.as_ref();
+        self.counts += match pool {
+            Some(pool) if list.weigh(&self.rows) >= WORTH_SHARING => {
+                let parts = PARTS * pool.current_num_threads();
+                pool.install(|| band.split_and(&list, parts, &draw))
             }
-            _ => draw(&list, &mut band, &mut self.scratch),
+            _ => draw(&list, &mut band),
         };
         self.list = list;
     }
@@ -296,10 +310,3 @@ const WORTH_SHARING: usize = 50_000;
 
 /// Bands for each thread, so that one that is done early helps the others.
 const PARTS: usize = 4;
-
-/// Fills an empty vector.
-fn renew<T: Clone>(vector: &mut Vec<T>, len: usize, value: T) -> Result<(), TryReserveError> {
-    vector.try_reserve_exact(len)?;
-    vector.resize(len, value);
-    Ok(())
-}

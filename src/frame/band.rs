@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{Counts, FARTHEST, NO_TRIANGLE, display_pixel};
+use super::{Counts, DrawList, FARTHEST, NO_TRIANGLE, display_pixel};
 
 /// What is drawn in one row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,20 +56,21 @@ pub(crate) struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Draws the parts between these rows of the picture, in parallel.
+    /// Draws the band in so many parts of about the same work, in parallel.
     pub fn split_and(
         &mut self,
-        cuts: &[usize],
-        draw: &(impl Fn(&mut Band) -> Counts + Sync),
+        list: &DrawList,
+        parts: usize,
+        draw: &(impl Fn(&DrawList, &mut Band) -> Counts + Sync),
     ) -> Counts {
-        if cuts.is_empty() {
-            return draw(self);
-        }
-        let middle = cuts.len() / 2;
-        let (mut upper, mut lower) = self.split(cuts[middle]);
+        let cut = list.cut(&self.rows).filter(|_| parts > 1);
+        let Some(row) = cut else {
+            return draw(list, self);
+        };
+        let (mut upper, mut lower) = self.split(row);
         let (mut counts, more) = rayon::join(
-            || upper.split_and(&cuts[..middle], draw),
-            || lower.split_and(&cuts[middle + 1..], draw),
+            || upper.split_and(list, parts / 2, draw),
+            || lower.split_and(list, parts - parts / 2, draw),
         );
         counts += more;
         counts
@@ -152,7 +153,7 @@ impl Band<'_> {
                 *run = NO_RUN;
             }
         }
-        // A run without a place is forgotten: its pixels are cleared, and drawn.
+        // Only two runs are kept. The pixels of a third are cleared, and then drawn over.
         if let Some(place) = drawn.runs.iter_mut().find(|run| **run == NO_RUN) {
             *place = span;
         }
