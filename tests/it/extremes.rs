@@ -1,15 +1,10 @@
 //! Every extreme passes, and so does what needs a generator or is compared with a scene without the extreme.
 //!
-<<<<<<< HEAD
 //! `SHADETRADE_EXTREMES=full` proves all pictures, at every SIMD level of this machine, and draws the largest picture of 16384
 //! x 16384 pixels, which takes a gigabyte. It needs a release build.
 
 mod crowds;
 mod same;
-=======
-//! `SHADETRADE_EXTREMES=full` runs the cases of `shadetrade extremes` at every SIMD level of this machine. The largest
-//! picture has 16384 x 16384 pixels, which takes a gigabyte of memory and a release build.
->>>>>>> words
 
 use fearless_simd::Level;
 use rayon::prelude::*;
@@ -28,7 +23,6 @@ fn levels() -> Vec<Level> {
         simd::NAMES.into_iter().filter_map(simd::named).collect()
     } else {
         vec![Level::new()]
-<<<<<<< HEAD
     }
 }
 
@@ -41,22 +35,6 @@ fn every_extreme_passes() {
             .par_chunks(4)
             .flat_map(|extremes| examine(extremes, level, is_full(), &|_, _| ()));
         let failed: Vec<Outcome> = outcomes.filter(|outcome| !outcome.pass).collect();
-=======
-    };
-    for level in levels {
-        let options = Options {
-            level,
-            threads: 2,
-            full,
-        };
-        let cases = table();
-        assert!(cases.len() > 80, "the table is whole");
-        // Most of a case runs on one core.
-        let examined = cases.par_chunks(4).flat_map(|cases| {
-            examine(cases, options, &|_, _| ()).expect("the system gives threads")
-        });
-        let failed: Vec<Outcome> = examined.filter(|outcome| !outcome.pass).collect();
->>>>>>> words
         assert!(
             failed.is_empty(),
             "{}\n{}",
@@ -67,7 +45,6 @@ fn every_extreme_passes() {
 }
 
 #[test]
-<<<<<<< HEAD
 fn every_extreme_begins_with_what_is_extreme() {
     assert!(EXTREMES.len() > 100, "the table is whole");
     for (name, text) in EXTREMES {
@@ -100,9 +77,6 @@ struct Read {
 
 #[test]
 fn an_outcome_is_printed_with_its_name_what_was_expected_what_was_observed_and_whether_that_is_right()
-=======
-fn an_outcome_is_printed_with_its_name_expectation_observation_and_verdict()
->>>>>>> words
  {
     let outcomes = [true, false].map(|pass| Outcome {
         name: "two by two",

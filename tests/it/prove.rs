@@ -17,13 +17,8 @@ use shadetrade::components::View;
 use shadetrade::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Seen};
 
-<<<<<<< HEAD
-/// The proof of the picture that the renderer draws.
-pub fn proof(world: &mut World, view: &View) -> Proof {
-=======
 /// The proof of the renderer's picture.
-fn proof(world: &mut World, view: &View) -> Proof {
->>>>>>> words
+pub fn proof(world: &mut World, view: &View) -> Proof {
     let proof = prove(world, view, None, Level::new(), &|| false, &|_| ());
     proof
         .expect("a small picture fits")

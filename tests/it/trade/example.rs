@@ -84,8 +84,7 @@ pub fn measurement(
     }
 }
 
-<<<<<<< HEAD
-/// What a window measures of a method.
+/// A measurement of a method in the window.
 pub fn live(method: Method, median: f64, error: f64) -> Measurement {
     Measurement {
         method,
@@ -97,10 +96,7 @@ pub fn live(method: Method, median: f64, error: f64) -> Measurement {
     }
 }
 
-/// The view and the machine that `command` did not measure.
-=======
 /// A view and a machine for a measurement that did not take place.
->>>>>>> words
 pub fn subject(command: &str) -> Subject {
     Subject {
         machine: Machine {
