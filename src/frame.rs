@@ -1,18 +1,20 @@
 //! The buffers of one frame, which threads draw in bands of rows.
 //!
-//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew. Its bits do not depend
-//! on the number of threads.
+//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew; with several threads, rayon's
+//! queue takes a block of memory every few dozen frames. Its bits do not depend on the number of threads.
 
+mod aligned;
 mod band;
 mod draw_list;
 
-use std::collections::TryReserveError;
 use std::ops::{AddAssign, Range};
+use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
+use self::aligned::Aligned;
 pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::components::{Illumination, Lens};
@@ -82,7 +84,7 @@ pub fn face(triangle: u32) -> u32 {
 /// The nearness of the background: less than that of any surface.
 const FARTHEST: f64 = f64::MIN;
 
-/// Counts of the work for one frame. They are the same on every machine.
+/// Counts of the work for one frame. They are the same on every machine and for any number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Pixels covered by a triangle.
@@ -91,7 +93,8 @@ pub struct Counts {
     pub model_evaluations: u64,
     /// Evaluations of a specular power.
     pub specular_evaluations: u64,
-    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`].
+    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
+    /// a pixel of it is seen, since the strips of a frame may belong to different threads.
     pub tiles: [u64; TileKind::ALL.len()],
 }
 
@@ -117,14 +120,15 @@ pub struct Frame {
     size: [usize; 2],
     rows: Range<usize>,
     background: DVec3,
-    pixels: Vec<u32>,
-    levels: Vec<[f32; 3]>,
-    triangles: Vec<u32>,
-    kinds: Vec<u8>,
-    depths: Vec<f64>,
+    pixels: Aligned<u32>,
+    levels: Aligned<[f32; 3]>,
+    triangles: Aligned<u32>,
+    kinds: Aligned<u8>,
+    depths: Aligned<f64>,
     drawn: Vec<Drawn>,
     list: DrawList,
-    scratch: Box<Scratch>,
+    /// One for each thread.
+    scratch: Vec<Mutex<Scratch>>,
     counts: Counts,
 }
 
@@ -135,18 +139,18 @@ impl Frame {
             lens: Lens::default(),
             illumination: Illumination::default(),
             keep,
+            scratch: (0..workers.threads()).map(|_| Mutex::default()).collect(),
             workers,
             size: [0, 0],
             rows: 0..0,
             background: DVec3::ZERO,
-            pixels: Vec::new(),
-            levels: Vec::new(),
-            triangles: Vec::new(),
-            kinds: Vec::new(),
-            depths: Vec::new(),
+            pixels: Aligned::default(),
+            levels: Aligned::default(),
+            triangles: Aligned::default(),
+            kinds: Aligned::default(),
+            depths: Aligned::default(),
             drawn: Vec::new(),
             list: DrawList::default(),
-            scratch: Box::default(),
             counts: Counts::default(),
         }
     }
@@ -173,24 +177,24 @@ impl Frame {
 
     /// Displayed pixels, 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
     pub fn pixels(&self) -> &[u32] {
-        &self.pixels
+        self.pixels.as_slice()
     }
 
     /// Unclamped levels of 255, row by row from the top; empty unless [`Keep::Levels`].
     pub fn levels(&self) -> &[[f32; 3]] {
-        &self.levels
+        self.levels.as_slice()
     }
 
     /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or
     /// a depth buffer is used. With [`Keep::Display`] it is the first triangle of the visible face.
     pub fn triangles(&self) -> &[u32] {
-        &self.triangles
+        self.triangles.as_slice()
     }
 
     /// The kind of each pixel's tile: its index in [`TileKind::ALL`], and [`OUTLINE`]. Undefined where no triangle is
     /// visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
-        &self.kinds
+        self.kinds.as_slice()
     }
 
     /// The counts of the last frame.
@@ -231,24 +235,27 @@ impl Frame {
             + wanted(deep || !display) * size_of::<u32>()
             + wanted(deep) * size_of::<f64>();
         memory::check(size, needed)?;
-        renew(&mut self.pixels, wanted(display), 0)
-            .and_then(|()| renew(&mut self.levels, wanted(!display), [0.0; 3]))
-            .and_then(|()| renew(&mut self.triangles, wanted(deep || !display), NO_TRIANGLE))
-            .and_then(|()| renew(&mut self.kinds, wanted(!display), 0))
-            .and_then(|()| renew(&mut self.depths, wanted(deep), FARTHEST))
-            .and_then(|()| renew(&mut self.drawn, end - start, Drawn::anything(size[0])))
+        let cleared = Drawn::anything(size[0]);
+        self.pixels
+            .renew(wanted(display), 0)
+            .and_then(|()| self.levels.renew(wanted(!display), [0.0; 3]))
+            .and_then(|()| self.triangles.renew(wanted(deep || !display), NO_TRIANGLE))
+            .and_then(|()| self.kinds.renew(wanted(!display), 0))
+            .and_then(|()| self.depths.renew(wanted(deep), FARTHEST))
+            .and_then(|()| self.drawn.try_reserve_exact(end - start))
             .map_err(memory::refused(size, needed))?;
+        self.drawn.resize(end - start, cleared);
         (self.size, self.rows) = (size, start..end);
         Ok(())
     }
 
     /// Frees the buffers.
     fn release(&mut self) {
-        self.pixels = Vec::new();
-        self.levels = Vec::new();
-        self.triangles = Vec::new();
-        self.kinds = Vec::new();
-        self.depths = Vec::new();
+        self.pixels = Aligned::default();
+        self.levels = Aligned::default();
+        self.triangles = Aligned::default();
+        self.kinds = Aligned::default();
+        self.depths = Aligned::default();
         self.drawn = Vec::new();
     }
 
@@ -262,7 +269,7 @@ impl Frame {
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
-        list: DrawList,
+        mut list: DrawList,
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
     ) {
         if self.background != background {
@@ -273,21 +280,28 @@ impl Frame {
             width: self.size[0],
             rows: self.rows.clone(),
             background,
-            pixels: &mut self.pixels,
-            levels: &mut self.levels,
-            triangles: &mut self.triangles,
-            kinds: &mut self.kinds,
-            depths: &mut self.depths,
+            pixels: self.pixels.as_mut_slice(),
+            levels: self.levels.as_mut_slice(),
+            triangles: self.triangles.as_mut_slice(),
+            kinds: self.kinds.as_mut_slice(),
+            depths: self.depths.as_mut_slice(),
             drawn: &mut self.drawn,
         };
-        self.counts += match &self.workers.pool {
-            Some(pool) if list.covered() >= WORTH_SHARING => {
-                let cuts = list.cuts(&self.rows, PARTS * pool.current_num_threads());
-                pool.install(|| {
-                    band.split_and(&cuts, &|band| draw(&list, band, &mut Scratch::default()))
-                })
+        let scratch = &self.scratch;
+        let draw = |list: &DrawList, band: &mut Band| {
+            let thread = rayon::current_thread_index().unwrap_or(0) % scratch.len();
+            let mut scratch = scratch[thread]
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner);
+            draw(list, band, &mut scratch)
+        };
+        let pool = self.workers.pool.as_ref();
+        self.counts += match pool {
+            Some(pool) if list.weigh(&self.rows) >= WORTH_SHARING => {
+                let parts = PARTS * pool.current_num_threads();
+                pool.install(|| band.split_and(&list, parts, &draw))
             }
-            _ => draw(&list, &mut band, &mut self.scratch),
+            _ => draw(&list, &mut band),
         };
         self.list = list;
     }
@@ -298,10 +312,3 @@ const WORTH_SHARING: usize = 50_000;
 
 /// Bands per thread. A thread that finishes early takes over bands of others.
 const PARTS: usize = 4;
-
-/// Fills an empty vector with `len` values.
-fn renew<T: Clone>(vector: &mut Vec<T>, len: usize, value: T) -> Result<(), TryReserveError> {
-    vector.try_reserve_exact(len)?;
-    vector.resize(len, value);
-    Ok(())
-}

@@ -63,18 +63,15 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     }
 }
 
-/// Runs the table of extremes, where a failed case is an error, or draws the stability charts.
+/// Proves extremes, where a failed one is an error, or draws the stability charts.
 fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
-    let workers = extremes::Options {
-        level: options.workers.simd,
-        threads: options.workers.threads(),
-        full: true,
-    };
+    let level = options.workers.simd;
     if options.chart {
         let folder = options.output.as_deref();
-        return Ok(extremes::stability::run(workers, folder, options.json)?);
+        return Ok(extremes::stability::run(level, folder, options.json)?);
     }
-    match extremes::run(workers, options.json)? {
+    let chosen = extremes::named(&options.names).map_err(Failure::Usage)?;
+    match extremes::run(&chosen, level, options.json)? {
         0 => Ok(()),
         failed => Err(Failure::Work(anyhow!("{failed} of the extremes fail"))),
     }

@@ -23,7 +23,6 @@ use anyhow::{anyhow, bail};
 use hecs::World;
 
 pub use self::error::{Mistake, SceneError};
-pub(crate) use self::record::EMERALD;
 pub use self::record::{
     CameraRecord, CuboidRecord, LightRecord, MAX_SIDE, MaterialRecord, SceneRecord, ViewRecord,
 };
@@ -45,12 +44,16 @@ pub const BUILT_IN: [(&str, &str); 4] = [
     ),
 ];
 
+/// The scenes at the ends of what numbers can be, as name and text: `extremes/NAME`, ordered by name.
+pub const EXTREMES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/extremes.rs"));
+
 /// Memory that parsing takes for a byte of text: of an array of numbers of one digit, the densest text there is, 95; of
 /// usual scenes 45.
 const BYTES_PER_BYTE: usize = 100;
 
 fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
-    BUILT_IN.iter().find(|(name, _)| path.as_os_str() == *name)
+    let mut all = BUILT_IN.iter().chain(EXTREMES);
+    all.find(|(name, _)| path.as_os_str() == *name)
 }
 
 /// Whether `path` is the name of a built-in scene, which wins over a file.

@@ -237,14 +237,17 @@ pub struct RequiresOptions {
 /// The options of `extremes`.
 #[derive(Args, Debug)]
 pub struct ExtremesOptions {
-    /// Sweeps one number of a scene at a time over its whole range, and shows the errors of f32, f64 and the renderer
+    /// Proves only these [default: all]
+    #[arg(value_name = "NAME", conflicts_with = "chart")]
+    pub names: Vec<String>,
+    /// Sweeps one number of a scene at a time over its whole range instead, and shows the errors of f32, f64 and the renderer
     #[arg(long)]
     pub chart: bool,
     /// The folder for the charts, created if absent
     #[arg(short, long, value_name = "DIR", requires = "chart",
           value_parser = PathBufValueParser::new().try_map(folder))]
     pub output: Option<PathBuf>,
-    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each case; with --chart, the curves
+    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves
     #[arg(long)]
     pub json: bool,
     /// The SIMD level and the threads.

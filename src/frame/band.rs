@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{Counts, FARTHEST, NO_TRIANGLE, display_pixel};
+use super::{Counts, DrawList, FARTHEST, NO_TRIANGLE, display_pixel};
 
 /// The pixels that are drawn in one row, by the last frame and by the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,20 +56,21 @@ pub(crate) struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Cuts the band before each row of `cuts` and draws the parts in parallel.
+    /// Draws the band in `parts` parts of about the same work, in parallel.
     pub fn split_and(
         &mut self,
-        cuts: &[usize],
-        draw: &(impl Fn(&mut Band) -> Counts + Sync),
+        list: &DrawList,
+        parts: usize,
+        draw: &(impl Fn(&DrawList, &mut Band) -> Counts + Sync),
     ) -> Counts {
-        if cuts.is_empty() {
-            return draw(self);
-        }
-        let middle = cuts.len() / 2;
-        let (mut upper, mut lower) = self.split(cuts[middle]);
+        let cut = list.cut(&self.rows).filter(|_| parts > 1);
+        let Some(row) = cut else {
+            return draw(list, self);
+        };
+        let (mut upper, mut lower) = self.split(row);
         let (mut counts, more) = rayon::join(
-            || upper.split_and(&cuts[..middle], draw),
-            || lower.split_and(&cuts[middle + 1..], draw),
+            || upper.split_and(list, parts / 2, draw),
+            || lower.split_and(list, parts - parts / 2, draw),
         );
         counts += more;
         counts

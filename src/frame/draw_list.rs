@@ -23,7 +23,9 @@ pub(crate) struct DrawList {
     pub glosses: Vec<Gloss>,
     /// For each strip of [`MAX_SIDE`] rows of the picture the indices of its pieces, in the order of drawing.
     pub strips: Vec<Vec<u32>>,
-    /// The spans of all pieces, row by row: the pixels from..to.
+    /// For each strip, how many pixels all pieces cover there; see [`DrawList::weigh`].
+    weights: Vec<usize>,
+    /// The pixels from..to of each row of each piece.
     pub from: Vec<i32>,
     pub to: Vec<i32>,
 }
@@ -93,33 +95,32 @@ impl DrawList {
         }
     }
 
-    /// The number of pixels that all pieces cover together.
-    pub fn covered(&self) -> usize {
-        let spans = self.from.iter().zip(&self.to);
-        spans.map(|(from, to)| (to - from).max(0) as usize).sum()
+    /// Counts the pixels that all pieces cover in these rows of the picture, strip by strip; their sum.
+    pub fn weigh(&mut self, rows: &Range<usize>) -> usize {
+        let mut weights = std::mem::take(&mut self.weights);
+        weights.clear();
+        weights.resize(self.strips.len(), 0);
+        for piece in &self.pieces {
+            for (row, span) in self.spans(piece).within(rows) {
+                weights[row / MAX_SIDE] += span.len();
+            }
+        }
+        self.weights = weights;
+        self.weights.iter().sum()
     }
 
-    /// The rows at which to cut a picture into `parts` bands with about the same number of covered pixels. They are
-    /// boundaries of strips.
-    pub fn cuts(&self, rows: &Range<usize>, parts: usize) -> Vec<usize> {
-        let first = rows.start / MAX_SIDE;
-        let mut work = vec![0; rows.end.div_ceil(MAX_SIDE) - first];
-        for piece in &self.pieces {
-            let spans = self.spans(piece);
-            for (row, span) in spans.within(rows) {
-                work[row / MAX_SIDE - first] += span.len();
-            }
-        }
-        let share = work.iter().sum::<usize>() / parts + 1;
-        let mut cuts = Vec::new();
-        let mut done = 0;
-        for (strip, work) in work.iter().enumerate().skip(1) {
-            let (before, row) = (done, (first + strip) * MAX_SIDE);
-            done += work;
-            if before / share != done / share && row < rows.end {
-                cuts.push(row);
-            }
-        }
-        cuts
+    /// The row between two strips that cuts these rows of the picture into two parts of about the same work.
+    pub fn cut(&self, rows: &Range<usize>) -> Option<usize> {
+        let strips = rows.start / MAX_SIDE..rows.end.div_ceil(MAX_SIDE);
+        let weights = &self.weights[strips.clone()];
+        let all: usize = weights.iter().sum();
+        let mut above = 0;
+        // The first whose middle lies below the middle of the work.
+        let below = weights.iter().position(|weight| {
+            above += 2 * weight;
+            above - weight > all
+        });
+        let cut = strips.start + below?.max(1);
+        (cut < strips.end).then_some(cut * MAX_SIDE)
     }
 }

@@ -31,7 +31,7 @@ const PARALLEL: f64 = 1e-9;
 pub const MAX_SIDE: usize = 16_384;
 
 /// The material of the built-in default scene.
-pub(crate) const EMERALD: Material = Material {
+const EMERALD: Material = Material {
     ambient: DVec3::splat(0.3),
     diffuse: DVec3::new(0.07568, 0.61424, 0.07568),
     specular: DVec3::new(0.633, 0.72811, 0.66),

@@ -18,7 +18,7 @@ use crate::components::{
     ActiveCamera, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side, Spin, Tab,
     Tolerance, ViewMode, active_camera, get, names, ordered,
 };
-use crate::scene::{BUILT_IN, range};
+use crate::scene::{BUILT_IN, EXTREMES, range};
 
 const TOLERANCE: &str = "The largest error of a pixel against the exact evaluation of its mode, \
                          in levels of 255. A coarser tolerance is faster.";
@@ -196,14 +196,22 @@ impl App {
         let mut chosen: Option<PathBuf> = None;
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            let built_in = BUILT_IN.iter().map(|(name, _)| PathBuf::from(name));
-            for path in built_in.chain(self.desk.recent.iter().cloned()) {
-                let name = path.to_string_lossy();
-                if ui
-                    .selectable_label(self.scene.name == name, &*name)
-                    .clicked()
-                {
-                    chosen = Some(path.clone());
+            let built_in = |scenes: &[(&str, _)]| {
+                let paths = scenes.iter().map(|(name, _)| PathBuf::from(name));
+                paths.collect::<Vec<_>>()
+            };
+            for (title, paths) in [
+                ("built in", built_in(&BUILT_IN)),
+                ("opened last", self.desk.recent.files.clone()),
+                ("extremes", built_in(EXTREMES)),
+            ] {
+                ui.weak(title);
+                for path in paths {
+                    let name = path.to_string_lossy();
+                    let is_open = self.scene.name == name;
+                    if ui.selectable_label(is_open, &*name).clicked() {
+                        chosen = Some(path.clone());
+                    }
                 }
             }
         });

@@ -18,7 +18,7 @@ use shadetrade::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Seen};
 
 /// The proof of the renderer's picture.
-fn proof(world: &mut World, view: &View) -> Proof {
+pub fn proof(world: &mut World, view: &View) -> Proof {
     let proof = prove(world, view, None, Level::new(), &|| false, &|_| ());
     proof
         .expect("a small picture fits")

@@ -4,7 +4,7 @@ mod bits;
 mod depth;
 mod extremes;
 mod found;
-mod life;
+pub mod life;
 mod memory;
 mod redrawing;
 mod symmetries;

@@ -2,7 +2,7 @@
 //! real measurements of ordinary and degenerate views against the format of `trade.json`.
 
 mod contract;
-mod example;
+pub mod example;
 mod exports;
 mod measured;
 mod metrics;

@@ -13,7 +13,7 @@ use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::interpolation;
 use shadetrade::shading::phong::{FaceLight, Phong};
 use shadetrade::shading::square::{Region, Spans, Square};
-use shadetrade::shading::{EXACT, Scratch, Shader, Sink, Surface, TileKind};
+use shadetrade::shading::{EXACT, Effort, Scratch, Shader, Sink, Surface, TileKind};
 use shadetrade::simd::baseline;
 
 use super::SCENES;
@@ -195,7 +195,9 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
         levels: Vec::new(),
     };
     let mut scratch = Scratch::default();
-    if let Some(interpolant) = shader.interpolate(simd, &places, &mut scratch)
+    let effort = shader.effort(side);
+    let prepared = shader.prepare(simd, &places, effort, &mut scratch);
+    if let Some(interpolant) = prepared.interpolant
         && let Some(form) = interpolant.forms[2]
     {
         interpolation::draw(simd, &interpolant, 2, form, &square, &mut shown);
@@ -226,7 +228,7 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
             listed.extend([left, top + row as f32], indices, |_| true);
         }
     }
-    match shader.evaluate(simd, &region, &mut scratch) {
+    match shader.evaluate(simd, &region, 2, &mut scratch) {
         Some(evaluations) if subject.listed => {
             let listed = scratch.levels.listed.levels();
             let levels = listed.map(|(_, levels)| levels.map(f64::from));
@@ -329,7 +331,8 @@ fn a_sliver_is_never_interpolated() {
         let places = Places::single(simd, middle, square.half());
         let shader = Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, 8.0));
         let form = shader
-            .interpolate(simd, &places, &mut Scratch::default())
+            .prepare(simd, &places, Effort::Squares, &mut Scratch::default())
+            .interpolant
             .and_then(|interpolant| interpolant.forms[2]);
         assert_eq!(form, None, "seed {seed}");
     }

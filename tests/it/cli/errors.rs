@@ -39,6 +39,10 @@ fn a_wrong_command_line_ends_with_status_2_and_a_message() {
             "render -o a.png --lights all,white",
             &["`all` stands by itself"],
         ),
+        (
+            "extremes nowhere",
+            &["\"nowhere\"", "`shadetrade extremes`"],
+        ),
         ("figures --size 5x5", &["unexpected argument '--size'"]),
         ("figures -o -", &["folder", "standard output"]),
         ("completions dos", &["bash, elvish, fish, powershell, zsh"]),

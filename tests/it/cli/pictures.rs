@@ -150,6 +150,24 @@ fn every_built_in_scene_can_be_drawn() {
 }
 
 #[test]
+fn an_extreme_is_proven_and_drawn_by_its_name() {
+    let folder = folder();
+    let output = run(folder.path(), "extremes picture-1x1 speck --json");
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let outcomes: Vec<serde_json::Value> = serde_json::from_slice(&output.stdout).expect("JSON");
+    let names: Vec<_> = outcomes.iter().map(|outcome| &outcome["name"]).collect();
+    assert_eq!(names, ["picture-1x1", "speck"]);
+    assert!(outcomes.iter().all(|outcome| outcome["pass"] == true));
+
+    let proof = run(
+        folder.path(),
+        "prove extremes/horizon-1e12 --camera askew --size 65x65",
+    );
+    assert_eq!(proof.status.code(), Some(0), "{}", said(&proof));
+    render("extremes/eye-on-an-edge --size 64x48");
+}
+
+#[test]
 fn all_figures_are_written_at_the_right_size_with_the_same_bytes_every_time() {
     let folder = folder();
     let output = run(folder.path(), "figures");

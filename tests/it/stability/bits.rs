@@ -5,12 +5,12 @@ use std::ops::Range;
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Light, ShadingMode, View};
+use shadetrade::components::{Light, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::{simd, systems};
 
 use super::life::{Bits, still_life, views};
-use crate::support::scene::draw;
+use crate::support::scene::{at, draw, spawn_cuboid, view};
 
 const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
 
@@ -53,6 +53,43 @@ fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
                     assert_eq!(frame.counts(), alone.counts());
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
+    // 26 x 21 cuboids of about 15 pixels: many lie across rows at which the picture may be cut.
+    let mut world = still_life(1);
+    for index in 0..26 * 21 {
+        let place = DVec3::new(
+            f64::from(index % 26) - 12.5,
+            f64::from(index / 26) - 10.0,
+            3.0,
+        );
+        let material = Material {
+            ambient: DVec3::ONE,
+            diffuse: DVec3::ONE,
+            specular: DVec3::ONE,
+            shininess: 20.0,
+        };
+        let transform = Transform {
+            rotation: DVec3::splat(7.0 * f64::from(index)),
+            ..at(place)
+        };
+        spawn_cuboid(&mut world, DVec3::splat(0.7), transform, material);
+    }
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        let eye = DVec3::new(0.0, 0.0, 30.0);
+        let mut view = view([400, 320], eye, DVec3::ZERO, Projection::Orthographic).shaded(mode);
+        view.viewpoint.camera.height = 20.0;
+        let mut alone = frame(Keep::Display, 1, Level::new());
+        let expected = bits(&mut world, &view, &mut alone);
+        assert!(alone.counts().covered_pixels > 60_000);
+        for threads in [2, 5] {
+            let mut together = frame(Keep::Display, threads, Level::new());
+            assert!(bits(&mut world, &view, &mut together) == expected);
+            assert_eq!(together.counts(), alone.counts(), "{threads} threads");
         }
     }
 }

@@ -42,6 +42,25 @@ fn a_warm_frame_on_one_thread_allocates_nothing() {
 }
 
 #[test]
+fn a_warm_frame_on_several_threads_allocates_nothing() {
+    let mut world = still_life(1);
+    let workers = Workers::new(2, Level::new()).expect("the system gives threads");
+    let mut frame = Frame::new(Keep::Display, workers);
+    let mut view = views([400, 320]).swap_remove(0);
+    // Near enough that the picture is worth sharing.
+    view.viewpoint.camera.fov = 10.0;
+    systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
+    assert!(frame.counts().covered_pixels > 100_000);
+    let taken = measure(|| {
+        for _ in 0..20 {
+            systems::draw(&mut world, &view, &mut frame).expect("it fitted before");
+        }
+    });
+    // A block of the queue in which rayon takes work from other threads; it holds some dozens.
+    assert!(taken.count_total <= 1, "{taken:?}");
+}
+
+#[test]
 fn saving_a_picture_allocates_its_bytes_and_the_file() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let output = Output::File(folder.path().join("a.png"));

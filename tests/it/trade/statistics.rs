@@ -55,7 +55,13 @@ fn times_differ_only_if_their_intervals_do_not_overlap() {
 /// A method with this largest error and this time.
 fn measurement((error, time): (f64, f64)) -> Measurement {
     let method = ("", ShadingMode::Phong, 0.0);
-    example::measurement(method, time, [error, 0.0], None, false)
+    Measurement::from(&example::measurement(
+        method,
+        time,
+        [error, 0.0],
+        None,
+        false,
+    ))
 }
 
 /// The front of methods, given as (error, time).
@@ -95,7 +101,7 @@ fn rounding_of_the_reference_is_no_error() {
 #[test]
 fn without_a_cuboid_in_the_picture_there_is_no_front() {
     let mut nothing = measurement((0.0, 1.0));
-    nothing.accuracy.error.levels = None;
+    nothing.error = None;
     assert_eq!(on_front(&[nothing.clone(), nothing]), [false, false]);
     assert_eq!(on_front(&[]), [false; 0]);
 }

@@ -1,12 +1,13 @@
 //! Random events in windows of any size: nothing panics, everything can be undone, saved files are read again, and
 //! every SIMD level shows the same pixels.
 
+use std::path::Path;
 use std::time::Duration;
 
 use egui::{Key, Modifiers, pos2};
 use fearless_simd::Level;
 use shadetrade::components::{Inspector, Tab, get, overwrite};
-use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::scene::{Scene, SceneRecord, is_built_in};
 use shadetrade::simd;
 use shadetrade::window::keys::{BINDINGS, Command};
 
@@ -100,7 +101,7 @@ impl Storm {
             self.fold_slow_answers();
         }
         let name = &self.window.app.scene.name;
-        let is_opened = *name != self.name && BUILT_IN.iter().any(|(built_in, _)| name == built_in);
+        let is_opened = *name != self.name && is_built_in(Path::new(name));
         if is_opened {
             self.first = SceneRecord::of(&Scene::load(Some(name)).expect("built in").world);
         }

@@ -1,5 +1,7 @@
 //! Widgets by their labels: clicks and typed text change the components.
 
+use std::path::{Path, PathBuf};
+
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
@@ -11,6 +13,7 @@ use shadetrade::components::{
 use shadetrade::scene::{BUILT_IN, SceneRecord};
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Kind;
+use shadetrade::window::recent::Recent;
 
 use super::{PAUSE, Window};
 use crate::support::window::{app, default_scene, places, widgets};
@@ -322,7 +325,30 @@ fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_reported() {
         assert_eq!(harness.state().scene.path.is_some(), opens);
         assert_eq!(harness.state().desk.file_error.is_some(), !opens, "{text}");
     }
-    assert_eq!(harness.state().desk.recent, [path]);
+    assert_eq!(harness.state().desk.recent.files, [path]);
+}
+
+#[test]
+fn the_files_opened_last_are_known_in_the_next_session() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let kept = || Recent::kept_in(&folder.path().join("shadetrade"));
+    assert!(kept().files.is_empty());
+    for number in 0..12 {
+        kept().add(Path::new(&format!("/scenes/{number}.toml")));
+    }
+    kept().add(Path::new("/scenes/5.toml"));
+    let expected =
+        [5, 11, 10, 9, 8, 7, 6, 4, 3, 2].map(|it| PathBuf::from(format!("/scenes/{it}.toml")));
+    assert_eq!(kept().files, expected);
+
+    let mut harness = open();
+    harness.state_mut().desk.recent = kept();
+    let combos = harness.query_all_by(|node| node.value().as_deref() == Some("cuboid"));
+    let scenes = combos.map(|node| node.rect().center()).next();
+    click_at(&mut harness, scenes.expect("the list of scenes"));
+    for label in ["bench-far", "/scenes/5.toml", "extremes/eye-inside"] {
+        assert_eq!(places(&harness, label).len(), 1, "{label}");
+    }
 }
 
 #[test]
