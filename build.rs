@@ -21,7 +21,7 @@ fn main() -> io::Result<()> {
     fs::write(folder("OUT_DIR").join("extremes.rs"), table(&scenes)?)
 }
 
-/// A Rust array of the scenes' names and texts, by name. The index is no scene.
+/// A Rust array of the names and texts of the scenes, sorted by name. The index is not a scene.
 fn table(folder: &Path) -> io::Result<String> {
     let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
     let mut paths = entries.collect::<io::Result<Vec<_>>>()?;

@@ -28,9 +28,9 @@ struct Row {
     required: bool,
 }
 
-const LEGEND: &str = "Each part is left out alone. largest error: in levels of 255, proven; pixels: how many err by more \
-    than the tolerance; time: share of a frame on one thread, the shortest of several, - where the renderer cannot \
-    draw without it; required: not proven to keep the tolerance without it.";
+const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
+    above the tolerance, proven; time: the part's share of the shortest frame time on one thread, - if the renderer \
+    cannot draw without it; required: not proven to keep the tolerance without it.";
 
 /// Prints the parts that a picture requires, and writes the least scene to `least_scene`.
 ///

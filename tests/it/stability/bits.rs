@@ -59,7 +59,7 @@ fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
 
 #[test]
 fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
-    // 26 x 21 cuboids of about 15 pixels: many lie across rows at which the picture may be cut.
+    // 26 x 21 cuboids of about 15 pixels: many cross rows at which the picture may be cut.
     let mut world = still_life(1);
     for index in 0..26 * 21 {
         let place = DVec3::new(

@@ -47,7 +47,7 @@ fn a_warm_frame_on_several_threads_allocates_nothing() {
     let workers = Workers::new(2, Level::new()).expect("the system gives threads");
     let mut frame = Frame::new(Keep::Display, workers);
     let mut view = views([400, 320]).swap_remove(0);
-    // Near enough that the picture is worth sharing.
+    // The cuboid is so large on the screen that several threads draw it.
     view.viewpoint.camera.fov = 10.0;
     systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
     assert!(frame.counts().covered_pixels > 100_000);
@@ -56,7 +56,7 @@ fn a_warm_frame_on_several_threads_allocates_nothing() {
             systems::draw(&mut world, &view, &mut frame).expect("it fitted before");
         }
     });
-    // A block of the queue in which rayon takes work from other threads; it holds some dozens.
+    // One block of rayon's queue of work, which holds some dozens of entries.
     assert!(taken.count_total <= 1, "{taken:?}");
 }
 

@@ -77,7 +77,7 @@ fn an_ordinary_view_gives_a_report_within_the_contract() {
 
 /// 100 rows are more than one band.
 #[test]
-fn a_view_that_is_looked_at_has_the_errors_and_the_front_of_its_report() {
+fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
     let asked = || {
         let mut asked = request(scene(GREEN, CENTRE, true), [130, 100], 1);
         asked.methods.push(Method::of(ShadingMode::Phong, 3.0));
@@ -104,7 +104,7 @@ fn a_view_that_is_looked_at_has_the_errors_and_the_front_of_its_report() {
 }
 
 #[test]
-fn known_errors_are_kept_and_of_two_timings_the_one_of_more_samples() {
+fn known_errors_are_kept_and_the_timing_with_more_samples_is_kept() {
     let mut asked = request(scene(GREEN, CENTRE, true), [64, 48], 1);
     asked.methods.truncate(3);
     let mut known = live::measure(&asked, &[], &|| false, &|_| ()).expect("it is measured");
@@ -117,7 +117,7 @@ fn known_errors_are_kept_and_of_two_timings_the_one_of_more_samples() {
         median: -1.0,
         ..known[1].timing.clone()
     };
-    // Errors that no picture has.
+    // Errors that no picture can have.
     known[0].error = Some(1e3);
     known[1].error = Some(2e3);
     known.remove(2);
