@@ -60,10 +60,10 @@ pub struct Change {
 }
 
 /// A face that a pixel may show, and the least and the largest displayed level of each channel.
-type Shown = (Option<usize>, [[f64; 2]; 3]);
+type FaceLevels = (Option<usize>, [[f64; 2]; 3]);
 
 /// Returns the surfaces that each pixel of a row may show.
-type Rows = Box<dyn Fn(usize) -> Vec<Vec<Shown>> + Sync>;
+type PixelRows = Box<dyn Fn(usize) -> Vec<Vec<FaceLevels>> + Sync>;
 
 /// The parts of the model that a scene uses, with their names, in the order of the report.
 pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
@@ -157,13 +157,13 @@ pub fn changes(
                 (rows(picture), true)
             }
         };
-        let pictures: Vec<(Rows, bool)> = some.iter().map(picture).collect();
+        let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
         let row = |y: usize| {
             if cancelled() {
                 return None;
             }
             let full = full(y);
-            let change = |(picture, is_enclosed): &(Rows, bool)| {
+            let change = |(picture, is_enclosed): &(PixelRows, bool)| {
                 let pixels = full.iter().zip(picture(y));
                 Change::sum(pixels.map(|(full, without)| {
                     let largest_error = error(full, &without, *is_enclosed);
@@ -224,7 +224,7 @@ pub fn picture_without(
     };
     let row = |y| {
         let pixels = picture(y).into_iter();
-        let pixel = |seen: Vec<Shown>| display_pixel(seen[0].1.map(|[least, _]| least));
+        let pixel = |seen: Vec<FaceLevels>| display_pixel(seen[0].1.map(|[least, _]| least));
         (!cancelled()).then(|| pixels.map(pixel).collect())
     };
     let rows = (0..view.size[1]).into_par_iter().map(row);
@@ -241,7 +241,7 @@ fn rule(left_out: &[Part]) -> Option<Rule> {
 }
 
 /// The rows of a picture as displayed levels. In intervals a pixel may show several surfaces, in floats it shows one.
-fn rows<R: Real + 'static>(picture: Reference<R>) -> Rows {
+fn rows<R: Real + 'static>(picture: Reference<R>) -> PixelRows {
     Box::new(move |y| {
         let mut row = Vec::new();
         let shown = |seen: &Seen<R>| (seen.face(), ends(seen.levels));
@@ -252,9 +252,9 @@ fn rows<R: Real + 'static>(picture: Reference<R>) -> Rows {
 
 /// The lower and the upper bound of a pixel's error, from the surfaces that it may show in the full picture and without
 /// a part. A picture in floats (`is_enclosed` false) shows one surface, so only that one is compared.
-fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
+fn error(full: &[FaceLevels], without: &[FaceLevels], is_enclosed: bool) -> [f64; 2] {
     let mut error = [f64::INFINITY, 0.0_f64];
-    let mut compare = |pixel: &[Shown], other: &[Shown]| {
+    let mut compare = |pixel: &[FaceLevels], other: &[FaceLevels]| {
         for shown in pixel {
             let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
             for other in other {
@@ -279,7 +279,7 @@ fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn grey(face: usize, least: f64, most: f64) -> Shown {
+    fn grey(face: usize, least: f64, most: f64) -> FaceLevels {
         (Some(face), [[least, most]; 3])
     }
 

@@ -18,7 +18,7 @@ use crate::trade::words::short;
 
 /// A part in the table and in the output of `--json`.
 #[derive(Serialize)]
-struct Row {
+struct PartRow {
     #[serde(skip)]
     left_out: Part,
     part: String,
@@ -55,7 +55,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
 }
 
 /// A row for each part.
-fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
+fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartRow>> {
     let scene = &drawing.scene;
     let parts = parts(scene);
     let time_shares: Vec<_> = with_bar(|on_progress| {
@@ -75,7 +75,7 @@ fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
         changes(scene, view, &left_out, &|| false, &progress)
             .context("the comparison was cancelled")
     })?;
-    let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| Row {
+    let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| PartRow {
         left_out,
         part,
         change,
@@ -87,10 +87,10 @@ fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
 }
 
 /// The table, the largest error first.
-fn table(rows: &[Row]) -> String {
-    let mut sorted: Vec<&Row> = rows.iter().collect();
+fn table(rows: &[PartRow]) -> String {
+    let mut sorted: Vec<&PartRow> = rows.iter().collect();
     sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
-    let cells = |row: &&Row| {
+    let cells = |row: &&PartRow| {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         vec![
             row.part.clone(),
@@ -119,7 +119,7 @@ fn write_least(
     subject: &str,
     scene: &Scene,
     view: &View,
-    mut rows: Vec<Row>,
+    mut rows: Vec<PartRow>,
     output: &Output,
 ) -> anyhow::Result<()> {
     rows.retain(|row| {
