@@ -84,7 +84,10 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
             for mode in ["gouraud", "phong"] {
                 let reference = triple(&probe["reference"][mode]["levels"]);
                 let levels = triple(&probe[mode]["levels"]);
-                assert_ne!(levels, reference, "the levels of the renderer, not of the reference");
+                assert_ne!(
+                    levels, reference,
+                    "the levels of the renderer, not of the reference"
+                );
                 let terms = probe[mode]["terms"].as_object().expect("terms by light");
                 assert_eq!(terms.keys().count(), 4);
                 for channel in 0..3 {

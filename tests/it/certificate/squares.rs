@@ -392,7 +392,10 @@ fn no_square_exceeds_its_tolerance_where_the_bound_is_tight() {
             most = most.max(error / limit);
         }
     }
-    assert!(most > 0.6, "{most}: the bounds are too loose to show a mistake");
+    assert!(
+        most > 0.6,
+        "{most}: the bounds are too loose to show a mistake"
+    );
 }
 
 #[test]

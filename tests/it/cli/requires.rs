@@ -33,10 +33,7 @@ fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
     )
     .unwrap();
     for (line, words) in [
-        (
-            "requires -o -",
-            &["'-'", "standard output"][..],
-        ),
+        ("requires -o -", &["'-'", "standard output"][..]),
         (
             "requires --camera 3",
             &["no camera is named \"3\"", "\"1\", \"2\""],

@@ -29,7 +29,10 @@ fn assert_proven(world: &mut World, view: &View, modes: &[ShadingMode], what: &s
         };
         let proof = proof(world, &view);
         let covered = proof.covered;
-        assert!(covered > 100, "{what}, {mode:?}: {covered} pixels are covered");
+        assert!(
+            covered > 100,
+            "{what}, {mode:?}: {covered} pixels are covered"
+        );
         assert_eq!(
             (proof.refuted, proof.undecided),
             (0, 0),

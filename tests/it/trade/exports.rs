@@ -100,7 +100,10 @@ impl Svg {
     fn of(report: &Report) -> Svg {
         let text = plot::svg(report).expect("it is drawn");
         let forbidden = |c: char| (c.is_control() && c != '\n') || "\u{fffe}\u{ffff}".contains(c);
-        assert!(!text.contains(forbidden), "characters that XML does not allow");
+        assert!(
+            !text.contains(forbidden),
+            "characters that XML does not allow"
+        );
         assert!(!text.contains("NaN") && !text.contains("inf"));
         quick_xml::de::from_str(&text).expect("it is XML")
     }
