@@ -141,7 +141,7 @@ within the tolerance (0.05 level at tolerance 0).
 With -o it leaves out several lights, cuboids and Phong of cuboids together as long as the tolerance is
 kept, and writes the remaining scene with the active camera alone.")]
     Requires(RequiresOptions),
-    /// Proves scenes at the ends of what numbers can be, each built in as `extremes/NAME`
+    /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\
 Examples:
   shadetrade extremes
@@ -150,9 +150,9 @@ Examples:
   shadetrade extremes --json > extremes.json
   shadetrade extremes --chart -o stability
 
-Every pixel is proven as `prove` does it: from each camera, in both projections and both modes, at
-tolerance 0 and 0.5. Facts that are known on paper are compared too. The first line of a scene says
-what is extreme in it and what must be seen. Exit status 1 if an extreme fails.
+Every pixel is proven as by `prove`: from each camera, in both projections and both modes, at
+tolerance 0 and 0.5. Values known from paper are compared, too. The first line of a scene describes
+the extreme and the expected picture. Exit status 1 if an extreme fails.
 
 With --chart it sweeps one number of a scene at a time instead: shininess, edge length, aspect,
 distance from the origin, distance of the eye and of a light, field of view, intensity, number of

@@ -237,7 +237,7 @@ pub struct RequiresOptions {
 /// The options of `extremes`.
 #[derive(Args, Debug)]
 pub struct ExtremesOptions {
-    /// Proves only these [default: all]
+    /// Proves only these extremes [default: all]
     #[arg(value_name = "NAME", conflicts_with = "chart")]
     pub names: Vec<String>,
     /// Sweeps one number of a scene at a time over its whole range instead, and shows the errors of f32, f64 and the renderer
