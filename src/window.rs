@@ -27,6 +27,7 @@ pub mod pictures;
 pub mod recording;
 pub mod replay;
 pub mod style;
+mod triangle;
 pub mod viewport;
 
 use std::fs::File;

@@ -25,7 +25,7 @@ use super::jobs::{Jobs, State, Task};
 use super::pictures::{Pictures, or_dimmed};
 use super::recording::Recorder;
 use super::viewport::Grab;
-use crate::components::{Magnifier, Probed, Show, Spin, View, get, viewer};
+use crate::components::{Magnifier, Probed, Show, Side, Spin, View, ViewMode, get, viewer};
 use crate::drawing::Drawing;
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
@@ -345,8 +345,11 @@ impl App {
     fn adopt(&mut self, after: Arc<SceneRecord>) {
         if is_another_picture(&self.state, &after) {
             self.picture_changed();
-        } else if self.state.view.pixel != after.view.pixel {
-            self.facts.probe.state = State::Idle;
+        } else if shown(&self.state) != shown(&after)
+            || self.state.view.pixel != after.view.pixel
+                && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
+        {
+            self.facts.section.state = State::Idle;
         }
         self.state = after;
     }
@@ -599,6 +602,12 @@ fn is_another_picture(before: &SceneRecord, after: &SceneRecord) -> bool {
         || before.cuboid != after.cuboid
         || before.light != after.light
         || before.camera != after.camera
+}
+
+/// What a picture shows of the methods, and where.
+fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
+    let view = &record.view;
+    (view.show, view.sides, view.divider)
 }
 
 /// Whether two lists of entities differ in more than what `forget` overwrites.
