@@ -37,8 +37,7 @@ fn main() -> anyhow::Result<()> {
         let start = Instant::now();
         let step = |app: &mut App| app.step(start.elapsed(), SIZE, RawInput::default());
         step(&mut app)?;
-        app.run(Command::Measure);
-        while app.facts.report.current().is_none() {
+        while app.facts.trade.current().is_none() || app.facts.proof.current().is_none() {
             step(&mut app)?;
             thread::sleep(Duration::from_millis(20));
         }

@@ -56,6 +56,19 @@ pub struct Method {
     pub tolerance: f64,
 }
 
+impl Method {
+    /// This mode within this tolerance, in levels; one that is not of [`METHODS`] has no id.
+    pub fn of(mode: ShadingMode, tolerance: f64) -> Method {
+        let mut known = METHODS.iter();
+        let known = known.find(|it| (it.mode, it.tolerance) == (mode, tolerance));
+        known.copied().unwrap_or(Method {
+            id: "",
+            mode,
+            tolerance,
+        })
+    }
+}
+
 /// The ladder from cheap to true that reports climb.
 pub const METHODS: &[Method] = &[
     Method {

@@ -20,11 +20,8 @@ use crate::probe::{self, Probe};
 use crate::prove::{Proof, prove};
 use crate::requires::{self, Part, PartChange};
 use crate::scene::{Scene, SceneRecord};
-use crate::shading::METHODS;
-use crate::trade::{self, Report};
-
-/// The time for which the frames of a measurement are timed, the comparison with the reference apart.
-const MEASURING_TIME: Duration = Duration::from_millis(1500);
+use crate::shading::Method;
+use crate::trade::{self, Measurement, TradeError, live};
 
 /// One question about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +47,7 @@ pub enum Answer {
     Prove(Box<Proof>),
     /// The part that matters most first.
     Require(Vec<PartChange>),
-    Measure(Box<Report>),
+    Measure(Vec<Measurement>),
     /// The share of the task that is done, 0..=1.
     Progress(f64),
     /// The reason why there is no answer.
@@ -105,6 +102,11 @@ pub struct Order {
     pub size: [usize; 2],
     pub threads: usize,
     pub tasks: Vec<Task>,
+    /// The methods to measure, and what is known of them in this view.
+    pub methods: Vec<Method>,
+    pub known: Vec<Measurement>,
+    /// How long the frames of all methods are timed together.
+    pub time: Duration,
 }
 
 /// Set when nobody wants the answers any more.
@@ -233,22 +235,20 @@ fn answer(
         }
         Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),
         Task::Measure => {
-            let camera = order.record.view.camera.clone();
             let request = trade::Request {
-                camera: camera.unwrap_or_else(|| order.record.camera[0].name.clone()),
-                scene: Scene::spawn(order.name.clone(), &order.record),
+                camera: String::new(),
+                scene: scene.snapshot(),
                 view: view.clone(),
-                methods: METHODS.to_vec(),
+                methods: order.methods.clone(),
                 threads: order.threads,
                 level,
-                time: MEASURING_TIME,
+                time: order.time,
                 time_batch: trade::time_batch,
                 command: String::new(),
             };
-            let report = trade::measure(request, cancelled, &|_, share| progress(share));
-            match report {
-                Err(trade::TradeError::Cancelled) => None,
-                report => Some(Answer::Measure(Box::new(report?))),
+            match live::measure(&request, &order.known, cancelled, progress) {
+                Err(TradeError::Cancelled) => None,
+                measured => Some(Answer::Measure(measured?)),
             }
         }
     })

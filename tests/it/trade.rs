@@ -2,7 +2,7 @@
 //! measurements of ordinary and degenerate views held against the contract of `trade.json`.
 
 mod contract;
-mod example;
+pub mod example;
 mod exports;
 mod measured;
 mod metrics;

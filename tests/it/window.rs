@@ -7,6 +7,7 @@ mod keys;
 mod mouse;
 mod recording;
 mod storms;
+mod trade;
 mod widgets;
 
 use std::time::Duration;

@@ -9,7 +9,7 @@ use shadetrade::trade::machine::Machine;
 use shadetrade::trade::metrics::{Error, Picture};
 use shadetrade::trade::record::Subject;
 use shadetrade::trade::timing::Timing;
-use shadetrade::trade::{Measurement, Report};
+use shadetrade::trade::{Measurement, MethodReport, Report};
 
 /// A timing whose interval is half a percent of its median to either side.
 pub fn timing(median: f64) -> Timing {
@@ -41,7 +41,7 @@ pub fn measurement(
     [max, own_max]: [f64; 2],
     highlight_kept: Option<f64>,
     on_front: bool,
-) -> Measurement {
+) -> MethodReport {
     let pixel = Picture {
         width: 1,
         levels: &[[max; 3]],
@@ -51,7 +51,7 @@ pub fn measurement(
         levels: &[[0.0; 3]],
         ..pixel
     };
-    Measurement {
+    MethodReport {
         method: Method {
             id,
             mode,
@@ -81,6 +81,18 @@ pub fn measurement(
             map: ErrorMap::between(pixel, black),
         },
         on_front,
+    }
+}
+
+/// What a window measures of a method.
+pub fn live(method: Method, median: f64, error: f64) -> Measurement {
+    Measurement {
+        method,
+        timing: timing(median),
+        error: Some(error),
+        worst: Some([0, 0]),
+        highlight_kept: None,
+        on_front: true,
     }
 }
 

@@ -8,11 +8,13 @@ use glam::DVec3;
 use shadetrade::components::{Background, Light, LightKind, ShadingMode, View, overwrite};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference;
-use shadetrade::shading::METHODS;
+use shadetrade::shading::{METHODS, Method};
 use shadetrade::systems::{self, FRAME};
 use shadetrade::trade::accuracy::share_kept;
+use shadetrade::trade::front::on_front;
+use shadetrade::trade::timing::Timing;
 use shadetrade::trade::verdict::verdict;
-use shadetrade::trade::{self, Report, Request, export, plot};
+use shadetrade::trade::{self, Measurement, Report, Request, export, live, plot};
 
 use super::contract::{self, LADDER};
 use super::requests::{CENTRE, GREEN, request, scene};
@@ -71,6 +73,62 @@ fn an_ordinary_view_gives_a_report_within_the_contract() {
     assert!(exact.accuracy.error.flip_mean < gouraud.accuracy.error.flip_mean);
     assert_eq!(gouraud.counts.model_evaluations, 8);
     assert_eq!(exact.counts.model_evaluations, report.covered_pixels);
+}
+
+/// 100 rows are more than one band.
+#[test]
+fn a_view_that_is_looked_at_has_the_errors_and_the_front_of_its_report() {
+    let asked = || {
+        let mut asked = request(scene(GREEN, CENTRE, true), [130, 100], 1);
+        asked.methods.push(Method::of(ShadingMode::Phong, 3.0));
+        asked
+    };
+    let report = measured(asked());
+    let shares = Mutex::new(Vec::new());
+    let tell = |share| shares.lock().expect("nobody panics").push(share);
+    let seen = live::measure(&asked(), &[], &|| false, &tell).expect("it is measured");
+    for (one, seen) in report.methods.iter().map(Measurement::from).zip(&seen) {
+        assert_eq!(seen.method, one.method);
+        assert_eq!(seen.error, one.error, "{:?}", one.method);
+        assert_eq!(seen.worst, one.worst, "{:?}", one.method);
+        assert_eq!(seen.highlight_kept, one.highlight_kept, "{:?}", one.method);
+        assert!(seen.timing.samples >= trade::MIN_SAMPLES);
+    }
+    let fronts = seen.iter().map(|it| it.on_front);
+    assert_eq!(fronts.collect::<Vec<_>>(), on_front(&seen));
+    let shares = shares.into_inner().expect("nobody panics");
+    assert!(
+        shares.is_sorted() && shares.last() == Some(&1.0),
+        "{shares:?}"
+    );
+}
+
+#[test]
+fn known_errors_are_kept_and_of_two_timings_the_one_of_more_samples() {
+    let mut asked = request(scene(GREEN, CENTRE, true), [64, 48], 1);
+    asked.methods.truncate(3);
+    let mut known = live::measure(&asked, &[], &|| false, &|_| ()).expect("it is measured");
+    known[0].timing = Timing {
+        samples: 1_000_000,
+        ..known[0].timing.clone()
+    };
+    known[1].timing = Timing {
+        samples: 1,
+        median: -1.0,
+        ..known[1].timing.clone()
+    };
+    // Errors that no picture has.
+    known[0].error = Some(1e3);
+    known[1].error = Some(2e3);
+    known.remove(2);
+    let again = live::measure(&asked, &known, &|| false, &|_| ()).expect("it is measured");
+    assert_eq!(again[0].timing, known[0].timing);
+    assert!(again[1].timing.samples >= trade::MIN_SAMPLES && again[1].timing.median > 0.0);
+    let errors: Vec<_> = again.iter().map(|it| it.error).collect();
+    assert_eq!(errors[..2], [Some(1e3), Some(2e3)]);
+    assert!(errors[2].is_some_and(|error| error <= 255.0));
+    let cancelled = live::measure(&asked, &known, &|| true, &|_| ());
+    assert!(matches!(cancelled, Err(trade::TradeError::Cancelled)));
 }
 
 #[test]
@@ -182,8 +240,9 @@ fn without_light_or_colour_all_methods_draw_the_same_black() {
             assert_eq!(one.max_error(), Some(0.0), "{}", one.method.id);
             assert_eq!(one.accuracy.highlight_kept, None, "{}", one.method.id);
         }
-        let verdict = verdict(&report);
-        assert!(verdict.contains("same picture"), "{verdict}");
+        let measured: Vec<Measurement> = report.methods.iter().map(Measurement::from).collect();
+        let verdict = verdict(&measured);
+        assert!(verdict.contains("off by 0 of 255"), "{verdict}");
     }
 }
 

@@ -55,7 +55,13 @@ fn times_are_told_apart_only_where_intervals_do_not_overlap() {
 /// A method of this largest error and time.
 fn measurement((error, time): (f64, f64)) -> Measurement {
     let method = ("", ShadingMode::Phong, 0.0);
-    example::measurement(method, time, [error, 0.0], None, false)
+    Measurement::from(&example::measurement(
+        method,
+        time,
+        [error, 0.0],
+        None,
+        false,
+    ))
 }
 
 /// The front of methods given as (error, time).
@@ -95,7 +101,7 @@ fn rounding_of_the_reference_is_no_error() {
 #[test]
 fn where_nothing_is_drawn_there_is_no_front() {
     let mut nothing = measurement((0.0, 1.0));
-    nothing.accuracy.error.levels = None;
+    nothing.error = None;
     assert_eq!(on_front(&[nothing.clone(), nothing]), [false, false]);
     assert_eq!(on_front(&[]), [false; 0]);
 }

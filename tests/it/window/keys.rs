@@ -88,7 +88,6 @@ fn every_key_does_what_its_words_say() {
             let (command, mut window) = (binding.command, Window::open());
             prepare(&mut window, command);
             let before = window.record();
-            let measured = window.app.desk.measures;
             window.modifiers = *modifiers;
             window.key(*key, true);
             assert_eq!(
@@ -105,11 +104,6 @@ fn every_key_does_what_its_words_say() {
             let desk = &window.app.desk;
             assert_eq!(desk.help, command == Command::Help, "{key:?}");
             assert_eq!(desk.panel_folded, command == Command::Panel, "{key:?}");
-            assert_eq!(
-                desk.measures != measured,
-                command == Command::Measure,
-                "{key:?}"
-            );
             assert_eq!(
                 window.app.look::<Spin>().on,
                 command == Command::Rotate,
