@@ -1,18 +1,26 @@
-//! The evaluation of one pixel: its vectors, the term of each light, and the levels of Gouraud, Phong and the reference.
+//! The evaluation of pixels: vectors, the term of each light, the levels of Gouraud, Phong and the reference, the cause of
+//! their difference, and the cost.
 //!
 //! `levels` are those of the renderer at the view's tolerance. Vectors and terms come from the reference in f64. A
 //! quantity that does not exist, or that is not finite, is null in JSON.
+
+mod cause;
 
 use fearless_simd::Level;
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 
-use crate::components::{FileOrder, LightKind, Material, Name, ShadingMode, View};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
+use crate::components::{FileOrder, Light, LightKind, Material, Name, ShadingMode, View};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
-use crate::reference::{self, LightSample};
+use crate::reference::{self, LightSample, Sample};
 use crate::scene::Scene;
+use crate::shading::TileKind;
+use crate::shading::square::{MAX_SIDE, MIN_SIDE};
 use crate::systems;
+
+/// The largest number of terms in a section.
+const MOST_TERMS: usize = 20_000;
 
 /// The evaluation of a pixel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -49,6 +57,26 @@ pub struct Surface {
     pub phong: Shaded,
     /// The pixel in the reference.
     pub reference: Reference,
+    /// As the picture that was asked for has it.
+    #[serde(skip)]
+    pub drawn: Drawn,
+    /// The length of n as interpolated unit vectors have it, 0..=1; 1 where the reference sees another face.
+    #[serde(skip)]
+    pub normal_length: f64,
+}
+
+/// How a picture draws a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    pub mode: ShadingMode,
+    /// In levels.
+    pub tolerance: f64,
+    /// Unclamped.
+    pub levels: [f64; 3],
+    /// How its square was drawn.
+    pub kind: TileKind,
+    /// The pixels of the face in its square.
+    pub pixels: usize,
 }
 
 /// The pixel under one shading mode.
@@ -88,119 +116,172 @@ fn as_map<S: Serializer>(terms: &[(String, [f64; 3])], serializer: S) -> Result<
 /// Evaluates pixel (`x`, `y`), which must lie inside the picture for `view`.
 ///
 /// # Errors
-/// If a row of the picture does not fit in memory.
+/// If 32 rows of the picture do not fit in memory.
 pub fn at(
     scene: &mut Scene,
     view: &View,
     [x, y]: [usize; 2],
     level: Level,
 ) -> Result<Probe, OutOfMemory> {
-    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
-    let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
-        Ok((frame.triangles()[x], frame.levels()[x].map(f64::from)))
-    };
-    let (id, gouraud) = drawn(ShadingMode::Gouraud)?;
-    let (_, phong) = drawn(ShadingMode::Phong)?;
-    if id == NO_TRIANGLE {
-        return Ok(Probe {
-            pixel: [x, y],
-            object: None,
-            surface: None,
-        });
-    }
-    let (object, triangle) = (id / 12, id % 12);
-    let mut cuboids = scene.world.query::<(&FileOrder, &Name, &Material)>();
-    let cuboid = cuboids.iter().find(|(order, ..)| order.0 == object);
-    let name = cuboid.map(|(_, name, _)| name.0.clone());
-    let shininess = cuboid.map_or(0.0, |(_, _, material)| material.shininess);
-    let sample = reference::at_pixel(&scene.world, view, x, y)
-        .filter(|sample| face((12 * sample.object + sample.triangle) as u32) == face(id));
-    let sample = sample.as_ref();
-    let lights = sample.map_or(&[][..], |sample| &sample.lights);
-    let shaded = |drawn: [f64; 3],
-                  exact: fn(&reference::Sample) -> DVec3,
-                  term: fn(&LightSample) -> DVec3| {
-        // A frame keeps levels in f32. A level that overflows f32 is taken from the reference.
-        let levels = [0, 1, 2].map(|channel: usize| match sample {
-            Some(sample) if !drawn[channel].is_finite() => exact(sample)[channel],
-            _ => drawn[channel],
-        });
-        let terms = lights.iter();
-        let terms = terms.map(|light| (light.name.clone(), term(light).to_array()));
-        Shaded {
-            levels,
-            terms: terms.collect(),
-            bytes: levels.map(display_step),
+    let mut probes = look(scene, view, y, level, |_| vec![x])?;
+    Ok(probes.remove(0))
+}
+
+/// Evaluates the pixels of row `y` on the face that is seen at (`x`, `y`), from left to right; fewer of them where the
+/// scene has very many lights, and one pixel of the background.
+///
+/// # Errors
+/// As [`at`].
+pub fn section(
+    scene: &mut Scene,
+    view: &View,
+    [x, y]: [usize; 2],
+    level: Level,
+) -> Result<Vec<Probe>, OutOfMemory> {
+    let lights = scene.world.query_mut::<&Light>().into_iter().count();
+    look(scene, view, y, level, |triangles| {
+        let is_seen = |column: &usize| face(triangles[*column]) == face(triangles[x]);
+        if triangles[x] == NO_TRIANGLE {
+            return vec![x];
         }
-    };
-    let levels = |exact: fn(&reference::Sample) -> DVec3| {
-        sample.map(|sample| Levels {
-            levels: exact(sample).to_array(),
-        })
-    };
-    let surface = Surface {
-        triangle,
-        position: sample.map(|sample| sample.position),
-        normal: sample.map(|sample| sample.normal),
-        to_eye: sample.map(|sample| sample.to_eye),
-        shininess,
-        lights: lights.to_vec(),
-        gouraud: shaded(gouraud, |it| it.gouraud, |it| it.gouraud),
-        phong: shaded(phong, |it| it.phong, |it| it.phong),
-        reference: Reference {
-            triangle: sample.map(|sample| sample.triangle as u32),
-            gouraud: levels(|sample| sample.gouraud),
-            phong: levels(|sample| sample.phong),
-        },
-    };
-    Ok(Probe {
-        pixel: [x, y],
-        object: name,
-        surface: Some(surface),
+        let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
+        let last = (x..triangles.len()).take_while(is_seen).last();
+        let columns = first..=last.unwrap_or(x);
+        let step = (columns.clone().count() * lights / MOST_TERMS).max(1);
+        let is_kept = |column: &usize| {
+            (column - first).is_multiple_of(step) || *column == x || column == columns.end()
+        };
+        columns.clone().filter(is_kept).collect()
     })
 }
 
-/// The unclamped levels along a row of the picture, by column.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Profile {
-    /// Gouraud by the renderer.
-    pub gouraud: Vec<[f64; 3]>,
-    /// Phong by the renderer.
-    pub phong: Vec<[f64; 3]>,
-    /// Phong by the f64 reference.
-    pub reference: Vec<[f64; 3]>,
-}
-
-/// The levels along row `y`, which must lie inside the picture for `view`.
-///
-/// # Errors
-/// If the row does not fit in memory.
-pub fn profile(
+/// Evaluates some columns of row `y`. `choose` picks them by the triangles that the row shows.
+fn look(
     scene: &mut Scene,
     view: &View,
     y: usize,
     level: Level,
-) -> Result<Profile, OutOfMemory> {
-    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
-    let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
-        let levels = frame.levels().iter();
-        Ok(levels.map(|levels| levels.map(f64::from)).collect())
+    choose: impl FnOnce(&[u32]) -> Vec<usize>,
+) -> Result<Vec<Probe>, OutOfMemory> {
+    let [width, height] = view.size;
+    // Squares lie in strips of this height.
+    let top = y / MAX_SIDE * MAX_SIDE;
+    let rows = top..(top + MAX_SIDE).min(height);
+    let mut draw = |view: &View| {
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+        systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame)?;
+        Ok(frame)
     };
-    let (gouraud, phong) = (drawn(ShadingMode::Gouraud)?, drawn(ShadingMode::Phong)?);
-    let mut reference = vec![view.background.to_array(); view.size[0]];
-    let exact = reference::Reference::<f64>::new(&scene.world, &view.shaded(ShadingMode::Phong));
-    exact.row(y, |x, seen| {
-        if let Some(first) = seen.first() {
-            reference[x] = first.levels;
+    let own = draw(view)?;
+    let modes = [
+        draw(&view.shaded(ShadingMode::Gouraud))?,
+        draw(&view.shaded(ShadingMode::Phong))?,
+    ];
+    let row = (y - top) * width;
+    let columns = choose(&own.triangles()[row..row + width]);
+    let samples = reference::in_row(&scene.world, view, y, &columns);
+    let mut query = (scene.world).query::<(&FileOrder, &Name, &Material, &ShadingMode)>();
+    let cuboids: Vec<_> = query.iter().collect();
+    let probes = columns.into_iter().zip(samples).map(|(x, sample)| {
+        let id = own.triangles()[row + x];
+        let cuboid = cuboids.iter().find(|(order, ..)| order.0 == id / 12);
+        let surface = cuboid.map(|(_, _, material, mode)| {
+            let levels = |frame: &Frame| frame.levels()[row + x].map(f64::from);
+            let sample =
+                sample.filter(|it| face((12 * it.object + it.triangle) as u32) == face(id));
+            let (kind, pixels) = square(&own, [x, y]);
+            let drawn = Drawn {
+                mode: view.mode(**mode),
+                tolerance: view.tolerance,
+                levels: levels(&own),
+                kind,
+                pixels,
+            };
+            let modes = modes.each_ref().map(levels);
+            Surface::new(id % 12, material.shininess, sample.as_ref(), modes, drawn)
+        });
+        Probe {
+            pixel: [x, y],
+            object: cuboid.map(|(_, name, ..)| name.0.clone()),
+            surface,
         }
     });
-    Ok(Profile {
-        gouraud,
-        phong,
-        reference,
-    })
+    Ok(probes.collect())
+}
+
+/// How the square of a pixel was drawn, and the pixels of the face in it. The frame holds one strip.
+fn square(frame: &Frame, [x, y]: [usize; 2]) -> (TileKind, usize) {
+    let (width, rows) = (frame.size()[0], frame.rows());
+    let index = |x: usize, y: usize| (y - rows.start) * width + x;
+    let seen = face(frame.triangles()[index(x, y)]);
+    // The pixels of the face in the square of this side around the pixel.
+    let pixels = |side: usize| {
+        let [left, top] = [x, y].map(|it| it / side * side);
+        let rows = top..rows.end.min(top + side);
+        let all = rows.flat_map(move |y| (left..width.min(left + side)).map(move |x| [x, y]));
+        all.filter(|[x, y]| face(frame.triangles()[index(*x, *y)]) == seen)
+    };
+    let kind = |x: usize, y: usize| frame.kinds()[index(x, y)];
+    let own = kind(x, y) & !OUTLINE;
+    // A large square that was cut has outlines across its middle, or quarters of several kinds.
+    let is_cut = pixels(MAX_SIDE).any(|[x, y]| {
+        let [column, row] = [x, y].map(|it| it % MAX_SIDE);
+        let is_middle = column == MIN_SIDE && row > 0 || row == MIN_SIDE && column > 0;
+        kind(x, y) & !OUTLINE != own || is_middle && kind(x, y) & OUTLINE != 0
+    });
+    let kind = TileKind::ALL[usize::from(own)];
+    let side = if is_cut { MIN_SIDE } else { MAX_SIDE };
+    (kind, pixels(side).count())
+}
+
+impl Surface {
+    /// What is known where the renderer draws these levels under Gouraud and Phong.
+    fn new(
+        triangle: u32,
+        shininess: f64,
+        sample: Option<&Sample>,
+        [gouraud, phong]: [[f64; 3]; 2],
+        drawn: Drawn,
+    ) -> Surface {
+        let lights = sample.map_or(&[][..], |sample| &sample.lights);
+        let shaded =
+            |drawn: [f64; 3], exact: fn(&Sample) -> DVec3, term: fn(&LightSample) -> DVec3| {
+                // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
+                let levels = [0, 1, 2].map(|channel: usize| match sample {
+                    Some(sample) if !drawn[channel].is_finite() => exact(sample)[channel],
+                    _ => drawn[channel],
+                });
+                let terms = lights.iter();
+                let terms = terms.map(|light| (light.name.clone(), term(light).to_array()));
+                Shaded {
+                    levels,
+                    terms: terms.collect(),
+                    bytes: levels.map(display_step),
+                }
+            };
+        let levels = |exact: fn(&Sample) -> DVec3| {
+            sample.map(|sample| Levels {
+                levels: exact(sample).to_array(),
+            })
+        };
+        Surface {
+            triangle,
+            position: sample.map(|sample| sample.position),
+            normal: sample.map(|sample| sample.normal),
+            to_eye: sample.map(|sample| sample.to_eye),
+            shininess,
+            lights: lights.to_vec(),
+            gouraud: shaded(gouraud, |it| it.gouraud, |it| it.gouraud),
+            phong: shaded(phong, |it| it.phong, |it| it.phong),
+            reference: Reference {
+                triangle: sample.map(|sample| sample.triangle as u32),
+                gouraud: levels(|sample| sample.gouraud),
+                phong: levels(|sample| sample.phong),
+            },
+            drawn,
+            normal_length: sample.map_or(1.0, |sample| sample.normal_length),
+        }
+    }
 }
 
 /// The column titles of [`Surface::products`].

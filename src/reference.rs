@@ -38,7 +38,7 @@ use illumination::{Lit, Open, Surface, TIES, blend};
 pub use interval::Interval;
 pub use real::Real;
 pub use rule::Rule;
-pub use sample::{LightSample, Sample, at_pixel};
+pub use sample::{LightSample, Sample, at_pixel, in_row};
 use sight::{Line, Meeting, Place, Sight, Solid};
 use vector::Vector;
 
@@ -275,20 +275,24 @@ impl<R: Real> Cuboid<R> {
             return self.surface.phong(place, open);
         }
         let (corners, weights) = Solid::weights(face, is_first, place);
-        let depths = self.solid.depths(corners, &self.mesh);
-        let depths = depths.filter(|depths| match self.mode {
-            ShadingMode::UnitVectors => self.solid.are_beyond_near(depths),
-            _ => !self.is_perspective_correct,
-        });
-        let weights = depths.map_or(weights, |depths| on_screen(weights, depths));
-        match self.mode {
-            ShadingMode::Gouraud => self.surface.gouraud(corners, weights, open),
-            ShadingMode::UnitVectors => self.surface.unit_vectors(corners, weights),
-            ShadingMode::Phong => {
-                let place = self.blended(corners, weights);
-                self.surface.phong(&place, open)
-            }
+        if self.mode == ShadingMode::UnitVectors {
+            let weights = self.shortcut_weights(corners, weights);
+            return self.surface.unit_vectors(corners, weights);
         }
+        let depths = self.solid.depths(corners, &self.mesh);
+        let depths = depths.filter(|_| !self.is_perspective_correct);
+        let weights = depths.map_or(weights, |depths| on_screen(weights, depths));
+        if self.mode == ShadingMode::Gouraud {
+            return self.surface.gouraud(corners, weights, open);
+        }
+        self.surface.phong(&self.blended(corners, weights), open)
+    }
+
+    /// The weights of unit vectors: those on the screen, where all corners have a place there.
+    fn shortcut_weights(&self, corners: [usize; 3], weights: [R; 3]) -> [R; 3] {
+        let depths = self.solid.depths(corners, &self.mesh);
+        let depths = depths.filter(|depths| self.solid.are_beyond_near(depths));
+        depths.map_or(weights, |depths| on_screen(weights, depths))
     }
 
     /// The place interpolated between the corners.

@@ -26,7 +26,7 @@ use super::pictures::{Pictures, or_dimmed};
 use super::recent::Recent;
 use super::recording::Recorder;
 use super::viewport::Grab;
-use crate::components::{Magnifier, Probed, Show, Spin, View, get, viewer};
+use crate::components::{Magnifier, Probed, Show, Side, Spin, View, ViewMode, get, viewer};
 use crate::drawing::Drawing;
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
@@ -349,8 +349,11 @@ impl App {
         let is_same_view = !is_another_view(&self.state, &after);
         if !is_same_view || is_another_method(&self.state, &after) {
             self.picture_changed(is_same_view);
-        } else if self.state.view.pixel != after.view.pixel {
-            self.facts.probe.state = State::Idle;
+        } else if shown(&self.state) != shown(&after)
+            || self.state.view.pixel != after.view.pixel
+                && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
+        {
+            self.facts.section.state = State::Idle;
         }
         self.state = after;
     }
@@ -619,6 +622,12 @@ fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
 /// Whether two states of one view are drawn by different methods.
 fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
     before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
+}
+
+/// What a picture shows of the methods, and where.
+fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
+    let view = &record.view;
+    (view.show, view.sides, view.divider)
 }
 
 /// Whether two lists of entities differ in more than what `forget` overwrites.

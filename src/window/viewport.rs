@@ -248,6 +248,7 @@ impl App {
         }
         if let Some(pixel) = self.look::<Probed>().0 {
             let at = self.place_of(pixel.map(|it| it as i32));
+            self.draw_triangle(&painter);
             self.draw_arrows(&painter, at);
             draw_cross(
                 &painter,

@@ -6,14 +6,15 @@ use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
 use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::probe::{self, Levels, Probe, Reference, Shaded, Surface};
+use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use shadetrade::probe::{self, Drawn, Levels, Probe, Reference, Shaded, Surface};
 use shadetrade::reference::{self, LightSample};
-use shadetrade::scene::Scene;
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::shading::TileKind;
 use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
 
-use crate::support::scene::view_from;
+use crate::support::scene::{draw, view_from};
 
 fn probe(arguments: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
@@ -244,6 +245,192 @@ fn levels_beyond_f32_are_those_of_the_reference() {
     }
 }
 
+/// The evaluation of a pixel of the default scene after a change of the scene.
+fn surface_of(mode: ShadingMode, pixel: [usize; 2], change: impl Fn(&mut SceneRecord)) -> Surface {
+    let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
+    change(&mut record);
+    let mut scene = Scene::spawn(String::new(), &record);
+    let view = view_from(&scene, 0, [960, 720]).shaded(mode);
+    let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
+    probe.surface.expect("a face is seen")
+}
+
+#[test]
+fn the_cause_is_that_of_the_light_that_differs_most() {
+    const HIGHLIGHT: [usize; 2] = [565, 327];
+    let cause = |mode, pixel, channel, change: &dyn Fn(&mut SceneRecord)| {
+        let surface = surface_of(mode, pixel, change);
+        surface.cause(channel).expect("the reference sees the face")
+    };
+    let gouraud = ShadingMode::Gouraud;
+    let only = |name: &'static str| {
+        move |record: &mut SceneRecord| record.light.retain(|light| light.name == name)
+    };
+    // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
+    let [sentence, evidence] = cause(gouraud, HIGHLIGHT, 2, &|_| ());
+    assert!(
+        sentence.starts_with("No vertex lies in the highlight of specular"),
+        "{sentence}"
+    );
+    let surface = surface_of(gouraud, HIGHLIGHT, |_| ());
+    let light = &surface.lights[2];
+    assert!(
+        sentence.contains(&format!("instead of {:.0}.", light.phong.z)),
+        "{sentence}"
+    );
+    assert!(
+        evidence.contains(&format!("{:.2} here", light.factor)),
+        "{evidence}"
+    );
+    // The picture's own mode is Phong: interpolation is still what is explained.
+    assert_eq!(
+        cause(ShadingMode::Phong, HIGHLIGHT, 2, &|_| ())[0],
+        sentence
+    );
+    // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
+    let wide = |record: &mut SceneRecord| record.cuboid[0].material.shininess = 1.0;
+    let [sentence, _] = cause(gouraud, HIGHLIGHT, 2, &wide);
+    assert!(!sentence.starts_with("No vertex"), "{sentence}");
+    // Ambient light is the same everywhere, and a far light nearly so.
+    let [sentence, _] = cause(gouraud, HIGHLIGHT, 1, &only("ambient"));
+    assert!(sentence.ends_with("agree within 0."), "{sentence}");
+    let [sentence, _] = cause(gouraud, HIGHLIGHT, 0, &|record| record.light.clear());
+    assert!(sentence.contains("No light"), "{sentence}");
+    // The light behind the face: n.l is 0 at all of its corners but those that lean to it.
+    let [sentence, _] = cause(gouraud, [480, 300], 1, &only("white"));
+    assert!(
+        sentence.starts_with("white is behind a vertex"),
+        "{sentence}"
+    );
+    // A lamp before the middle of the face shines past its corners' normals.
+    let lamp = |record: &mut SceneRecord| {
+        only("white")(record);
+        record.light[0].position = Some(DVec3::new(0.0, 0.0, 2.0));
+    };
+    let [sentence, _] = cause(gouraud, [485, 380], 1, &lamp);
+    assert!(
+        sentence.starts_with("The surface faces white more"),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn unit_vectors_are_as_short_as_their_mean() {
+    // Seen along z, the middle of the face z = 1 has the mean of two opposite corners: (0, 0, 1) / sqrt 3.
+    let surface = surface_of(ShadingMode::UnitVectors, [480, 360], |record| {
+        record.camera[0].position = DVec3::new(0.0, 0.0, 8.0);
+    });
+    assert!((surface.normal_length - 3.0_f64.sqrt().recip()).abs() < 1e-3);
+    let [sentence, evidence] = surface.cause(1).expect("the reference sees the face");
+    assert!(
+        sentence.contains("too short") && evidence.contains("0.58"),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn a_section_is_every_pixel_of_the_row_on_one_face() {
+    let mut scene = Scene::load(None).expect("it is built in");
+    let view = view_from(&scene, 0, [96, 72]).shaded(ShadingMode::Phong);
+    let level = Level::new();
+    let at = |scene: &mut Scene, pixel| probe::at(scene, &view, pixel, level).expect("a row fits");
+    for pixel in [[40, 36], [62, 30], [48, 18], [2, 2]] {
+        let section = probe::section(&mut scene, &view, pixel, level).expect("a row fits");
+        let first = section[0].pixel[0];
+        for (index, probe) in section.iter().enumerate() {
+            assert_eq!(*probe, at(&mut scene, [first + index, pixel[1]]));
+        }
+        let face = |probe: &Probe| probe.surface.as_ref().map(|it| it.triangle / 2);
+        let own = face(&at(&mut scene, pixel));
+        assert!(section.iter().all(|probe| face(probe) == own));
+        assert_eq!(
+            section.len() == 1,
+            own.is_none(),
+            "the background is one pixel"
+        );
+        if own.is_some() {
+            for beside in [first - 1, first + section.len()] {
+                assert_ne!(face(&at(&mut scene, [beside, pixel[1]])), own);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_pixels_of_squares_add_up_to_the_squares_that_were_drawn() {
+    let mut scene = Scene::load(None).expect("it is built in");
+    let mut all = 0;
+    for (mode, tolerance) in [(ShadingMode::Phong, 0.5), (ShadingMode::Gouraud, 4.0)] {
+        let view = view_from(&scene, 0, [480, 360])
+            .shaded(mode)
+            .with_tolerance(tolerance);
+        let frame = draw(&mut scene.world, &view, Keep::Levels);
+        let mut squares = [0.0; TileKind::ALL.len()];
+        for (y, row) in frame.triangles().chunks_exact(480).enumerate() {
+            let mut x = 0;
+            while let Some(from) = row[x..].iter().position(|id| *id != NO_TRIANGLE) {
+                let section = probe::section(&mut scene, &view, [x + from, y], Level::new());
+                let section = section.expect("a row fits");
+                x += from + section.len();
+                for surface in section.iter().filter_map(|probe| probe.surface.as_ref()) {
+                    squares[surface.drawn.kind as usize] += 1.0 / surface.drawn.pixels as f64;
+                }
+            }
+        }
+        // Squares of few pixels are evaluated before they are cut, so their number tells nothing of their side.
+        for kind in TileKind::ALL.into_iter().take(4) {
+            let (found, drawn) = (squares[kind as usize], frame.counts().tiles[kind as usize]);
+            assert!(
+                (found - drawn as f64).abs() < 1e-6,
+                "{mode:?}, {kind:?}: {found} of {drawn}"
+            );
+            all += drawn;
+        }
+    }
+    assert!(all > 200, "{all}");
+}
+
+#[test]
+fn the_cost_is_that_of_the_square() {
+    let drawn = |mode, kind| Drawn {
+        mode,
+        tolerance: 0.5,
+        levels: [0.0; 3],
+        kind,
+        pixels: 256,
+    };
+    for (mode, kind, words) in [
+        (
+            ShadingMode::Phong,
+            TileKind::Quadratic,
+            ["Nine", "instead of 256"],
+        ),
+        (
+            ShadingMode::Phong,
+            TileKind::Exact,
+            ["An evaluation", "every pixel"],
+        ),
+        (
+            ShadingMode::Gouraud,
+            TileKind::Linear,
+            ["No evaluation", "256 pixels"],
+        ),
+        (
+            ShadingMode::Gouraud,
+            TileKind::Exact,
+            ["No evaluation", "every pixel"],
+        ),
+        (
+            ShadingMode::UnitVectors,
+            TileKind::Double,
+            ["An evaluation", "f64"],
+        ),
+    ] {
+        let cost = drawn(mode, kind).cost();
+        assert!(words.iter().all(|word| cost.contains(word)), "{cost}");
+    }
+}
+
 /// A pixel of a cube under an ambient and a diffuse light, with numbers of every magnitude.
 fn made_up() -> Probe {
     let light = |name: &str, kind, vector: Option<DVec3>| LightSample {
@@ -252,6 +439,7 @@ fn made_up() -> Probe {
         to_light: vector,
         reflected: vector.map(|to_light| -to_light),
         factor: if vector.is_some() { 0.25 } else { 1.0 },
+        at_corners: [0.0; 3],
         strength: DVec3::new(401.0, 3.9504e-3, 4e5),
         gouraud: DVec3::ZERO,
         phong: DVec3::ZERO,
@@ -287,6 +475,14 @@ fn made_up() -> Probe {
                 gouraud: None,
                 phong: Some(levels(100.0)),
             },
+            drawn: Drawn {
+                mode: ShadingMode::Phong,
+                tolerance: 0.5,
+                levels: [0.0; 3],
+                kind: TileKind::Quadratic,
+                pixels: 256,
+            },
+            normal_length: 1.0,
         }),
     }
 }

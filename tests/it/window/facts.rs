@@ -66,7 +66,7 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     let states = |window: &Window| {
         let facts = &window.app.facts;
         [
-            &facts.probe.state,
+            &facts.section.state,
             &facts.comparison.state,
             &facts.required.state,
         ]
@@ -130,8 +130,8 @@ fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized() {
     let [width, height] = window.app.picture_size();
     window.size = [600, 400];
     (0..2).for_each(|_| window.wait(PAUSE));
-    let probed = window.app.facts.probe.current().expect("an answer");
-    let pixel = probed.probe.pixel;
+    assert!(window.app.facts.section.current().is_some());
+    let pixel = window.app.probed().expect("an answer").pixel;
     assert_eq!(Some(pixel), window.record().view.pixel);
     let [wider, higher] = window.app.picture_size();
     let scale = higher as f64 / height as f64;

@@ -5,6 +5,7 @@ use shadetrade::components::LightKind;
 use shadetrade::components::{
     Inspector, Light, Magnifier, Probed, ShadingMode, Show, Spin, Tab, Transform, ViewMode,
 };
+use shadetrade::frame::display_step;
 use shadetrade::scene::{LightRecord, Scene, SceneRecord};
 use shadetrade::window::inspector::Kind;
 use shadetrade::window::lights::Marker;
@@ -77,16 +78,16 @@ fn a_click_probes_the_pixel_under_the_mouse_and_shows_its_bytes() {
         let [x, y] = [pixel.x as usize, pixel.y as usize];
         assert_eq!(window.app.look::<Probed>(), Probed(Some([x, y])));
         assert_eq!(window.app.look::<Inspector>(), Inspector(Some(Tab::Pixel)));
-        let probed = window.app.facts.probe.current().expect("an answer");
-        assert_eq!(probed.probe.object.as_deref(), Some("emerald"));
-        let surface = probed.probe.surface.as_ref().expect("a surface");
+        let probed = window.app.probed().expect("an answer");
+        assert_eq!(probed.object.as_deref(), Some("emerald"));
+        let surface = probed.surface.as_ref().expect("a surface");
         let [width, _] = window.app.picture_size();
         let [_, drawn @ ..] = window.app.pictures.frame()[y * width + x].to_be_bytes();
         assert_eq!(surface.phong.bytes, drawn);
     }
     window.click(window.app.place.min + vec2(3.0, 3.0));
-    let probed = window.app.facts.probe.current().expect("an answer");
-    assert_eq!(probed.probe.object, None, "background");
+    let probed = window.app.probed().expect("an answer");
+    assert_eq!(probed.object, None, "background");
 }
 
 #[test]
@@ -338,4 +339,30 @@ fn a_light_dragged_beyond_the_range_of_positions_stays() {
     window.record().check().expect("a legal scene");
     let text = shadetrade::scene::updated("", &window.record());
     Scene::parse("dragged", &text).unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn a_probed_pixel_is_that_of_the_method_that_is_shown_there() {
+    let mut window = Window::open();
+    window.press(Key::F3);
+    let middle = window.app.place.center();
+    window.click(middle);
+    // The inspector has room now.
+    window.step(Vec::new());
+    for (share, mode) in [(-0.1, ShadingMode::Gouraud), (0.1, ShadingMode::Phong)] {
+        let place = window.app.place;
+        window.click(place.center() + vec2(share * place.width(), 10.0));
+        let probe = window.app.probed().expect("an answer");
+        let surface = probe.surface.as_ref().expect("a cuboid");
+        assert_eq!(surface.drawn.mode, mode);
+        let [x, y] = probe.pixel;
+        let [width, _] = window.app.picture_size();
+        let [_, bytes @ ..] = window.app.shown()[y * width + x].to_be_bytes();
+        assert_eq!(surface.drawn.levels.map(display_step), bytes);
+    }
+    // The divider goes past the pixel.
+    let place = window.app.place;
+    window.drag(place.center(), place.right_center() - vec2(20.0, 0.0), 3);
+    let surface = window.app.probed().and_then(|it| it.surface.clone());
+    assert_eq!(surface.expect("a cuboid").drawn.mode, ShadingMode::Gouraud);
 }

@@ -280,6 +280,66 @@ fn numbers_are_typed_within_their_range() {
     assert_eq!(record(&harness).light[0].gain, 40.5);
 }
 
+/// A window with the middle pixel probed, and a harness that has laid out the same.
+fn probed() -> (Window, Harness<'static, App>) {
+    let open = || {
+        let mut window = Window::of(default_scene(), SIZE);
+        window.click(window.app.place.center());
+        window.step(Vec::new());
+        window
+    };
+    (open(), widgets(open().app, SIZE))
+}
+
+#[test]
+fn the_point_on_the_section_is_dragged_along_the_row_of_one_face() {
+    for label in ["section", "factors"] {
+        let (mut window, harness) = probed();
+        let plot = places(&harness, label)[0];
+        let pixel = |window: &Window| window.record().view.pixel.expect("a pixel");
+        let face = |window: &Window| {
+            let probe = window.app.probed().expect("at once, of the same section");
+            assert!(window.app.facts.section.current().is_some());
+            probe.surface.as_ref().expect("a face").triangle / 2
+        };
+        let (start, own) = (pixel(&window), face(&window));
+        window.point_at(plot);
+        window.button(plot, true);
+        let mut last = 0;
+        for way in [-60.0, 0.0, 60.0, 1000.0] {
+            window.point_at(plot + vec2(way, 30.0));
+            let [x, y] = pixel(&window);
+            assert!(x > last && y == start[1], "{x} after {last}");
+            assert_eq!(face(&window), own);
+            last = x;
+        }
+        window.button(plot, false);
+        window.point_at(plot);
+        assert_eq!(pixel(&window)[0], last, "the button is up");
+    }
+}
+
+#[test]
+fn the_shininess_beside_the_section_is_the_cuboids_and_undone_like_any_edit() {
+    let (mut window, harness) = probed();
+    let before = window.record();
+    window.wait(PAUSE);
+    window.click(number(&harness, "shininess", 0));
+    window.press_with(Modifiers::COMMAND, Key::A);
+    window.enter("5");
+    window.press(Key::Enter);
+    assert_eq!(window.record().cuboid[0].material.shininess, 5.0);
+    let surface = window.app.probed().and_then(|probe| probe.surface.clone());
+    assert_eq!(
+        surface.expect("a cuboid").shininess,
+        5.0,
+        "the section follows"
+    );
+    window.wait(PAUSE);
+    window.undo();
+    assert_eq!(window.record(), before);
+}
+
 #[test]
 fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     let mut scene = default_scene();
