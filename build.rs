@@ -1,4 +1,4 @@
-//! What is built in besides the code: the compiler's version, for `trade`'s reports, and the scenes of `assets/extremes`.
+//! Builds in the version of the compiler, for the reports of `trade`, and the scenes of `assets/extremes`.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ fn main() -> io::Result<()> {
     fs::write(folder("OUT_DIR").join("extremes.rs"), table(&scenes)?)
 }
 
-/// A Rust array of the scenes' names and texts, by name. The index is no scene.
+/// A Rust array of the names and texts of the scenes, sorted by name. The index is not a scene.
 fn table(folder: &Path) -> io::Result<String> {
     let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
     let mut paths = entries.collect::<io::Result<Vec<_>>>()?;

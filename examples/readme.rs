@@ -1,4 +1,4 @@
-//! README's pictures of the window, and the animations of the lessons, all drawn by the window's own step without a display:
+//! Draws README's pictures of the window and the animations of the lessons, without a display:
 //! `cargo run --release --example readme`.
 
 use std::fs;
@@ -37,8 +37,7 @@ fn main() -> anyhow::Result<()> {
         let start = Instant::now();
         let step = |app: &mut App| app.step(start.elapsed(), SIZE, RawInput::default());
         step(&mut app)?;
-        app.run(Command::Measure);
-        while app.facts.report.current().is_none() {
+        while app.facts.trade.current().is_none() || app.facts.proof.current().is_none() {
             step(&mut app)?;
             thread::sleep(Duration::from_millis(20));
         }

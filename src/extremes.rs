@@ -228,7 +228,7 @@ impl Extreme {
     /// Proves a picture and compares it with what is known of it.
     fn check(&self, world: &mut World, view: &View, frame: &mut Frame) -> anyhow::Result<Proof> {
         let level = frame.workers().level();
-        let proof = prove(world, view, level, &|| false, &|_| ())?;
+        let proof = prove(world, view, None, level, &|| false, &|_| ())?;
         let proof = proof.context("the proof was cancelled")?;
         // Intervals need not decide a pixel that is decided on paper.
         let known = match self.fact {

@@ -125,7 +125,7 @@
 //!
 //! // The same as a fact: no value of any pixel's enclosure is farther away than half a level.
 //! let level = fearless_simd::Level::new();
-//! let proof = prove(&mut scene.world, &view, level, &|| false, &|_| ())?.expect("not cancelled");
+//! let proof = prove(&mut scene.world, &view, None, level, &|| false, &|_| ())?.expect("not cancelled");
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

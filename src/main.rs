@@ -1,4 +1,4 @@
-//! shadetrade: parses the command line, runs one command, says what went wrong.
+//! shadetrade: parses the command line, runs one command and reports its error.
 
 use std::fs;
 use std::path::Path;
@@ -49,7 +49,8 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::Prove(options)) => {
             let map = options.output.as_ref();
             let mut drawing = options.drawing.open_for(map)?;
-            Ok(prove::run(&mut drawing, map, options.json)?)
+            let picture = options.read_picture()?;
+            Ok(prove::run(&mut drawing, picture, map, options.json)?)
         }
         Some(Command::Requires(options)) => {
             let least = options.output.as_ref();
@@ -62,7 +63,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     }
 }
 
-/// Proves extremes, or draws the stability charts. An extreme that fails is work not done.
+/// Proves extremes, where a failed one is an error, or draws the stability charts.
 fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
     let level = options.workers.simd;
     if options.chart {
@@ -76,7 +77,7 @@ fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
     }
 }
 
-/// Prints what happened at a pixel.
+/// Prints the evaluation of a pixel.
 fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     let mut drawing = options.drawing.open()?;
     let ([x, y], [width, height]) = (options.pixel, drawing.size);
@@ -94,9 +95,9 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     })?)
 }
 
-/// Opens the window; where there is no display, the figures are drawn if nothing else was asked for.
+/// Opens the window. Without a display it draws the figures if the command has no options.
 fn view(options: &ViewOptions) -> Result<(), Failure> {
-    // Before anything is read: a scene that comes through a pipe can be read once.
+    // Before the scene is read: a pipe can be read only once.
     window::restart_in_fit_environment()?;
     let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
     let drawing = options.drawing.open()?;
@@ -113,7 +114,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     }
 }
 
-/// Draws a recording again, or plays it in a window where nothing is asked for.
+/// Plays a recording in a window, or draws it into a file or prints hashes if the options say so.
 fn replay(options: &ReplayOptions) -> Result<(), Failure> {
     options.check_output()?;
     let plays = options.output.is_none() && !options.hash;

@@ -39,8 +39,8 @@ use self::field::Places;
 use self::gouraud::Gouraud;
 use self::interpolation::Interpolant;
 use self::kernel::Light;
-use self::phong::{Active, FaceLight, Phong, Reaching};
-use self::square::Region;
+use self::phong::{FaceLight, Phong, TileLights};
+use self::square::{MIN_SIDE, Region};
 use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
 use crate::simd::outlined;
@@ -54,6 +54,19 @@ pub struct Method {
     pub mode: ShadingMode,
     /// In levels, against the exact evaluation of the same mode.
     pub tolerance: f64,
+}
+
+impl Method {
+    /// This mode within this tolerance, in levels; one that is not of [`METHODS`] has no id.
+    pub fn of(mode: ShadingMode, tolerance: f64) -> Method {
+        let mut known = METHODS.iter();
+        let known = known.find(|it| (it.mode, it.tolerance) == (mode, tolerance));
+        known.copied().unwrap_or(Method {
+            id: "",
+            mode,
+            tolerance,
+        })
+    }
 }
 
 /// The ladder from cheap to true that reports climb.
@@ -239,45 +252,56 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Colours of four squares that keep the tolerance where they leave something of it; none where no square has one.
+    /// Prepares four squares for being interpolated or evaluated.
     #[inline(always)]
-    pub fn interpolate<S: Simd>(
+    pub fn prepare<S: Simd>(
         &self,
         simd: S,
         places: &Places<S>,
+        effort: Effort,
         scratch: &mut Scratch,
-    ) -> Option<Interpolant<S>> {
-        if !self.interpolates() {
-            return None;
-        }
+    ) -> Prepared<S> {
         match self {
-            Shader::Gouraud(gouraud) => outlined!(simd, gouraud.interpolate(simd, places)),
+            Shader::Gouraud(gouraud) if effort != Effort::Pixels => Prepared {
+                interpolant: Some(outlined!(simd, gouraud.interpolate(simd, places))),
+                promising: 0b1111,
+            },
             Shader::Phong(phong) => {
-                outlined!(simd, phong.interpolate(simd, places, &mut scratch.reaching))
+                outlined!(simd, phong.prepare(simd, places, effort, &mut scratch.tile))
             }
-            Shader::UnitVectors(_) => None,
+            _ => Prepared {
+                interpolant: None,
+                promising: 0,
+            },
         }
     }
 
-    /// Whether squares may have such colours at all.
-    pub fn interpolates(&self) -> bool {
-        match self {
+    /// What is worth trying for squares of a side of so many pixels.
+    pub fn effort(&self, side: usize) -> Effort {
+        let interpolates = match self {
             Shader::Gouraud(gouraud) => gouraud.tolerance > 0.0,
             Shader::Phong(phong) => phong.tolerance > 0.0,
             Shader::UnitVectors(_) => false,
+        };
+        match side {
+            _ if !interpolates => Effort::Pixels,
+            MIN_SIDE => Effort::Squares,
+            _ => Effort::Quarters,
         }
     }
 
-    /// Evaluates every covered pixel in lanes, into the scratch; nothing where that could not keep the tolerance.
+    /// Evaluates every covered pixel in lanes, into the scratch; nothing where that could not keep the tolerance. The square
+    /// is the one at `index` of those prepared last.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
         region: &Region,
+        index: usize,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
         match self {
             Shader::Gouraud(gouraud) => gouraud.evaluate(simd, region, scratch),
-            Shader::Phong(phong) => phong.evaluate(simd, region, scratch),
+            Shader::Phong(phong) => phong.evaluate(simd, region, index, scratch),
             Shader::UnitVectors(vectors) => vectors.evaluate(simd, region, scratch),
         }
     }
@@ -310,6 +334,25 @@ impl Shader<'_> {
     }
 }
 
+/// How squares may be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// Pixel by pixel.
+    Pixels,
+    /// As colours too.
+    Squares,
+    /// Or as four squares each.
+    Quarters,
+}
+
+/// What is known of four squares before they are drawn.
+pub struct Prepared<S: Simd> {
+    /// Colours that keep the tolerance where they leave something of it.
+    pub interpolant: Option<Interpolant<S>>,
+    /// The set of squares, a bit each, whose quarters may have such colours where they themselves have none.
+    pub promising: u64,
+}
+
 /// What a shader has done to a square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Evaluations {
@@ -327,8 +370,7 @@ pub struct Scratch {
     pub levels: Levels,
     /// The lights that reach the face being drawn.
     pub lights: Vec<FaceLight>,
-    reaching: Vec<Reaching>,
-    active: Vec<Active>,
+    tile: TileLights,
     single: Vec<Light<f32>>,
     double: Vec<Light<f64>>,
 }

@@ -14,6 +14,7 @@ pub mod error_map;
 pub mod export;
 pub mod flip;
 pub mod front;
+pub mod live;
 pub mod machine;
 pub mod metrics;
 pub mod plot;
@@ -41,9 +42,10 @@ use crate::output::{self, Output};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::systems;
+pub use live::Measurement;
 use progress::OnProgress;
 use record::Subject;
-pub use record::{Measurement, Report};
+pub use record::{MethodReport, Report};
 use timing::Batch;
 
 /// How long all frames are timed together unless asked otherwise.
@@ -141,14 +143,14 @@ pub fn measure(
         &step("comparing pictures"),
     )?;
     let times = timings.into_iter().zip(stages);
-    let mut methods: Vec<Measurement> = request
+    let mut methods: Vec<MethodReport> = request
         .methods
         .iter()
         .zip(times)
         .zip(accuracies)
         .map(|((method, (timing, (stages, counts))), accuracy)| {
             let pixels = counts.covered_pixels;
-            Measurement {
+            MethodReport {
                 method: *method,
                 threads: request.threads,
                 ns_per_covered_pixel: (pixels > 0).then(|| timing.median * 1e6 / pixels as f64),
@@ -160,7 +162,8 @@ pub fn measure(
             }
         })
         .collect();
-    let on_front = front::on_front(&methods);
+    let measured: Vec<Measurement> = methods.iter().map(Measurement::from).collect();
+    let on_front = front::on_front(&measured);
     for (one, on_front) in methods.iter_mut().zip(on_front) {
         one.on_front = on_front;
     }

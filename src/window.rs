@@ -28,6 +28,7 @@ pub mod recent;
 pub mod recording;
 pub mod replay;
 pub mod style;
+mod triangle;
 pub mod viewport;
 
 use std::fs::File;

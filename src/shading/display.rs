@@ -275,8 +275,9 @@ const INTEGERS: f32 = 8_388_608.0;
 #[inline(always)]
 pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
     let simd = level.token();
-    // The other way round what is not a number would stay.
-    let positive = level.max(f32x16::splat(simd, 0.0));
+    // A maximum may return either operand where one of them is not a number; a comparison is false there.
+    let zero = f32x16::splat(simd, 0.0);
+    let positive = level.simd_gt(zero).select(level, zero);
     let clamped = positive.min(f32x16::splat(simd, 255.0));
     (f32x16::from_bits(clamped.to_bits() + 1) + INTEGERS).to_bits()
 }
@@ -319,6 +320,19 @@ mod tests {
             let byte = u32::from(display_step(f64::from(level as f32)));
             let level = level as f32;
             assert_eq!(shown(level), byte * 0x0001_0101, "{level} in f32");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_black_at_every_simd_level() {
+        for level in crate::simd::NAMES
+            .into_iter()
+            .filter_map(crate::simd::named)
+        {
+            let pixel = crate::simd::dispatch!(level, simd => {
+                pack([display_bits(f32x16::splat(simd, f32::NAN)); 3]).as_array()[0]
+            });
+            assert_eq!(pixel, 0, "{}", crate::simd::name(level));
         }
     }
 

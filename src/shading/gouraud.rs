@@ -50,9 +50,9 @@ impl<'a> Gouraud<'a> {
         }
     }
 
-    /// See [`super::Shader::interpolate`].
+    /// Colours of four squares.
     #[inline(always)]
-    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Interpolant<S> {
         let Face {
             plane: Plane { w, .. },
             diagonal,
@@ -111,12 +111,12 @@ impl<'a> Gouraud<'a> {
             Lanes::splat(simd, f64::NEG_INFINITY),
         );
         let [red, green, blue] = colors;
-        Some(Interpolant::new(Colors {
+        Interpolant::new(Colors {
             terms: [red, green, blue, [[zero; 3]; 3]],
             crossing: [zero; 3],
             crosses: mask64x4::splat(simd, false),
             budget,
-        }))
+        })
     }
 
     /// See [`super::Shader::evaluate`].

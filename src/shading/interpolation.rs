@@ -14,11 +14,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask64x4};
 
 use super::display::display_pixel;
-use super::field::{Lanes, Places};
+use super::field::Lanes;
 use super::rows::{Curve, FixedCurve, Flat, Ramp, Terminator};
 use super::square::Square;
 use super::{Sink, TileKind, U};
-use crate::simd::{four, inlined, three};
+use crate::simd::{four, three};
 
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;
@@ -144,37 +144,6 @@ impl<S: Simd> Interpolant<S> {
         }
     }
 
-    /// That of one of the squares, on its quarters.
-    #[inline(always)]
-    pub fn on_quarters(&self, index: usize, square: &Square, quarters: &[Square; 4]) -> Self {
-        let Colors {
-            terms,
-            crossing,
-            crosses,
-            budget,
-        } = &self.colors;
-        let simd = budget.token();
-        let splat = inlined!(|lanes: Lanes<S>| Lanes::splat(simd, lanes.as_array()[index]));
-        let Places { middle, half } = Places::new(simd, quarters, square.middle());
-        let scales = square.half().map(|half| 1.0 / half);
-        let [starts, scales] = [middle, half].map(|[x, y]| [x * scales[0], y * scales[1]]);
-        let terms = four!(|channel| {
-            let rows = three!(|j| {
-                let terms = three!(|i| splat(terms[channel][j][i]));
-                moved(terms, starts[0], scales[0])
-            });
-            let columns =
-                three!(|i| moved([rows[0][i], rows[1][i], rows[2][i]], starts[1], scales[1]));
-            transposed(&columns)
-        });
-        Interpolant::new(Colors {
-            terms,
-            crossing: three!(|channel| splat(crossing[channel])),
-            crosses: mask64x4::splat(simd, crosses.test(index)),
-            budget: splat(*budget),
-        })
-    }
-
     /// The colour of one of the squares, where a unit is `x` and `y` half extents.
     #[inline(always)]
     fn color(&self, index: usize, [x, y]: [f64; 2]) -> Color {
@@ -190,17 +159,6 @@ impl<S: Simd> Interpolant<S> {
         }
         color
     }
-}
-
-/// A quadratic in x = start + scale t, as one in t.
-#[inline(always)]
-fn moved<S: Simd>(c: [Lanes<S>; 3], start: Lanes<S>, scale: Lanes<S>) -> [Lanes<S>; 3] {
-    let bend = c[2] * start;
-    [
-        c[0] + (c[1] + bend) * start,
-        (c[1] + bend + bend) * scale,
-        c[2] * scale * scale,
-    ]
 }
 
 #[inline(always)]

@@ -17,7 +17,7 @@ use super::affine::Affine;
 use super::display::Levels;
 use super::specular::{self, Power};
 use super::square::Region;
-use crate::simd::{inlined, outlined, three};
+use crate::simd::{four, inlined, outlined, three};
 
 /// Unit round-off of f64.
 pub const DOUBLE: f64 = f64::EPSILON / 2.0;
@@ -143,11 +143,10 @@ pub fn cosine<S: Simd, V: Reals<S>>(normal: &Lanes3<V>, normal2: V, light: &Lane
     dot(normal, light) / (normal2 * dot(light, light)).sqrt()
 }
 
-/// n.l and s^rho, from unit vectors n and o and a vector to the light of any positive length.
+/// n.l and 1 - s, from unit vectors n and o and a vector to the light of any positive length.
 #[inline(always)]
-pub fn highlight<S: Simd, V: Reals<S>>(
+pub fn mirrored<S: Simd, V: Reals<S>>(
     simd: S,
-    power: &Power,
     normal: &Lanes3<V>,
     light: &Lanes3<V>,
     eye: &Lanes3<V>,
@@ -156,8 +155,27 @@ pub fn highlight<S: Simd, V: Reals<S>>(
     let cosine = dot(normal, light) * inverse;
     let twice = cosine + cosine;
     let difference = three!(|axis| normal[axis] * twice - light[axis] * inverse - eye[axis]);
-    let one_minus_cos = dot(&difference, &difference) * V::all(simd, 0.5);
-    [cosine, one_minus_cos.powers(power)]
+    [cosine, dot(&difference, &difference) * V::all(simd, 0.5)]
+}
+
+/// Powers at three nodes of four squares: twelve fit into sixteen lanes.
+#[inline(always)]
+pub fn powers_of_row<S: Simd>(
+    simd: S,
+    power: &Power,
+    one_minus_cos: [f64x4<S>; 3],
+) -> [f64x4<S>; 3] {
+    if power.exact > 0.0 && power.exact < 1.0 {
+        return three!(|node| one_minus_cos[node].powers(power));
+    }
+    let mut sixteen = [0.0; 16];
+    for node in 0..3 {
+        for (square, own) in one_minus_cos[node].as_array().iter().enumerate() {
+            sixteen[4 * node + square] = *own as f32;
+        }
+    }
+    let powers = f32x16::simd_from(simd, sixteen).powers(power);
+    three!(|node| f64x4::simd_from(simd, four!(|square| f64::from(powers[4 * node + square]))))
 }
 
 /// At length one.
@@ -260,7 +278,8 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
                     [cosine; 2]
                 }
             } else if light.is[1] {
-                highlight(simd, self.power, &n, &l, &o)
+                let [cosine, one_minus_cos] = mirrored(simd, &n, &l, &o);
+                [cosine, one_minus_cos.powers(self.power)]
             } else {
                 [cosine(&n, n2, &l); 2]
             };

@@ -2,11 +2,8 @@
 //!
 //! Rule: every rounding is counted once, per light and per term of the sum.
 
-use fearless_simd::Simd;
-use fearless_simd::prelude::*;
-
 use super::U;
-use super::field::{Field, MAX_RADIUS};
+use super::field::MAX_RADIUS;
 use super::specular::Power;
 
 /// What rounding costs the model at one pixel, in levels. Rows of polynomials are counted in [`super::interpolation`].
@@ -87,7 +84,7 @@ impl Rounding {
 }
 
 /// How far a vector of length one at the middle of a square gets from there, and how short it gets.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Extent {
     pub radius: f64,
     pub shortest: f64,
@@ -99,15 +96,6 @@ impl Extent {
         radius: MAX_RADIUS,
         shortest: 1.0 - MAX_RADIUS,
     };
-}
-
-impl<S: Simd> From<&Field<S>> for Extent {
-    fn from(field: &Field<S>) -> Self {
-        Extent {
-            radius: field.radius.as_array()[0],
-            shortest: field.shortest.as_array()[0],
-        }
-    }
 }
 
 /// Direction error of an interpolated vector.

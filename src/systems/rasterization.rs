@@ -35,14 +35,11 @@ use crate::shading::interpolation::{self, Form, Interpolant};
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Spans, Square};
 use crate::shading::unit_vectors::{self, UnitVectors};
-use crate::shading::{Evaluations, Scratch, Shader, Sink, Surface, TileKind};
+use crate::shading::{Effort, Evaluations, Scratch, Shader, Sink, Surface, TileKind};
 use crate::simd::{dispatch, outlined};
 
 /// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
 const DEPTH_TIE: f64 = 1e-11;
-
-/// So few pixels of a square are evaluated faster than an interpolant for them is found.
-const FEW: usize = 24;
 
 /// Draws every cuboid into the frame.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
@@ -101,10 +98,12 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
                     continue;
                 }
                 // What fits into the smallest square is drawn as one.
-                let mut square = Square::around(&spans);
-                if let Some(square) = &mut square {
-                    list_seen(&mut scratch.levels.listed, square, &spans, piece, band);
-                    square.pixels = scratch.levels.listed.count();
+                let mut small = Square::around(&spans);
+                let mut strips = 1;
+                if let Some(square) = &mut small {
+                    let listed = &mut scratch.levels.listed;
+                    strips = list_seen(listed, square, &spans, piece, band);
+                    square.pixels = listed.count();
                     if square.pixels == 0 {
                         continue;
                     }
@@ -117,18 +116,14 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
                     spans,
                     id: piece.id,
                     picture: lens.half,
-                    few: if shader.interpolates() {
-                        FEW
-                    } else {
-                        usize::MAX
-                    },
+                    strips,
                     shader,
                     band,
                     scratch,
                     counts: &mut counts,
                 };
-                dispatch!(level, simd => match &square {
-                    Some(square) => drawing.evaluated(simd, square, true),
+                dispatch!(level, simd => match &small {
+                    Some(square) => drawing.listed(simd, square),
                     None => drawing.draw(simd),
                 });
                 scratch.lights = lights;
@@ -139,21 +134,33 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     frame.illumination = lights;
 }
 
-/// Lists the pixels of a square in which a piece is seen.
-fn list_seen(listed: &mut Listed, square: &Square, spans: &Spans, piece: &Piece, band: &Band) {
+/// Lists the pixels of a square in which a piece is seen; in how many strips of rows these lie.
+fn list_seen(
+    listed: &mut Listed,
+    square: &Square,
+    spans: &Spans,
+    piece: &Piece,
+    band: &Band,
+) -> u64 {
     listed.clear();
     let [left, top] = square.first().map(|first| first as f32);
+    let (mut strips, mut last) = (0, None);
     for (row, span) in spans.within(&band.rows) {
         let x = left + (span.start - square.place[0]) as i32 as f32;
         let y = top + (row - square.place[1]) as i32 as f32;
         let pixels = band.index(span.start, row)..band.index(span.end, row);
+        let before = listed.count();
         if band.triangles.is_empty() {
             listed.extend([x, y], pixels, |_| true);
         } else {
             let ids = &band.triangles[pixels.clone()];
             listed.extend([x, y], pixels, |pixel| face(ids[pixel]) == face(piece.id));
         }
+        if listed.count() > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
+            strips += 1;
+        }
     }
+    strips
 }
 
 /// What shades a face, by the mode of its cuboid.
@@ -275,8 +282,8 @@ struct Drawing<'a, 'b> {
     id: u32,
     /// The picture's middle, in pixels from its corner.
     picture: [f64; 2],
-    /// Squares of at most so many pixels are evaluated at once.
-    few: usize,
+    /// As how many tiles a listed square counts.
+    strips: u64,
     band: &'a mut Band<'b>,
     scratch: &'a mut Scratch,
     counts: &'a mut Counts,
@@ -305,34 +312,39 @@ impl Drawing<'_, '_> {
     }
 
     /// Draws four squares: interpolated where that keeps the tolerance, else as four squares each, or pixel by pixel where
-    /// they are small or hold few pixels.
+    /// they are small or their quarters promise no more.
     fn squares<S: Simd>(&mut self, simd: S, squares: &[Square; 4]) {
         let seen = squares.each_ref().map(|square| self.is_seen(square));
-        let tried = squares.each_ref().map(|square| square.pixels > self.few);
-        let interpolant = if (0..4).any(|index| seen[index] && tried[index]) {
-            let places = Places::new(simd, squares, self.picture);
-            self.shader.interpolate(simd, &places, self.scratch)
-        } else {
-            None
-        };
+        if !seen.contains(&true) {
+            return;
+        }
+        let effort = self.shader.effort(squares[0].side);
+        let places = Places::new(simd, squares, self.picture);
+        let prepared = self.shader.prepare(simd, &places, effort, self.scratch);
+        let mut cut = [false; 4];
         for (index, square) in squares.iter().enumerate() {
             if !seen[index] {
                 continue;
             }
-            if tried[index]
-                && let Some(interpolant) = &interpolant
+            if let Some(interpolant) = &prepared.interpolant
                 && let Some(form) = interpolant.forms[index]
             {
                 self.interpolated(simd, square, interpolant, index, form);
-            } else if square.side > MIN_SIDE && tried[index] {
-                self.squares(simd, &square.quarters(&self.spans));
             } else {
-                self.evaluated(simd, square, false);
+                let promising = prepared.promising >> index & 1 == 1;
+                cut[index] = effort == Effort::Quarters && promising
+                    || !self.evaluated(simd, square, Some(index));
+            }
+        }
+        // Last, for what is known of these squares goes with it.
+        for (index, square) in squares.iter().enumerate() {
+            if cut[index] {
+                self.squares(simd, &square.quarters(&self.spans));
             }
         }
     }
 
-    /// Draws one of the squares of an interpolant: as its quarters where the colour is too curved for linear rows.
+    /// Draws one of the squares of an interpolant.
     fn interpolated<S: Simd>(
         &mut self,
         simd: S,
@@ -341,20 +353,6 @@ impl Drawing<'_, '_> {
         index: usize,
         form: Form,
     ) {
-        if form.kind == TileKind::Quadratic && square.side > MIN_SIDE {
-            let quarters = square.quarters(&self.spans);
-            let interpolant = outlined!(simd, interpolant.on_quarters(index, square, &quarters));
-            for (index, quarter) in quarters.iter().enumerate() {
-                if !self.is_seen(quarter) {
-                    continue;
-                }
-                match interpolant.forms[index] {
-                    Some(form) => self.interpolated(simd, quarter, &interpolant, index, form),
-                    None => self.evaluated(simd, quarter, false),
-                }
-            }
-            return;
-        }
         let mut store = Store::new(self.band, &self.spans, square, self.id);
         outlined!(
             simd,
@@ -364,18 +362,29 @@ impl Drawing<'_, '_> {
         self.counts.tiles[form.kind as usize] += 1;
     }
 
-    /// Draws a square, or what is listed of it, pixel by pixel; or its quarters where that cannot be done in lanes.
-    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, listed: bool) {
+    /// Draws what is listed of a square.
+    fn listed<S: Simd>(&mut self, simd: S, square: &Square) {
+        let [x, y] = square.middle();
+        let middle = [x - self.picture[0], y - self.picture[1]];
+        let places = Places::single(simd, middle, square.half());
+        self.shader
+            .prepare(simd, &places, Effort::Pixels, self.scratch);
+        self.evaluated(simd, square, None);
+    }
+
+    /// Draws a square, or what is listed of it where it has no index, pixel by pixel; whether that can be done in lanes, or
+    /// is done without where the square is small.
+    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, index: Option<usize>) -> bool {
+        let listed = index.is_none();
         let region = Region {
             square,
             spans: &self.spans,
             picture: self.picture,
             listed,
         };
-        let evaluations = match self.shader.evaluate(simd, &region, self.scratch) {
-            None if square.side > MIN_SIDE => {
-                return self.squares(simd, &square.quarters(&self.spans));
-            }
+        let index = index.unwrap_or(0);
+        let evaluations = match self.shader.evaluate(simd, &region, index, self.scratch) {
+            None if square.side > MIN_SIDE => return false,
             None => {
                 let levels = &mut self.scratch.levels;
                 levels.fill_each(&region, |[x, y]| self.shader.define(x, y));
@@ -400,7 +409,8 @@ impl Drawing<'_, '_> {
         self.counts.covered_pixels += store.finish(evaluations.kind, &self.shader, self.picture);
         self.counts.model_evaluations += evaluations.model;
         self.counts.specular_evaluations += evaluations.specular;
-        self.counts.tiles[evaluations.kind as usize] += 1;
+        self.counts.tiles[evaluations.kind as usize] += self.strips;
+        true
     }
 
     /// Whether any pixel of a square is drawn here: in this band, and not hidden.

@@ -146,7 +146,7 @@ pub(super) fn drawn_by(method: &Method, view: &View) -> View {
 }
 
 /// The scene with its specular lights alone, before black.
-fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
+pub(super) fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
     let mut scene = scene.snapshot();
     for light in scene.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;
@@ -161,11 +161,21 @@ fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
 /// The part of the displayed light of `whole` that `kept` shows too, at the same pixel and channel; `None` where there is
 /// none.
 pub fn share_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> Option<f64> {
+    share(light_kept(kept, whole))
+}
+
+/// The first light as a share of the second, 0..=1; `None` where there is none.
+pub(super) fn share([common, all]: [u64; 2]) -> Option<f64> {
+    (all > 0).then(|| common as f64 / all as f64)
+}
+
+/// The displayed light that both pictures show, and all that `whole` shows, summed over pixels and channels.
+pub(super) fn light_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> [u64; 2] {
     let (mut common, mut all) = (0, 0);
     for (kept, whole) in kept.as_flattened().iter().zip(whole.as_flattened()) {
         let [kept, whole] = [f64::from(*kept), *whole].map(|it| u64::from(display_step(it)));
         common += kept.min(whole);
         all += whole;
     }
-    (all > 0).then(|| common as f64 / all as f64)
+    [common, all]
 }

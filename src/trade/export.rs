@@ -5,7 +5,8 @@
 use serde::Serialize;
 
 use super::flip;
-use super::record::{Measurement, Report};
+use super::live::Measurement;
+use super::record::{MethodReport, Report};
 use super::tables::{self, aligned, wrapped};
 use super::timing::{BATCHES, Timing};
 use super::verdict::verdict;
@@ -20,7 +21,7 @@ pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
 }
 
 /// A column of a table for people: its head, and its cell for a method.
-type Column = (&'static str, fn(&Measurement) -> String);
+type Column = (&'static str, fn(&MethodReport) -> String);
 
 const COLUMNS: [Column; 10] = [
     ("method", |one| one.method.id.to_owned()),
@@ -44,7 +45,7 @@ const COLUMNS: [Column; 10] = [
 /// What a terminal shows: verdict, what was measured and where, the table, and what its columns mean.
 pub fn table(report: &Report) -> String {
     let paragraphs = [
-        wrapped(&verdict(report)),
+        wrapped(&said(report)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), &rows(report)),
         wrapped(&stages(report)),
@@ -57,7 +58,7 @@ pub fn table(report: &Report) -> String {
 pub fn markdown(report: &Report) -> String {
     format!(
         "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}\n\n{}\n",
-        verdict(report),
+        said(report),
         subject(report),
         place(report),
         report.subject.command,
@@ -65,6 +66,12 @@ pub fn markdown(report: &Report) -> String {
         stages(report),
         legend()
     )
+}
+
+/// What the measurements come to, in words.
+fn said(report: &Report) -> String {
+    let measured: Vec<Measurement> = report.methods.iter().map(Measurement::from).collect();
+    verdict(&measured)
 }
 
 fn head() -> [&'static str; COLUMNS.len()] {

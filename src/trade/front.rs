@@ -9,7 +9,7 @@
 //! Rule: a method is off the front if another errs less and its median time is no longer, or errs as much and is measurably
 //! faster.
 
-use super::record::Measurement;
+use super::live::Measurement;
 
 /// Errors that differ by less than this, in levels, are one: the reference's own rounding in f64 stays well below it.
 const RESOLUTION: f64 = 1e-6;
@@ -19,13 +19,12 @@ const RESOLUTION: f64 = 1e-6;
 pub fn on_front(methods: &[Measurement]) -> Vec<bool> {
     methods
         .iter()
-        .map(|one| one.max_error().is_some() && !methods.iter().any(|other| beats(other, one)))
+        .map(|one| one.error.is_some() && !methods.iter().any(|other| beats(other, one)))
         .collect()
 }
 
 fn beats(one: &Measurement, other: &Measurement) -> bool {
-    let [mine, theirs] =
-        [one, other].map(|it| it.max_error().map(|error| (error / RESOLUTION).round()));
+    let [mine, theirs] = [one, other].map(|it| it.error.map(|error| (error / RESOLUTION).round()));
     mine <= theirs
         && one.timing.median <= other.timing.median
         && (mine < theirs || one.timing.is_measurably_less_than(&other.timing))

@@ -15,7 +15,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, text_style};
 use super::export::{place, subject};
-use super::record::{Measurement, Report};
+use super::record::{MethodReport, Report};
 use crate::components::ShadingMode;
 
 /// The least error that the plot tells from none, in levels.
@@ -30,7 +30,7 @@ const SIZE: (u32, u32) = (960, 600);
 
 /// One method as it is drawn.
 struct Point<'a> {
-    measured: &'a Measurement,
+    measured: &'a MethodReport,
     /// ns per covered pixel.
     time: f64,
     /// Levels, at least [`FLOOR`].
@@ -39,7 +39,7 @@ struct Point<'a> {
 
 impl<'a> Point<'a> {
     /// `None` where there is no error or no time to draw.
-    fn of(measured: &'a Measurement) -> Option<Self> {
+    fn of(measured: &'a MethodReport) -> Option<Self> {
         Some(Point {
             measured,
             time: measured.ns_per_covered_pixel.filter(|time| *time > 0.0)?,

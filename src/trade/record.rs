@@ -26,7 +26,7 @@ pub struct Report {
     /// Pixels on which something is drawn.
     pub covered_pixels: u64,
     /// In the order of [`crate::shading::METHODS`].
-    pub methods: Vec<Measurement>,
+    pub methods: Vec<MethodReport>,
 }
 
 /// Of which view, and where: what a reader needs to judge times, and to repeat them.
@@ -44,7 +44,7 @@ pub struct Subject {
 
 /// What one method costs and how far it errs.
 #[derive(Clone, Debug, Serialize)]
-pub struct Measurement {
+pub struct MethodReport {
     #[serde(flatten)]
     pub method: Method,
     /// How many threads drew.
@@ -66,7 +66,7 @@ pub struct Measurement {
     pub on_front: bool,
 }
 
-impl Measurement {
+impl MethodReport {
     /// The largest error against exact Phong, in levels; `None` where nothing can be compared.
     pub fn max_error(&self) -> Option<f64> {
         self.accuracy.error.levels.map(|error| error.max)

@@ -1,106 +1,122 @@
-//! The measured trade in a sentence.
+//! The trade of a method in a sentence.
 //!
-//! Rule: every word follows from a measured number; what was not measured or cannot be told apart is not claimed.
+//! Every word follows from a measured number. Times whose intervals overlap are called the same.
 
-use super::record::{Measurement, Report};
-use super::words::{levels, listed, ratio, short};
-use crate::components::ShadingMode;
+use super::live::Measurement;
+use super::words::{capital, method_name, short, times};
+use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
+use crate::shading::Method;
 
-/// The tolerance the verdict is about, in levels: a displayed byte is then off by one at most.
-const HALF_A_LEVEL: f64 = 0.5;
+/// An error that changes a displayed byte by one at most, in levels.
+pub const UNSEEN: f64 = 0.5;
+/// Smaller errors are those of f32, in levels.
+const ROUNDING: f64 = 1e-3;
+const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
 
-/// Pictures nearer than this, in levels, are called the same.
-const SAME: f64 = 1e-3;
-
-/// What Phong costs and what Gouraud errs here; and what the assignment's shortcut does, if it was measured.
-pub fn verdict(report: &Report) -> String {
-    if report.covered_pixels == 0 {
-        return "Nothing is drawn in this view, so there is no error to trade for time.".to_owned();
+/// The sentences about Gouraud, exact Phong and the assignment's shortcut, as far as they were measured.
+pub fn verdict(measured: &[Measurement]) -> String {
+    if measured.iter().all(|it| it.error.is_none()) {
+        return NOTHING.to_owned();
     }
-    let within_half_a_level = |mode| {
-        report
-            .methods
-            .iter()
-            .find(|one| one.method.mode == mode && one.method.tolerance == HALF_A_LEVEL)
+    let [exact, shortcut] = [Phong, UnitVectors].map(|mode| find(measured, mode, 0.0));
+    let subjects = [gouraud(measured), exact, shortcut];
+    let sentences = subjects.into_iter().flatten().map(|it| of(measured, it));
+    sentences.collect::<Vec<String>>().join(" ")
+}
+
+/// What `shown` costs and errs against its alternatives; `None` where it was not measured.
+pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
+    let shown = find(measured, shown.mode, shown.tolerance)?;
+    Some(match shown.error {
+        Some(_) => of(measured, shown),
+        None => NOTHING.to_owned(),
+    })
+}
+
+fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&Measurement> {
+    let method = Method::of(mode, tolerance);
+    measured.iter().find(|it| it.method == method)
+}
+
+/// Gouraud as it is usually drawn.
+fn gouraud(measured: &[Measurement]) -> Option<&Measurement> {
+    find(measured, Gouraud, UNSEEN).or_else(|| find(measured, Gouraud, 0.0))
+}
+
+fn of(measured: &[Measurement], shown: &Measurement) -> String {
+    let is_phong = shown.method.mode == Phong;
+    let [exact, half] = [0.0, UNSEEN].map(|tolerance| find(measured, Phong, tolerance));
+    let error = shown.error.unwrap_or_default();
+    let is_seen = error > UNSEEN;
+    let rival = if is_phong && !is_seen {
+        gouraud(measured)
+    } else {
+        // Half a level is worth its error where it saves time.
+        let worth = |half: &&Measurement| exact.is_none_or(|exact| is_faster(half, exact));
+        half.filter(worth).or(exact)
     };
-    let (Some(gouraud), Some(phong)) = (
-        within_half_a_level(ShadingMode::Gouraud),
-        within_half_a_level(ShadingMode::Phong),
-    ) else {
-        return "Gouraud and Phong within half a level were not measured both.".to_owned();
+    let rival = rival.filter(|rival| rival.method != shown.method);
+    let its_error = rival.and_then(|rival| rival.error).unwrap_or_default();
+    let errs = match times(its_error, error) {
+        _ if is_seen || its_error <= UNSEEN => format!("off by {} of 255", short(Some(error))),
+        Some(more) if error > ROUNDING => format!("{more} times more exact"),
+        _ => "off by no more than rounding".to_owned(),
     };
-    let mut text = format!(
-        "{} costs {}; {}.",
-        phong_and_its_promise(phong),
-        cost(phong, gouraud, " here"),
-        gouraud_and_its_error(gouraud)
-    );
-    let shortcut = report
-        .methods
-        .iter()
-        .find(|one| one.method.mode == ShadingMode::UnitVectors);
-    if let Some((shortcut, error)) = shortcut.and_then(|one| Some((one, one.max_error()?))) {
-        let mut clauses = vec![format!("costs {}", cost(shortcut, gouraud, ""))];
-        clauses.extend(errs_and_misses(error, shortcut));
-        text += " The assignment's shortcut, unit vectors interpolated and not renormalised, ";
-        text += &listed(&clauses);
-        text += ".";
+    let mut text = capital(&method_name(shown.method)) + ": ";
+    if let Some(rival) = rival {
+        let but = if is_seen && is_faster(shown, rival) {
+            "but"
+        } else {
+            "and"
+        };
+        text += &format!(
+            "{} {}, {but} ",
+            pace(shown, rival),
+            method_name(rival.method)
+        );
+    }
+    text += &errs;
+    text += ".";
+    match (exact, half) {
+        (Some(exact), Some(half)) if exact.method == shown.method => {
+            if is_faster(half, exact) {
+                let (name, error) = (method_name(half.method), short(half.error));
+                text += &format!(
+                    " {} is {} it, and off by {error}.",
+                    capital(&name),
+                    pace(half, exact)
+                );
+            } else {
+                text += " Half a level more saves no time: nothing to trade here.";
+            }
+        }
+        (Some(exact), _) if is_phong && !is_faster(shown, exact) && rival != Some(exact) => {
+            text += &format!(
+                " Exact Phong is {} it: nothing to trade here.",
+                pace(exact, shown)
+            );
+        }
+        _ => {}
     }
     text
 }
 
-fn phong_and_its_promise(phong: &Measurement) -> String {
-    match phong.accuracy.own_error.map(|error| error.max) {
-        Some(error) if error > HALF_A_LEVEL => format!(
-            "Phong, meant to stay within half a level but {} off,",
-            levels(error)
-        ),
-        _ => "Phong within half a level".to_owned(),
-    }
+/// Whether a frame of `one` takes measurably less time.
+fn is_faster(one: &Measurement, other: &Measurement) -> bool {
+    one.timing.is_measurably_less_than(&other.timing)
 }
 
-fn gouraud_and_its_error(gouraud: &Measurement) -> String {
-    match gouraud.max_error() {
-        None => "no pixel of it can be compared with the reference".to_owned(),
-        Some(error) if error <= SAME => "Gouraud draws the same picture".to_owned(),
-        Some(error) if error <= HALF_A_LEVEL => {
-            format!(
-                "Gouraud errs by {} at most, which nobody sees",
-                levels(error)
-            )
-        }
-        Some(error) => format!("Gouraud {}", listed(&errs_and_misses(error, gouraud))),
-    }
-}
-
-/// How far it errs, and what of the highlight is not where it belongs, if that is worth a word.
-fn errs_and_misses(error: f64, of: &Measurement) -> Vec<String> {
-    let errs = if error <= SAME {
-        "does not err".to_owned()
+/// "2.3 times faster than", "about as fast as".
+fn pace(one: &Measurement, other: &Measurement) -> String {
+    let [mine, its] = [one, other].map(|it| it.timing.median);
+    let (ratio, word) = if is_faster(one, other) {
+        (times(its, mine), "faster")
+    } else if is_faster(other, one) {
+        (times(mine, its), "slower")
     } else {
-        format!("errs up to {}", levels(error))
+        return "about as fast as".to_owned();
     };
-    let missing = of.accuracy.highlight_kept.map(|kept| 1.0 - kept);
-    let misses = match missing {
-        Some(share) if share > 0.995 => Some("misses the highlight".to_owned()),
-        Some(share) if share > 0.05 => {
-            Some(format!("misses {:.0} % of the highlight", 100.0 * share))
-        }
-        _ => None,
-    };
-    std::iter::once(errs).chain(misses).collect()
-}
-
-/// What `one` costs next to `gouraud`, followed by the place.
-fn cost(one: &Measurement, gouraud: &Measurement, place: &str) -> String {
-    let [time, base] = [&one.timing, &gouraud.timing];
-    if time.is_measurably_less_than(base) || base.is_measurably_less_than(time) {
-        // The smaller of two times may be too short for the clock, and then there is no ratio.
-        match ratio(time.median, base.median) {
-            Some(times) => format!("{times}x Gouraud{place}"),
-            None => format!("{} ms{place}", short(Some(time.median))),
-        }
-    } else {
-        format!("as much as Gouraud{place} (no measurable difference)")
-    }
+    // The smaller of two times may be too short for the clock, and then there is no ratio.
+    let ratio = ratio.map_or(String::new(), |ratio| format!("{ratio} times "));
+    format!("{ratio}{word} than")
 }

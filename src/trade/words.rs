@@ -2,6 +2,9 @@
 //!
 //! Rule: pure, no more digits than say something, and "-" for what does not exist.
 
+use crate::components::ShadingMode;
+use crate::shading::Method;
+
 /// Three digits that matter, or fewer; "-" for what does not exist.
 pub(crate) fn short(value: Option<f64>) -> String {
     match value {
@@ -15,34 +18,33 @@ pub(crate) fn short(value: Option<f64>) -> String {
     }
 }
 
-/// An error in words.
-pub(super) fn levels(error: f64) -> String {
-    let number = if error < 10.0 {
-        short(Some(error))
-    } else {
-        format!("{error:.0}")
-    };
-    format!("{number} levels")
+/// How many times `base` goes into `value`, in two digits that matter; `None` where it has no end.
+pub(super) fn times(value: f64, base: f64) -> Option<String> {
+    let ratio = value / base;
+    let digits = if ratio < 1.1 { 2 } else { 1 };
+    let rounded: f64 = format!("{ratio:.digits$e}").parse().ok()?;
+    ratio.is_finite().then(|| rounded.to_string())
 }
 
-/// "a", "a and b", "a, b and c".
-pub(super) fn listed(clauses: &[String]) -> String {
-    match clauses {
-        [start @ .., last] if !start.is_empty() => format!("{} and {last}", start.join(", ")),
-        _ => clauses.concat(),
+/// A method in words: "Phong within half a level".
+pub fn method_name(method: Method) -> String {
+    match (method.mode, method.tolerance) {
+        (ShadingMode::UnitVectors, _) => "interpolated unit vectors".to_owned(),
+        (ShadingMode::Gouraud, 0.0) => "exact Gouraud".to_owned(),
+        // Its tolerance is against itself, and says nothing about its error against Phong.
+        (ShadingMode::Gouraud, 0.5) => "Gouraud".to_owned(),
+        (ShadingMode::Gouraud, levels) => format!("Gouraud ({levels} of its own)"),
+        (ShadingMode::Phong, 0.0) => "exact Phong".to_owned(),
+        (ShadingMode::Phong, 0.5) => "Phong within half a level".to_owned(),
+        (ShadingMode::Phong, 1.0) => "Phong within 1 level".to_owned(),
+        (ShadingMode::Phong, levels) => format!("Phong within {levels} levels"),
     }
 }
 
-/// How many times `base` goes into `value`, as text; `None` where it has no end.
-pub(super) fn ratio(value: f64, base: f64) -> Option<String> {
-    let ratio = value / base;
-    ratio.is_finite().then(|| {
-        if (0.9..1.1).contains(&ratio) {
-            format!("{ratio:.2}")
-        } else {
-            format!("{ratio:.1}")
-        }
-    })
+/// The same text with a capital letter first.
+pub(crate) fn capital(text: &str) -> String {
+    let (first, rest) = text.split_at(text.chars().next().map_or(0, char::len_utf8));
+    first.to_uppercase() + rest
 }
 
 /// A number with its noun, which an s makes a plural.

@@ -26,13 +26,14 @@ use super::pictures::{Pictures, or_dimmed};
 use super::recent::Recent;
 use super::recording::Recorder;
 use super::viewport::Grab;
-use crate::components::{Magnifier, Probed, Show, Spin, View, get, viewer};
+use crate::components::{Magnifier, Probed, Show, Side, Spin, View, ViewMode, get, viewer};
 use crate::drawing::Drawing;
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
 use crate::paint::{Painter, area};
 use crate::requires::Part;
 use crate::scene::{Scene, SceneRecord, ViewRecord};
+use crate::shading::Method;
 
 /// The time without a change after which the picture is timed and compared.
 const REST: Duration = Duration::from_millis(100);
@@ -64,9 +65,10 @@ pub struct Desk {
     /// Exact Phong is shown while a key is held.
     pub shows_exact: bool,
     pub left_out: Option<Part>,
+    /// The method whose dot the mouse or the focus is on: its picture is shown instead.
+    pub preview: Option<Method>,
     /// The window, or the picture alone, is to be written into a file.
     pub screenshot: Option<bool>,
-    pub measures: bool,
     /// Asks whether to save before the program ends.
     pub asks_to_save: bool,
     pub message: Option<Message>,
@@ -110,6 +112,8 @@ pub struct App {
     next_degree: Duration,
     pub(super) next_progress: Duration,
     drawn: Option<(Arc<SceneRecord>, [usize; 2])>,
+    /// The method of [`Desk::preview`] whose picture was drawn since.
+    previewed: Option<Method>,
 }
 
 /// The part of a step that the window system carries out.
@@ -159,6 +163,7 @@ impl App {
             next_degree: Duration::ZERO,
             next_progress: Duration::ZERO,
             drawn: None,
+            previewed: None,
         })
     }
 
@@ -321,7 +326,7 @@ impl App {
         self.desk.left_out = None;
         self.desk.selected = None;
         self.desk.file_error = None;
-        self.picture_changed();
+        self.picture_changed(false);
     }
 
     /// Notes the difference that keys and widgets made.
@@ -341,10 +346,14 @@ impl App {
 
     /// Makes this, which the World is already, the state that changes are told from.
     fn adopt(&mut self, after: Arc<SceneRecord>) {
-        if is_another_picture(&self.state, &after) {
-            self.picture_changed();
-        } else if self.state.view.pixel != after.view.pixel {
-            self.facts.probe.state = State::Idle;
+        let is_same_view = !is_another_view(&self.state, &after);
+        if !is_same_view || is_another_method(&self.state, &after) {
+            self.picture_changed(is_same_view);
+        } else if shown(&self.state) != shown(&after)
+            || self.state.view.pixel != after.view.pixel
+                && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
+        {
+            self.facts.section.state = State::Idle;
         }
         self.state = after;
     }
@@ -365,13 +374,13 @@ impl App {
         }
     }
 
-    fn picture_changed(&mut self) {
+    /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
+    fn picture_changed(&mut self, is_same_view: bool) {
         if let Some(jobs) = &self.jobs {
             jobs.cancel();
         }
         self.ordered.clear();
-        self.facts.are_old();
-        self.desk.measures = false;
+        self.facts.are_old(is_same_view);
     }
 
     /// Draws the pictures if the state or their size is another one, and times them once they rest.
@@ -385,10 +394,11 @@ impl App {
         };
         if !drawn.as_ref().is_some_and(is_same) {
             self.pictures.draw(world, &show, &view)?;
+            self.previewed = None;
             self.untimed = Some(self.now);
             if let Some((_, before)) = drawn.filter(|(_, drawn)| *drawn != size) {
                 self.keep_pixel(before, size);
-                self.picture_changed();
+                self.picture_changed(false);
             }
         } else if self
             .untimed
@@ -399,6 +409,13 @@ impl App {
                 self.pictures.time(world, &show, &view)?;
             }
             self.painter.context.request_repaint();
+        }
+        if self.desk.preview != self.previewed {
+            self.previewed = self.desk.preview;
+            if let Some(method) = self.previewed {
+                let world = &mut self.scene.world;
+                self.pictures.draw_preview(world, method, &view)?;
+            }
         }
         self.drawn = Some(present);
         Ok(())
@@ -429,6 +446,8 @@ impl App {
             or_dimmed(without, self.pictures.frame())
         } else if self.desk.shows_exact {
             or_dimmed(exact, self.pictures.frame())
+        } else if self.previewed.is_some() {
+            self.pictures.preview().into()
         } else {
             self.pictures.shown(&show, exact, error_map)
         }
@@ -580,23 +599,35 @@ impl App {
     }
 }
 
-/// Whether two states differ in more than in what is shown of the picture.
-fn is_another_picture(before: &SceneRecord, after: &SceneRecord) -> bool {
-    let picture = |record: &SceneRecord| {
-        let view = &record.view;
-        ViewRecord {
-            camera: view.camera.clone(),
-            projection: view.projection,
-            tolerance: view.tolerance,
-            turned: view.turned,
-            ..ViewRecord::default()
-        }
+/// Whether two states show the scene otherwise, whatever the method.
+fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
+    let view = |record: &SceneRecord| {
+        let ViewRecord {
+            camera,
+            projection,
+            turned,
+            ..
+        } = &record.view;
+        (camera.clone(), *projection, *turned)
     };
-    picture(before) != picture(after)
+    view(before) != view(after)
         || before.background != after.background
-        || before.cuboid != after.cuboid
         || before.light != after.light
         || before.camera != after.camera
+        || differ(&before.cuboid, &after.cuboid, |it, other| {
+            it.shading = other.shading;
+        })
+}
+
+/// Whether two states of one view are drawn by different methods.
+fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
+    before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
+}
+
+/// What a picture shows of the methods, and where.
+fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
+    let view = &record.view;
+    (view.show, view.sides, view.divider)
 }
 
 /// Whether two lists of entities differ in more than what `forget` overwrites.

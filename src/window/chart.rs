@@ -1,78 +1,275 @@
-//! The charts beside the picture: every method by its time and its error, and the legends of views.
+//! The charts beside the picture: the trade of the view as a control, and the legends of views.
+//!
+//! ```text
+//! error |  o-+                a dot a method, its whisker the interval of its time
+//! of    |    +--(o)           the ring is on screen
+//! 255   |        +---o        the staircase is what no other method beats
+//!       +------------- ms     both logarithmic
+//! ```
 
-use egui::{Color32, Sense, Ui, vec2};
-use egui_plot::{GridMark, Line, Plot, PlotPoints, Points};
+use egui::{
+    Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, pos2,
+    vec2,
+};
+use egui_plot::Plot;
 
 use super::app::App;
-use super::inspector::{ink, progress, short};
+use super::inspector::short;
 use super::jobs::State;
-use super::keys::Command;
+use super::keys::{Command, caption};
 use super::pictures::TINTS;
-use super::style::STALE;
-use crate::components::{Show, Tolerance, ViewMode};
+use super::style::{BAD, GOURAUD, INK, PHONG, STALE};
+use crate::components::{ShadingMode, Show, Side, Tolerance, ViewMode};
 use crate::paint::color;
 use crate::prove::{REFUTED, UNDECIDED};
-use crate::shading::TileKind;
-use crate::trade::Report;
+use crate::shading::{Method, TileKind};
+use crate::trade::Measurement;
+use crate::trade::chart::ticks;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
-use crate::trade::verdict::verdict;
+use crate::trade::plot::FLOOR;
+use crate::trade::verdict::{UNSEEN, sentence};
+use crate::trade::words::{capital, method_name};
 
-/// The least error that has a place of its own on the logarithmic axis, in levels.
-const LEAST_ERROR: f64 = 1e-4;
-const ON_FRONT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
+/// The heights of the sentence and of the chart, in points: neither moves what lies below.
+const SENTENCE: f32 = 66.0;
+const CHART: f32 = 190.0;
+const GROUND: Color32 = Color32::from_gray(20);
+/// The axis of errors, in levels.
+const ERRORS: [f64; 2] = [FLOOR * 0.5, 500.0];
+/// The radii of a dot and of the ring, and how far a dot can be missed, in points.
+const DOT: f32 = 4.0;
+const RING: f32 = 8.5;
+const REACH: f32 = 8.0;
+/// Tolerance 0 on the way along the staircase, whose steps are ratios, in levels.
+const ALMOST_EXACT: f64 = 0.02;
 
-impl App {
-    /// The trade of this view, and the button that measures it.
-    pub fn chart(&mut self, ui: &mut Ui) {
-        let ink = ink(&self.facts.report);
-        if let Some(report) = &self.facts.report.value {
-            ui.colored_label(ink, verdict(report));
-            ui.weak("largest error of 255 against time of a frame");
-            self.plot(ui, report);
-        }
-        match &self.facts.report.state {
-            State::Idle | State::Done => self.offer(ui, Command::Measure, false),
-            state => progress(ui, state, "measuring"),
+/// The place of times and errors in the window.
+struct Axes {
+    place: Rect,
+    /// The least and the greatest time, in ms.
+    times: [f64; 2],
+}
+
+impl Axes {
+    fn of(measured: &[Measurement], place: Rect) -> Axes {
+        let ends = measured.iter().flat_map(|it| it.timing.interval);
+        let [least, most] = [
+            ends.clone().fold(f64::INFINITY, f64::min),
+            ends.fold(0.0, f64::max),
+        ];
+        // A clock that does not tell times apart gives 0.
+        let least = least.clamp(1e-6, 1e6);
+        let most = most.clamp(2.0 * least, 1e9);
+        Axes {
+            place,
+            times: [0.8 * least, 1.25 * most],
         }
     }
 
-    /// The time of a frame against the largest error, both logarithmic, a point a method.
-    fn plot(&self, ui: &mut Ui, report: &Report) {
-        let is_current = self.facts.report.current().is_some();
-        let (Tolerance(tolerance), shading) = (self.look(), self.shading());
-        let place = |error: f64, time: f64| [time.log10(), error.max(LEAST_ERROR).log10()];
-        let methods = report.methods.iter().filter_map(|one| {
-            let at = place(one.max_error()?, one.timing.median);
-            let is_shown = shading == Some(one.method.mode) && one.method.tolerance == tolerance;
-            Some((one.method.id, at, one.on_front, is_shown))
+    fn at(&self, time: f64, error: f64) -> Pos2 {
+        let share = |value: f64, [least, most]: [f64; 2]| {
+            let value = value.clamp(least, most);
+            ((value / least).ln() / (most / least).ln()) as f32
+        };
+        let [x, y] = [share(time, self.times), share(error.max(FLOOR), ERRORS)];
+        self.place.lerp_inside(vec2(x, 1.0 - y))
+    }
+
+    fn of_method(&self, one: &Measurement) -> Option<Pos2> {
+        Some(self.at(one.timing.median, one.error?))
+    }
+}
+
+impl App {
+    /// The trade of this view, which the mouse and the focus choose from.
+    pub fn chart(&mut self, ui: &mut Ui) {
+        self.desk.preview = None;
+        if !self.shows_times {
+            return;
+        }
+        ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
+            ui.set_min_height(SENTENCE);
+            self.sentence(ui);
         });
-        let points: Vec<_> = methods.collect();
-        let front = points.iter().filter(|(_, _, on_front, _)| *on_front);
-        let mut front: Vec<[f64; 2]> = front.map(|(_, at, ..)| *at).collect();
-        front.sort_by(|one, other| one[0].total_cmp(&other[0]));
-        let tick = |mark: GridMark, _: &_| power(mark.value);
-        let plot = Plot::new("trade").height(170.0).x_axis_label("ms");
-        let plot = plot.x_axis_formatter(tick).y_axis_formatter(tick);
-        let plot = still(plot).label_formatter(|name, at| {
-            let [time, error] = [at.x, at.y].map(|it| short(10.0_f64.powf(it)));
-            format!("{name}\n{time} ms, off by {error} of 255")
-        });
-        plot.show(ui, |plot| {
-            let line = Line::new("best trades", PlotPoints::from(front));
-            plot.line(line.color(Color32::from_gray(120)));
-            for (name, at, on_front, is_shown) in points {
-                let ink = match (is_current, on_front) {
-                    (false, _) => STALE,
-                    (true, true) => ON_FRONT,
-                    (true, false) => Color32::GRAY,
-                };
-                let dot = || Points::new(name, vec![at]).color(ink);
-                plot.points(dot().radius(4.0).filled(is_current));
-                if is_shown {
-                    plot.points(dot().radius(9.0).filled(false));
-                }
+        let size = vec2(ui.available_width(), CHART);
+        let (area, response) = ui.allocate_exact_size(size, Sense::drag());
+        let measured = self.facts.trade.value.clone().unwrap_or_default();
+        let place = Rect::from_min_max(area.min + vec2(38.0, 16.0), area.max - vec2(8.0, 18.0));
+        let axes = Axes::of(&measured, place);
+        self.paint_axes(ui, &axes, !measured.is_empty());
+        let front = front(&measured, &axes);
+        for step in front.windows(2) {
+            let [(from, _), (to, _)] = [step[0], step[1]];
+            let line = vec![from, pos2(to.x, from.y), to];
+            ui.painter().line(line, (1.5, Color32::from_gray(120)));
+        }
+        if response.contains_pointer() || response.dragged() {
+            ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
+        }
+        if response.dragged()
+            && ui.input(|input| input.pointer.is_decidedly_dragging())
+            && let Some(at) = response.interact_pointer_pos()
+            && let Some(method) = along(&front, at)
+        {
+            self.choose_method(method);
+        }
+        let dots: Vec<_> = measured
+            .iter()
+            .filter_map(|it| Some((it, axes.of_method(it)?)))
+            .collect();
+        for (index, (one, at)) in dots.iter().enumerate() {
+            // Dots that are close to each other share the way between them.
+            let others = dots.iter().enumerate().filter(|(other, _)| *other != index);
+            let ways = others.map(|(_, (_, other))| (*other - *at).abs().max_elem() / 2.0);
+            let reach = ways.fold(REACH, f32::min).max(1.0);
+            self.dot(
+                ui,
+                one,
+                Rect::from_center_size(*at, Vec2::splat(2.0 * reach)),
+                &axes,
+            );
+        }
+        self.paint_ring(ui, &measured, &axes);
+    }
+
+    /// What is on screen against its alternatives, and the key that shows one.
+    fn sentence(&self, ui: &mut Ui) {
+        let (trade, method) = (&self.facts.trade, self.method());
+        let known = trade.value.as_deref().unwrap_or_default();
+        let said = method.and_then(|method| sentence(known, method));
+        let text = match (&trade.state, said) {
+            (State::Failed(reason), _) => {
+                ui.colored_label(BAD, reason);
+                return;
             }
+            (_, Some(said)) => {
+                let other = match self.shading() {
+                    Some(ShadingMode::Gouraud) => ShadingMode::Phong,
+                    _ => ShadingMode::Gouraud,
+                };
+                let key = caption(Command::Shading(other));
+                format!("{said} {key} shows {}.", capital(other.name()))
+            }
+            _ if method.is_none() => "The cuboids are shaded in different modes.".to_owned(),
+            _ => "Each method is measured once nothing moves.".to_owned(),
+        };
+        let ink = if trade.current().is_some() {
+            INK
+        } else {
+            STALE
+        };
+        ui.colored_label(ink, text);
+    }
+
+    fn paint_axes(&self, ui: &Ui, axes: &Axes, has_times: bool) {
+        let (painter, place, faint) = (ui.painter(), axes.place, Color32::from_gray(58));
+        let word = |at, align, text: &str| {
+            let letters = FontId::proportional(10.0);
+            painter.text(at, align, text, letters, Color32::from_gray(150));
+        };
+        let [least, most] = axes.times;
+        painter.rect_filled(place, 0.0, GROUND);
+        let seen = axes.at(least, 2.0 * UNSEEN).y;
+        let band = Rect::from_min_max(place.min, pos2(place.max.x, seen));
+        painter.rect_filled(band, 0.0, Color32::from_rgb(52, 34, 34));
+        for error in [FLOOR, 0.01, 0.1, 1.0, 10.0, 100.0] {
+            let y = axes.at(least, error).y;
+            painter.hline(place.x_range(), y, (1.0, faint));
+            let below = if error == FLOOR { "\u{2264}" } else { "" };
+            let at = pos2(place.min.x - 3.0, y);
+            word(at, Align2::RIGHT_CENTER, &format!("{below}{error}"));
+        }
+        for time in ticks(&(least..most)).into_iter().filter(|_| has_times) {
+            let x = axes.at(time, FLOOR).x;
+            painter.vline(x, place.y_range(), (1.0, faint));
+            let at = pos2(x, place.max.y + 2.0);
+            word(at, Align2::CENTER_TOP, &time.to_string());
+        }
+        let [left, right] = [place.left_top(), place.right_top()];
+        let above = vec2(0.0, -2.0);
+        word(
+            left + above,
+            Align2::LEFT_BOTTOM,
+            "largest error of 255; ms a frame",
+        );
+        word(right + vec2(-3.0, 2.0), Align2::RIGHT_TOP, "visible");
+        let state = match &self.facts.trade.state {
+            State::Running(share) => format!("measuring, {:.0} %", share * 100.0),
+            State::Idle => "not of this view yet".to_owned(),
+            State::Done | State::Failed(_) => return,
+        };
+        word(right + above, Align2::RIGHT_BOTTOM, &state);
+    }
+
+    /// A method: pointed at, it is shown while it is; clicked, it is chosen.
+    fn dot(&mut self, ui: &Ui, one: &Measurement, place: Rect, axes: &Axes) {
+        let (method, error) = (one.method, one.error.unwrap_or_default());
+        let name = method_name(method);
+        let (at, id) = (place.center(), ui.id().with(&name));
+        let response = ui.interact(place, id, Sense::click());
+        response.widget_info(|| {
+            WidgetInfo::labeled(WidgetType::Button, true, format!("choose {name}"))
         });
+        let is_current = self.facts.trade.current().is_some();
+        let mut ink = match method.mode {
+            _ if !is_current => STALE,
+            ShadingMode::Gouraud => GOURAUD,
+            ShadingMode::Phong => PHONG,
+            ShadingMode::UnitVectors => Color32::GRAY,
+        };
+        if !one.on_front {
+            ink = ink.gamma_multiply(0.6);
+        }
+        let painter = ui.painter();
+        let [from, to] = one.timing.interval.map(|time| axes.at(time, error).x);
+        painter.hline(from..=to, at.y, (1.5, ink));
+        if is_current {
+            painter.circle_filled(at, DOT, ink);
+        } else {
+            painter.circle(at, DOT, GROUND, (1.5, ink));
+        }
+        if response.hovered() || response.has_focus() {
+            painter.circle_stroke(at, DOT + 2.0, (1.0, Color32::WHITE));
+            let is_dragged = ui.input(|input| input.pointer.any_down());
+            self.desk.preview = Some(method).filter(|_| !is_dragged);
+        }
+        let text = format!(
+            "{}: {} ms, off by {} of 255",
+            capital(&name),
+            short(one.timing.median),
+            short(error)
+        );
+        if response.on_hover_text(text).clicked() {
+            self.choose_method(method);
+        }
+    }
+
+    /// The ring around what is on screen: estimated, and thinner, until that is measured.
+    fn paint_ring(&self, ui: &Ui, measured: &[Measurement], axes: &Axes) {
+        let Some(method) = self.method() else {
+            return;
+        };
+        let known = self
+            .measured(method.mode, method.tolerance)
+            .filter(|_| self.facts.trade.current().is_some());
+        let (at, width) = match known.and_then(|it| axes.of_method(it)) {
+            Some(at) => (Some(at), 2.0),
+            None => (estimate(measured, method, axes), 1.0),
+        };
+        if let Some(at) = at {
+            ui.painter()
+                .circle_stroke(at, RING, (width, Color32::WHITE));
+        }
+    }
+
+    /// Shades every cuboid by a method. The assignment's shortcut, which no scene asks for, is shown beside the picture.
+    pub fn choose_method(&mut self, method: Method) {
+        let (mode, tolerance) = (method.mode, method.tolerance);
+        if mode == ShadingMode::UnitVectors {
+            return self.wipe([Side::Method { mode, tolerance }, Side::Picture]);
+        }
+        self.shade(mode);
+        self.set_tolerance(tolerance);
     }
 
     /// The meaning of the colours of the error map or of tiles.
@@ -123,6 +320,71 @@ impl App {
     }
 }
 
+/// The methods that no other beats and that can be chosen, with their places, from the fastest on.
+fn front(measured: &[Measurement], axes: &Axes) -> Vec<(Pos2, Method)> {
+    let on_front = measured
+        .iter()
+        .filter(|it| it.on_front && it.method.mode != ShadingMode::UnitVectors);
+    let mut front: Vec<_> = on_front
+        .filter_map(|it| Some((axes.of_method(it)?, it.method)))
+        .collect();
+    front.sort_by(|one, other| one.0.x.total_cmp(&other.0.x));
+    front
+}
+
+/// The method next to a place, between two of Phong too.
+fn along(front: &[(Pos2, Method)], at: Pos2) -> Option<Method> {
+    let ends = front.windows(2).map(|pair| (pair[0], pair[1]));
+    let alone = front.first().map(|it| (*it, *it));
+    let steps = ends.chain(alone).map(|((from, one), (to, other))| {
+        let way = to - from;
+        let share = ((at - from).dot(way) / way.length_sq().max(1.0)).clamp(0.0, 1.0);
+        (
+            (from + share * way).distance(at),
+            between(one, other, share.into()),
+        )
+    });
+    let nearest = steps.min_by(|one, other| one.0.total_cmp(&other.0));
+    nearest.map(|(_, method)| method)
+}
+
+/// The method this share of the way from one to another.
+fn between(one: Method, other: Method, share: f64) -> Method {
+    if one.mode != other.mode {
+        return if share < 0.5 { one } else { other };
+    }
+    let [from, to] = [one, other].map(|it| it.tolerance.max(ALMOST_EXACT).ln());
+    let tolerance = (from + share * (to - from)).exp();
+    // The movement of a hand means no more than two digits.
+    let tolerance = format!("{tolerance:.1e}").parse().unwrap_or(tolerance);
+    let is_exact = tolerance <= ALMOST_EXACT;
+    Method::of(one.mode, if is_exact { 0.0 } else { tolerance })
+}
+
+/// The place of a tolerance of Phong between those that were measured.
+fn estimate(measured: &[Measurement], method: Method, axes: &Axes) -> Option<Pos2> {
+    let same = measured.iter().filter(|it| it.method.mode == method.mode);
+    let mut known: Vec<_> = same
+        .filter_map(|it| {
+            Some((
+                it.method.tolerance.max(ALMOST_EXACT).ln(),
+                axes.of_method(it)?,
+            ))
+        })
+        .collect();
+    known.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let wanted = method.tolerance.max(ALMOST_EXACT).ln();
+    let above = known.iter().position(|(tolerance, _)| *tolerance >= wanted);
+    let above = above.unwrap_or(known.len().checked_sub(1)?);
+    let [(from, low), (to, high)] = [known[above.saturating_sub(1)], known[above]];
+    let share = if to > from {
+        (wanted - from) / (to - from)
+    } else {
+        1.0
+    };
+    Some(low.lerp(high, share.clamp(0.0, 1.0) as f32))
+}
+
 /// A plot that the mouse does not move.
 pub fn still(plot: Plot<'_>) -> Plot<'_> {
     let plot = plot.allow_drag(false).allow_zoom(false);
@@ -136,14 +398,4 @@ fn swatch(ui: &mut Ui, pixel: u32, text: &str) {
             .rect_filled(place.shrink(1.0), 2.0, color(pixel));
         ui.label(text);
     });
-}
-
-/// A tick of a logarithmic axis.
-fn power(exponent: f64) -> String {
-    let value = 10.0_f64.powf(exponent);
-    if value >= 0.001 {
-        short(value)
-    } else {
-        format!("{value:.0e}")
-    }
 }

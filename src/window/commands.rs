@@ -77,7 +77,6 @@ impl App {
             Command::WipeExact => self.wipe([Side::Picture, Side::Reference]),
             Command::Magnify(steps) => self.magnify(steps, None),
             Command::ShowExact => {}
-            Command::Measure => self.measure(),
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
             Command::Zoom(steps) => self.zoom(steps),
             Command::ResetView => {
@@ -123,7 +122,7 @@ impl App {
         }
     }
 
-    fn shade(&mut self, mode: ShadingMode) {
+    pub(super) fn shade(&mut self, mode: ShadingMode) {
         for own in self.scene.world.query_mut::<&mut ShadingMode>() {
             *own = mode;
         }
@@ -202,15 +201,6 @@ impl App {
             sides,
             ..show
         });
-    }
-
-    fn measure(&mut self) {
-        if self.look::<Spin>().on {
-            return self.say("stop the rotation (Space) before measuring");
-        }
-        self.desk.measures ^= true;
-        self.facts.report.state = super::jobs::State::Idle;
-        self.desk.panel_folded = false;
     }
 
     fn travel_or_say(&mut self, found: Option<(SceneRecord, String)>, verb: &str) {

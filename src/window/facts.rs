@@ -6,50 +6,66 @@ use std::time::Duration;
 use super::app::App;
 use super::comparison::Comparison;
 use super::inspector::Kind;
-use super::jobs::{Answer, Job, Jobs, Order, Probed, State, Task, answer_all};
-use crate::components::{Inspector, Probed as ProbedPixel, Show, Side, Tab, ViewMode};
+use super::jobs::{Answer, Job, Jobs, Order, State, Task, answer_all};
+use crate::components::{Inspector, Probed, ShadingMode, Show, Side, Tab, Tolerance, ViewMode};
+use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::requires::PartChange;
-use crate::trade::Report;
+use crate::shading::{METHODS, Method};
+use crate::trade::Measurement;
 
 /// How often the progress of a job is shown: laying out takes time from what is measured.
 const PROGRESS: Duration = Duration::from_millis(200);
+/// How long the frames of all methods are timed together, pass by pass, while nothing changes. The first takes the fewest
+/// samples that give a median.
+const PASSES: [Duration; 3] = [
+    Duration::ZERO,
+    Duration::from_secs(1),
+    Duration::from_secs(3),
+];
 
 /// The answers, as far as they are known.
 #[derive(Default)]
 pub struct Facts {
-    pub probe: Job<Box<Probed>>,
+    /// The pixels of a row on one face, from left to right.
+    pub section: Job<Vec<Probe>>,
     /// The picture without the part that is left out, 0x00RRGGBB.
     pub without: Job<Vec<u32>>,
     pub comparison: Job<Box<Comparison>>,
     pub proof: Job<Box<Proof>>,
     pub required: Job<Vec<PartChange>>,
-    pub report: Job<Box<Report>>,
+    /// The trade of the view: every method measured. It is current whatever method is on screen.
+    pub trade: Job<Vec<Measurement>>,
+    /// The passes of [`PASSES`] that were made.
+    passes: usize,
 }
 
 impl Facts {
-    /// The picture is another one.
-    pub fn are_old(&mut self) {
+    /// The picture is another one; where the view is the same, only its method is.
+    pub fn are_old(&mut self, is_same_view: bool) {
         for task in [
             Task::Probe([0, 0]),
             Task::Compare,
             Task::Prove,
             Task::Require,
-            Task::Measure,
         ] {
             *self.state(task) = State::Idle;
         }
         self.without.state = State::Idle;
+        if !is_same_view {
+            self.trade.state = State::Idle;
+            self.passes = 0;
+        }
     }
 
     fn state(&mut self, task: Task) -> &mut State {
         match task {
-            Task::Probe(_) => &mut self.probe.state,
+            Task::Probe(_) => &mut self.section.state,
             Task::LeaveOut(_) => &mut self.without.state,
             Task::Compare => &mut self.comparison.state,
             Task::Prove => &mut self.proof.state,
             Task::Require => &mut self.required.state,
-            Task::Measure => &mut self.report.state,
+            Task::Measure => &mut self.trade.state,
         }
     }
 }
@@ -63,30 +79,82 @@ impl App {
             || show.mode == ViewMode::Error
             || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
         let [width, height] = self.pictures.size();
-        let ProbedPixel(pixel) = self.look();
+        let Probed(pixel) = self.look();
         let pixel = pixel.filter(|[x, y]| *x < width && *y < height);
+        let measures = is_live && self.shows_times;
+        let methods = self.wanted_methods();
+        let is_unknown = |it: &Method| self.measured(it.mode, it.tolerance).is_none();
+        if self.facts.trade.state == State::Done && methods.iter().any(is_unknown) {
+            self.facts.passes = 0;
+        }
         let wanted = |task, is_wanted: bool| is_wanted.then_some(task);
         let tasks = [
             pixel.map(Task::Probe),
             self.desk.left_out.map(Task::LeaveOut),
             wanted(Task::Compare, is_live || shows_exact),
+            // Its first pass takes less time than a proof, its others more.
+            wanted(Task::Measure, measures && self.facts.passes == 0),
             wanted(Task::Prove, is_live || tab == Some(Tab::Proof)),
             wanted(Task::Require, tab == Some(Tab::Required)),
-            wanted(Task::Measure, is_live && self.desk.measures),
+            wanted(Task::Measure, measures && self.facts.passes > 0),
         ];
-        let is_open = |task: &Task| {
-            let state = self.facts.state(*task);
-            matches!(state, State::Idle | State::Running(_))
+        let is_open = |task: &Task| match self.facts.state(*task) {
+            State::Idle | State::Running(_) => true,
+            State::Done => *task == Task::Measure && self.facts.passes < PASSES.len(),
+            State::Failed(_) => false,
         };
         tasks.into_iter().flatten().filter(is_open).collect()
     }
 
-    /// Asks the open questions once the picture rests, or at once where there are no background jobs.
-    pub fn order_jobs(&mut self) {
-        if self.jobs.is_some() && !self.rests() {
-            return;
+    /// What is known of the probed pixel, be it of an earlier picture.
+    pub fn probed(&self) -> Option<&Probe> {
+        let Probed(pixel) = self.look();
+        let mut section = self.facts.section.value.iter().flatten();
+        section.find(|probe| Some(probe.pixel) == pixel)
+    }
+
+    /// The measurement of a method, if there is one; the state of [`Facts::trade`] says whether it is that of the present
+    /// view.
+    pub fn measured(&self, mode: ShadingMode, tolerance: f64) -> Option<&Measurement> {
+        let method = Method::of(mode, tolerance);
+        let mut measured = self.facts.trade.value.iter().flatten();
+        measured.find(|it| it.method == method)
+    }
+
+    /// The method on screen; `None` where the cuboids have different modes.
+    pub fn method(&self) -> Option<Method> {
+        let Tolerance(tolerance) = self.look();
+        Some(Method::of(self.shading()?, tolerance))
+    }
+
+    /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
+    fn wanted_methods(&self) -> Vec<Method> {
+        let show: Show = self.look();
+        let side = |side: &Side| match *side {
+            Side::Method { mode, tolerance } if show.mode == ViewMode::Wipe => {
+                Some(Method::of(mode, tolerance))
+            }
+            _ => None,
+        };
+        let mut methods = METHODS.to_vec();
+        for method in self
+            .method()
+            .into_iter()
+            .chain(show.sides.iter().filter_map(side))
+        {
+            if !methods.contains(&method) {
+                methods.push(method);
+            }
         }
-        let tasks = self.tasks();
+        methods
+    }
+
+    /// Asks the open questions once the picture rests, or at once where there are no background jobs. A pixel takes so little
+    /// time that it is probed while things move.
+    pub fn order_jobs(&mut self) {
+        let rests = self.jobs.is_none() || self.rests();
+        let mut tasks = self.tasks();
+        tasks.retain(|task| rests || matches!(task, Task::Probe(_)));
         if tasks.iter().all(|task| self.ordered.contains(task)) {
             return;
         }
@@ -96,6 +164,9 @@ impl App {
             size: self.picture_size(),
             threads: self.threads,
             tasks: tasks.clone(),
+            methods: self.wanted_methods(),
+            known: self.facts.trade.current().cloned().unwrap_or_default(),
+            time: PASSES[self.facts.passes.min(PASSES.len() - 1)],
         };
         self.ordered = tasks;
         if let Some(jobs) = &mut self.jobs {
@@ -130,11 +201,11 @@ impl App {
             self.ordered.retain(|ordered| *ordered != task);
         }
         match answer {
-            Answer::Probe(probed) => {
-                if let Some(object) = &probed.probe.object {
+            Answer::Probe(section) => {
+                if let Some(object) = &section[0].object {
                     self.desk.selected = Some((Kind::Cuboid, object.clone()));
                 }
-                facts.probe.finish(probed);
+                facts.section.finish(section);
             }
             Answer::LeaveOut(picture) => facts.without.finish(picture),
             Answer::Compare(comparison) => facts.comparison.finish(comparison),
@@ -145,7 +216,12 @@ impl App {
                 facts.proof.finish(proof);
             }
             Answer::Require(parts) => facts.required.finish(parts),
-            Answer::Measure(report) => facts.report.finish(report),
+            Answer::Measure(measured) => {
+                facts.trade.finish(measured);
+                facts.passes += 1;
+            }
+            // What is known stays current while it is refined.
+            Answer::Progress(_) if task == Task::Measure && facts.passes > 0 => {}
             Answer::Progress(share) => *facts.state(task) = State::Running(share),
             Answer::Failed(reason) => {
                 *facts.state(task) = State::Failed(reason.clone());

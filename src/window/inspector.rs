@@ -2,6 +2,7 @@
 
 mod pixel;
 mod scene;
+mod section;
 
 use std::ops::RangeInclusive;
 

@@ -13,22 +13,20 @@ use fearless_simd::Level;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::comparison::Comparison;
-use crate::components::View;
+use super::pictures::view_at;
+use crate::components::{Show, View, get, viewer};
 use crate::drawing::all_cores;
-use crate::probe::{self, Probe, Profile};
+use crate::probe::{self, Probe};
 use crate::prove::{Proof, prove};
 use crate::requires::{self, Part, PartChange};
 use crate::scene::{Scene, SceneRecord};
-use crate::shading::METHODS;
-use crate::trade::{self, Report};
-
-/// The time for which the frames of a measurement are timed, the comparison with the reference apart.
-const MEASURING_TIME: Duration = Duration::from_millis(1500);
+use crate::shading::Method;
+use crate::trade::{self, Measurement, TradeError, live};
 
 /// One question about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Task {
-    /// The values at this pixel.
+    /// The values at this pixel, and along its row on the face seen there.
     Probe([usize; 2]),
     /// The picture without a part of the model.
     LeaveOut(Part),
@@ -41,25 +39,19 @@ pub enum Task {
 /// An answer to a [`Task`].
 #[derive(Debug)]
 pub enum Answer {
-    Probe(Box<Probed>),
+    /// From left to right.
+    Probe(Vec<Probe>),
     /// 0x00RRGGBB.
     LeaveOut(Vec<u32>),
     Compare(Box<Comparison>),
     Prove(Box<Proof>),
     /// The part that matters most first.
     Require(Vec<PartChange>),
-    Measure(Box<Report>),
+    Measure(Vec<Measurement>),
     /// The share of the task that is done, 0..=1.
     Progress(f64),
     /// The reason why there is no answer.
     Failed(String),
-}
-
-/// A pixel, and the levels along its row.
-#[derive(Clone, Debug)]
-pub struct Probed {
-    pub probe: Probe,
-    pub profile: Profile,
 }
 
 /// An answer as the window shows it.
@@ -110,6 +102,11 @@ pub struct Order {
     pub size: [usize; 2],
     pub threads: usize,
     pub tasks: Vec<Task>,
+    /// The methods to measure, and what is known of them in this view.
+    pub methods: Vec<Method>,
+    pub known: Vec<Measurement>,
+    /// How long the frames of all methods are timed together.
+    pub time: Duration,
 }
 
 /// Set when nobody wants the answers any more.
@@ -221,9 +218,9 @@ fn answer(
 ) -> anyhow::Result<Option<Answer>> {
     Ok(match task {
         Task::Probe(pixel) => {
-            let probe = probe::at(scene, view, pixel, level)?;
-            let profile = probe::profile(scene, view, pixel[1], level)?;
-            Some(Answer::Probe(Box::new(Probed { probe, profile })))
+            let show: Show = get(&scene.world, viewer(&scene.world)).unwrap_or_default();
+            let view = view_at(&show, view, pixel[0]);
+            Some(Answer::Probe(probe::section(scene, &view, pixel, level)?))
         }
         Task::LeaveOut(part) => {
             requires::picture_without(scene, view, part, cancelled).map(Answer::LeaveOut)
@@ -233,27 +230,25 @@ fn answer(
             comparison.map(|it| Answer::Compare(Box::new(it)))
         }
         Task::Prove => {
-            let proof = prove(&mut scene.world, view, level, cancelled, progress)?;
+            let proof = prove(&mut scene.world, view, None, level, cancelled, progress)?;
             proof.map(|it| Answer::Prove(Box::new(it)))
         }
         Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),
         Task::Measure => {
-            let camera = order.record.view.camera.clone();
             let request = trade::Request {
-                camera: camera.unwrap_or_else(|| order.record.camera[0].name.clone()),
-                scene: Scene::spawn(order.name.clone(), &order.record),
+                camera: String::new(),
+                scene: scene.snapshot(),
                 view: view.clone(),
-                methods: METHODS.to_vec(),
+                methods: order.methods.clone(),
                 threads: order.threads,
                 level,
-                time: MEASURING_TIME,
+                time: order.time,
                 time_batch: trade::time_batch,
                 command: String::new(),
             };
-            let report = trade::measure(request, cancelled, &|_, share| progress(share));
-            match report {
-                Err(trade::TradeError::Cancelled) => None,
-                report => Some(Answer::Measure(Box::new(report?))),
+            match live::measure(&request, &order.known, cancelled, progress) {
+                Err(TradeError::Cancelled) => None,
+                measured => Some(Answer::Measure(measured?)),
             }
         }
     })

@@ -28,8 +28,6 @@ pub enum Command {
     Magnify(i32),
     /// Shows exact Phong while its key is held.
     ShowExact,
-    /// Measures every method in this view.
-    Measure,
     /// Moves the camera about its target: degrees to the right and up.
     Orbit(f64, f64),
     /// Steps towards the target.
@@ -117,7 +115,6 @@ pub const BINDINGS: &[Binding] = &[
     bind("Shading", &[(NO, Key::F)], Command::FileShading, "as the file", "Each cuboid is shaded as the scene's file says."),
     bind("Shading", &[(NO, Key::OpenBracket), (NO, Key::PageDown)], Command::Tolerance(-1), "finer tolerance", "The next finer tolerance."),
     bind("Shading", &[(NO, Key::CloseBracket), (NO, Key::PageUp)], Command::Tolerance(1), "coarser tolerance", "The next coarser tolerance."),
-    bind("Shading", &[(NO, Key::M)], Command::Measure, "measure all methods", "Measures the time of a frame and the largest error of every method, in this view."),
     bind("Camera", &[(NO, Key::C)], Command::NextCamera, "next camera", "The camera that is looked through."),
     bind("Camera", &[(NO, Key::O)], Command::NextProjection, "projection", "In perspective rays leave the eye; in orthographic projection they are parallel."),
     bind("Camera", &[(NO, Key::ArrowLeft)], Command::Orbit(-ORBIT_STEP, 0.0), "orbit, or drag", ""),

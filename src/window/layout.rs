@@ -11,8 +11,8 @@ use super::app::App;
 use super::inspector::short;
 use super::keys::{BINDINGS, SECTIONS};
 use super::style::{BAD, GOOD, STALE};
-use super::viewport::method_name;
 use crate::components::{Inspector, Show, Tab, Tolerance, ViewMode};
+use crate::trade::words::{capital, method_name};
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
@@ -127,13 +127,15 @@ impl App {
         let show: Show = self.look();
         let Tolerance(tolerance) = self.look();
         let is_drawn = !self.desk.shows_exact && self.desk.left_out.is_none();
-        let is_shown = is_drawn && show.mode != ViewMode::Wipe;
-        let method = match self.shading() {
+        let is_shown = is_drawn && show.mode != ViewMode::Wipe && self.desk.preview.is_none();
+        let name = |method| capital(&method_name(method));
+        let method = match (self.desk.preview, self.method()) {
             _ if self.desk.shows_exact => "exact Phong in f64".to_owned(),
             _ if !is_drawn => "without a part, in f64".to_owned(),
+            (Some(preview), _) => name(preview),
             _ if !is_shown => "two pictures".to_owned(),
-            Some(mode) => method_name(mode, tolerance),
-            None => format!("mixed within {tolerance}"),
+            (None, Some(method)) => name(method),
+            (None, None) => format!("mixed within {tolerance}"),
         };
         ui.label(method).on_hover_text(
             "The mode of the cuboids, and the largest error against its exact evaluation, \

@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 
 use hecs::World;
 
-use crate::components::{Show, Side, View, ViewMode};
+use crate::components::{ShadingMode, Show, Side, View, ViewMode};
 use crate::frame::{Counts, Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
 use crate::memory::OutOfMemory;
-use crate::shading::TileKind;
+use crate::shading::{Method, TileKind};
 use crate::systems;
 
 /// Warm frames that are timed once the picture rests.
@@ -39,6 +39,8 @@ pub struct Pictures {
     levels: Frame,
     /// Left and right of the divider, as far as the renderer draws them.
     sides: [Vec<u32>; 2],
+    /// The picture of another method, which is looked at in between.
+    preview: Vec<u32>,
     /// The times of the frame, or of each side of a wipe.
     pub times: [Vec<Duration>; 2],
 }
@@ -50,6 +52,7 @@ impl Pictures {
             frame: Frame::new(Keep::Display, workers),
             levels: Frame::new(Keep::Levels, Workers::alone(level)),
             sides: [Vec::new(), Vec::new()],
+            preview: Vec::new(),
             times: [Vec::new(), Vec::new()],
         }
     }
@@ -101,6 +104,28 @@ impl Pictures {
             }
         }
         Ok(())
+    }
+
+    /// Draws the picture of another method beside the frame, which stays that of `view`.
+    ///
+    /// # Errors
+    /// As [`Pictures::draw`].
+    pub fn draw_preview(
+        &mut self,
+        world: &mut World,
+        method: Method,
+        view: &View,
+    ) -> Result<(), OutOfMemory> {
+        let other = view.shaded(method.mode).with_tolerance(method.tolerance);
+        systems::draw(world, &other, &mut self.frame)?;
+        self.preview.clear();
+        self.preview.extend_from_slice(self.frame.pixels());
+        systems::draw(world, view, &mut self.frame)
+    }
+
+    /// The picture of [`Pictures::draw_preview`], 0x00RRGGBB.
+    pub fn preview(&self) -> &[u32] {
+        &self.preview
     }
 
     fn draw_frames(
@@ -167,6 +192,17 @@ pub fn side_view(side: &Side, view: &View) -> Option<View> {
         Side::Method { mode, tolerance } => Some(view.shaded(mode).with_tolerance(tolerance)),
         Side::Reference => None,
     }
+}
+
+/// The view of the picture that is shown in a column; the reference's is exact Phong.
+pub fn view_at(show: &Show, view: &View, column: usize) -> View {
+    if show.mode != ViewMode::Wipe {
+        return view.clone();
+    }
+    let is_right = column >= divider_column(show.divider, view.size[0]);
+    let side = show.sides[usize::from(is_right)];
+    let exact = || view.shaded(ShadingMode::Phong).with_tolerance(0.0);
+    side_view(&side, view).unwrap_or_else(exact)
 }
 
 /// The first column right of the divider.

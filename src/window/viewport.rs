@@ -13,6 +13,8 @@ use crate::components::{
     Inspector, Limits, Magnifier, Orbit, Probed, Show, Side, Tab, View, ViewMode, Viewpoint,
     active_camera, get,
 };
+use crate::shading::Method;
+use crate::trade::words::{capital, method_name};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
@@ -246,6 +248,7 @@ impl App {
         }
         if let Some(pixel) = self.look::<Probed>().0 {
             let at = self.place_of(pixel.map(|it| it as i32));
+            self.draw_triangle(&painter);
             self.draw_arrows(&painter, at);
             draw_cross(
                 &painter,
@@ -311,25 +314,11 @@ impl App {
     }
 }
 
-/// A method in words: "Phong within 0.5".
-pub fn method_name(mode: crate::components::ShadingMode, tolerance: f64) -> String {
-    use crate::components::ShadingMode;
-    let name = match mode {
-        ShadingMode::Gouraud => "Gouraud",
-        ShadingMode::Phong => "Phong",
-        ShadingMode::UnitVectors => return "interpolated unit vectors".to_owned(),
-    };
-    match tolerance {
-        0.0 => format!("{name}, exact"),
-        _ => format!("{name} within {tolerance}"),
-    }
-}
-
 /// A side of the wipe in words.
 fn side_name(side: &Side, view: &View) -> String {
     match *side {
         Side::Picture => format!("picture within {}", view.tolerance),
-        Side::Method { mode, tolerance } => method_name(mode, tolerance),
+        Side::Method { mode, tolerance } => capital(&method_name(Method::of(mode, tolerance))),
         Side::Reference => "exact Phong".to_owned(),
     }
 }

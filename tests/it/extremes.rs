@@ -1,7 +1,7 @@
-//! Every extreme passes, and so does what needs a generator or is compared with a scene without the extreme.
+//! Every extreme passes, also those that need a generator or are compared with a scene without the extreme.
 //!
-//! `SHADETRADE_EXTREMES=full` proves all pictures, at every SIMD level of this machine, and draws the largest picture of 16384
-//! x 16384 pixels, which takes a gigabyte. It needs a release build.
+//! `SHADETRADE_EXTREMES=full` proves all pictures at every SIMD level of this machine, and draws the largest picture of
+//! 16384 x 16384 pixels, which takes a gigabyte of memory. It needs a release build.
 
 mod crowds;
 mod same;
@@ -29,7 +29,7 @@ fn levels() -> Vec<Level> {
 #[test]
 fn every_extreme_passes() {
     for level in levels() {
-        // Most of an extreme keeps one core busy.
+        // Most of an extreme runs on one core.
         let outcomes = table();
         let outcomes = outcomes
             .par_chunks(4)
@@ -45,7 +45,7 @@ fn every_extreme_passes() {
 }
 
 #[test]
-fn every_extreme_begins_with_what_is_extreme() {
+fn every_extreme_begins_with_a_comment() {
     assert!(EXTREMES.len() > 100, "the table is whole");
     for (name, text) in EXTREMES {
         assert!(text.starts_with("# "), "{name}");
@@ -76,8 +76,7 @@ struct Read {
 }
 
 #[test]
-fn an_outcome_is_printed_with_its_name_what_was_expected_what_was_observed_and_whether_that_is_right()
- {
+fn an_outcome_is_printed_with_its_name_expectation_observation_and_verdict() {
     let outcomes = [true, false].map(|pass| Outcome {
         name: "two by two",
         expected: "four".to_owned(),

@@ -1,4 +1,4 @@
-//! What must not change a picture by one bit, and what must not break it.
+//! Changes that must keep every bit of a picture, and extreme scenes that must keep it defined.
 
 mod bits;
 mod depth;

@@ -22,7 +22,7 @@ const MATERIAL: Material = Material {
 
 const EYE: DVec3 = DVec3::new(7.0, 5.0, 8.0);
 
-/// Views of the origin in both projections and modes, exactly and within half a level.
+/// Views of the origin in both projections and modes, at tolerances 0 and 0.5.
 fn views(size: [usize; 2], eye: DVec3) -> Vec<View> {
     let mut views = Vec::new();
     for projection in Projection::ALL {
@@ -51,7 +51,7 @@ fn light_all(world: &mut World, place: DVec3) {
     }
 }
 
-/// Asserts that every pixel of a view is proven, and that at least so many show a cuboid.
+/// Asserts that every pixel of a view is proven, and that at least this many show a cuboid.
 fn assert_proven(world: &mut World, view: &View, least: u64) {
     let proof = proof(world, view);
     assert_eq!(
@@ -63,7 +63,7 @@ fn assert_proven(world: &mut World, view: &View, least: u64) {
     assert!(proof.covered >= least, "{} pixels", proof.covered);
 }
 
-/// A cuboid under `count` lights of one sum, half diffuse and half specular.
+/// A cuboid under `count` lights with a given sum of levels, half diffuse and half specular.
 fn under_many_lights(count: u32, place: impl Fn(f64) -> DVec3) -> World {
     let mut world = one_cuboid();
     for index in 0..count {
@@ -86,7 +86,7 @@ fn a_thousand_lights_are_proven() {
 }
 
 #[test]
-fn a_thousand_lights_at_one_place_are_as_their_sum() {
+fn a_thousand_lights_at_one_place_equal_their_sum() {
     let [mut one, mut many] =
         [1, 1000].map(|count| under_many_lights(count, |_| DVec3::splat(10.0)));
     for view in views([32, 24], EYE) {
@@ -103,7 +103,7 @@ fn a_thousand_lights_at_one_place_are_as_their_sum() {
     }
 }
 
-/// A block of 25 x 20 x 20 cuboids, all rotated differently; unless everything is to be drawn, its two last layers.
+/// A block of 25 x 20 x 20 cuboids, each with its own rotation; its last two layers alone, unless everything is drawn.
 #[test]
 fn ten_thousand_cuboids_are_proven() {
     let mut world = empty();
@@ -124,7 +124,7 @@ fn ten_thousand_cuboids_are_proven() {
 }
 
 #[test]
-fn a_bar_edge_on_behind_a_sheet_is_not_seen() {
+fn a_bar_edge_on_behind_a_sheet_is_invisible() {
     for step in (0..50).map(f64::from) {
         let mut world = empty();
         let bar = Transform {
@@ -144,7 +144,7 @@ fn a_bar_edge_on_behind_a_sheet_is_not_seen() {
 }
 
 #[test]
-fn perspective_from_ten_thousand_times_as_far_is_orthographic() {
+fn perspective_from_ten_thousand_times_as_far_equals_orthographic() {
     let mut world = one_cuboid();
     light_all(&mut world, DVec3::splat(10.0));
     let eye = EYE * 1e4;
@@ -186,12 +186,12 @@ fn the_largest_picture_is_proven_in_samples() {
     let reference = Reference::<Interval>::new(&world, &view);
     let mut covered = 0;
     for step in 0..2_000 {
-        // Multiples of the golden ratio and its square spread evenly (Roberts 2018).
+        // Multiples of the golden ratio and its square are evenly distributed (Roberts 2018).
         let place @ [x, y] = [0.754_877_666, 0.569_840_291]
             .map(|share: f64| (share * f64::from(step)).fract() * side as f64)
             .map(|coordinate| coordinate as usize);
         let [_, bytes @ ..] = frame.pixels()[y * side + x].to_be_bytes();
-        // Only the bytes are known, not the face: it is one that may be seen.
+        // The bytes are known, but not the face, so any possible face counts.
         let all = reference.at(place);
         let face = all.iter().map(Seen::face).find(|face| {
             let error = nearest(*face, bytes.map(f64::from), &all);

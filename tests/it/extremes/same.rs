@@ -15,7 +15,7 @@ const MATERIAL: Material = Material {
     shininess: 76.8,
 };
 
-/// Asserts that two worlds look the same, bit by bit, and that something is seen.
+/// Asserts that two worlds have the same picture, bit by bit, and that a cuboid is visible.
 fn assert_same(plain: &mut (World, Vec<View>), extreme: &mut (World, Vec<View>), what: &str) {
     assert_eq!(plain.1.len(), extreme.1.len());
     for (view, other) in plain.1.iter().zip(&extreme.1) {
@@ -27,7 +27,7 @@ fn assert_same(plain: &mut (World, Vec<View>), extreme: &mut (World, Vec<View>),
     }
 }
 
-/// The still life with all lengths multiplied and all places moved; the near plane cuts a corner off.
+/// The scene of three cuboids with all lengths multiplied and all positions moved. The near plane cuts a corner off.
 fn still_life_at(scale: f64, shift: DVec3) -> (World, Vec<View>) {
     let mut world = still_life(3);
     for mesh in world.query_mut::<&mut Mesh>() {
@@ -70,7 +70,7 @@ fn moving_everything_by_an_integer_changes_no_bit() {
     }
 }
 
-/// Cuboids of these sizes and rotations at the origin under a light of each kind, from every side and as [`views`] has it.
+/// Cuboids with these sizes and rotations at the origin under a light of each kind, from every side and in [`views`].
 fn cuboids(all: &[([f64; 3], [f64; 3])]) -> (World, Vec<View>) {
     let mut world = still_life(0);
     for (size, rotation) in all {
@@ -83,7 +83,8 @@ fn cuboids(all: &[([f64; 3], [f64; 3])]) -> (World, Vec<View>) {
     (world, views([64, 48]))
 }
 
-/// 1e9 = 2777777 turns and 280 degrees. The double nearest to 1e100 is a whole number and leaves 64 when divided by 360.
+/// 1e9 degrees are 2777777 turns and 280 degrees. The float nearest to 1e100 is an integer with a remainder of 64
+/// modulo 360.
 #[test]
 fn whole_turns_change_no_bit() {
     let size = [4.0, 3.0, 2.0];
@@ -101,7 +102,7 @@ fn whole_turns_change_no_bit() {
 }
 
 #[test]
-fn a_cuboid_that_is_hidden_or_a_speck_changes_no_bit() {
+fn a_hidden_cuboid_or_a_speck_changes_no_bit() {
     let size = DVec3::new(4.0, 3.0, 2.0);
     let mut alone = cuboids(&[(size.to_array(), [0.0; 3])]);
     for share in [0.1, 0.999_999, 1.0] {
@@ -116,7 +117,7 @@ fn a_cuboid_that_is_hidden_or_a_speck_changes_no_bit() {
 }
 
 #[test]
-fn a_near_plane_in_the_plane_of_a_face_takes_nothing_of_it() {
+fn a_near_plane_in_the_plane_of_a_face_clips_nothing_of_it() {
     let frontal = |near: f64| {
         let mut world = empty();
         spawn_cuboid(

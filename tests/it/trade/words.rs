@@ -1,89 +1,170 @@
-//! What the verdict and the table say, and that they say nothing else than the numbers.
+//! The words of verdict and table, which must agree with the numbers.
 
-use shadetrade::components::ShadingMode;
-use shadetrade::trade::Report;
+use shadetrade::components::ShadingMode::{self, Gouraud, Phong};
+use shadetrade::shading::Method;
 use shadetrade::trade::export::table;
 use shadetrade::trade::tables::WIDTH;
-use shadetrade::trade::verdict::verdict;
+use shadetrade::trade::verdict::{sentence, verdict};
+use shadetrade::trade::{Measurement, Report};
 
 use super::example;
+use crate::support::random::Random;
 
-/// A measurement, and parts of the sentence that are in its verdict and that are not.
-type Row = (
-    fn(&mut Report),
-    &'static [&'static str],
-    &'static [&'static str],
-);
+/// The milliseconds and the largest errors of Gouraud, Phong at tolerance 0.5, and exact Phong.
+type Trade = [(f64, f64); 3];
+/// Gouraud saves half of the time, and tolerance 0.5 saves half of it again.
+const USUAL: Trade = [(0.2, 165.0), (0.46, 0.5), (1.0, 0.0)];
 
-/// Gouraud takes 2 ns and Phong 3, Gouraud errs by 163 levels and keeps nothing of the highlight.
-#[test]
-fn the_verdict_claims_what_is_measured_and_nothing_else() {
-    let rows: [Row; 9] = [
-        (|_| (), &["1.5x", "163 levels", "highlight"], &["shortcut"]),
-        (
-            |report| report.methods[0].accuracy.highlight_kept = Some(0.97),
-            &["163 levels"],
-            &["highlight"],
-        ),
-        (
-            |report| report.methods[0].accuracy.highlight_kept = None,
-            &["163 levels"],
-            &["highlight"],
-        ),
-        // Within the intervals of both.
-        (
-            |report| report.methods[1].timing = example::timing(0.002_01),
-            &["163 levels"],
-            &["x Gouraud"],
-        ),
-        (
-            |report| report.methods[1].timing = example::timing(0.001),
-            &["0.5x"],
-            &[],
-        ),
-        // Too short for the clock.
-        (
-            |report| report.methods[0].timing = example::timing(0.0),
-            &["0.003 ms"],
-            &["x Gouraud"],
-        ),
-        (
-            |report| report.methods[1].accuracy.own_error = Some(example::error(0.75)),
-            &["0.750 levels"],
-            &[],
-        ),
-        (
-            |report| report.methods[0].accuracy.error.levels = Some(example::error(0.31)),
-            &["0.310 levels"],
-            &["highlight"],
-        ),
-        (|report| report.methods.truncate(1), &[], &["x ", "levels"]),
-    ];
-    for (change, says, hides) in rows {
-        let mut report = example::report();
-        report
-            .methods
-            .retain(|one| one.method.mode != ShadingMode::UnitVectors);
-        change(&mut report);
-        assert_verdict(&report, says, hides);
-    }
-    let shortcut = ["shortcut", "3.0x", "171 levels", "96 %"];
-    assert_verdict(&example::report(), &shortcut, &[]);
-    let mut report = example::empty_report();
-    assert_verdict(&report, &[], &["Gouraud", "levels"]);
-    report.covered_pixels = 3;
-    assert_verdict(&report, &["1.5x"], &["levels", "highlight"]);
+const NOTHING: &str = "nothing to trade";
+const ALIKE: &str = "about as fast";
+
+fn measured(trade: Trade) -> Vec<Measurement> {
+    let methods = [(Gouraud, 0.5), (Phong, 0.5), (Phong, 0.0)];
+    let measurement = |((mode, tolerance), (time, error))| {
+        example::live(Method::of(mode, tolerance), time, error)
+    };
+    methods.into_iter().zip(trade).map(measurement).collect()
 }
 
-#[track_caller]
-fn assert_verdict(report: &Report, says: &[&str], hides: &[&str]) {
-    let text = verdict(report);
-    for part in says {
-        assert!(text.contains(part), "{part:?} is not in {text:?}");
+#[test]
+fn the_sentence_states_only_measured_facts() {
+    let [gouraud, half, exact] = [(Gouraud, 0.5), (Phong, 0.5), (Phong, 0.0)];
+    type Row = (
+        Trade,
+        (ShadingMode, f64),
+        &'static [&'static str],
+        &'static [&'static str],
+    );
+    let rows: [Row; 11] = [
+        (
+            USUAL,
+            gouraud,
+            &["2.3 times faster", "half a level", "but off by 165"],
+            &[ALIKE],
+        ),
+        (
+            USUAL,
+            half,
+            &["2.3 times slower", "330 times more exact"],
+            &["but", NOTHING],
+        ),
+        (
+            USUAL,
+            exact,
+            &["5 times slower", "rounding", "2.2 times faster"],
+            &[NOTHING],
+        ),
+        // Within the intervals of each other.
+        (
+            [(0.2, 165.0), (0.201, 0.5), (1.0, 0.0)],
+            gouraud,
+            &[ALIKE, "and off by 165"],
+            &["times", "but"],
+        ),
+        // Exact Phong is as fast as Phong at tolerance 0.5, or faster.
+        (
+            [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)],
+            gouraud,
+            &["exact Phong", "2.3 times"],
+            &["half"],
+        ),
+        (
+            [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)],
+            half,
+            &[ALIKE, NOTHING],
+            &[],
+        ),
+        (
+            [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)],
+            exact,
+            &[NOTHING],
+            &["2.2"],
+        ),
+        (
+            [(0.2, 165.0), (0.46, 0.5), (0.3, 0.0)],
+            half,
+            &["1.5 times faster", NOTHING],
+            &[],
+        ),
+        // An invisible error.
+        (
+            [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)],
+            gouraud,
+            &["2.3 times faster", "0.310"],
+            &["but"],
+        ),
+        (
+            [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)],
+            half,
+            &["2.3 times slower", "0.200"],
+            &["more exact"],
+        ),
+        // Too short for the resolution of the clock.
+        (
+            [(0.0, 165.0), (0.46, 0.5), (1.0, 0.0)],
+            gouraud,
+            &["faster"],
+            &["times", "inf", "NaN"],
+        ),
+    ];
+    for (trade, (mode, tolerance), says, hides) in rows {
+        let text = sentence(&measured(trade), Method::of(mode, tolerance)).expect("it is measured");
+        for part in says {
+            assert!(text.contains(part), "{part:?} is not in {text:?}");
+        }
+        for part in hides {
+            assert!(!text.contains(part), "{part:?} is in {text:?}");
+        }
     }
-    for part in hides {
-        assert!(!text.contains(part), "{part:?} is in {text:?}");
+    assert_eq!(sentence(&measured(USUAL), Method::of(Phong, 0.7)), None);
+}
+
+#[test]
+fn times_within_noise_are_called_neither_faster_nor_slower() {
+    let mut random = Random(5);
+    for _ in 0..200 {
+        let mut one = || {
+            (
+                1.0 + 0.004 * random.within(-1.0, 1.0),
+                random.within(0.0, 3.0),
+            )
+        };
+        let measured = measured([one(), one(), one()]);
+        let sentences = measured
+            .iter()
+            .filter_map(|it| sentence(&measured, it.method));
+        for text in sentences.chain([verdict(&measured)]) {
+            assert!(
+                !text.contains("faster") && !text.contains("slower"),
+                "{text}"
+            );
+        }
     }
+}
+
+#[test]
+fn the_verdict_states_only_measured_facts() {
+    let report = |change: fn(&mut Report)| {
+        let mut report = example::report();
+        change(&mut report);
+        let measured: Vec<Measurement> = report.methods.iter().map(Measurement::from).collect();
+        verdict(&measured)
+    };
+    let whole = report(|_| ());
+    for part in ["Gouraud", "163", "xact Phong", "unit vectors", "171"] {
+        assert!(whole.contains(part), "{part:?} is not in {whole:?}");
+    }
+    assert!(!report(|it| drop(it.methods.remove(1))).contains("unit vectors"));
+    let alone = report(|it| it.methods.truncate(1));
+    assert!(
+        alone.contains("163") && !alone.contains("faster"),
+        "{alone:?}"
+    );
+    let nothing = report(|it| *it = example::empty_report());
+    assert!(
+        !nothing.contains("off by") && !nothing.is_empty(),
+        "{nothing:?}"
+    );
 }
 
 #[test]

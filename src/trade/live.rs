@@ -1,0 +1,160 @@
+//! The trade of a view while it is looked at: the time and the error of every method, and nothing else.
+//!
+//! ```text
+//! band of rows --reference--> exact Phong, its highlight --+--> largest error, highlight kept
+//!              --each method--> levels --------------------+
+//! ```
+//! Two references serve all methods, a band of rows at a time, so that no picture is held. Errors that are known are not
+//! computed again, and of two timings the one of more samples stays.
+
+use super::accuracy::{drawn_by, highlight_of, light_kept, share};
+use super::metrics::{self, Picture};
+use super::record::MethodReport;
+use super::timing::{self, Timing};
+use super::{IsCancelled, Request, TradeError, front};
+use crate::components::ShadingMode;
+use crate::frame::{Frame, Keep, Workers};
+use crate::reference;
+use crate::shading::Method;
+use crate::systems;
+
+/// Rows that are compared at once.
+const BAND: usize = 64;
+
+/// What one method costs in a view, and how far it errs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    pub method: Method,
+    /// Milliseconds of a whole warm frame.
+    pub timing: Timing,
+    /// The largest error against exact Phong, in levels of 255; `None` where nothing can be compared.
+    pub error: Option<f64>,
+    /// Column and row of the first pixel that errs so far.
+    pub worst: Option<[usize; 2]>,
+    /// How much of the highlight is where it ought to be, 0..=1; `None` where exact Phong shows none.
+    pub highlight_kept: Option<f64>,
+    /// Whether no other method measured beats it in error and time both.
+    pub on_front: bool,
+}
+
+impl From<&MethodReport> for Measurement {
+    fn from(report: &MethodReport) -> Self {
+        let error = report.accuracy.error.levels;
+        Measurement {
+            method: report.method,
+            timing: report.timing.clone(),
+            error: error.map(|error| error.max),
+            worst: error.map(|error| error.max_pixel),
+            highlight_kept: report.accuracy.highlight_kept,
+            on_front: report.on_front,
+        }
+    }
+}
+
+/// Measures the methods of `request`, of which some are `known` of the same view; `on_progress` is told the share done,
+/// 0..=1.
+///
+/// # Errors
+/// When memory or threads do not suffice, or it is cancelled.
+pub fn measure(
+    request: &Request,
+    known: &[Measurement],
+    cancelled: IsCancelled,
+    on_progress: &(dyn Fn(f64) + Sync),
+) -> Result<Vec<Measurement>, TradeError> {
+    let of_method = |method: &Method| known.iter().find(|it| it.method == *method);
+    let methods = request.methods.iter().copied();
+    let unknown: Vec<Method> = methods.filter(|it| of_method(it).is_none()).collect();
+    let mut errors = errors(request, &unknown, cancelled, &|done| {
+        on_progress(done / 2.0);
+    })?;
+    let batch = |number| super::time_batch(request, number, cancelled);
+    let timings = timing::of_batches(batch, |done| on_progress(f64::midpoint(1.0, done)))?;
+    let measured = request.methods.iter().zip(timings);
+    let mut measured: Vec<Measurement> = measured
+        .map(|(method, timing)| match of_method(method) {
+            Some(known) if known.timing.samples > timing.samples => known.clone(),
+            Some(known) => Measurement {
+                timing,
+                ..known.clone()
+            },
+            None => {
+                let error = errors.remove(0);
+                Measurement {
+                    method: *method,
+                    timing,
+                    error: error.largest.map(|(error, _)| error),
+                    worst: error.largest.map(|(_, pixel)| pixel),
+                    highlight_kept: share(error.light),
+                    on_front: false,
+                }
+            }
+        })
+        .collect();
+    let on_front = front::on_front(&measured);
+    for (one, on_front) in measured.iter_mut().zip(on_front) {
+        one.on_front = on_front;
+    }
+    Ok(measured)
+}
+
+/// The error of a method over the bands so far.
+#[derive(Clone, Default)]
+struct ErrorSoFar {
+    /// The largest, and its pixel.
+    largest: Option<(f64, [usize; 2])>,
+    /// The light of the highlight that is kept, and all of it.
+    light: [u64; 2],
+}
+
+fn errors(
+    request: &Request,
+    methods: &[Method],
+    cancelled: IsCancelled,
+    on_progress: &dyn Fn(f64),
+) -> Result<Vec<ErrorSoFar>, TradeError> {
+    let mut errors = vec![ErrorSoFar::default(); methods.len()];
+    if methods.is_empty() {
+        return Ok(errors);
+    }
+    let view = request.view.shaded(ShadingMode::Phong);
+    let mut scene = request.scene.snapshot();
+    let (mut highlight, black) = highlight_of(&scene, &view);
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(request.level));
+    let height = view.size[1];
+    for start in (0..height).step_by(BAND) {
+        let rows = start..(start + BAND).min(height);
+        let exact = |scene: &crate::scene::Scene, view| {
+            reference::picture(&scene.world, view, rows.clone(), cancelled, &|_| ())
+                .ok_or(TradeError::Cancelled)
+        };
+        let (whole, lit) = (exact(&scene, &view)?, exact(&highlight, &black)?);
+        for (method, so_far) in methods.iter().zip(&mut errors) {
+            if cancelled() {
+                return Err(TradeError::Cancelled);
+            }
+            let drawn = drawn_by(method, &view);
+            systems::draw_rows(&mut scene.world, &drawn, rows.clone(), &mut frame)?;
+            let compared = metrics::compare(Picture::from(&frame), Picture::from(&whole));
+            if let Some(error) = compared.error
+                && so_far
+                    .largest
+                    .is_none_or(|(largest, _)| error.max > largest)
+            {
+                let [x, y] = error.max_pixel;
+                so_far.largest = Some((error.max, [x, start + y]));
+            }
+            let drawn = drawn_by(method, &black);
+            systems::draw_rows(&mut highlight.world, &drawn, rows.clone(), &mut frame)?;
+            for (sum, light) in so_far
+                .light
+                .iter_mut()
+                .zip(light_kept(frame.levels(), &lit.levels))
+            {
+                *sum += light;
+            }
+        }
+        on_progress(rows.end as f64 / height as f64);
+    }
+    Ok(errors)
+}

@@ -1,0 +1,265 @@
+//! The live trade: the chart as a control, and measurements of the view that is shown.
+
+use egui::{Key, Pos2, RawInput};
+use fearless_simd::Level;
+use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use shadetrade::components::{Show, Side, Tolerance, View, ViewMode};
+use shadetrade::drawing::Drawing;
+use shadetrade::frame::Keep;
+use shadetrade::shading::{METHODS, Method};
+use shadetrade::trade::Measurement;
+use shadetrade::window::app::App;
+use shadetrade::window::comparison::Comparison;
+use shadetrade::window::jobs::State;
+
+use super::{FRAME, Window};
+use crate::support::scene::draw;
+use crate::support::window::{app, default_scene, places, widgets};
+use crate::trade::example::live;
+
+const SIZE: [usize; 2] = [900, 700];
+
+/// Milliseconds and errors of [`METHODS`]: a smaller error takes longer, except for exact Gouraud and the shortcut.
+fn measured() -> Vec<Measurement> {
+    let figures = [
+        (0.8, 165.0),
+        (0.2, 165.0),
+        (1.9, 171.0),
+        (0.31, 3.9),
+        (0.33, 1.9),
+        (0.36, 0.98),
+        (0.41, 0.49),
+        (0.5, 0.24),
+        (1.0, 0.0006),
+    ];
+    let methods = METHODS.iter().zip(figures);
+    let measured = methods.map(|(method, (time, error))| Measurement {
+        on_front: ![0.8, 1.9].contains(&time),
+        ..live(*method, time, error)
+    });
+    measured.collect()
+}
+
+/// A window with this measurement.
+fn app_with_trade() -> App {
+    let mut app = app(default_scene(), SIZE, Level::new());
+    app.shows_times = true;
+    app.facts.trade.finish(measured());
+    app
+}
+
+fn open() -> Window {
+    Window::with(app_with_trade(), SIZE)
+}
+
+/// The positions of the dots in the window, in the order of [`METHODS`].
+fn dots() -> Vec<Pos2> {
+    let harness = widgets(app_with_trade(), SIZE);
+    let names = [
+        "exact Gouraud",
+        "Gouraud",
+        "interpolated unit vectors",
+        "Phong within 4 levels",
+        "Phong within 2 levels",
+        "Phong within 1 level",
+        "Phong within half a level",
+        "Phong within 0.25 levels",
+        "exact Phong",
+    ];
+    let dot = |name: &str| places(&harness, &format!("choose {name}"));
+    names.map(|name| *dot(name).first().expect(name)).to_vec()
+}
+
+#[test]
+fn dots_lie_by_time_and_error() {
+    let (dots, measured) = (dots(), measured());
+    for (one, at) in measured.iter().zip(&dots) {
+        for (other, there) in measured.iter().zip(&dots) {
+            if one.timing.median < other.timing.median {
+                assert!(
+                    at.x < there.x,
+                    "{:?} is faster than {:?}",
+                    one.method,
+                    other.method
+                );
+            }
+            if one.error > other.error {
+                assert!(
+                    at.y < there.y,
+                    "{:?} errs more than {:?}",
+                    one.method,
+                    other.method
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
+    for (method, at) in METHODS.iter().zip(dots()) {
+        let mut window = open();
+        window.click(at);
+        if method.mode == UnitVectors {
+            let show: Show = window.app.look();
+            assert_eq!(show.mode, ViewMode::Wipe);
+            let side = Side::Method {
+                mode: UnitVectors,
+                tolerance: 0.0,
+            };
+            assert!(show.sides.contains(&side), "no scene asks for it");
+        } else {
+            assert_eq!(window.app.method(), Some(*method));
+        }
+    }
+    let mut window = open();
+    for method in METHODS.iter().filter(|it| it.mode != UnitVectors) {
+        // At most one round through the window.
+        let mut steps = 0..200;
+        while window.app.desk.preview != Some(*method) && steps.next().is_some() {
+            window.press(Key::Tab);
+        }
+        window.press(Key::Enter);
+        assert_eq!(window.app.method(), Some(*method));
+    }
+}
+
+#[test]
+fn hovering_a_dot_shows_its_picture_and_changes_nothing() {
+    let mut window = open();
+    let (before, frame) = (window.record(), window.app.shown().to_vec());
+    for (method, at) in METHODS.iter().zip(dots()) {
+        window.point_at(at);
+        let mut world = window.app.state.spawn();
+        let view = View::of(&world, window.app.picture_size());
+        let view = view.shaded(method.mode).with_tolerance(method.tolerance);
+        let expected = draw(&mut world, &view, Keep::Display);
+        assert!(window.app.shown() == expected.pixels(), "{method:?}");
+        assert!(window.seen() == expected.pixels(), "{method:?}");
+        assert!(window.app.pictures.frame() == frame, "{method:?}");
+        assert!(window.app.facts.trade.current().is_some());
+    }
+    window.point_at(window.app.place.center());
+    assert!(window.app.shown() == frame);
+    assert_eq!(window.record(), before);
+}
+
+#[test]
+fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
+    let dots = dots();
+    let mut window = open();
+    let (from, to) = (dots[3], dots[7]);
+    window.point_at(from);
+    window.button(from, true);
+    window.point_at(from + egui::vec2(-20.0, 20.0));
+    let (mut last, mut between) = (f64::INFINITY, 0);
+    for step in 1..=40 {
+        // Outside of the staircase.
+        let at = from + (to - from) * (step as f32 / 40.0) + egui::vec2(0.0, 3.0);
+        window.point_at(at);
+        let Tolerance(tolerance) = window.app.look();
+        assert!(tolerance <= last, "{tolerance} after {last}");
+        assert_eq!(window.app.shading(), Some(Phong));
+        between += i32::from(METHODS.iter().all(|it| it.tolerance != tolerance));
+        last = tolerance;
+    }
+    assert!(
+        between > 10 && (0.2..0.28).contains(&last),
+        "{between}, {last}"
+    );
+    window.point_at(dots[8]);
+    assert_eq!(window.app.method(), Some(Method::of(Phong, 0.0)));
+    window.point_at(dots[1]);
+    assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
+    window.button(dots[1], false);
+    // A method between two dots is drawn like any other.
+    window.app.set_tolerance(0.7);
+    window.step(Vec::new());
+    let picture = window.app.pictures.frame().to_vec();
+    let mut world = window.app.state.spawn();
+    let view = View::of(&world, window.app.picture_size());
+    assert_eq!(view.tolerance, 0.7);
+    assert!(picture == draw(&mut world, &view, Keep::Display).pixels());
+}
+
+#[test]
+fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
+    let mut window = open();
+    for key in [
+        Key::P,
+        Key::OpenBracket,
+        Key::G,
+        Key::F3,
+        Key::F5,
+        Key::Z,
+        Key::H,
+        Key::H,
+    ] {
+        window.press(key);
+        assert!(window.app.facts.trade.current().is_some(), "{key:?}");
+    }
+    for key in [Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home] {
+        window.app.facts.trade.finish(measured());
+        window.press(key);
+        assert_eq!(window.app.facts.trade.state, State::Idle, "{key:?}");
+        assert!(
+            window.app.measured(Phong, 1.0).is_some(),
+            "{key:?}: it is known to be old"
+        );
+    }
+    window.app.facts.trade.finish(measured());
+    window.size = [800, 600];
+    window.step(Vec::new());
+    assert_eq!(window.app.facts.trade.state, State::Idle, "another size");
+}
+
+/// Steps until `is_done` returns true.
+fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app::Output {
+    loop {
+        let now = app.now + FRAME;
+        let output = app.step(now, [300, 240], RawInput::default());
+        let output = output.expect("a small picture fits");
+        if is_done(app) {
+            return output;
+        }
+        std::thread::yield_now();
+    }
+}
+
+#[test]
+fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
+    let drawing = Drawing {
+        scene: default_scene(),
+        size: [300, 240],
+        threads: 1,
+        level: Level::new(),
+    };
+    let mut app = App::new(drawing, true).expect("there are threads");
+    run(&mut app, |app| app.facts.trade.current().is_some());
+    let methods: Vec<Method> = app
+        .facts
+        .trade
+        .value
+        .iter()
+        .flatten()
+        .map(|it| it.method)
+        .collect();
+    assert_eq!(methods, METHODS);
+    app.choose_method(Method::of(Phong, 0.7));
+    run(&mut app, |app| {
+        app.measured(Phong, 0.7).is_some() && app.facts.comparison.current().is_some()
+    });
+    assert!(
+        METHODS
+            .iter()
+            .all(|it| app.measured(it.mode, it.tolerance).is_some())
+    );
+    let shown = app.measured(Phong, 0.7).expect("it is measured");
+    let mut world = app.state.spawn();
+    let view = View::of(&world, app.picture_size());
+    let compared = Comparison::of(&mut world, &view, Level::new(), &|| false);
+    let compared = compared.expect("it fits").expect("nobody cancels");
+    assert_eq!(shown.error, compared.error);
+    let [low, high] = shown.timing.interval;
+    assert!(0.0 < low && low <= shown.timing.median && shown.timing.median <= high);
+}
