@@ -24,9 +24,11 @@ mod layout;
 pub mod lights;
 mod panel;
 pub mod pictures;
+mod profile;
 pub mod recording;
 pub mod replay;
 pub mod style;
+mod tags;
 mod triangle;
 pub mod viewport;
 

@@ -57,6 +57,10 @@ pub struct Message {
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
+    /// The profile below a wipe is folded.
+    pub profile_folded: bool,
+    /// The error map shows the difference itself, amplified.
+    pub amplifies: bool,
     /// Whether the panel and the inspector have room beside the picture.
     pub has_room: [bool; 2],
     /// The panel and the inspector are open over the picture, where there is no room beside it.

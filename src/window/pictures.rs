@@ -72,6 +72,11 @@ impl Pictures {
         self.frame.pixels()
     }
 
+    /// A side of a wipe as far as the renderer draws it, 0x00RRGGBB.
+    pub fn side(&self, index: usize) -> &[u32] {
+        &self.sides[index]
+    }
+
     /// The middle one of the times of a side, in milliseconds; `None` where the renderer does not draw it.
     pub fn milliseconds(&self, side: usize) -> Option<f64> {
         let mut times = self.times[side].clone();
