@@ -71,6 +71,9 @@ impl App {
                 let Tolerance(tolerance) = self.look();
                 self.wipe(gouraud_phong(tolerance));
             }
+            Command::View(ViewMode::Error) if self.look::<Show>().mode == ViewMode::Error => {
+                self.desk.amplifies ^= true;
+            }
             Command::View(mode) => {
                 let show: Show = self.look();
                 self.set_look(Show { mode, ..show });

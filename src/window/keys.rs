@@ -136,7 +136,7 @@ pub const BINDINGS: &[Binding] = &[
     bind("View", &[(NO, Key::F2)], Command::View(ViewMode::Picture), "picture", "The picture as it is shaded."),
     bind("View", &[(NO, Key::F3)], Command::View(ViewMode::Wipe), "Gouraud | Phong", "Two methods, left and right of a divider that can be dragged."),
     bind("View", &[(NO, Key::F4)], Command::WipeExact, "picture | exact", "The picture, and exact Phong in f64, left and right of a divider."),
-    bind("View", &[(NO, Key::F5)], Command::View(ViewMode::Error), "error map", "The error of each pixel against exact Phong."),
+    bind("View", &[(NO, Key::F5)], Command::View(ViewMode::Error), "error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen."),
     bind("View", &[(NO, Key::F6)], Command::View(ViewMode::Tiles), "tiles", "The way in which each square was drawn."),
     bind("View", &[(NO, Key::B)], Command::ShowExact, "show exact (hold)", "Shows exact Phong while the key or the button is held."),
     bind("View", &[(NO, Key::Comma)], Command::Side(0, 1), "left side", "The next method left of the divider."),
