@@ -8,7 +8,7 @@ use std::thread::available_parallelism;
 use anyhow::Context;
 use fearless_simd::Level;
 
-use crate::components::{Name, ShadingMode, View, active_camera, get};
+use crate::components::{Budget, Name, ShadingMode, View, active_camera, get, viewer};
 use crate::frame::Workers;
 use crate::scene::Scene;
 
@@ -31,6 +31,12 @@ impl Drawing {
     /// How a frame of it is drawn.
     pub fn view(&self) -> View {
         View::of(&self.scene.world, self.size)
+    }
+
+    /// The longest time of a frame, in milliseconds, where the method is chosen for that.
+    pub fn budget(&self) -> Option<f64> {
+        let world = &self.scene.world;
+        get(world, viewer(world)).and_then(|Budget(budget)| budget)
     }
 
     /// The name of the camera that is looked through.

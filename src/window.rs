@@ -9,6 +9,7 @@
 //! painted.
 
 pub mod app;
+mod budget;
 mod chart;
 mod commands;
 pub mod comparison;

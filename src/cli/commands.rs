@@ -12,7 +12,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use image::ImageFormat;
 
 use super::Failure;
-use super::options::{self, DrawingOptions, WorkerOptions};
+use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::{Output, quoted};
 use crate::scene::Scene;
 use crate::shading::METHODS;
@@ -24,6 +24,9 @@ pub struct ViewOptions {
     /// What to show, and how.
     #[command(flatten)]
     pub drawing: DrawingOptions,
+    /// The time of a frame.
+    #[command(flatten)]
+    pub budget: BudgetOption,
     /// Writes what happens to a new file, for `replay`
     #[arg(long, value_name = "LOG")]
     pub record: Option<PathBuf>,
@@ -80,6 +83,9 @@ pub struct RenderOptions {
     /// What to draw, and how.
     #[command(flatten)]
     pub drawing: DrawingOptions,
+    /// The time of a frame.
+    #[command(flatten)]
+    pub budget: BudgetOption,
     /// Where the PNG goes; `-` is standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Output,

@@ -19,8 +19,8 @@ use super::range::{
     ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
 };
 use crate::components::{
-    ActiveCamera, Background, Camera, FileOrder, Inspector, Light, LightKind, Magnifier, Material,
-    Mesh, Name, Orbit, Probed, Projection, ShadingMode, Show, Side, Spin, Tab, Tolerance,
+    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, LightKind, Magnifier,
+    Material, Mesh, Name, Orbit, Probed, Projection, ShadingMode, Show, Side, Spin, Tab, Tolerance,
     Transform, ViewMode, active_camera, cuboid, get, in_file_order, length, ordered, unit,
 };
 
@@ -137,6 +137,9 @@ pub struct ViewRecord {
     pub projection: Projection,
     #[serde(deserialize_with = "number")]
     pub tolerance: f64,
+    /// In place of the tolerance, in milliseconds a frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub budget: Option<f64>,
     pub show: ViewMode,
     #[serde(deserialize_with = "array")]
     pub sides: [Side; 2],
@@ -163,6 +166,7 @@ impl Default for ViewRecord {
             camera: None,
             projection: Projection::default(),
             tolerance: Tolerance::default().0,
+            budget: None,
             show: mode,
             sides,
             divider,
@@ -259,9 +263,9 @@ impl SceneRecord {
         let mut viewers = world.query::<(&Background, &Projection, &Tolerance, &Spin, &Show)>();
         let viewer = viewers.iter().next().expect("a scene has a viewer");
         let (background, projection, tolerance, spin, show) = viewer;
-        let mut looks = world.query::<(&Magnifier, &Probed, &Inspector)>();
+        let mut looks = world.query::<(&Budget, &Magnifier, &Probed, &Inspector)>();
         let looks = looks.iter().next().expect("a scene has a viewer");
-        let (magnifier, probed, inspector) = looks;
+        let (budget, magnifier, probed, inspector) = looks;
         let active = active_camera(world);
         let is_first = ordered::<Camera>(world).first() == Some(&active);
         let name = get(world, active).map(|Name(name)| name);
@@ -274,6 +278,7 @@ impl SceneRecord {
                 camera: name.filter(|_| !is_first),
                 projection: *projection,
                 tolerance: tolerance.0,
+                budget: budget.0,
                 show: show.mode,
                 sides: show.sides,
                 divider: show.divider,
@@ -316,6 +321,7 @@ impl SceneRecord {
             Background(self.background),
             view.projection,
             Tolerance(view.tolerance),
+            Budget(view.budget),
             Spin {
                 degrees: view.turned,
                 on: false,
@@ -617,6 +623,13 @@ impl ViewRecord {
         place.is("tolerance", self.tolerance, is_tolerance, || {
             "0 or a number from 0.0001 to 255".to_owned()
         })?;
+        if let Some(budget) = self.budget {
+            place.number("budget", budget, &Budget::RANGE)?;
+            let is_alone = self.tolerance == Tolerance::default().0;
+            place.is("budget", budget, is_alone, || {
+                "either a budget or a tolerance".to_owned()
+            })?;
+        }
         place.number("divider", self.divider, &SHARE)?;
         place.is("turned", self.turned, self.turned < 360, || {
             "a whole number of degrees from 0 to 359".to_owned()

@@ -33,6 +33,7 @@ use crate::paint::{Painter, area};
 use crate::requires::Part;
 use crate::scene::{Scene, SceneRecord, ViewRecord};
 use crate::shading::Method;
+use crate::trade::budget::Hold;
 
 /// The time without a change after which the picture is timed and compared.
 const REST: Duration = Duration::from_millis(100);
@@ -115,7 +116,10 @@ pub struct App {
     untimed: Option<Duration>,
     next_degree: Duration,
     pub(super) next_progress: Duration,
-    drawn: Option<(Arc<SceneRecord>, [usize; 2])>,
+    /// The method that holds the budget: the machine's choice, and so no part of the scene.
+    pub(super) held: Option<Method>,
+    pub(super) hold: Hold,
+    pub(super) drawn: Option<(Arc<SceneRecord>, [usize; 2], Option<Method>)>,
     /// The method of [`Desk::preview`] whose picture was drawn since.
     previewed: Option<Method>,
 }
@@ -168,6 +172,8 @@ impl App {
             next_progress: Duration::ZERO,
             drawn: None,
             previewed: None,
+            held: None,
+            hold: Hold::at(0),
         })
     }
 
@@ -197,7 +203,8 @@ impl App {
 
     /// The view that is drawn.
     pub fn view(&self) -> View {
-        View::of(&self.scene.world, self.picture_size())
+        let view = View::of(&self.scene.world, self.picture_size());
+        self.held.map_or(view.clone(), |method| method.view(&view))
     }
 
     /// The pixels of the window as of the last step, row by row from the top.
@@ -233,6 +240,7 @@ impl App {
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
         self.record(size);
+        self.hold_time();
         self.draw()?;
         self.order_jobs();
         self.copy_picture(size);
@@ -381,7 +389,7 @@ impl App {
     }
 
     /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
-    fn picture_changed(&mut self, is_same_view: bool) {
+    pub(super) fn picture_changed(&mut self, is_same_view: bool) {
         if let Some(jobs) = &self.jobs {
             jobs.cancel();
         }
@@ -394,15 +402,18 @@ impl App {
         let (show, view): (Show, View) = (self.look(), self.view());
         let size = view.size;
         let drawn = self.drawn.take();
-        let (world, present) = (&mut self.scene.world, (Arc::clone(&self.state), size));
-        let is_same = |(state, size): &(Arc<SceneRecord>, _)| {
-            Arc::ptr_eq(state, &present.0) && *size == present.1
+        let (world, present) = (
+            &mut self.scene.world,
+            (Arc::clone(&self.state), size, self.held),
+        );
+        let is_same = |(state, size, held): &(Arc<SceneRecord>, _, _)| {
+            Arc::ptr_eq(state, &present.0) && (*size, *held) == (present.1, present.2)
         };
         if !drawn.as_ref().is_some_and(is_same) {
             self.pictures.draw(world, &show, &view)?;
             self.previewed = None;
             self.untimed = Some(self.now);
-            if let Some((_, before)) = drawn.filter(|(_, drawn)| *drawn != size) {
+            if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
                 self.keep_pixel(before, size);
                 self.picture_changed(false);
             }

@@ -31,7 +31,7 @@ use crate::trade::verdict::{UNSEEN, sentence};
 use crate::trade::words::{capital, method_name};
 
 /// The heights of the sentence and of the chart, in points: neither moves what lies below.
-const SENTENCE: f32 = 66.0;
+const SENTENCE: f32 = 50.0;
 const CHART: f32 = 190.0;
 const GROUND: Color32 = Color32::from_gray(20);
 /// The axis of errors, in levels.
@@ -143,7 +143,7 @@ impl App {
                 return;
             }
             (_, Some(said)) => {
-                let other = match self.shading() {
+                let other = match method.map(|method| method.mode) {
                     Some(ShadingMode::Gouraud) => ShadingMode::Phong,
                     _ => ShadingMode::Gouraud,
                 };

@@ -6,7 +6,7 @@ use super::app::App;
 use super::keys::{self, Command, TOLERANCES, gouraud_phong};
 use super::tags::choices;
 use crate::components::{
-    ActiveCamera, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
+    ActiveCamera, Budget, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
     ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
 };
 use crate::scene::SceneRecord;
@@ -58,7 +58,11 @@ impl App {
             }
             Command::Shading(mode) => self.shade(mode),
             Command::FileShading => self.shade_as_file(),
-            Command::Tolerance(steps) => self.step_tolerance(steps),
+            Command::Tolerance(steps) => match self.look() {
+                Budget(Some(budget)) => self.step_budget(budget, steps),
+                Budget(None) => self.step_tolerance(steps),
+            },
+            Command::HoldTime => self.switch_budget(),
             Command::NextProjection => {
                 let next = match self.look() {
                     Projection::Perspective => Projection::Orthographic,
@@ -130,13 +134,16 @@ impl App {
         }
     }
 
+    /// Shades every cuboid in this mode, whatever time that takes.
     pub(super) fn shade(&mut self, mode: ShadingMode) {
+        self.set_look(Budget(None));
         for own in self.scene.world.query_mut::<&mut ShadingMode>() {
             *own = mode;
         }
     }
 
     fn shade_as_file(&mut self) {
+        self.set_look(Budget(None));
         for (name, mode) in self.scene.world.query_mut::<(&Name, &mut ShadingMode)>() {
             let saved = self
                 .file
@@ -188,6 +195,7 @@ impl App {
         }
         self.set_look(show);
         self.set_look(Tolerance(levels));
+        self.set_look(Budget(None));
     }
 
     fn next_camera(&mut self) {

@@ -19,6 +19,8 @@ pub enum Command {
     FileShading,
     /// Goes to the next tolerance of [`TOLERANCES`]: a coarser one if positive.
     Tolerance(i32),
+    /// Holds the time of a frame, or the error again.
+    HoldTime,
     NextProjection,
     NextCamera,
     View(ViewMode),
@@ -123,6 +125,7 @@ pub const BINDINGS: &[Binding] = &[
     bind("Shading", &[(NO, Key::F)], Command::FileShading, "as the file", "Each cuboid is shaded as the scene's file says."),
     bind("Shading", &[(NO, Key::OpenBracket), (NO, Key::PageDown)], Command::Tolerance(-1), "finer tolerance", "The next finer tolerance."),
     bind("Shading", &[(NO, Key::CloseBracket), (NO, Key::PageUp)], Command::Tolerance(1), "coarser tolerance", "The next coarser tolerance."),
+    bind("Shading", &[(NO, Key::M)], Command::HoldTime, "hold the time", "The most exact method that holds a time of milliseconds a frame draws."),
     bind("Camera", &[(NO, Key::C)], Command::NextCamera, "next camera", "The camera that is looked through."),
     bind("Camera", &[(NO, Key::O)], Command::NextProjection, "projection", "In perspective rays leave the eye; in orthographic projection they are parallel."),
     bind("Camera", &[(NO, Key::ArrowLeft)], Command::Orbit(-ORBIT_STEP, 0.0), "orbit, or drag", ""),

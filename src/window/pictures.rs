@@ -121,8 +121,7 @@ impl Pictures {
         method: Method,
         view: &View,
     ) -> Result<(), OutOfMemory> {
-        let other = view.shaded(method.mode).with_tolerance(method.tolerance);
-        systems::draw(world, &other, &mut self.frame)?;
+        systems::draw(world, &method.view(view), &mut self.frame)?;
         self.preview.clear();
         self.preview.extend_from_slice(self.frame.pixels());
         systems::draw(world, view, &mut self.frame)
