@@ -7,7 +7,7 @@
 //! light    Name FileOrder Transform Light
 //! camera   Name FileOrder Transform Camera Orbit
 //! viewer   ActiveCamera Projection Background Tolerance
-//!          Spin Show Magnifier Probed Inspector
+//!          Budget Spin Show Magnifier Probed Inspector
 //! ```
 //! A scene has one viewer. Keys and widgets write components; [`View::of`] is the one place that reads those of the viewer
 //! and of its camera for a picture.
@@ -32,8 +32,8 @@ pub use self::magnifier::Magnifier;
 pub use self::orbit::{Limits, Orbit};
 pub use self::view::View;
 pub use self::viewer::{
-    ActiveCamera, Background, Inspector, Probed, Show, Side, Spin, Tab, Tolerance, ViewMode,
-    active_camera, viewer,
+    ActiveCamera, Background, Budget, Inspector, Probed, Show, Side, Spin, Tab, Tolerance,
+    ViewMode, active_camera, viewer,
 };
 
 /// The entities that have a component, in file order.

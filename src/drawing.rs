@@ -6,7 +6,7 @@ use std::thread::available_parallelism;
 use anyhow::Context;
 use fearless_simd::Level;
 
-use crate::components::{Name, ShadingMode, View, active_camera, get};
+use crate::components::{Budget, Name, ShadingMode, View, active_camera, get, viewer};
 use crate::frame::Workers;
 use crate::scene::Scene;
 
@@ -29,6 +29,12 @@ impl Drawing {
     /// The view of a frame.
     pub fn view(&self) -> View {
         View::of(&self.scene.world, self.size)
+    }
+
+    /// The longest time of a frame, in milliseconds, where the method is chosen for that.
+    pub fn budget(&self) -> Option<f64> {
+        let world = &self.scene.world;
+        get(world, viewer(world)).and_then(|Budget(budget)| budget)
     }
 
     /// The name of the active camera.

@@ -30,6 +30,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::Replay(options)) => replay(&options),
         Some(Command::Render(options)) => {
             let mut drawing = options.drawing.open_for(Some(&options.output))?;
+            options.budget.apply_to(&mut drawing);
             let draw = if options.reference {
                 pictures::render_reference
             } else {
@@ -100,7 +101,8 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     // Before the scene is read: a pipe can be read only once.
     window::restart_in_fit_environment()?;
     let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
-    let drawing = options.drawing.open()?;
+    let mut drawing = options.drawing.open()?;
+    options.budget.apply_to(&mut drawing);
     let scene = drawing.scene.name.clone();
     match window::run(drawing, options.record.as_deref()) {
         Err(missing) if missing.is::<NoDisplay>() && is_plain => {

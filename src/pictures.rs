@@ -13,6 +13,7 @@ use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
 use crate::memory::{self, OutOfMemory};
 use crate::output::{Output, say};
+use crate::trade::budget;
 use crate::trade::progress::with_bar;
 use crate::trade::words::counted;
 use crate::{reference, simd, systems};
@@ -22,7 +23,13 @@ use crate::{reference, simd, systems};
 /// # Errors
 /// If the picture does not fit in memory or cannot be written.
 pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
-    let view = drawing.view();
+    let mut view = drawing.view();
+    if let Some(budget) = drawing.budget()
+        && let Some((method, text)) = budget::choose(drawing, budget)?
+    {
+        view = method.view(&view);
+        say(&format!("a budget of {budget} ms chooses {text}"));
+    }
     let mut frame = Frame::new(Keep::Display, drawing.workers()?);
     let mut draw = || systems::draw(&mut drawing.scene.world, &view, &mut frame);
     draw()?;

@@ -42,7 +42,7 @@ use self::kernel::Light;
 use self::phong::{FaceLight, Phong, TileLights};
 use self::square::{MIN_SIDE, Region};
 use self::unit_vectors::UnitVectors;
-use crate::components::{Illumination, Material, PointLight, ShadingMode, unit};
+use crate::components::{Illumination, Material, PointLight, ShadingMode, View, unit};
 use crate::simd::outlined;
 
 /// A way to draw: what the picture means, and how far it may err from that.
@@ -66,6 +66,14 @@ impl Method {
             mode,
             tolerance,
         })
+    }
+
+    /// `view` as this method draws it.
+    pub fn view(&self, view: &View) -> View {
+        View {
+            tolerance: self.tolerance,
+            ..view.shaded(self.mode)
+        }
     }
 }
 

@@ -9,6 +9,7 @@
 //! Rule: measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it.
 
 pub mod accuracy;
+pub mod budget;
 pub(crate) mod chart;
 pub mod error_map;
 pub mod export;
@@ -177,9 +178,7 @@ pub fn measure(
 /// The views that the methods of `request` draw.
 fn views(request: &Request) -> Vec<View> {
     let methods = request.methods.iter();
-    methods
-        .map(|method| accuracy::drawn_by(method, &request.view))
-        .collect()
+    methods.map(|method| method.view(&request.view)).collect()
 }
 
 /// A frame as a window holds it, and a scene of one's own to draw into it.

@@ -9,6 +9,7 @@
 //! painted.
 
 pub mod app;
+mod budget;
 mod chart;
 mod commands;
 pub mod comparison;
@@ -24,10 +25,12 @@ mod layout;
 pub mod lights;
 mod panel;
 pub mod pictures;
+mod profile;
 pub mod recent;
 pub mod recording;
 pub mod replay;
 pub mod style;
+mod tags;
 mod triangle;
 pub mod viewport;
 

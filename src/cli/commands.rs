@@ -12,7 +12,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use image::ImageFormat;
 
 use super::Failure;
-use super::options::{self, DrawingOptions, WorkerOptions};
+use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::{Output, quoted};
 use crate::prove::{Picture, read_png};
 use crate::scene::Scene;
@@ -25,6 +25,9 @@ pub struct ViewOptions {
     /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
+    /// The time of a frame.
+    #[command(flatten)]
+    pub budget: BudgetOption,
     /// Records all events into a new file, for `replay`
     #[arg(long, value_name = "LOG")]
     pub record: Option<PathBuf>,
@@ -81,6 +84,9 @@ pub struct RenderOptions {
     /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
+    /// The time of a frame.
+    #[command(flatten)]
+    pub budget: BudgetOption,
     /// The PNG file; `-` for standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Output,

@@ -13,7 +13,7 @@ use fearless_simd::Level;
 use serde::de::DeserializeOwned;
 
 use super::Failure;
-use crate::components::{Projection, ShadingMode, Tolerance, overwrite};
+use crate::components::{Budget, Projection, ShadingMode, Tolerance, overwrite};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::{Output, say};
 use crate::scene::{self, LightChoice, MAX_SIDE, Scene, SceneError};
@@ -121,6 +121,7 @@ impl DrawingOptions {
         }
         if let Some(levels) = self.tolerance {
             overwrite(&mut scene.world, &Tolerance(levels));
+            overwrite(&mut scene.world, &Budget(None));
         }
         Ok(Drawing {
             scene,
@@ -128,6 +129,24 @@ impl DrawingOptions {
             threads: self.workers.threads(),
             level: self.workers.simd,
         })
+    }
+}
+
+/// The time that a picture may take, as the command line says it.
+#[derive(Args, Clone, Debug)]
+pub struct BudgetOption {
+    /// Draws with the most exact method whose frame takes no longer than so many milliseconds here [default: as the scene says]
+    #[arg(long, value_name = "MS", value_parser = budget, allow_negative_numbers = true, conflicts_with = "tolerance")]
+    pub budget: Option<f64>,
+}
+
+impl BudgetOption {
+    /// Has the drawing hold the budget instead of a tolerance, if there is one.
+    pub fn apply_to(&self, drawing: &mut Drawing) {
+        if self.budget.is_some() {
+            overwrite(&mut drawing.scene.world, &Tolerance::default());
+            overwrite(&mut drawing.scene.world, &Budget(self.budget));
+        }
     }
 }
 
@@ -183,6 +202,14 @@ fn tolerance(text: &str) -> Result<f64, String> {
             Tolerance::LEAST
         )),
     }
+}
+
+fn budget(text: &str) -> Result<f64, String> {
+    let (least, most) = Budget::RANGE.into_inner();
+    let milliseconds = text.parse().ok();
+    milliseconds
+        .filter(|it| Budget::RANGE.contains(it))
+        .ok_or_else(|| format!("it is a number of milliseconds from {least} to {most}"))
 }
 
 fn size(text: &str) -> Result<[usize; 2], String> {

@@ -1,6 +1,7 @@
 //! The viewer: one entity whose components say how the scene is looked at.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use glam::DVec3;
@@ -36,6 +37,16 @@ impl Default for Tolerance {
     fn default() -> Self {
         Tolerance(0.5)
     }
+}
+
+/// The longest time of a frame, in milliseconds: where there is one, the most exact method that holds it draws, and the
+/// tolerance is the usual one where no time was measured. `None` holds the tolerance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Budget(pub Option<f64>);
+
+impl Budget {
+    /// In milliseconds.
+    pub const RANGE: RangeInclusive<f64> = 0.001..=10_000.0;
 }
 
 /// How far all cuboids have turned about their own x axes since the scene was loaded.

@@ -11,7 +11,7 @@ use super::range::{
     ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
 };
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
-use crate::components::{LightKind, Magnifier, Orbit, Tolerance, length, unit};
+use crate::components::{Budget, LightKind, Magnifier, Orbit, Tolerance, length, unit};
 
 /// An `up` is parallel to the view where the sine of the angle between them is smaller.
 const PARALLEL: f64 = 1e-9;
@@ -152,6 +152,12 @@ impl ViewRecord {
         let is_tolerance = Tolerance::is_legal(self.tolerance);
         let expected = "0 or a number from 0.0001 to 255";
         place.is("tolerance", self.tolerance, is_tolerance, expected)?;
+        if let Some(budget) = self.budget {
+            place.number("budget", budget, &Budget::RANGE)?;
+            let is_alone = self.tolerance == Tolerance::default().0;
+            let expected = "either a budget or a tolerance";
+            place.is("budget", budget, is_alone, expected)?;
+        }
         place.number("divider", self.divider, &SHARE)?;
         let expected = "a whole number of degrees from 0 to 359";
         place.is("turned", self.turned, self.turned < 360, expected)?;

@@ -110,6 +110,9 @@ pub struct ViewRecord {
     pub projection: Projection,
     #[serde(deserialize_with = "number")]
     pub tolerance: f64,
+    /// In place of the tolerance, in milliseconds a frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub budget: Option<f64>,
     pub show: ViewMode,
     #[serde(deserialize_with = "array")]
     pub sides: [Side; 2],
@@ -136,6 +139,7 @@ impl Default for ViewRecord {
             camera: None,
             projection: Projection::default(),
             tolerance: Tolerance::default().0,
+            budget: None,
             show: mode,
             sides,
             divider,

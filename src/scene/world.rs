@@ -4,9 +4,9 @@ use hecs::World;
 
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 use crate::components::{
-    ActiveCamera, Background, Camera, FileOrder, Inspector, Light, Magnifier, Material, Mesh, Name,
-    Orbit, Probed, Projection, ShadingMode, Show, Spin, Tolerance, Transform, active_camera,
-    cuboid, get, in_file_order, ordered,
+    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, Magnifier, Material,
+    Mesh, Name, Orbit, Probed, Projection, ShadingMode, Show, Spin, Tolerance, Transform,
+    active_camera, cuboid, get, in_file_order, ordered,
 };
 
 impl SceneRecord {
@@ -63,9 +63,9 @@ impl SceneRecord {
         let mut viewers = world.query::<(&Background, &Projection, &Tolerance, &Spin, &Show)>();
         let viewer = viewers.iter().next().expect("a scene has a viewer");
         let (background, projection, tolerance, spin, show) = viewer;
-        let mut looks = world.query::<(&Magnifier, &Probed, &Inspector)>();
+        let mut looks = world.query::<(&Budget, &Magnifier, &Probed, &Inspector)>();
         let looks = looks.iter().next().expect("a scene has a viewer");
-        let (magnifier, probed, inspector) = looks;
+        let (budget, magnifier, probed, inspector) = looks;
         let active = active_camera(world);
         let is_first = ordered::<Camera>(world).first() == Some(&active);
         let name = get(world, active).map(|Name(name)| name);
@@ -78,6 +78,7 @@ impl SceneRecord {
                 camera: name.filter(|_| !is_first),
                 projection: *projection,
                 tolerance: tolerance.0,
+                budget: budget.0,
                 show: show.mode,
                 sides: show.sides,
                 divider: show.divider,
@@ -139,6 +140,7 @@ impl SceneRecord {
             Background(self.background),
             view.projection,
             Tolerance(view.tolerance),
+            Budget(view.budget),
             Spin {
                 degrees: view.turned,
                 on: false,

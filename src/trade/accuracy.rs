@@ -97,7 +97,7 @@ pub(super) fn of_methods(
         let (mut scene, view) = highlight_of(scene, view);
         let whole = truth(&scene, &view.shaded(ShadingMode::Phong), 0)?;
         let kept = methods.iter().map(|method| {
-            systems::draw(&mut scene.world, &drawn_by(method, &view), &mut frame)?;
+            systems::draw(&mut scene.world, &method.view(&view), &mut frame)?;
             Ok(share_kept(frame.levels(), &whole.levels))
         });
         kept.collect::<Result<Vec<_>, OutOfMemory>>()?
@@ -112,7 +112,7 @@ pub(super) fn of_methods(
         if cancelled() {
             return Err(TradeError::Cancelled);
         }
-        systems::draw(&mut scene.world, &drawn_by(method, view), &mut frame)?;
+        systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
         let own = Picture::from(&truths[&method.mode]);
         let (flip_mean, (error, own_error, map)) = rayon::join(
@@ -135,14 +135,6 @@ pub(super) fn of_methods(
         told(1 + truths.len() + accuracies.len(), 0.0);
     }
     Ok(accuracies)
-}
-
-/// `view` as `method` draws it.
-pub(super) fn drawn_by(method: &Method, view: &View) -> View {
-    View {
-        tolerance: method.tolerance,
-        ..view.shaded(method.mode)
-    }
 }
 
 /// The scene with its specular lights alone, before black.

@@ -4,11 +4,10 @@
 
 use serde::Serialize;
 
-use super::flip;
 use super::live::Measurement;
 use super::record::{MethodReport, Report};
 use super::tables::{self, aligned, wrapped};
-use super::timing::{BATCHES, Timing};
+use super::timing::BATCHES;
 use super::verdict::verdict;
 use super::words::{counted, short};
 
@@ -23,24 +22,23 @@ pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
 /// A column of a table for people: its head, and its cell for a method.
 type Column = (&'static str, fn(&MethodReport) -> String);
 
-const COLUMNS: [Column; 10] = [
+const COLUMNS: [Column; 6] = [
     ("method", |one| one.method.id.to_owned()),
-    ("ms", |one| short(Some(one.timing.median))),
-    ("\u{b1}", |one| uncertainty(&one.timing)),
-    ("ns/px", |one| short(one.ns_per_covered_pixel)),
-    ("max", |one| short(one.max_error())),
-    ("RMSE", |one| {
-        short(one.accuracy.error.levels.map(|error| error.rmse))
+    ("ms a frame", |one| short(Some(one.timing.median))),
+    (RANGE, |one| {
+        let [low, high] = one.timing.interval.map(|end| short(Some(end)));
+        format!("{low} to {high}")
     }),
-    ("FLIP", |one| short(one.accuracy.error.flip_mean)),
-    ("own", |one| {
-        short(one.accuracy.own_error.map(|error| error.max))
-    }),
-    ("kept", |one| percent(one.accuracy.highlight_kept)),
-    ("front", |one| {
+    ("largest error", |one| short(one.max_error())),
+    ("highlight kept", |one| percent(one.accuracy.highlight_kept)),
+    ("best trade", |one| {
         if one.on_front { "yes" } else { "" }.to_owned()
     }),
 ];
+
+/// One batch is a run of its own.
+const RANGE: &str = "range of 8 runs";
+const _: () = assert!(BATCHES == 8);
 
 /// What a terminal shows: verdict, what was measured and where, the table, and what its columns mean.
 pub fn table(report: &Report) -> String {
@@ -111,23 +109,11 @@ pub(crate) fn stages(report: &Report) -> String {
 
 fn legend() -> String {
     format!(
-        "ms: the median time of a whole frame. \u{b1}: the farther end of its interval, which spans the medians of the run's \
-         {BATCHES} batches, each timed by a process of its own; times whose intervals overlap are not told apart. ns/px: ms for each covered pixel. max, RMSE: error in levels of 255 against exact Phong in f64. FLIP: \
-         its mean at {:.0} pixels per degree. own: largest error against the method's own definition. kept: how much of the \
-         highlight of exact Phong in f64 is shown where it belongs. front: nothing beats it in error and time both.",
-        flip::PIXELS_PER_DEGREE
+        "A level is 1/255 of full brightness. ms a frame: the median time of a whole frame; {RANGE}: the least and the \
+         greatest median of a run, each a process of its own; times whose ranges overlap are not told apart. Largest error: \
+         in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
+         belongs. Best trade: nothing beats it in error and time both. trade.json has the other figures."
     )
-}
-
-/// How far the farther end of the interval lies from the median, in percent of it.
-fn uncertainty(timing: &Timing) -> String {
-    let [low, high] = timing.interval;
-    let percent = 100.0 * (high - timing.median).max(timing.median - low) / timing.median;
-    match percent {
-        _ if !percent.is_finite() => "-".to_owned(),
-        100.0.. => format!("{percent:.0}%"),
-        _ => format!("{percent:.1}%"),
-    }
 }
 
 fn percent(share: Option<f64>) -> String {

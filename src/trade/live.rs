@@ -7,7 +7,7 @@
 //! Two references serve all methods, a band of rows at a time, so that no picture is held. Errors that are known are not
 //! computed again, and of two timings the one of more samples stays.
 
-use super::accuracy::{drawn_by, highlight_of, light_kept, share};
+use super::accuracy::{highlight_of, light_kept, share};
 use super::metrics::{self, Picture};
 use super::record::MethodReport;
 use super::timing::{self, Timing};
@@ -133,7 +133,7 @@ fn errors(
             if cancelled() {
                 return Err(TradeError::Cancelled);
             }
-            let drawn = drawn_by(method, &view);
+            let drawn = method.view(&view);
             systems::draw_rows(&mut scene.world, &drawn, rows.clone(), &mut frame)?;
             let compared = metrics::compare(Picture::from(&frame), Picture::from(&whole));
             if let Some(error) = compared.error
@@ -144,7 +144,7 @@ fn errors(
                 let [x, y] = error.max_pixel;
                 so_far.largest = Some((error.max, [x, start + y]));
             }
-            let drawn = drawn_by(method, &black);
+            let drawn = method.view(&black);
             systems::draw_rows(&mut highlight.world, &drawn, rows.clone(), &mut frame)?;
             for (sum, light) in so_far
                 .light

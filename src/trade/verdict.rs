@@ -62,43 +62,29 @@ fn of(measured: &[Measurement], shown: &Measurement) -> String {
         Some(more) if error > ROUNDING => format!("{more} times more exact"),
         _ => "off by no more than rounding".to_owned(),
     };
-    let mut text = capital(&method_name(shown.method)) + ": ";
-    if let Some(rival) = rival {
-        let but = if is_seen && is_faster(shown, rival) {
-            "but"
-        } else {
-            "and"
-        };
-        text += &format!(
-            "{} {}, {but} ",
-            pace(shown, rival),
-            method_name(rival.method)
-        );
-    }
-    text += &errs;
-    text += ".";
-    match (exact, half) {
+    let against = rival.map_or_else(String::new, |rival| {
+        let is_trade = is_seen && is_faster(shown, rival);
+        let but = if is_trade { "but" } else { "and" };
+        let name = method_name(rival.method);
+        format!("{} {name}, {but} ", pace(shown, rival))
+    });
+    let remark = match (exact, half) {
         (Some(exact), Some(half)) if exact.method == shown.method => {
             if is_faster(half, exact) {
-                let (name, error) = (method_name(half.method), short(half.error));
-                text += &format!(
-                    " {} is {} it, and off by {error}.",
-                    capital(&name),
-                    pace(half, exact)
-                );
+                let name = capital(&method_name(half.method));
+                format!(" {name} is {} it.", pace(half, exact))
             } else {
-                text += " Half a level more saves no time: nothing to trade here.";
+                " Half a level more saves no time: nothing to trade here.".to_owned()
             }
         }
         (Some(exact), _) if is_phong && !is_faster(shown, exact) && rival != Some(exact) => {
-            text += &format!(
-                " Exact Phong is {} it: nothing to trade here.",
-                pace(exact, shown)
-            );
+            let pace = pace(exact, shown);
+            format!(" Exact Phong is {pace} it: nothing to trade here.")
         }
-        _ => {}
-    }
-    text
+        _ => String::new(),
+    };
+    let name = capital(&method_name(shown.method));
+    format!("{name}: {against}{errs}.{remark}")
 }
 
 /// Whether a frame of `one` takes measurably less time.

@@ -34,6 +34,7 @@ use crate::paint::{Painter, area};
 use crate::requires::Part;
 use crate::scene::{Scene, SceneRecord, ViewRecord};
 use crate::shading::Method;
+use crate::trade::budget::Hold;
 
 /// The time without a change after which the picture is timed and compared.
 const REST: Duration = Duration::from_millis(100);
@@ -58,6 +59,10 @@ pub struct Message {
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
+    /// The profile below a wipe is folded.
+    pub profile_folded: bool,
+    /// The error map shows the difference itself, amplified.
+    pub amplifies: bool,
     /// Whether the panel and the inspector have room beside the picture.
     pub has_room: [bool; 2],
     /// The panel and the inspector are open over the picture, where there is no room beside it.
@@ -111,7 +116,10 @@ pub struct App {
     untimed: Option<Duration>,
     next_degree: Duration,
     pub(super) next_progress: Duration,
-    drawn: Option<(Arc<SceneRecord>, [usize; 2])>,
+    /// The method that holds the budget: the machine's choice, and so no part of the scene.
+    pub(super) held: Option<Method>,
+    pub(super) hold: Hold,
+    pub(super) drawn: Option<(Arc<SceneRecord>, [usize; 2], Option<Method>)>,
     /// The method of [`Desk::preview`] whose picture was drawn since.
     previewed: Option<Method>,
 }
@@ -164,6 +172,8 @@ impl App {
             next_progress: Duration::ZERO,
             drawn: None,
             previewed: None,
+            held: None,
+            hold: Hold::at(0),
         })
     }
 
@@ -193,7 +203,8 @@ impl App {
 
     /// The view that is drawn.
     pub fn view(&self) -> View {
-        View::of(&self.scene.world, self.picture_size())
+        let view = View::of(&self.scene.world, self.picture_size());
+        self.held.map_or(view.clone(), |method| method.view(&view))
     }
 
     /// The pixels of the window as of the last step, row by row from the top.
@@ -229,6 +240,7 @@ impl App {
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
         self.record(size);
+        self.hold_time();
         self.draw()?;
         self.order_jobs();
         self.copy_picture(size);
@@ -375,7 +387,7 @@ impl App {
     }
 
     /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
-    fn picture_changed(&mut self, is_same_view: bool) {
+    pub(super) fn picture_changed(&mut self, is_same_view: bool) {
         if let Some(jobs) = &self.jobs {
             jobs.cancel();
         }
@@ -388,15 +400,18 @@ impl App {
         let (show, view): (Show, View) = (self.look(), self.view());
         let size = view.size;
         let drawn = self.drawn.take();
-        let (world, present) = (&mut self.scene.world, (Arc::clone(&self.state), size));
-        let is_same = |(state, size): &(Arc<SceneRecord>, _)| {
-            Arc::ptr_eq(state, &present.0) && *size == present.1
+        let (world, present) = (
+            &mut self.scene.world,
+            (Arc::clone(&self.state), size, self.held),
+        );
+        let is_same = |(state, size, held): &(Arc<SceneRecord>, _, _)| {
+            Arc::ptr_eq(state, &present.0) && (*size, *held) == (present.1, present.2)
         };
         if !drawn.as_ref().is_some_and(is_same) {
             self.pictures.draw(world, &show, &view)?;
             self.previewed = None;
             self.untimed = Some(self.now);
-            if let Some((_, before)) = drawn.filter(|(_, drawn)| *drawn != size) {
+            if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
                 self.keep_pixel(before, size);
                 self.picture_changed(false);
             }
@@ -440,7 +455,10 @@ impl App {
         let show: Show = self.look();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
-        let error_map = comparison.map(|it| it.error_map.as_slice());
+        let error_map = comparison.map(|it| match self.desk.amplifies {
+            true => it.difference.as_slice(),
+            false => &it.error_map,
+        });
         let without = self.facts.without.current().map(Vec::as_slice);
         if self.desk.left_out.is_some() {
             or_dimmed(without, self.pictures.frame())

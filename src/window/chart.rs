@@ -31,7 +31,7 @@ use crate::trade::verdict::{UNSEEN, sentence};
 use crate::trade::words::{capital, method_name};
 
 /// The heights of the sentence and of the chart, in points: neither moves what lies below.
-const SENTENCE: f32 = 66.0;
+const SENTENCE: f32 = 50.0;
 const CHART: f32 = 190.0;
 const GROUND: Color32 = Color32::from_gray(20);
 /// The axis of errors, in levels.
@@ -143,7 +143,7 @@ impl App {
                 return;
             }
             (_, Some(said)) => {
-                let other = match self.shading() {
+                let other = match method.map(|method| method.mode) {
                     Some(ShadingMode::Gouraud) => ShadingMode::Phong,
                     _ => ShadingMode::Gouraud,
                 };
@@ -275,7 +275,18 @@ impl App {
     /// The meaning of the colours of the error map or of tiles.
     pub fn legend(&mut self, ui: &mut Ui, show: &Show) {
         match show.mode {
-            ViewMode::Error => self.error_legend(ui),
+            ViewMode::Error => {
+                let comparison = self.facts.comparison.current();
+                let words = comparison.map_or_else(
+                    || "difference".to_owned(),
+                    |it| format!("difference x{}", it.amplification),
+                );
+                ui.checkbox(&mut self.desk.amplifies, words)
+                    .on_hover_text("Grey is no difference to exact Phong (F5 once more).");
+                if !self.desk.amplifies {
+                    self.error_legend(ui);
+                }
+            }
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
                 for ((kind, tint), count) in TileKind::ALL.iter().zip(TINTS).zip(counts) {

@@ -124,7 +124,8 @@ impl App {
     /// The method on screen; `None` where the cuboids have different modes.
     pub fn method(&self) -> Option<Method> {
         let Tolerance(tolerance) = self.look();
-        Some(Method::of(self.shading()?, tolerance))
+        let own = || Some(Method::of(self.shading()?, tolerance));
+        self.held.or_else(own)
     }
 
     /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
@@ -164,6 +165,7 @@ impl App {
             size: self.picture_size(),
             threads: self.threads,
             tasks: tasks.clone(),
+            held: self.held,
             methods: self.wanted_methods(),
             known: self.facts.trade.current().cloned().unwrap_or_default(),
             time: PASSES[self.facts.passes.min(PASSES.len() - 1)],

@@ -102,6 +102,8 @@ pub struct Order {
     pub size: [usize; 2],
     pub threads: usize,
     pub tasks: Vec<Task>,
+    /// The method that holds the budget, where there is one.
+    pub held: Option<Method>,
     /// The methods to measure, and what is known of them in this view.
     pub methods: Vec<Method>,
     pub known: Vec<Measurement>,
@@ -196,6 +198,7 @@ pub fn answer_all(
     }
     let mut scene = Scene::spawn(order.name.clone(), &order.record);
     let view = View::of(&scene.world, order.size);
+    let view = order.held.map_or(view.clone(), |method| method.view(&view));
     for task in &order.tasks {
         let progress = |share| tell(*task, Answer::Progress(share));
         match answer(*task, order, &mut scene, &view, level, cancelled, &progress) {

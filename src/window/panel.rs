@@ -15,8 +15,8 @@ use super::file::load;
 use super::inspector::{color_button, format_number, keep_digits};
 use super::keys::{Command, binding, caption};
 use crate::components::{
-    ActiveCamera, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side, Spin, Tab,
-    Tolerance, ViewMode, active_camera, get, names, ordered,
+    ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side,
+    Spin, Tab, Tolerance, ViewMode, active_camera, get, names, ordered,
 };
 use crate::scene::{BUILT_IN, EXTREMES, range};
 
@@ -48,13 +48,17 @@ impl App {
     }
 
     fn shading_rows(&mut self, ui: &mut Ui) {
-        let shading = self.shading();
+        let shading = self.method().map(|method| method.mode);
         ui.horizontal_wrapped(|ui| {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
                 self.offer(ui, Command::Shading(mode), shading == Some(mode));
             }
             self.offer(ui, Command::FileShading, false);
         });
+        self.budget_rows(ui);
+        if self.look::<Budget>().0.is_some() {
+            return;
+        }
         let Tolerance(before) = self.look();
         let (mut tolerance, mut is_dragged) = (before, false);
         ui.horizontal(|ui| {

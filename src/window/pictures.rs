@@ -72,6 +72,11 @@ impl Pictures {
         self.frame.pixels()
     }
 
+    /// A side of a wipe as far as the renderer draws it, 0x00RRGGBB.
+    pub fn side(&self, index: usize) -> &[u32] {
+        &self.sides[index]
+    }
+
     /// The middle one of the times of a side, in milliseconds; `None` where the renderer does not draw it.
     pub fn milliseconds(&self, side: usize) -> Option<f64> {
         let mut times = self.times[side].clone();
@@ -116,8 +121,7 @@ impl Pictures {
         method: Method,
         view: &View,
     ) -> Result<(), OutOfMemory> {
-        let other = view.shaded(method.mode).with_tolerance(method.tolerance);
-        systems::draw(world, &other, &mut self.frame)?;
+        systems::draw(world, &method.view(view), &mut self.frame)?;
         self.preview.clear();
         self.preview.extend_from_slice(self.frame.pixels());
         systems::draw(world, view, &mut self.frame)

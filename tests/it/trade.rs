@@ -1,6 +1,7 @@
 //! `trade`: statistics, errors and the front of hand-computed samples, every report of an invented measurement, and
 //! real measurements of ordinary and degenerate views against the format of `trade.json`.
 
+mod budget;
 mod contract;
 pub mod example;
 mod exports;

@@ -16,6 +16,12 @@ fn a_wrong_command_line_ends_with_status_2_and_a_message() {
         ("view --size 960", &["'960'", "such as 960x720"]),
         ("render -o a.png --size -5x5", &["'-5x5'"]),
         ("render -o a.png --tolerance -1", &["'-1'", "0.0001 to 255"]),
+        ("render -o a.png --budget 0", &["'0'", "0.001 to 10000"]),
+        (
+            "render -o a.png --budget 1 --tolerance 1",
+            &["--budget", "--tolerance"],
+        ),
+        ("probe --pixel 1,1 --budget 1", &["--budget"]),
         ("render -o a.png --threads -1", &["'-1'", "from 1 to 1024"]),
         (
             "render -o a.png --simd sse9",

@@ -71,6 +71,35 @@ fn a_scene_is_drawn_with_its_own_view_and_options_override_it() {
 }
 
 #[test]
+fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
+    let folder = folder();
+    let path = folder.path().join("held.toml");
+    let text = include_str!("../../../assets/scenes/cuboid.toml");
+    fs::write(&path, format!("{text}\n[view]\nbudget = 10000\n")).expect("written");
+    let draw = |words: &str| {
+        let output = run(
+            folder.path(),
+            &format!("render {words} --size 64x48 -o a.png"),
+        );
+        assert!(output.status.success(), "{}", said(&output));
+        let picture = fs::read(folder.path().join("a.png")).expect("it is there");
+        (picture, said(&output))
+    };
+    let (exact, _) = draw("--shading phong --tolerance 0");
+    // Everything fits, and nothing does.
+    for words in ["--budget 10000", "held.toml"] {
+        let (picture, words) = draw(words);
+        assert!(picture == exact && words.contains("xact Phong"), "{words}");
+        assert!(!words.contains("over the budget"), "{words}");
+    }
+    let (_, words) = draw("--budget 0.001");
+    assert!(words.contains("over the budget"), "{words}");
+    let (usual, _) = draw("");
+    let (picture, words) = draw("held.toml --tolerance 0.5");
+    assert!(picture == usual && !words.contains("budget"), "{words}");
+}
+
+#[test]
 fn render_reports_the_file_the_shaded_pixels_and_the_time_of_a_frame() {
     let folder = folder();
     let said = assert_works(

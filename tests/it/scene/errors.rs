@@ -106,7 +106,9 @@ How the scene is looked at, and from where.
 22 ¦ orbit = { azimuth = 181 }         ¦ 22:21 ¦ `camera.orbit.azimuth`: ¦ expected a number from -180 to 180 ¦ 181
 22 ¦ orbit = { zom = 2 }               ¦ 22:11 ¦ `camera.orbit`: unknown field `zom` ¦ `azimuth`, `elevation`, `zoom`
 22 ¦ [view]⏎camera = "2"               ¦ 23:10 ¦ `view.camera`: ¦ "2" ¦ expected the name of a camera: 1
-22 ¦ [view]⏎budget = 2.0               ¦ 23:1  ¦ unknown field `budget` ¦ `camera`, `projection`, `tolerance`, `show`, `sides`, `divider`
+22 ¦ [view]⏎time = 2.0                 ¦ 23:1  ¦ unknown field `time` ¦ `camera`, `projection`, `tolerance`, `budget`, `show`, `sides`, `divider`
+22 ¦ [view]⏎budget = 0                 ¦ 23:10 ¦ `view.budget`: ¦ expected a number from 0.001 to 10000 ¦ 0
+22 ¦ [view]⏎tolerance = 2⏎budget = 2   ¦ 24:10 ¦ `view.budget`: ¦ either a budget or a tolerance ¦ 2
 22 ¦ [view]⏎projection = "flat"        ¦ 23:14 ¦ `view.projection`: ¦ expected `perspective` or `orthographic` ¦ "flat"
 22 ¦ [view]⏎tolerance = 1e-5           ¦ 23:13 ¦ `view.tolerance`: ¦ expected 0 or a number from 0.0001 to 255 ¦ 1e-5
 22 ¦ [view]⏎tolerance = nan            ¦ 23:13 ¦ `view.tolerance` ¦ nan

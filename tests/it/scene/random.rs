@@ -8,7 +8,8 @@ use proptest::option::of;
 use proptest::prelude::*;
 use proptest::sample::select;
 use shadetrade::components::{
-    LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, ViewMode,
+    Budget, LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance,
+    ViewMode,
 };
 use shadetrade::scene::range::{
     ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
@@ -126,6 +127,7 @@ pub fn view() -> impl Strategy<Value = ViewRecord> {
     let picture = (
         select(Projection::ALL.to_vec()),
         prop_oneof![Just(0.0), number(1e-4..=255.0)],
+        of(number(Budget::RANGE)),
         0..360_u32,
     );
     let show = (
@@ -136,14 +138,15 @@ pub fn view() -> impl Strategy<Value = ViewRecord> {
     let window = (of(pixel()), magnifier, of(select(Tab::ALL.to_vec())));
     let changed = (picture, show, window).prop_map(
         |(
-            (projection, tolerance, turned),
+            (projection, tolerance, budget, turned),
             (show, sides, divider),
             (pixel, magnifier, inspector),
         )| {
             ViewRecord {
                 camera: None,
                 projection,
-                tolerance,
+                tolerance: budget.map_or(tolerance, |_| Tolerance::default().0),
+                budget,
                 show,
                 sides,
                 divider,

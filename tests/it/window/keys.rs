@@ -54,6 +54,7 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
             view.tolerance = if way > 0 { 1.0 } else { 0.25 };
             view.sides = sides(view.tolerance);
         }
+        Command::HoldTime => view.budget = Some(1.0),
         Command::NextProjection => view.projection = Projection::Orthographic,
         Command::NextCamera => view.camera = Some("2".to_owned()),
         Command::View(mode) => view.show = mode,

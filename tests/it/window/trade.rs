@@ -3,9 +3,10 @@
 use egui::{Key, Pos2, RawInput};
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Show, Side, Tolerance, View, ViewMode};
+use shadetrade::components::{Budget, Show, Side, Tolerance, View, ViewMode};
 use shadetrade::drawing::Drawing;
 use shadetrade::frame::Keep;
+use shadetrade::scene::Scene;
 use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::Measurement;
 use shadetrade::window::app::App;
@@ -211,6 +212,80 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
     window.size = [800, 600];
     window.step(Vec::new());
     assert_eq!(window.app.facts.trade.state, State::Idle, "another size");
+}
+
+#[test]
+fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
+    let mut window = open();
+    let start = window.record();
+    // As much time as Gouraud takes.
+    window.press(Key::M);
+    let Budget(budget) = window.app.look();
+    assert!(
+        budget.is_some_and(|budget| (0.2..0.25).contains(&budget)),
+        "{budget:?}"
+    );
+    assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
+    for (budget, (mode, tolerance)) in [
+        (5.0, (Phong, 0.0)),
+        (0.45, (Phong, 0.5)),
+        (0.32, (Phong, 4.0)),
+        (0.1, (Gouraud, 0.5)),
+    ] {
+        window.app.set_budget(Some(budget));
+        window.step(Vec::new());
+        let method = Method::of(mode, tolerance);
+        assert_eq!(window.app.method(), Some(method), "{budget} ms");
+        let mut world = window.app.state.spawn();
+        let view = method.view(&View::of(&world, window.app.picture_size()));
+        let expected = draw(&mut world, &view, Keep::Display);
+        assert!(
+            window.app.pictures.frame() == expected.pixels(),
+            "{budget} ms"
+        );
+        assert_eq!(window.record().cuboid, start.cuboid);
+        assert!(window.app.facts.trade.current().is_some());
+    }
+    // More time, and less.
+    window.app.set_budget(Some(0.36));
+    window.press(Key::OpenBracket);
+    assert_eq!(window.app.method(), Some(Method::of(Phong, 0.5)));
+    window.press(Key::CloseBracket);
+    assert_eq!(window.app.method(), Some(Method::of(Phong, 1.0)));
+    // A method is chosen: the error is held again.
+    window.press(Key::M);
+    assert_eq!(window.app.look::<Budget>(), Budget(None));
+    assert_eq!(window.app.method(), Some(Method::of(Phong, 1.0)));
+    window.press(Key::M);
+    window.press(Key::G);
+    assert_eq!(window.app.look::<Budget>(), Budget(None));
+    assert_eq!(window.app.shading(), Some(Gouraud));
+}
+
+#[test]
+fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_not() {
+    let mut window = open();
+    window.app.set_budget(Some(0.6));
+    window.step(Vec::new());
+    assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
+    window.app.set_budget(Some(0.001));
+    window.step(Vec::new());
+    window.app.set_budget(Some(0.6));
+    window.step(Vec::new());
+    let before = window.app.method();
+    // No frame of this picture takes so little time.
+    window.app.set_budget(Some(0.0011));
+    window.app.facts.trade.state = State::Idle;
+    window.press(Key::ArrowLeft);
+    assert_ne!(window.app.method(), before);
+    assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
+    assert_eq!(window.record().view.budget, Some(0.0011));
+    // Where nothing is measured, the tolerance is drawn.
+    let mut other = Window::of(Scene::spawn("other".to_owned(), &window.record()), SIZE);
+    other.press(Key::ArrowLeft);
+    assert_eq!(other.app.method(), Some(Method::of(Gouraud, 0.5)));
+    assert_eq!(other.app.view().tolerance, 0.5);
+    assert_eq!(other.app.view().shading, None);
 }
 
 /// Steps until `is_done` returns true.
