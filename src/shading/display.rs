@@ -81,24 +81,15 @@ impl Listed {
         self.len
     }
 
-    /// Evaluates all, and takes those that are `wanted`; both are told places from the square's middle.
+    /// Evaluates all; `evaluate` is told places from the square's middle.
     #[inline(always)]
-    fn fill<S: Simd>(
-        &mut self,
-        simd: S,
-        evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
-        wanted: impl Fn([f64; 2]) -> bool,
-    ) {
+    fn fill<S: Simd>(&mut self, simd: S, evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]) {
         for first in (0..self.len).step_by(16) {
             let [x, y] =
                 two!(|axis| f32x16::from_slice(simd, &self.places[axis][first..first + 16]));
             let levels = evaluate([x, y]);
-            for lane in 0..16 {
-                if wanted([x[lane], y[lane]].map(f64::from)) {
-                    for channel in 0..3 {
-                        self.levels[channel][first + lane] = levels[channel][lane];
-                    }
-                }
+            for channel in 0..3 {
+                self.levels[channel][first..first + 16].copy_from_slice(levels[channel].as_slice());
             }
         }
     }
@@ -149,20 +140,17 @@ impl Levels {
         self.rows[row].map(|channel| channel[column])
     }
 
-    /// Evaluates what is covered of a region, sixteen pixels at a time, and takes the pixels that are `wanted`. Places are
-    /// in pixels: `evaluate` is told them from the square's middle, `wanted` from the picture's.
+    /// Evaluates what is covered of a region, sixteen pixels at a time; `evaluate` is told places from the square's middle, in
+    /// pixels.
     #[inline(always)]
     pub fn fill<S: Simd>(
         &mut self,
         simd: S,
         region: &Region,
         evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
-        wanted: impl Fn([f64; 2]) -> bool,
     ) {
         if region.listed {
-            let [right, down] = region.middle();
-            let wanted = |[x, y]: [f64; 2]| wanted([x + right, y + down]);
-            return self.listed.fill(simd, evaluate, wanted);
+            return self.listed.fill(simd, evaluate);
         }
         let [left, top] = region.square.first().map(|first| first as f32);
         for part in region.square.parts() {
@@ -174,12 +162,9 @@ impl Levels {
                 }
                 let y = f32x16::splat(simd, row as i32 as f32 + top);
                 let levels = evaluate([x, y]);
-                for lane in 0..16 {
-                    if wanted(region.centre(first + lane, row)) {
-                        for channel in 0..3 {
-                            self.rows[row][channel][first + lane] = levels[channel][lane];
-                        }
-                    }
+                for channel in 0..3 {
+                    self.rows[row][channel][first..first + 16]
+                        .copy_from_slice(levels[channel].as_slice());
                 }
             }
         }

@@ -48,11 +48,18 @@ impl<S: Simd> Places<S> {
         }
     }
 
-    /// How many rows of sixteen pixels each square has, about.
+    /// How many rows of sixteen pixels the squares have together, about, that have a positive budget.
     #[inline(always)]
-    pub fn rows(&self) -> Lanes<S> {
+    pub fn rows(&self, budget: Lanes<S>) -> f64 {
         let [width, height] = two!(|axis| self.half[axis] * 2.0 + 1.0);
-        height * (width * (1.0 / 16.0)).max(Lanes::splat(width.token(), 1.0))
+        let rows = height * (width * (1.0 / 16.0)).max(Lanes::splat(width.token(), 1.0));
+        let zero = Lanes::splat(width.token(), 0.0);
+        budget
+            .simd_gt(0.0)
+            .select(rows, zero)
+            .as_array()
+            .iter()
+            .sum()
     }
 
     /// One square, four times.
@@ -90,6 +97,7 @@ pub struct Moving {
 }
 
 impl From<Affine> for Moving {
+    /// No coordinate exceeds 1e100, so neither products nor lengths leave the range of f64.
     fn from(vector: Affine) -> Self {
         Moving {
             lengths: [vector.dx, vector.dy].map(length),

@@ -47,9 +47,13 @@ pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
     transposed(&columns)
 }
 
-/// What f32 makes of a value, over the size of its terms. A term x^2 y^2 is rounded once as a coefficient, and at most twice
-/// for each power of x and of y: nine times. What is cut off is rounded three times more where it is multiplied and added,
-/// and the display may be that of the next float, which is two.
+/// The rounding error of a value in a row, relative to the sum of the sizes of its terms:
+///
+/// ```text
+///   x^2 y^2: its coefficient, and two for each power of x and of y      9 U
+///   the term that crosses zero: a product and two sums more             3 U
+///   the display step may be that of the next float                      2 U
+/// ```
 const ROUNDING: f64 = 14.0 * U;
 
 /// What multiples of 1/256 level cost: three roundings.
@@ -91,7 +95,7 @@ impl<S: Simd> Interpolant<S> {
         let zero = Lanes::splat(budget.token(), 0.0);
         let [mut size, mut error, mut flat_error] = [zero; 3];
         let mut inside = budget.simd_gt(0.0);
-        // What is not a number is smaller than nothing, and the larger of two may hide it.
+        // A maximum may lose what is not a number, so finiteness is tested on its own.
         let mut finite = inside;
         let mut cosine = zero;
         for terms in colors.terms[3] {

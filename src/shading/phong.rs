@@ -40,7 +40,7 @@ pub struct FaceLight {
 
 impl FaceLight {
     /// A light that lights a face at all; `eye` in world units.
-    pub fn new(
+    fn new(
         face: &Face,
         normals: &Linear,
         surface: &Surface,
@@ -83,28 +83,33 @@ pub struct Phong<'a> {
     /// The interpolated normal, and the same times w.
     normals: Linear,
     normal: Moving,
-    /// What samples err by, in levels, times what interpolation makes of it: powers are in f32, all else in f64. Samples go to
-    /// no display, so what is counted for that covers the rounding of middles and coefficients in f64.
-    sampling: f64,
+    /// The rounding error of a node's levels (powers in f32, all else in f64) times the Lebesgue constant 25/9. Nodes are not
+    /// displayed: the two roundings counted for the display cover those of the interpolation in f64.
+    sample_error: f64,
 }
 
 impl<'a> Phong<'a> {
-    /// A face of an object, from the normals at its middle and what changes them.
+    /// A face of an object, from its normals; `lights` is overwritten with those that reach it.
     pub fn new(
         face: &'a Face,
         normals: Linear,
         surface: Surface<'a>,
         eye: DVec3,
         gloss: &'a Gloss,
-        lights: &'a [FaceLight],
+        lights: &'a mut Vec<FaceLight>,
         tolerance: f64,
     ) -> Self {
+        lights.clear();
+        let points = surface.illumination.points.iter();
+        lights.extend(
+            points.filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye)),
+        );
         let mut rounding = Rounding::new(
             kernel::DOUBLE,
             [Extent::CALM; 2],
             surface.ambient().max_element(),
         );
-        for light in lights {
+        for light in lights.iter() {
             rounding.diffuse(Extent::CALM, light.diffuse.max_element());
             if light.specular != DVec3::ZERO {
                 rounding.specular(Extent::CALM, light.specular.max_element(), &gloss.every);
@@ -119,7 +124,7 @@ impl<'a> Phong<'a> {
             tolerance,
             normals,
             normal: face.place.map(|place| normals.scaled(place)).into(),
-            sampling: rounding.levels() * LEBESGUE,
+            sample_error: rounding.levels() * LEBESGUE,
         }
     }
 
@@ -225,7 +230,7 @@ impl<'a> Phong<'a> {
                 is: [light.diffuse != DVec3::ZERO, has(on.shines, index)],
             }
         }));
-        let model = Model::<S, V, false> {
+        let model = Model::<S, V> {
             simd,
             normal: unit(&self.normal.vector),
             eye: unit(&self.face.rays.to_eye.vector),
@@ -234,7 +239,7 @@ impl<'a> Phong<'a> {
             ambient: elements::<S, V>(self.surface.ambient()),
             power: &self.gloss.bright,
         };
-        model.fill(region, levels, |_| true);
+        model.fill(region, levels);
         model.highlights
     }
 
@@ -242,8 +247,8 @@ impl<'a> Phong<'a> {
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
         let point = self.face.point(x, y);
         let normal = unit(self.normals.at(point.place));
-        let to_eye = if point.held {
-            self.face.held_to_eye(&point)
+        let to_eye = if point.clamped {
+            self.face.clamped_to_eye(&point)
         } else {
             self.face.rays.to_eye.vector.at(x, y)
         };

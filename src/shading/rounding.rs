@@ -14,14 +14,20 @@ use super::specular::Power;
 /// ```text
 ///   delta = u (3 + 4 radius) / shortest
 /// ```
-/// A vector is brought to length one by 4.5 roundings: half of three for its square, a root, a quotient, a product. n.l
-/// errs by the delta of n and of l, and by twelve roundings: 4.5 of n, three of the product, 3.5 of the length of l, one more.
-/// |r - o| errs by twice the delta of n, those of l and o, and fewer than 50 roundings: 2 n.l n, of size two, by twice
-/// those of n.l, n and a product, 35; l and o by 4.5 each; two differences, of lengths one and two, by three. s^rho errs by
-/// what that and the roundings of 1 - s make of it, of which there are three and one is spare, and by the power's own error.
+/// The operations that follow round, in units of u:
 ///
-/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, so that no row and no
-/// column sees another vector, and they err by what the definition's own vectors err by.
+/// ```text
+///   unit vector   4.5   its square 3, halved by the root; root 1, quotient 1, product 1
+///   n.l           12    n 4.5, product 3, length of l 3.5, product 1
+///   |r - o|       50    2 (n.l) n: twice (n.l 12, n 4.5, product 1) = 35; l and o 4.5 each; differences of lengths 1 and 2; 3 spare
+///   1 - s         4     square 3, 1 spare
+/// ```
+/// n.l errs by the delta of n and of l besides, |r - o| by twice that of n and by those of l and o. s^rho errs by what these errors
+/// make of it ([`Power::propagated`]) and by the power's own error.
+///
+/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, and they err by what the
+/// definition's own vectors err by. So the bound is relative to what f64 can set up, and that may err by more than a tolerance:
+/// with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes away on.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounding {
     /// Unit round-off.
@@ -61,8 +67,8 @@ impl Rounding {
 
     /// Adds a light's specular term of at most so many levels.
     pub fn specular(&mut self, light: Extent, levels: f64, power: &Power) {
-        let moved = power.moved(self.chord(light), self.unit);
-        self.error += levels * (moved + power.error);
+        let propagated = power.propagated(self.chord(light), self.unit);
+        self.error += levels * (propagated + power.error);
         self.count(levels);
     }
 

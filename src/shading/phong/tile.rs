@@ -27,14 +27,9 @@ use crate::simd::{inlined, three};
 /// the default scene (1080p, tolerance 0.5).
 const SAMPLES: f64 = 8.0;
 
-/// The quarters of a square are tried where at most so many lights have no bound on it: where more have none a quarter
-/// hardly ever has bounds on all. Against 9, with [`SMALLER`] 25 times as large: 8 % of many lights on small faces (18 lights,
-/// 480x360, tolerance 0.5).
-const UNSURE: f64 = 3.0;
-
-/// And where the errors of the others are together at most so many times the tolerance: those of a quarter are about an
-/// eighth, and bounds near highlights shrink faster. Against 16: 4 % of bench-close.
-const SMALLER: f64 = 40.0;
+/// The quarters of a square are tried where at most so many lights have no bound on it: where more have none, a quarter hardly
+/// ever has bounds on all. Against any number: 8 % of many lights on small faces (18 lights, 480x360, tolerance 0.5).
+const UNSURE: f64 = 1.0;
 
 /// A light on four squares, which it does not leave dark altogether: sets of these squares, a bit each, and by square what
 /// rounding depends on.
@@ -76,17 +71,8 @@ impl Phong<'_> {
         let eye = Field::new(&self.face.rays.to_eye, places);
         tile.normal = normal.extents();
         tile.eye = eye.extents();
-        let rows = places.rows();
-        let all = |rows: Lanes<S>| rows.as_array().iter().sum::<f64>();
-        // What is not sampled need not be bounded.
-        let effort = if all(rows) > SAMPLES {
-            effort
-        } else {
-            Effort::Pixels
-        };
         let (budget, promising) = self.classify(places, &normal, &eye, effort, &mut tile.lights);
-        let left = budget.simd_gt(0.0);
-        let interpolant = if all(left.select(rows, Lanes::splat(simd, 0.0))) > SAMPLES {
+        let interpolant = if effort != Effort::Pixels && places.rows(budget) > SAMPLES {
             let colors = self.sample(simd, places, &normal, &eye, &tile.lights, budget);
             Some(Interpolant::new(colors))
         } else {
@@ -114,15 +100,18 @@ impl Phong<'_> {
         let zero = Lanes::splat(simd, 0.0);
         let one = Lanes::splat(simd, 1.0);
         let never = Lanes::splat(simd, f64::NEG_INFINITY);
-        // What pixels show of a sliver is held on the face, one by one.
+        // What pixels show of a sliver is clamped to the face, one by one.
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let calm = steady & normal.is_calm() & eye.is_calm();
         let mut budget = match effort {
             Effort::Pixels => never,
-            _ => calm.select(Lanes::splat(simd, self.tolerance - self.sampling), never),
+            _ => calm.select(
+                Lanes::splat(simd, self.tolerance - self.sample_error),
+                never,
+            ),
         };
-        let mut crossed = mask64x4::splat(simd, false);
-        let (mut unsure, mut expected) = (zero, zero);
+        let none = mask64x4::splat(simd, false);
+        let (mut crossed, mut unsure) = (none, zero);
         lights.clear();
         for (index, light) in self.lights.iter().enumerate() {
             let to_light = Field::new(&light.towards, places);
@@ -130,40 +119,39 @@ impl Phong<'_> {
             if side.dark.all_true() {
                 continue;
             }
-            let mut shines = mask64x4::splat(simd, false);
-            let mut gates = one;
-            let bounded = effort == Effort::Quarters || budget.simd_gt(0.0).any_true();
-            let mut error = zero;
+            let bounded = effort != Effort::Pixels && budget.simd_gt(0.0).any_true();
+            let (mut shines, mut cut) = (none, none);
+            let (mut error, mut gates) = (zero, one);
             if light.specular != DVec3::ZERO {
                 let reflection = bound::reflection(normal, &to_light, eye, side.cosine);
                 shines = reflection.most.simd_gt(self.gloss.least) & !side.dark;
+                let any_shines = shines.any_true();
+                if any_shines {
+                    gates = bound::gate(&to_light, eye);
+                }
                 if bounded {
                     let power = bound::power(&self.gloss.every, reflection.most);
                     let mut highlight = power;
-                    if shines.any_true() {
+                    if any_shines {
                         let bound = &self.gloss.bound;
                         let bound = bound.error(normal, &to_light, eye, &reflection, power);
                         highlight = shines.select(bound, power);
                     }
                     error = highlight * light.specular.max_element();
                 }
-                if shines.any_true() {
-                    gates = bound::gate(&to_light, eye);
+            }
+            if effort != Effort::Pixels {
+                // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
+                let idle = mask64x4::splat(simd, light.diffuse == DVec3::ZERO) & !shines;
+                cut = !(side.lit | side.dark | idle | shines | crossed);
+                crossed |= cut;
+                let sure = to_light.is_calm() & (side.lit | side.dark | idle | cut);
+                unsure += sure.select(zero, one);
+                if bounded {
+                    error += bound::cosine_error(normal, &to_light) * light.diffuse.max_element();
+                    budget = sure.select(budget - side.dark.select(zero, error), never);
                 }
             }
-            // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
-            let idle = mask64x4::splat(simd, light.diffuse == DVec3::ZERO) & !shines;
-            let cut = !(side.lit | side.dark | idle | shines | crossed);
-            if bounded {
-                error += bound::cosine_error(normal, &to_light) * light.diffuse.max_element();
-                let error = side.dark.select(zero, error);
-                let sure = to_light.is_calm() & (side.lit | side.dark | idle | cut);
-                budget = sure.select(budget - error, never);
-                let hard = !sure | !error.simd_lt(f64::INFINITY);
-                unsure += hard.select(one, zero);
-                expected += hard.select(zero, error);
-            }
-            crossed |= cut;
             lights.push(TileLight {
                 light: index,
                 dark: side.dark.to_bitmask(),
@@ -174,13 +162,11 @@ impl Phong<'_> {
                 gates: *gates.as_array(),
             });
         }
-        if effort != Effort::Quarters {
-            return (budget, 0);
-        }
-        let promising = steady
-            & unsure.simd_le(UNSURE)
-            & expected.simd_le(SMALLER * (self.tolerance - self.sampling));
-        (budget, promising.to_bitmask())
+        let promising = match effort {
+            Effort::Quarters => (steady & unsure.simd_le(UNSURE)).to_bitmask(),
+            _ => 0,
+        };
+        (budget, promising)
     }
 
     /// Colours of four squares through samples at nine nodes.

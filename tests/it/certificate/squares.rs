@@ -11,8 +11,9 @@ use shadetrade::shading::field::Places;
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::interpolation;
-use shadetrade::shading::phong::{FaceLight, Phong};
+use shadetrade::shading::phong::Phong;
 use shadetrade::shading::square::{Region, Spans, Square};
+use shadetrade::shading::unit_vectors::UnitVectors;
 use shadetrade::shading::{EXACT, Effort, Scratch, Shader, Sink, Surface, TileKind};
 use shadetrade::simd::baseline;
 
@@ -265,14 +266,11 @@ fn shaded(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f6
     let (surface, face, eye) = (subject.surface(), &subject.face(), subject.eye);
     let normals = face.linear(&subject.solid.normals, 0);
     let gloss = Gloss::new(&surface, tolerance);
-    let points = subject.illumination.points.iter();
-    let lights: Vec<_> = points
-        .filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye))
-        .collect();
+    let lights = &mut Vec::new();
     let shader = if mode == ShadingMode::Gouraud {
         Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance))
     } else {
-        let phong = Phong::new(face, normals, surface, eye, &gloss, &lights, tolerance);
+        let phong = Phong::new(face, normals, surface, eye, &gloss, lights, tolerance);
         Shader::Phong(phong)
     };
     let (kind, found) = shade(&shader, subject);
@@ -456,5 +454,37 @@ fn the_error_of_samples_is_subtracted_from_the_tolerance() {
         let (kind, error, limit) = shaded(&subject, ShadingMode::Phong, tolerance);
         assert!(error <= limit, "{kind:?} errs {error} of {limit}");
         assert_eq!(kind == TileKind::Constant, expected, "{kind:?}");
+    }
+}
+
+#[test]
+fn the_shortcut_shows_the_far_end_of_a_face_where_snapping_covers_pixels_beyond_the_horizon() {
+    // The eye looks along the face, whose far end lies 0.003 pixels below the horizon.
+    let (height, below) = (1e-4, 0.003);
+    let eye = DVec3::new(0.0, -1.001, 1.0 + height);
+    let lens = Lens {
+        axes: [DVec3::X, DVec3::Z, DVec3::Y],
+        eye,
+        pitch: height / 2.001 / below,
+        projection: Projection::Perspective,
+        near: 1e-6,
+        ..Lens::default()
+    };
+    let mut subject = seen(DVec3::ONE, eye, lens);
+    subject.illumination.points.push(PointLight {
+        position: DVec3::new(0.5, 3.0, 2.0),
+        diffuse: DVec3::splat(200.0),
+        specular: DVec3::ZERO,
+    });
+    let face = subject.face();
+    let normals = face.linear(&subject.solid.normals, 0);
+    let to_lights = &mut Vec::new();
+    let shortcut = UnitVectors::new(&face, &normals, subject.surface(), &lens, to_lights);
+    for step in -4..=4 {
+        let x = 0.2 * f64::from(step) / 2.001 / lens.pitch;
+        assert!(face.plane.w.at(x, -0.0005) < 0.0);
+        let [beyond, end] = [-0.0005, below * 1.001].map(|y| shortcut.define(x, y));
+        assert!((beyond - end).length() < 0.5, "{beyond}, not {end}");
+        assert!(end.x > 1.0, "{end} is lit");
     }
 }
