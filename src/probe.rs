@@ -1,82 +1,111 @@
-//! One pixel in, everything that happened there out: the vectors, every light's term, and three verdicts side by side.
+//! The evaluation of pixels: vectors, the term of each light, the levels of Gouraud, Phong and the reference, the cause of
+//! their difference, and the cost.
 //!
-//! Rule: `levels` are the renderer's own, at the tolerance it was asked to keep; vectors and terms are evaluated exactly,
-//! by the reference. A quantity that does not exist, or that no f64 holds, is null.
+//! `levels` are those of the renderer at the view's tolerance. Vectors and terms come from the reference in f64. A
+//! quantity that does not exist, or that is not finite, is null in JSON.
+
+mod cause;
 
 use fearless_simd::Level;
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 
-use crate::components::{FileOrder, LightKind, Material, Name, ShadingMode, View};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
+use crate::components::{FileOrder, Light, LightKind, Material, Name, ShadingMode, View};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers, display_step, face};
 use crate::memory::OutOfMemory;
-use crate::reference::{self, LightSample};
+use crate::reference::{self, LightSample, Sample};
 use crate::scene::Scene;
+use crate::shading::TileKind;
+use crate::shading::square::{MAX_SIDE, MIN_SIDE};
 use crate::systems;
 
-/// What is known of a pixel.
+/// The largest number of terms in a section.
+const MOST_TERMS: usize = 20_000;
+
+/// The evaluation of a pixel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Probe {
     /// x right, y down, from the top left corner.
     pub pixel: [usize; 2],
-    /// The cuboid seen; `None` is background.
+    /// The name of the visible cuboid; `None` for the background.
     pub object: Option<String>,
-    /// What is known of it; nothing of the background.
+    /// The evaluation of its surface; `None` for the background.
     #[serde(flatten)]
     pub surface: Option<Surface>,
 }
 
-/// What is known of the surface at a pixel. Vectors are unit vectors in world space.
+/// The evaluation of the surface at a pixel. Vectors are unit vectors in world space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Surface {
-    /// Its place in [`crate::components::TRIANGLES`].
+    /// The index of the visible triangle in [`crate::components::TRIANGLES`].
     pub triangle: u32,
-    /// The point seen, in world units; `None` where the reference sees another face, at an edge.
+    /// The visible point in world units; `None` if the reference sees another face, at an edge. The same holds for n
+    /// and o.
     pub position: Option<DVec3>,
-    /// n, as Phong interpolates it.
+    /// n, interpolated by Phong and normalised.
     pub normal: Option<DVec3>,
-    /// o.
+    /// o, towards the eye.
     pub to_eye: Option<DVec3>,
     /// The material's exponent.
     #[serde(skip)]
     pub shininess: f64,
     /// Every light that is on, in file order.
     pub lights: Vec<LightSample>,
-    /// As Gouraud has it.
+    /// The pixel under Gouraud.
     pub gouraud: Shaded,
-    /// As Phong has it.
+    /// The pixel under Phong.
     pub phong: Shaded,
-    /// By the reference.
+    /// The pixel in the reference.
     pub reference: Reference,
+    /// As the picture that was asked for has it.
+    #[serde(skip)]
+    pub drawn: Drawn,
+    /// The length of n as interpolated unit vectors have it, 0..=1; 1 where the reference sees another face.
+    #[serde(skip)]
+    pub normal_length: f64,
 }
 
-/// What a mode makes of the pixel.
+/// How a picture draws a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    pub mode: ShadingMode,
+    /// In levels.
+    pub tolerance: f64,
+    /// Unclamped.
+    pub levels: [f64; 3],
+    /// How its square was drawn.
+    pub kind: TileKind,
+    /// The pixels of the face in its square.
+    pub pixels: usize,
+}
+
+/// The pixel under one shading mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Shaded {
-    /// The renderer's, unclamped.
+    /// The renderer's levels, unclamped.
     pub levels: [f64; 3],
-    /// Each light's share, in file order, evaluated exactly, unclamped.
+    /// The term of each light by name, in file order, evaluated in f64, in unclamped levels.
     #[serde(serialize_with = "as_map")]
     pub terms: Vec<(String, [f64; 3])>,
-    /// After the display step.
+    /// The levels after the display step.
     pub bytes: [u8; 3],
 }
 
-/// Both modes in f64.
+/// The pixel in the f64 reference.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reference {
-    /// The triangle it sees: at a diagonal perhaps the other one of the face; `None` where it sees another face.
+    /// The visible triangle, which near a diagonal may be the other one of the face; `None` if another face is visible.
     pub triangle: Option<u32>,
-    /// Exact Gouraud; `None` where the reference sees another face.
+    /// Gouraud in f64; `None` if another face is visible.
     pub gouraud: Option<Levels>,
-    /// Exact Phong.
+    /// Phong in f64; `None` if another face is visible.
     pub phong: Option<Levels>,
 }
 
 /// Unclamped levels.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Levels {
-    /// By channel.
+    /// Red, green and blue.
     pub levels: [f64; 3],
 }
 
@@ -84,135 +113,188 @@ fn as_map<S: Serializer>(terms: &[(String, [f64; 3])], serializer: S) -> Result<
     serializer.collect_map(terms.iter().map(|(name, levels)| (name, levels)))
 }
 
-/// Looks at pixel (`x`, `y`) of the picture that `view` asks for; it must lie inside.
+/// Evaluates pixel (`x`, `y`), which must lie inside the picture for `view`.
 ///
 /// # Errors
-/// When a row of the picture does not fit in memory.
+/// If 32 rows of the picture do not fit in memory.
 pub fn at(
     scene: &mut Scene,
     view: &View,
     [x, y]: [usize; 2],
     level: Level,
 ) -> Result<Probe, OutOfMemory> {
-    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
-    let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
-        Ok((frame.triangles()[x], frame.levels()[x].map(f64::from)))
-    };
-    let (id, gouraud) = drawn(ShadingMode::Gouraud)?;
-    let (_, phong) = drawn(ShadingMode::Phong)?;
-    if id == NO_TRIANGLE {
-        return Ok(Probe {
-            pixel: [x, y],
-            object: None,
-            surface: None,
-        });
-    }
-    let (object, triangle) = (id / 12, id % 12);
-    let mut cuboids = scene.world.query::<(&FileOrder, &Name, &Material)>();
-    let cuboid = cuboids.iter().find(|(order, ..)| order.0 == object);
-    let name = cuboid.map(|(_, name, _)| name.0.clone());
-    let shininess = cuboid.map_or(0.0, |(_, _, material)| material.shininess);
-    let sample = reference::at_pixel(&scene.world, view, x, y)
-        .filter(|sample| face((12 * sample.object + sample.triangle) as u32) == face(id));
-    let sample = sample.as_ref();
-    let lights = sample.map_or(&[][..], |sample| &sample.lights);
-    let shaded = |drawn: [f64; 3],
-                  exact: fn(&reference::Sample) -> DVec3,
-                  term: fn(&LightSample) -> DVec3| {
-        // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
-        let levels = [0, 1, 2].map(|channel: usize| match sample {
-            Some(sample) if !drawn[channel].is_finite() => exact(sample)[channel],
-            _ => drawn[channel],
-        });
-        let terms = lights.iter();
-        let terms = terms.map(|light| (light.name.clone(), term(light).to_array()));
-        Shaded {
-            levels,
-            terms: terms.collect(),
-            bytes: levels.map(display_step),
+    let mut probes = look(scene, view, y, level, |_| vec![x])?;
+    Ok(probes.remove(0))
+}
+
+/// Evaluates the pixels of row `y` on the face that is seen at (`x`, `y`), from left to right; fewer of them where the
+/// scene has very many lights, and one pixel of the background.
+///
+/// # Errors
+/// As [`at`].
+pub fn section(
+    scene: &mut Scene,
+    view: &View,
+    [x, y]: [usize; 2],
+    level: Level,
+) -> Result<Vec<Probe>, OutOfMemory> {
+    let lights = scene.world.query_mut::<&Light>().into_iter().count();
+    look(scene, view, y, level, |triangles| {
+        let is_seen = |column: &usize| face(triangles[*column]) == face(triangles[x]);
+        if triangles[x] == NO_TRIANGLE {
+            return vec![x];
         }
-    };
-    let levels = |exact: fn(&reference::Sample) -> DVec3| {
-        sample.map(|sample| Levels {
-            levels: exact(sample).to_array(),
-        })
-    };
-    let surface = Surface {
-        triangle,
-        position: sample.map(|sample| sample.position),
-        normal: sample.map(|sample| sample.normal),
-        to_eye: sample.map(|sample| sample.to_eye),
-        shininess,
-        lights: lights.to_vec(),
-        gouraud: shaded(gouraud, |it| it.gouraud, |it| it.gouraud),
-        phong: shaded(phong, |it| it.phong, |it| it.phong),
-        reference: Reference {
-            triangle: sample.map(|sample| sample.triangle as u32),
-            gouraud: levels(|sample| sample.gouraud),
-            phong: levels(|sample| sample.phong),
-        },
-    };
-    Ok(Probe {
-        pixel: [x, y],
-        object: name,
-        surface: Some(surface),
+        let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
+        let last = (x..triangles.len()).take_while(is_seen).last();
+        let columns = first..=last.unwrap_or(x);
+        let step = (columns.clone().count() * lights / MOST_TERMS).max(1);
+        let is_kept = |column: &usize| {
+            (column - first).is_multiple_of(step) || *column == x || column == columns.end()
+        };
+        columns.clone().filter(is_kept).collect()
     })
 }
 
-/// The levels along a row of the picture, unclamped, by column.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Profile {
-    /// The renderer's.
-    pub gouraud: Vec<[f64; 3]>,
-    /// The renderer's.
-    pub phong: Vec<[f64; 3]>,
-    /// Exact Phong in f64.
-    pub reference: Vec<[f64; 3]>,
-}
-
-/// The levels along row `y` of the picture that `view` asks for; it must lie inside.
-///
-/// # Errors
-/// When the row does not fit in memory.
-pub fn profile(
+/// Evaluates some columns of row `y`. `choose` picks them by the triangles that the row shows.
+fn look(
     scene: &mut Scene,
     view: &View,
     y: usize,
     level: Level,
-) -> Result<Profile, OutOfMemory> {
-    let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
-    let mut drawn = |mode| {
-        systems::draw_rows(&mut scene.world, &view.shaded(mode), y..y + 1, &mut frame)?;
-        let levels = frame.levels().iter();
-        Ok(levels.map(|levels| levels.map(f64::from)).collect())
+    choose: impl FnOnce(&[u32]) -> Vec<usize>,
+) -> Result<Vec<Probe>, OutOfMemory> {
+    let [width, height] = view.size;
+    // Squares lie in strips of this height.
+    let top = y / MAX_SIDE * MAX_SIDE;
+    let rows = top..(top + MAX_SIDE).min(height);
+    let mut draw = |view: &View| {
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+        systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame)?;
+        Ok(frame)
     };
-    let (gouraud, phong) = (drawn(ShadingMode::Gouraud)?, drawn(ShadingMode::Phong)?);
-    let mut reference = vec![view.background.to_array(); view.size[0]];
-    let exact = reference::Reference::<f64>::new(&scene.world, &view.shaded(ShadingMode::Phong));
-    exact.row(y, |x, seen| {
-        if let Some(first) = seen.first() {
-            reference[x] = first.levels;
+    let own = draw(view)?;
+    let modes = [
+        draw(&view.shaded(ShadingMode::Gouraud))?,
+        draw(&view.shaded(ShadingMode::Phong))?,
+    ];
+    let row = (y - top) * width;
+    let columns = choose(&own.triangles()[row..row + width]);
+    let samples = reference::in_row(&scene.world, view, y, &columns);
+    let mut query = (scene.world).query::<(&FileOrder, &Name, &Material, &ShadingMode)>();
+    let cuboids: Vec<_> = query.iter().collect();
+    let probes = columns.into_iter().zip(samples).map(|(x, sample)| {
+        let id = own.triangles()[row + x];
+        let cuboid = cuboids.iter().find(|(order, ..)| order.0 == id / 12);
+        let surface = cuboid.map(|(_, _, material, mode)| {
+            let levels = |frame: &Frame| frame.levels()[row + x].map(f64::from);
+            let sample =
+                sample.filter(|it| face((12 * it.object + it.triangle) as u32) == face(id));
+            let (kind, pixels) = square(&own, [x, y]);
+            let drawn = Drawn {
+                mode: view.mode(**mode),
+                tolerance: view.tolerance,
+                levels: levels(&own),
+                kind,
+                pixels,
+            };
+            let modes = modes.each_ref().map(levels);
+            Surface::new(id % 12, material.shininess, sample.as_ref(), modes, drawn)
+        });
+        Probe {
+            pixel: [x, y],
+            object: cuboid.map(|(_, name, ..)| name.0.clone()),
+            surface,
         }
     });
-    Ok(Profile {
-        gouraud,
-        phong,
-        reference,
-    })
+    Ok(probes.collect())
 }
 
-/// What stands above the columns of [`Surface::products`].
+/// How the square of a pixel was drawn, and the pixels of the face in it. The frame holds one strip.
+fn square(frame: &Frame, [x, y]: [usize; 2]) -> (TileKind, usize) {
+    let (width, rows) = (frame.size()[0], frame.rows());
+    let index = |x: usize, y: usize| (y - rows.start) * width + x;
+    let seen = face(frame.triangles()[index(x, y)]);
+    // The pixels of the face in the square of this side around the pixel.
+    let pixels = |side: usize| {
+        let [left, top] = [x, y].map(|it| it / side * side);
+        let rows = top..rows.end.min(top + side);
+        let all = rows.flat_map(move |y| (left..width.min(left + side)).map(move |x| [x, y]));
+        all.filter(|[x, y]| face(frame.triangles()[index(*x, *y)]) == seen)
+    };
+    let kind = |x: usize, y: usize| frame.kinds()[index(x, y)];
+    let own = kind(x, y) & !OUTLINE;
+    // A large square that was cut has outlines across its middle, or quarters of several kinds.
+    let is_cut = pixels(MAX_SIDE).any(|[x, y]| {
+        let [column, row] = [x, y].map(|it| it % MAX_SIDE);
+        let is_middle = column == MIN_SIDE && row > 0 || row == MIN_SIDE && column > 0;
+        kind(x, y) & !OUTLINE != own || is_middle && kind(x, y) & OUTLINE != 0
+    });
+    let kind = TileKind::ALL[usize::from(own)];
+    let side = if is_cut { MIN_SIDE } else { MAX_SIDE };
+    (kind, pixels(side).count())
+}
+
+impl Surface {
+    /// What is known where the renderer draws these levels under Gouraud and Phong.
+    fn new(
+        triangle: u32,
+        shininess: f64,
+        sample: Option<&Sample>,
+        [gouraud, phong]: [[f64; 3]; 2],
+        drawn: Drawn,
+    ) -> Surface {
+        let lights = sample.map_or(&[][..], |sample| &sample.lights);
+        let shaded =
+            |drawn: [f64; 3], exact: fn(&Sample) -> DVec3, term: fn(&LightSample) -> DVec3| {
+                // The renderer keeps f32: what is too large for that is the model in f64 on its way to the same byte.
+                let levels = [0, 1, 2].map(|channel: usize| match sample {
+                    Some(sample) if !drawn[channel].is_finite() => exact(sample)[channel],
+                    _ => drawn[channel],
+                });
+                let terms = lights.iter();
+                let terms = terms.map(|light| (light.name.clone(), term(light).to_array()));
+                Shaded {
+                    levels,
+                    terms: terms.collect(),
+                    bytes: levels.map(display_step),
+                }
+            };
+        let levels = |exact: fn(&Sample) -> DVec3| {
+            sample.map(|sample| Levels {
+                levels: exact(sample).to_array(),
+            })
+        };
+        Surface {
+            triangle,
+            position: sample.map(|sample| sample.position),
+            normal: sample.map(|sample| sample.normal),
+            to_eye: sample.map(|sample| sample.to_eye),
+            shininess,
+            lights: lights.to_vec(),
+            gouraud: shaded(gouraud, |it| it.gouraud, |it| it.gouraud),
+            phong: shaded(phong, |it| it.phong, |it| it.phong),
+            reference: Reference {
+                triangle: sample.map(|sample| sample.triangle as u32),
+                gouraud: levels(|sample| sample.gouraud),
+                phong: levels(|sample| sample.phong),
+            },
+            drawn,
+            normal_length: sample.map_or(1.0, |sample| sample.normal_length),
+        }
+    }
+}
+
+/// The column titles of [`Surface::products`].
 pub const PRODUCT_HEADS: [[&str; 3]; 2] = [["n.l", "o.r", "factor"], ["r", "g", "b"]];
 
-/// Levels smaller than this are written as 0.
+/// Levels up to this are written as 0.
 const NEGLIGIBLE: f64 = 1e-6;
-/// Parts of a vector below this share of its largest are written as 0: they are what f64 makes of 0.
+/// Components of a vector up to this share of the largest are written as 0: they are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
 impl Surface {
-    /// Every light's term, the sum as drawn and by the reference, and the bytes: what it is, then the cells of Gouraud
-    /// and of Phong.
+    /// The rows of the table of levels: each light's term, the drawn sum, the sum of the reference, and the bytes. A
+    /// row is its name and the cells of Gouraud and of Phong.
     pub fn table(&self) -> Vec<(String, [[String; 3]; 2])> {
         let levels = |levels: [f64; 3]| numbers(levels, NEGLIGIBLE);
         let truth = |truth: Option<Levels>| truth.map_or_else(nothing, |it| levels(it.levels));
@@ -236,7 +318,8 @@ impl Surface {
             .collect()
     }
 
-    /// Every light's term under exact Phong as a product: n.l, o.r and the factor that they make, then the strength by channel.
+    /// The rows of the table of products: each light's term under Phong in f64 as n.l, o.r and their factor, then the
+    /// strength by channel.
     pub fn products(&self) -> Vec<(String, [[String; 3]; 2])> {
         let cosine = |one: Option<DVec3>, other: Option<DVec3>| {
             let cosine = one.zip(other).map(|(one, other)| one.dot(other));
@@ -255,13 +338,13 @@ impl Surface {
         lights.collect()
     }
 
-    /// What stands above both halves of [`Surface::products`].
+    /// The titles of both halves of [`Surface::products`].
     pub fn product_titles(&self) -> [String; 2] {
         let factor = format!("n.l or (o.r)^{}", self.shininess);
         [factor, "times strength".to_owned()]
     }
 
-    /// The triangle by its number, and the reference's where that is another.
+    /// The number of the triangle, and that of the reference if it differs.
     pub fn triangle_label(&self) -> String {
         let own = self.triangle;
         match self.reference.triangle {
@@ -272,7 +355,7 @@ impl Surface {
 }
 
 impl Probe {
-    /// As lines for a person, none longer than 78 characters while names are short.
+    /// The evaluation as lines of text, at most 78 characters long if names are short.
     pub fn lines(&self) -> Vec<String> {
         let [x, y] = self.pixel;
         let (Some(object), Some(surface)) = (&self.object, &self.surface) else {
@@ -328,12 +411,13 @@ pub fn parts(vector: Option<DVec3>) -> [String; 3] {
     vector.map_or_else(nothing, numbers)
 }
 
-/// The cells of what does not exist.
+/// The cells of a quantity that does not exist.
 fn nothing() -> [String; 3] {
     ["-"; 3].map(str::to_owned)
 }
 
-/// In plain notation as long as that says something, nine letters at most; 0 for what is `negligible`.
+/// Three decimals for 0.001 to 10000, else scientific notation, nine characters at most; 0 for magnitudes up to
+/// `negligible`.
 fn numbers(values: [f64; 3], negligible: f64) -> [String; 3] {
     values.map(|value| match value.abs() {
         size if size <= negligible => "0".to_owned(),

@@ -1,4 +1,4 @@
-//! One pixel in; what is seen there out, and why it looks as it does.
+//! The evaluation of pixels of a row in f64: the visible point, the vectors of the model and the term of each light.
 
 use glam::DVec3;
 use hecs::World;
@@ -7,21 +7,21 @@ use serde::Serialize;
 use super::illumination::{blend, reflection};
 use super::sight::Solid;
 use super::vector::Vector;
-use super::{Cuboid, Reference};
+use super::{Cuboid, Met, Reference};
 use crate::components::{FileOrder, Light, LightKind, Name, View, in_file_order};
 
-/// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
+/// The evaluation of one pixel. Vectors are unit vectors in world space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
-    /// The cuboid's place in the file, from 0.
+    /// The cuboid's index in the file, from 0.
     pub object: usize,
-    /// The triangle's place in [`crate::components::TRIANGLES`].
+    /// The triangle's index in [`crate::components::TRIANGLES`].
     pub triangle: usize,
-    /// The point seen, in world units.
+    /// The visible point, in world units.
     pub position: DVec3,
-    /// n as Phong has it: interpolated and normalised.
+    /// n under Phong: interpolated and normalised.
     pub normal: DVec3,
-    /// o: to the eye, or against the view direction if the projection is orthographic.
+    /// o: towards the eye, or opposite to the view direction in orthographic projection.
     pub to_eye: DVec3,
     /// Every light that is on, in file order.
     pub lights: Vec<LightSample>,
@@ -29,80 +29,109 @@ pub struct Sample {
     pub gouraud: DVec3,
     /// Phong's levels, unclamped.
     pub phong: DVec3,
+    /// The length of n as interpolated unit vectors have it, 0..=1.
+    pub normal_length: f64,
 }
 
-/// What one light does at a [`Sample`].
+/// The contribution of one light to a [`Sample`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightSample {
     /// The light's name.
     pub name: String,
-    /// The term it feeds.
+    /// The term of the model that it contributes to.
     pub kind: LightKind,
-    /// l; `None` for an ambient light and for one that stands at the very point.
+    /// l; `None` for an ambient light and for a light exactly at the point.
     pub to_light: Option<DVec3>,
-    /// r = 2 (n.l) n - l; exists where l does.
+    /// r = 2 (n.l) n - l; `None` if l is.
     pub reflected: Option<DVec3>,
-    /// What the model multiplies its strength with at the point: max(0, n.l), (o.r)^rho where n.l > 0, or 1 for an ambient light.
+    /// The factor of its strength at the point: max(0, n.l), max(0, o.r)^rho where n.l > 0, or 1 for an ambient light.
     #[serde(skip)]
     pub factor: f64,
-    /// Coefficient, colour, intensity and gain together, in levels.
+    /// The factor at the corners of the triangle, in its order.
+    #[serde(skip)]
+    pub at_corners: [f64; 3],
+    /// Coefficient of the material * colour * intensity * gain, in levels of 255.
     #[serde(skip)]
     pub strength: DVec3,
-    /// Its term in levels under Gouraud, unclamped.
+    /// Its term under Gouraud, in unclamped levels.
     #[serde(skip)]
     pub gouraud: DVec3,
-    /// Its term in levels under Phong, unclamped.
+    /// Its term under Phong, in unclamped levels.
     #[serde(skip)]
     pub phong: DVec3,
 }
 
-/// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; which must lie in it; `None` is background.
+/// The evaluation of pixel (`x`, `y`), which must lie inside the picture for `view`; `None` for the background.
 pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
+    in_row(world, view, y, &[x]).pop()?
+}
+
+/// What is seen at these columns of row `y`: see [`at_pixel`].
+pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Option<Sample>> {
     let reference = Reference::new(world, view);
     let cuboids: Vec<_> = reference.cuboids.iter().collect();
-    let mut met = Vec::new();
-    reference.meet([x, y], &cuboids, &mut met);
-    let met = met.first()?;
-    let Cuboid { solid, surface, .. } = met.cuboid;
-    let face = met.meeting.faces().next()?;
-    let place = solid.place(face, &met.line);
-    let is_first = place.is_on_first?;
-    let (corners, weights) = Solid::weights(face, is_first, &place);
-    let (normal, to_eye) = (place.share.unit(), place.to_eye);
-    let to_world = |v: Vector<f64>| {
-        let [x, y, z] = v.0;
-        (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
-    };
     let mut query = world.query::<(&FileOrder, &Name, &Light)>();
     let names = query.iter().filter(|(_, _, light)| light.on);
     let names = in_file_order(names.map(|(order, name, _)| (*order, name.0.clone())));
-    let lights = surface.lights.iter().zip(names).enumerate();
-    let lights = lights.map(|(index, (light, name))| {
-        let to_light = surface.to_light(index, &place);
-        let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
-        let at_corners =
-            corners.map(|corner| light.levels * surface.factor_at_corner(index, corner));
-        let is_directed = light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
-        let directed = |vector| is_directed.then(|| to_world(vector));
-        LightSample {
-            name,
-            kind: light.kind,
-            to_light: directed(to_light),
-            reflected: directed(reflection(normal, to_light)),
-            factor,
-            strength: light.levels.to_dvec3(),
-            gouraud: blend(at_corners, weights).to_dvec3(),
-            phong: (light.levels * factor).to_dvec3(),
-        }
+    let mut met = Vec::new();
+    let columns = columns.iter().map(|&x| {
+        reference.meet([x, y], &cuboids, &mut met);
+        reference.sample(met.first()?, &names)
     });
-    Some(Sample {
-        object: met.cuboid.number,
-        triangle: 2 * face + usize::from(!is_first),
-        position: reference.sight.eye + to_world(place.point),
-        normal: to_world(normal),
-        to_eye: to_world(to_eye),
-        lights: lights.collect(),
-        gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
-        phong: surface.phong(&place, 0).levels.to_dvec3(),
-    })
+    columns.collect()
+}
+
+impl Reference<f64> {
+    /// What is seen where a line of sight meets a cuboid; the names are those of the lights that are on.
+    fn sample(&self, met: &Met<f64>, names: &[String]) -> Option<Sample> {
+        let Cuboid {
+            solid,
+            surface,
+            mesh,
+            ..
+        } = met.cuboid;
+        let face = met.meeting.faces().next()?;
+        let place = solid.place(face, &met.line);
+        let is_first = place.is_on_first?;
+        let (corners, weights) = Solid::weights(face, is_first, &place);
+        let (normal, to_eye) = (place.share.unit(), place.to_eye);
+        let to_world = |v: Vector<f64>| {
+            let [x, y, z] = v.0;
+            (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
+        };
+        let lights = surface.lights.iter().zip(names).enumerate();
+        let lights = lights.map(|(index, (light, name))| {
+            let to_light = surface.to_light(index, &place);
+            let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
+            let factors = corners.map(|corner| surface.factor_at_corner(index, corner));
+            let at_corners = factors.map(|factor| light.levels * factor);
+            let is_directed =
+                light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
+            let directed = |vector| is_directed.then(|| to_world(vector));
+            LightSample {
+                name: name.clone(),
+                kind: light.kind,
+                to_light: directed(to_light),
+                reflected: directed(reflection(normal, to_light)),
+                factor,
+                at_corners: factors,
+                strength: light.levels.to_dvec3(),
+                gouraud: blend(at_corners, weights).to_dvec3(),
+                phong: (light.levels * factor).to_dvec3(),
+            }
+        });
+        let on_screen = met.cuboid.shortcut_weights(corners, weights);
+        let normals = corners.map(|corner| Vector::exact(mesh.corners[corner].signum()).unit());
+        Some(Sample {
+            object: met.cuboid.number,
+            triangle: 2 * face + usize::from(!is_first),
+            position: self.sight.eye + to_world(place.point),
+            normal: to_world(normal),
+            to_eye: to_world(to_eye),
+            lights: lights.collect(),
+            gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
+            phong: surface.phong(&place, 0).levels.to_dvec3(),
+            normal_length: blend(normals, on_screen).length_squared().sqrt(),
+        })
+    }
 }

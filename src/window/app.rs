@@ -23,9 +23,10 @@ use super::history::History;
 use super::inspector::Kind;
 use super::jobs::{Jobs, State, Task};
 use super::pictures::{Pictures, or_dimmed};
+use super::recent::Recent;
 use super::recording::Recorder;
 use super::viewport::Grab;
-use crate::components::{Magnifier, Probed, Show, Spin, View, get, viewer};
+use crate::components::{Magnifier, Probed, Show, Side, Spin, View, ViewMode, get, viewer};
 use crate::drawing::Drawing;
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
@@ -58,6 +59,10 @@ pub struct Message {
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
+    /// The profile below a wipe is folded.
+    pub profile_folded: bool,
+    /// The error map shows the difference itself, amplified.
+    pub amplifies: bool,
     /// Whether the panel and the inspector have room beside the picture.
     pub has_room: [bool; 2],
     /// The panel and the inspector are open over the picture, where there is no room beside it.
@@ -77,8 +82,7 @@ pub struct Desk {
     /// The kind and the name of the entity that the scene's tab shows.
     pub selected: Option<(Kind, String)>,
     pub grab: Grab,
-    /// The files that were opened last.
-    pub recent: Vec<PathBuf>,
+    pub recent: Recent,
     /// The field of the scene's path.
     pub path: String,
 }
@@ -324,9 +328,7 @@ impl App {
     /// Shows another scene in place of this one.
     pub fn open(&mut self, scene: Scene) {
         if let Some(path) = &scene.path {
-            self.desk.recent.retain(|recent| recent != path);
-            self.desk.recent.insert(0, path.clone());
-            self.desk.recent.truncate(10);
+            self.desk.recent.add(path);
         }
         self.file = SceneFile::of(&scene);
         self.scene = scene;
@@ -359,8 +361,11 @@ impl App {
         let is_same_view = !is_another_view(&self.state, &after);
         if !is_same_view || is_another_method(&self.state, &after) {
             self.picture_changed(is_same_view);
-        } else if self.state.view.pixel != after.view.pixel {
-            self.facts.probe.state = State::Idle;
+        } else if shown(&self.state) != shown(&after)
+            || self.state.view.pixel != after.view.pixel
+                && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
+        {
+            self.facts.section.state = State::Idle;
         }
         self.state = after;
     }
@@ -450,7 +455,10 @@ impl App {
         let show: Show = self.look();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
-        let error_map = comparison.map(|it| it.error_map.as_slice());
+        let error_map = comparison.map(|it| match self.desk.amplifies {
+            true => it.difference.as_slice(),
+            false => &it.error_map,
+        });
         let without = self.facts.without.current().map(Vec::as_slice);
         if self.desk.left_out.is_some() {
             or_dimmed(without, self.pictures.frame())
@@ -632,6 +640,12 @@ fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
 /// Whether two states of one view are drawn by different methods.
 fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
     before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
+}
+
+/// What a picture shows of the methods, and where.
+fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
+    let view = &record.view;
+    (view.show, view.sides, view.divider)
 }
 
 /// Whether two lists of entities differ in more than what `forget` overwrites.

@@ -282,7 +282,18 @@ impl App {
     /// The meaning of the colours of the error map or of tiles.
     pub fn legend(&mut self, ui: &mut Ui, show: &Show) {
         match show.mode {
-            ViewMode::Error => self.error_legend(ui),
+            ViewMode::Error => {
+                let comparison = self.facts.comparison.current();
+                let words = comparison.map_or_else(
+                    || "difference".to_owned(),
+                    |it| format!("difference x{}", it.amplification),
+                );
+                ui.checkbox(&mut self.desk.amplifies, words)
+                    .on_hover_text("Grey is no difference to exact Phong (F5 once more).");
+                if !self.desk.amplifies {
+                    self.error_legend(ui);
+                }
+            }
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
                 for ((kind, tint), count) in TileKind::ALL.iter().zip(TINTS).zip(counts) {

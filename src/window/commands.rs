@@ -4,6 +4,7 @@ use egui::{Event, Key, Ui};
 
 use super::app::App;
 use super::keys::{self, Command, TOLERANCES, gouraud_phong};
+use super::tags::choices;
 use crate::components::{
     ActiveCamera, Budget, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
     ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
@@ -74,11 +75,18 @@ impl App {
                 let Tolerance(tolerance) = self.look();
                 self.wipe(gouraud_phong(tolerance));
             }
+            Command::View(ViewMode::Error) if self.look::<Show>().mode == ViewMode::Error => {
+                self.desk.amplifies ^= true;
+            }
             Command::View(mode) => {
                 let show: Show = self.look();
                 self.set_look(Show { mode, ..show });
             }
             Command::WipeExact => self.wipe([Side::Picture, Side::Reference]),
+            Command::Side(index, steps) => self.step_side(index, steps),
+            Command::Worst => self.explain_worst(),
+            Command::Profile => self.desk.profile_folded ^= true,
+            Command::Probe(right, down) => self.step_probed([right, down]),
             Command::Magnify(steps) => self.magnify(steps, None),
             Command::ShowExact => {}
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
@@ -211,6 +219,30 @@ impl App {
         });
     }
 
+    /// Shows the wipe with another of the choices on one side.
+    fn step_side(&mut self, index: usize, steps: i32) {
+        let Show { mut sides, .. } = self.look();
+        let choices = choices();
+        let present = choices.iter().position(|choice| *choice == sides[index]);
+        let next = present.map_or(0, |place| place as i32 + steps);
+        sides[index] = choices[next.rem_euclid(choices.len() as i32) as usize];
+        self.wipe(sides);
+    }
+
+    /// Moves the probed pixel within the picture; the first one is in the middle.
+    fn step_probed(&mut self, steps: [i32; 2]) {
+        let size = self.picture_size();
+        let Probed(before) = self.look();
+        self.probe([0, 1].map(|axis| {
+            match before {
+                Some(pixel) => pixel[axis]
+                    .saturating_add_signed(steps[axis] as isize)
+                    .min(size[axis] - 1),
+                None => size[axis] / 2,
+            }
+        }));
+    }
+
     fn travel_or_say(&mut self, found: Option<(SceneRecord, String)>, verb: &str) {
         match found {
             Some((record, label)) => {
@@ -247,7 +279,7 @@ impl App {
 fn goes_on(command: Command) -> bool {
     matches!(
         command,
-        Command::Orbit(..) | Command::Zoom(_) | Command::Undo | Command::Redo
+        Command::Orbit(..) | Command::Zoom(_) | Command::Probe(..) | Command::Undo | Command::Redo
     )
 }
 

@@ -14,6 +14,8 @@ use crate::trade::metrics::{self, Picture};
 
 /// Rows that are compared at once, which bounds the memory that a comparison takes.
 const BAND: usize = 64;
+/// Steps of a level in which differences are kept until the largest is known.
+const STEPS: f64 = 128.0;
 
 /// A picture against the reference in f64.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +25,9 @@ pub struct Comparison {
     /// The error against exact Phong in the colours of `scale`.
     pub error_map: Vec<u32>,
     pub scale: Scale,
+    /// The difference to exact Phong from grey, so many times as large as it is that it is seen.
+    pub difference: Vec<u32>,
+    pub amplification: f64,
     /// The largest error, in levels of 255; `None` where nothing can be compared.
     pub error: Option<f64>,
 }
@@ -43,6 +48,7 @@ impl Comparison {
         let phong = view.shaded(ShadingMode::Phong);
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
         let mut errors = memory::reserve_pixels(view.size)?;
+        let mut steps = memory::reserve_pixels(view.size)?;
         let mut largest: Option<f64> = None;
         for start in (0..height).step_by(BAND) {
             let rows = start..(start + BAND).min(height);
@@ -57,13 +63,26 @@ impl Comparison {
                 largest = Some(largest.map_or(error.max, |largest| largest.max(error.max)));
             }
             errors.extend(error_map::compared(drawn, compared));
+            steps.extend((0..drawn.levels.len()).map(|pixel| {
+                let is_compared = drawn.shows_as(&compared, pixel);
+                let levels = (drawn.levels[pixel], exact.levels[pixel]);
+                is_compared
+                    .then(|| difference(levels.0, levels.1))
+                    .unwrap_or_default()
+            }));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
         }
         let scale = Scale::holding(largest.unwrap_or(0.0));
+        let amplification = amplification(largest.unwrap_or(0.0));
         Ok(Some(Comparison {
             exact: exact_pixels,
             error_map: errors.into_iter().map(|it| scale.color(it)).collect(),
             scale,
+            difference: steps
+                .into_iter()
+                .map(|it| amplified(it, amplification))
+                .collect(),
+            amplification,
             error: largest,
         }))
     }
@@ -78,4 +97,21 @@ impl Comparison {
             }
         }
     }
+}
+
+/// The power of two, 1 to 256, that makes an error as large as the way from grey to white at most.
+fn amplification(error: f64) -> f64 {
+    (127.0 / error).log2().floor().clamp(0.0, 8.0).exp2()
+}
+
+/// The difference of two levels, by channel, in [`STEPS`] of a level.
+fn difference(drawn: [f32; 3], exact: [f64; 3]) -> [i16; 3] {
+    [0, 1, 2].map(|channel: usize| {
+        let [drawn, exact] = [f64::from(drawn[channel]), exact[channel]].map(metrics::displayed);
+        (STEPS * (drawn - exact)).round() as i16
+    })
+}
+
+fn amplified(steps: [i16; 3], amplification: f64) -> u32 {
+    display_pixel(steps.map(|it| 128.0 + amplification / STEPS * f64::from(it)))
 }

@@ -6,10 +6,9 @@ use std::time::Duration;
 use super::app::App;
 use super::comparison::Comparison;
 use super::inspector::Kind;
-use super::jobs::{Answer, Job, Jobs, Order, Probed, State, Task, answer_all};
-use crate::components::{
-    Inspector, Probed as ProbedPixel, ShadingMode, Show, Side, Tab, Tolerance, ViewMode,
-};
+use super::jobs::{Answer, Job, Jobs, Order, State, Task, answer_all};
+use crate::components::{Inspector, Probed, ShadingMode, Show, Side, Tab, Tolerance, ViewMode};
+use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::requires::PartChange;
 use crate::shading::{METHODS, Method};
@@ -28,7 +27,8 @@ const PASSES: [Duration; 3] = [
 /// The answers, as far as they are known.
 #[derive(Default)]
 pub struct Facts {
-    pub probe: Job<Box<Probed>>,
+    /// The pixels of a row on one face, from left to right.
+    pub section: Job<Vec<Probe>>,
     /// The picture without the part that is left out, 0x00RRGGBB.
     pub without: Job<Vec<u32>>,
     pub comparison: Job<Box<Comparison>>,
@@ -60,7 +60,7 @@ impl Facts {
 
     fn state(&mut self, task: Task) -> &mut State {
         match task {
-            Task::Probe(_) => &mut self.probe.state,
+            Task::Probe(_) => &mut self.section.state,
             Task::LeaveOut(_) => &mut self.without.state,
             Task::Compare => &mut self.comparison.state,
             Task::Prove => &mut self.proof.state,
@@ -79,7 +79,7 @@ impl App {
             || show.mode == ViewMode::Error
             || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
         let [width, height] = self.pictures.size();
-        let ProbedPixel(pixel) = self.look();
+        let Probed(pixel) = self.look();
         let pixel = pixel.filter(|[x, y]| *x < width && *y < height);
         let measures = is_live && self.shows_times;
         let methods = self.wanted_methods();
@@ -104,6 +104,13 @@ impl App {
             State::Failed(_) => false,
         };
         tasks.into_iter().flatten().filter(is_open).collect()
+    }
+
+    /// What is known of the probed pixel, be it of an earlier picture.
+    pub fn probed(&self) -> Option<&Probe> {
+        let Probed(pixel) = self.look();
+        let mut section = self.facts.section.value.iter().flatten();
+        section.find(|probe| Some(probe.pixel) == pixel)
     }
 
     /// The measurement of a method, if there is one; the state of [`Facts::trade`] says whether it is that of the present
@@ -143,12 +150,12 @@ impl App {
         methods
     }
 
-    /// Asks the open questions once the picture rests, or at once where there are no background jobs.
+    /// Asks the open questions once the picture rests, or at once where there are no background jobs. A pixel takes so little
+    /// time that it is probed while things move.
     pub fn order_jobs(&mut self) {
-        if self.jobs.is_some() && !self.rests() {
-            return;
-        }
-        let tasks = self.tasks();
+        let rests = self.jobs.is_none() || self.rests();
+        let mut tasks = self.tasks();
+        tasks.retain(|task| rests || matches!(task, Task::Probe(_)));
         if tasks.iter().all(|task| self.ordered.contains(task)) {
             return;
         }
@@ -196,11 +203,11 @@ impl App {
             self.ordered.retain(|ordered| *ordered != task);
         }
         match answer {
-            Answer::Probe(probed) => {
-                if let Some(object) = &probed.probe.object {
+            Answer::Probe(section) => {
+                if let Some(object) = &section[0].object {
                     self.desk.selected = Some((Kind::Cuboid, object.clone()));
                 }
-                facts.probe.finish(probed);
+                facts.section.finish(section);
             }
             Answer::LeaveOut(picture) => facts.without.finish(picture),
             Answer::Compare(comparison) => facts.comparison.finish(comparison),

@@ -2,6 +2,7 @@
 
 mod pixel;
 mod scene;
+mod section;
 
 use std::ops::RangeInclusive;
 
@@ -9,6 +10,7 @@ use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
 use glam::DVec3;
 
 pub use self::scene::Kind;
+pub use self::section::CHANNELS;
 use super::app::App;
 use super::jobs::{Job, State};
 use super::style::{BAD, GOOD, INK, STALE};

@@ -13,9 +13,10 @@ use fearless_simd::Level;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::comparison::Comparison;
-use crate::components::View;
+use super::pictures::view_at;
+use crate::components::{Show, View, get, viewer};
 use crate::drawing::all_cores;
-use crate::probe::{self, Probe, Profile};
+use crate::probe::{self, Probe};
 use crate::prove::{Proof, prove};
 use crate::requires::{self, Part, PartChange};
 use crate::scene::{Scene, SceneRecord};
@@ -25,7 +26,7 @@ use crate::trade::{self, Measurement, TradeError, live};
 /// One question about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Task {
-    /// The values at this pixel.
+    /// The values at this pixel, and along its row on the face seen there.
     Probe([usize; 2]),
     /// The picture without a part of the model.
     LeaveOut(Part),
@@ -38,7 +39,8 @@ pub enum Task {
 /// An answer to a [`Task`].
 #[derive(Debug)]
 pub enum Answer {
-    Probe(Box<Probed>),
+    /// From left to right.
+    Probe(Vec<Probe>),
     /// 0x00RRGGBB.
     LeaveOut(Vec<u32>),
     Compare(Box<Comparison>),
@@ -50,13 +52,6 @@ pub enum Answer {
     Progress(f64),
     /// The reason why there is no answer.
     Failed(String),
-}
-
-/// A pixel, and the levels along its row.
-#[derive(Clone, Debug)]
-pub struct Probed {
-    pub probe: Probe,
-    pub profile: Profile,
 }
 
 /// An answer as the window shows it.
@@ -226,9 +221,9 @@ fn answer(
 ) -> anyhow::Result<Option<Answer>> {
     Ok(match task {
         Task::Probe(pixel) => {
-            let probe = probe::at(scene, view, pixel, level)?;
-            let profile = probe::profile(scene, view, pixel[1], level)?;
-            Some(Answer::Probe(Box::new(Probed { probe, profile })))
+            let show: Show = get(&scene.world, viewer(&scene.world)).unwrap_or_default();
+            let view = view_at(&show, view, pixel[0]);
+            Some(Answer::Probe(probe::section(scene, &view, pixel, level)?))
         }
         Task::LeaveOut(part) => {
             requires::picture_without(scene, view, part, cancelled).map(Answer::LeaveOut)
@@ -238,7 +233,7 @@ fn answer(
             comparison.map(|it| Answer::Compare(Box::new(it)))
         }
         Task::Prove => {
-            let proof = prove(&mut scene.world, view, level, cancelled, progress)?;
+            let proof = prove(&mut scene.world, view, None, level, cancelled, progress)?;
             proof.map(|it| Answer::Prove(Box::new(it)))
         }
         Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),

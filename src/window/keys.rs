@@ -26,6 +26,14 @@ pub enum Command {
     View(ViewMode),
     /// Shows the wipe between a method and exact Phong.
     WipeExact,
+    /// Shows the wipe with the next choice on its left (0) or right (1) side: an earlier one if negative.
+    Side(usize, i32),
+    /// Probes the worst pixel.
+    Worst,
+    /// Folds the profile below a wipe.
+    Profile,
+    /// Moves the probed pixel: columns to the right, rows down.
+    Probe(i32, i32),
     /// Magnifies by powers of two.
     Magnify(i32),
     /// Shows exact Phong while its key is held.
@@ -131,9 +139,19 @@ pub const BINDINGS: &[Binding] = &[
     bind("View", &[(NO, Key::F2)], Command::View(ViewMode::Picture), "picture", "The picture as it is shaded."),
     bind("View", &[(NO, Key::F3)], Command::View(ViewMode::Wipe), "Gouraud | Phong", "Two methods, left and right of a divider that can be dragged."),
     bind("View", &[(NO, Key::F4)], Command::WipeExact, "picture | exact", "The picture, and exact Phong in f64, left and right of a divider."),
-    bind("View", &[(NO, Key::F5)], Command::View(ViewMode::Error), "error map", "The error of each pixel against exact Phong."),
+    bind("View", &[(NO, Key::F5)], Command::View(ViewMode::Error), "error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen."),
     bind("View", &[(NO, Key::F6)], Command::View(ViewMode::Tiles), "tiles", "The way in which each square was drawn."),
     bind("View", &[(NO, Key::B)], Command::ShowExact, "show exact (hold)", "Shows exact Phong while the key or the button is held."),
+    bind("View", &[(NO, Key::Comma)], Command::Side(0, 1), "left side", "The next method left of the divider."),
+    bind("View", &[(SHIFT, Key::Comma)], Command::Side(0, -1), "left side", "The method before, left of the divider."),
+    bind("View", &[(NO, Key::Period)], Command::Side(1, 1), "right side", "The next method right of the divider."),
+    bind("View", &[(SHIFT, Key::Period)], Command::Side(1, -1), "right side", "The method before, right of the divider."),
+    bind("View", &[(NO, Key::Y)], Command::Worst, "why, at the worst pixel", "Shows why the worst pixel errs."),
+    bind("View", &[(NO, Key::L)], Command::Profile, "levels below a wipe", "Folds and opens the levels along a row."),
+    bind("View", &[(SHIFT, Key::ArrowLeft)], Command::Probe(-1, 0), "move the probed pixel", ""),
+    bind("View", &[(SHIFT, Key::ArrowRight)], Command::Probe(1, 0), "move the probed pixel", ""),
+    bind("View", &[(SHIFT, Key::ArrowUp)], Command::Probe(0, -1), "move the probed pixel", ""),
+    bind("View", &[(SHIFT, Key::ArrowDown)], Command::Probe(0, 1), "move the probed pixel", ""),
     bind("View", &[(NO, Key::Z)], Command::Magnify(1), "magnify, or Ctrl wheel", "Pixels are shown twice as large."),
     bind("View", &[(NO, Key::X)], Command::Magnify(-1), "magnify less", "Pixels are shown half as large."),
     bind("Scene", &[(NO, Key::E)], Command::Tab(Tab::Scene), "edit", "Shows every number of the scene, to be changed."),

@@ -181,12 +181,10 @@ impl App {
 
     /// Draws n, o, and l and r of each place with lights, from the probed pixel at `at`, as they lie across the view.
     pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
-        let Some(surface) = self
-            .facts
-            .probe
-            .current()
-            .and_then(|it| it.probe.surface.as_ref())
-        else {
+        let probed = self
+            .probed()
+            .filter(|_| self.facts.section.current().is_some());
+        let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) else {
             return;
         };
         let [right, up, _] =

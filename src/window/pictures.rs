@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use hecs::World;
 
-use crate::components::{Show, Side, View, ViewMode};
+use crate::components::{ShadingMode, Show, Side, View, ViewMode};
 use crate::frame::{Counts, Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
 use crate::memory::OutOfMemory;
 use crate::shading::{Method, TileKind};
@@ -70,6 +70,11 @@ impl Pictures {
     /// The frame as it is shaded, 0x00RRGGBB.
     pub fn frame(&self) -> &[u32] {
         self.frame.pixels()
+    }
+
+    /// A side of a wipe as far as the renderer draws it, 0x00RRGGBB.
+    pub fn side(&self, index: usize) -> &[u32] {
+        &self.sides[index]
     }
 
     /// The middle one of the times of a side, in milliseconds; `None` where the renderer does not draw it.
@@ -191,6 +196,17 @@ pub fn side_view(side: &Side, view: &View) -> Option<View> {
         Side::Method { mode, tolerance } => Some(view.shaded(mode).with_tolerance(tolerance)),
         Side::Reference => None,
     }
+}
+
+/// The view of the picture that is shown in a column; the reference's is exact Phong.
+pub fn view_at(show: &Show, view: &View, column: usize) -> View {
+    if show.mode != ViewMode::Wipe {
+        return view.clone();
+    }
+    let is_right = column >= divider_column(show.divider, view.size[0]);
+    let side = show.sides[usize::from(is_right)];
+    let exact = || view.shaded(ShadingMode::Phong).with_tolerance(0.0);
+    side_view(&side, view).unwrap_or_else(exact)
 }
 
 /// The first column right of the divider.

@@ -12,6 +12,8 @@ pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
 pub const GOURAUD: Color32 = Color32::from_rgb(0xff, 0xb4, 0x54);
 pub const PHONG: Color32 = Color32::from_rgb(0x34, 0xd3, 0x99);
 pub const EXACT: Color32 = Color32::from_rgb(0xf0, 0xf0, 0xf0);
+/// The curve of the interpolated unit vectors.
+pub const SHORTCUT: Color32 = Color32::from_rgb(0xcc, 0x79, 0xa7);
 
 /// Sets the look of everything that a context lays out.
 pub fn apply(context: &Context) {

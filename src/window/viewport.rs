@@ -10,11 +10,8 @@ use super::app::App;
 use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
-    Inspector, Limits, Magnifier, Orbit, Probed, Show, Side, Tab, View, ViewMode, Viewpoint,
-    active_camera, get,
+    Inspector, Limits, Magnifier, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
 };
-use crate::shading::Method;
-use crate::trade::words::{capital, method_name};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
@@ -83,6 +80,9 @@ impl App {
                 .set_cursor_icon(self.cursor(at, &markers, response.dragged()));
         }
         self.draw_over(ui, &markers);
+        if let Some(x) = self.divider() {
+            self.tags(ui, x);
+        }
     }
 
     fn cursor(&self, at: Pos2, markers: &[Marker], is_dragged: bool) -> CursorIcon {
@@ -145,11 +145,8 @@ impl App {
         }
         let [x, y] = self.pixel_at(at);
         let [width, height] = self.picture_size();
-        self.set_look(Probed(Some([x.min(width - 1), y.min(height - 1)])));
-        // The scene's tab stays open: a click selects the cuboid there.
-        if self.desk.has_room[1] && self.look::<Inspector>().0 != Some(Tab::Scene) {
-            self.set_look(Inspector(Some(Tab::Pixel)));
-        }
+        let pixel = [x.min(width - 1), y.min(height - 1)];
+        self.probe(self.worst_at(at).unwrap_or(pixel));
     }
 
     /// Moves the camera about its target, by degrees to the right and up.
@@ -245,9 +242,11 @@ impl App {
         }
         if let Some(x) = self.divider() {
             self.draw_divider(&painter, x);
+            self.draw_worst(&painter);
         }
         if let Some(pixel) = self.look::<Probed>().0 {
             let at = self.place_of(pixel.map(|it| it as i32));
+            self.draw_triangle(&painter);
             self.draw_arrows(&painter, at);
             draw_cross(
                 &painter,
@@ -291,34 +290,11 @@ impl App {
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
         painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
         painter.circle(
-            pos2(x, self.place.center().y),
+            pos2(x, self.place_of([0, self.profile_row() as i32]).y),
             8.0,
             Color32::WHITE,
             (1.0, Color32::from_black_alpha(150)),
         );
-        let show: Show = self.look();
-        for (index, side) in show.sides.iter().enumerate() {
-            let time = self
-                .pictures
-                .milliseconds(index)
-                .filter(|_| self.shows_times);
-            let time = time.map_or(String::new(), |ms| format!("  {ms:.3} ms"));
-            let text = format!("{}{time}", side_name(side, &self.view()));
-            let (align, at) = match index {
-                0 => (Align2::RIGHT_TOP, pos2(x - 10.0, self.place.min.y + 8.0)),
-                _ => (Align2::LEFT_TOP, pos2(x + 10.0, self.place.min.y + 8.0)),
-            };
-            tag(painter, align, at, &text, Color32::WHITE);
-        }
-    }
-}
-
-/// A side of the wipe in words.
-fn side_name(side: &Side, view: &View) -> String {
-    match *side {
-        Side::Picture => format!("picture within {}", view.tolerance),
-        Side::Method { mode, tolerance } => capital(&method_name(Method::of(mode, tolerance))),
-        Side::Reference => "exact Phong".to_owned(),
     }
 }
 

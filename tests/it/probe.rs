@@ -1,4 +1,4 @@
-//! `shadetrade probe`: what it says is true, adds up, and has the shape scripts rely on.
+//! `shadetrade probe`: its values are right and add up, and its output has the format that scripts rely on.
 
 use std::process::Command;
 
@@ -6,14 +6,15 @@ use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
 use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::probe::{self, Levels, Probe, Reference, Shaded, Surface};
+use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use shadetrade::probe::{self, Drawn, Levels, Probe, Reference, Shaded, Surface};
 use shadetrade::reference::{self, LightSample};
-use shadetrade::scene::Scene;
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::shading::TileKind;
 use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
 
-use crate::support::scene::view_from;
+use crate::support::scene::{draw, view_from};
 
 fn probe(arguments: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
@@ -43,7 +44,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 #[test]
-fn the_vectors_are_what_their_definitions_say() {
+fn the_vectors_meet_their_definitions() {
     let probe = probe(&["--pixel", "480,300"]);
     let (position, normal, to_eye) = (
         triple(&probe["position"]),
@@ -55,7 +56,7 @@ fn the_vectors_are_what_their_definitions_say() {
         (position[2] - 1.0).abs() < 1e-12,
         "the pixel shows the face z = 1: {position:?}"
     );
-    // Corner normals are affine over a face: n is (x / 2, y / 1.5, z) normalised.
+    // Corner normals are interpolated over a face: n is (x / 2, y / 1.5, z) normalised.
     let along = [position[0] / 2.0, position[1] / 1.5, position[2]];
     for axis in 0..3 {
         assert!((normal[axis] - along[axis] / length(along)).abs() < 1e-12);
@@ -84,7 +85,10 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
             for mode in ["gouraud", "phong"] {
                 let reference = triple(&probe["reference"][mode]["levels"]);
                 let levels = triple(&probe[mode]["levels"]);
-                assert_ne!(levels, reference, "the renderer's own, not the reference's");
+                assert_ne!(
+                    levels, reference,
+                    "the levels of the renderer, not of the reference"
+                );
                 let terms = probe[mode]["terms"].as_object().expect("terms by light");
                 assert_eq!(terms.keys().count(), 4);
                 for channel in 0..3 {
@@ -105,7 +109,7 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 }
 
 #[test]
-fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() {
+fn factor_times_strength_is_phongs_term_and_the_factor_follows_from_the_cosines() {
     let mut scene = Scene::load(None).expect("it is built in");
     let view = view_from(&scene, 0, [96, 72]);
     let mut lit = 0;
@@ -137,7 +141,7 @@ fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() 
 }
 
 #[test]
-fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same_triangles() {
+fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
     let mut on_diagonals = 0;
     for turn in 0..24 {
         let mut scene = Scene::load(None).expect("it is built in");
@@ -158,7 +162,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
                 own == other || own / 2 != other / 2,
                 "at {pixel} of turn {turn}"
             );
-            // Where the next pixel shows the face's other triangle, once in a while.
+            // Every 37th pixel that has the face's other triangle to its right.
             let next = triangles
                 .get(pixel + 1)
                 .is_some_and(|&next| next == own ^ 1);
@@ -182,7 +186,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
 }
 
 #[test]
-fn the_background_has_a_pixel_and_nothing_else() {
+fn the_background_has_only_a_pixel() {
     assert_eq!(
         probe(&["--pixel", "0,0"]),
         serde_json::json!({"pixel": [0, 0], "object": null})
@@ -218,8 +222,8 @@ fn a_pixel_outside_the_picture_is_a_wrong_command_line() {
 }
 
 #[test]
-fn levels_too_large_for_the_renderer_are_said_as_the_model_has_them() {
-    // 1e20 of an intensity of 1e20 are 1e40 in the first channel, and floats end at 3e38; 1e-20 of it are 1.
+fn levels_beyond_f32_are_those_of_the_reference() {
+    // 1e20 of an intensity of 1e20 is 1e40 in the first channel, beyond the largest f32 of 3e38; 1e-20 of it is 1.
     let scene = include_str!("support/least.toml")
         .replace("ambient = [0.1, 0.2, 0.3]", "ambient = [1e20, 1e-20, 0.0]")
         .replace("kind = \"diffuse\"", "kind = \"ambient\"")
@@ -241,7 +245,193 @@ fn levels_too_large_for_the_renderer_are_said_as_the_model_has_them() {
     }
 }
 
-/// A pixel of a cube under an ambient and a diffuse light, in numbers of every size.
+/// The evaluation of a pixel of the default scene after a change of the scene.
+fn surface_of(mode: ShadingMode, pixel: [usize; 2], change: impl Fn(&mut SceneRecord)) -> Surface {
+    let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
+    change(&mut record);
+    let mut scene = Scene::spawn(String::new(), &record);
+    let view = view_from(&scene, 0, [960, 720]).shaded(mode);
+    let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
+    probe.surface.expect("a face is seen")
+}
+
+#[test]
+fn the_cause_is_that_of_the_light_that_differs_most() {
+    const HIGHLIGHT: [usize; 2] = [565, 327];
+    let cause = |mode, pixel, channel, change: &dyn Fn(&mut SceneRecord)| {
+        let surface = surface_of(mode, pixel, change);
+        surface.cause(channel).expect("the reference sees the face")
+    };
+    let gouraud = ShadingMode::Gouraud;
+    let only = |name: &'static str| {
+        move |record: &mut SceneRecord| record.light.retain(|light| light.name == name)
+    };
+    // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
+    let [sentence, evidence] = cause(gouraud, HIGHLIGHT, 2, &|_| ());
+    assert!(
+        sentence.starts_with("No vertex lies in the highlight of specular"),
+        "{sentence}"
+    );
+    let surface = surface_of(gouraud, HIGHLIGHT, |_| ());
+    let light = &surface.lights[2];
+    assert!(
+        sentence.contains(&format!("instead of {:.0}.", light.phong.z)),
+        "{sentence}"
+    );
+    assert!(
+        evidence.contains(&format!("{:.2} here", light.factor)),
+        "{evidence}"
+    );
+    // The picture's own mode is Phong: interpolation is still what is explained.
+    assert_eq!(
+        cause(ShadingMode::Phong, HIGHLIGHT, 2, &|_| ())[0],
+        sentence
+    );
+    // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
+    let wide = |record: &mut SceneRecord| record.cuboid[0].material.shininess = 1.0;
+    let [sentence, _] = cause(gouraud, HIGHLIGHT, 2, &wide);
+    assert!(!sentence.starts_with("No vertex"), "{sentence}");
+    // Ambient light is the same everywhere, and a far light nearly so.
+    let [sentence, _] = cause(gouraud, HIGHLIGHT, 1, &only("ambient"));
+    assert!(sentence.ends_with("agree within 0."), "{sentence}");
+    let [sentence, _] = cause(gouraud, HIGHLIGHT, 0, &|record| record.light.clear());
+    assert!(sentence.contains("No light"), "{sentence}");
+    // The light behind the face: n.l is 0 at all of its corners but those that lean to it.
+    let [sentence, _] = cause(gouraud, [480, 300], 1, &only("white"));
+    assert!(
+        sentence.starts_with("white is behind a vertex"),
+        "{sentence}"
+    );
+    // A lamp before the middle of the face shines past its corners' normals.
+    let lamp = |record: &mut SceneRecord| {
+        only("white")(record);
+        record.light[0].position = Some(DVec3::new(0.0, 0.0, 2.0));
+    };
+    let [sentence, _] = cause(gouraud, [485, 380], 1, &lamp);
+    assert!(
+        sentence.starts_with("The surface faces white more"),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn unit_vectors_are_as_short_as_their_mean() {
+    // Seen along z, the middle of the face z = 1 has the mean of two opposite corners: (0, 0, 1) / sqrt 3.
+    let surface = surface_of(ShadingMode::UnitVectors, [480, 360], |record| {
+        record.camera[0].position = DVec3::new(0.0, 0.0, 8.0);
+    });
+    assert!((surface.normal_length - 3.0_f64.sqrt().recip()).abs() < 1e-3);
+    let [sentence, evidence] = surface.cause(1).expect("the reference sees the face");
+    assert!(
+        sentence.contains("too short") && evidence.contains("0.58"),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn a_section_is_every_pixel_of_the_row_on_one_face() {
+    let mut scene = Scene::load(None).expect("it is built in");
+    let view = view_from(&scene, 0, [96, 72]).shaded(ShadingMode::Phong);
+    let level = Level::new();
+    let at = |scene: &mut Scene, pixel| probe::at(scene, &view, pixel, level).expect("a row fits");
+    for pixel in [[40, 36], [62, 30], [48, 18], [2, 2]] {
+        let section = probe::section(&mut scene, &view, pixel, level).expect("a row fits");
+        let first = section[0].pixel[0];
+        for (index, probe) in section.iter().enumerate() {
+            assert_eq!(*probe, at(&mut scene, [first + index, pixel[1]]));
+        }
+        let face = |probe: &Probe| probe.surface.as_ref().map(|it| it.triangle / 2);
+        let own = face(&at(&mut scene, pixel));
+        assert!(section.iter().all(|probe| face(probe) == own));
+        assert_eq!(
+            section.len() == 1,
+            own.is_none(),
+            "the background is one pixel"
+        );
+        if own.is_some() {
+            for beside in [first - 1, first + section.len()] {
+                assert_ne!(face(&at(&mut scene, [beside, pixel[1]])), own);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_pixels_of_squares_add_up_to_the_squares_that_were_drawn() {
+    let mut scene = Scene::load(None).expect("it is built in");
+    let mut all = 0;
+    for (mode, tolerance) in [(ShadingMode::Phong, 0.5), (ShadingMode::Gouraud, 4.0)] {
+        let view = view_from(&scene, 0, [480, 360])
+            .shaded(mode)
+            .with_tolerance(tolerance);
+        let frame = draw(&mut scene.world, &view, Keep::Levels);
+        let mut squares = [0.0; TileKind::ALL.len()];
+        for (y, row) in frame.triangles().chunks_exact(480).enumerate() {
+            let mut x = 0;
+            while let Some(from) = row[x..].iter().position(|id| *id != NO_TRIANGLE) {
+                let section = probe::section(&mut scene, &view, [x + from, y], Level::new());
+                let section = section.expect("a row fits");
+                x += from + section.len();
+                for surface in section.iter().filter_map(|probe| probe.surface.as_ref()) {
+                    squares[surface.drawn.kind as usize] += 1.0 / surface.drawn.pixels as f64;
+                }
+            }
+        }
+        // Squares of few pixels are evaluated before they are cut, so their number tells nothing of their side.
+        for kind in TileKind::ALL.into_iter().take(4) {
+            let (found, drawn) = (squares[kind as usize], frame.counts().tiles[kind as usize]);
+            assert!(
+                (found - drawn as f64).abs() < 1e-6,
+                "{mode:?}, {kind:?}: {found} of {drawn}"
+            );
+            all += drawn;
+        }
+    }
+    assert!(all > 200, "{all}");
+}
+
+#[test]
+fn the_cost_is_that_of_the_square() {
+    let drawn = |mode, kind| Drawn {
+        mode,
+        tolerance: 0.5,
+        levels: [0.0; 3],
+        kind,
+        pixels: 256,
+    };
+    for (mode, kind, words) in [
+        (
+            ShadingMode::Phong,
+            TileKind::Quadratic,
+            ["Nine", "instead of 256"],
+        ),
+        (
+            ShadingMode::Phong,
+            TileKind::Exact,
+            ["An evaluation", "every pixel"],
+        ),
+        (
+            ShadingMode::Gouraud,
+            TileKind::Linear,
+            ["No evaluation", "256 pixels"],
+        ),
+        (
+            ShadingMode::Gouraud,
+            TileKind::Exact,
+            ["No evaluation", "every pixel"],
+        ),
+        (
+            ShadingMode::UnitVectors,
+            TileKind::Double,
+            ["An evaluation", "f64"],
+        ),
+    ] {
+        let cost = drawn(mode, kind).cost();
+        assert!(words.iter().all(|word| cost.contains(word)), "{cost}");
+    }
+}
+
+/// A pixel of a cube under an ambient and a diffuse light, with numbers of every magnitude.
 fn made_up() -> Probe {
     let light = |name: &str, kind, vector: Option<DVec3>| LightSample {
         name: name.to_owned(),
@@ -249,6 +439,7 @@ fn made_up() -> Probe {
         to_light: vector,
         reflected: vector.map(|to_light| -to_light),
         factor: if vector.is_some() { 0.25 } else { 1.0 },
+        at_corners: [0.0; 3],
         strength: DVec3::new(401.0, 3.9504e-3, 4e5),
         gouraud: DVec3::ZERO,
         phong: DVec3::ZERO,
@@ -284,12 +475,20 @@ fn made_up() -> Probe {
                 gouraud: None,
                 phong: Some(levels(100.0)),
             },
+            drawn: Drawn {
+                mode: ShadingMode::Phong,
+                tolerance: 0.5,
+                levels: [0.0; 3],
+                kind: TileKind::Quadratic,
+                pixels: 256,
+            },
+            normal_length: 1.0,
         }),
     }
 }
 
 #[test]
-fn the_lines_for_a_person_say_all_of_it_in_columns() {
+fn the_text_shows_every_value_in_columns() {
     let expected = "\
 pixel 31,7: cube, triangle 9 (reference: 8)
   position      1.000   -20.500     1.5e9

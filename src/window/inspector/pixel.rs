@@ -1,18 +1,16 @@
-//! The pixel's tab: drawn, exact and error first, then the worked example, then the section along the pixel's row.
+//! The pixel's tab: drawn, exact and error, their cause, the section along the pixel's row, and every number.
 
-use egui::{Color32, Grid, RichText, Ui, vec2};
-use egui_plot::{Line, LineStyle, Plot, PlotPoints, VLine};
+use egui::{Grid, RichText, Ui, vec2};
 
 use super::progress;
-use crate::components::{LightKind, Probed, ShadingMode};
+use super::scene::shininess_row;
+use super::section::CHANNELS;
+use crate::components::{LightKind, Material, Name, Probed};
 use crate::frame::display_pixel;
 use crate::paint::color;
-use crate::probe::{PRODUCT_HEADS, Profile, Surface, parts};
+use crate::probe::{PRODUCT_HEADS, Surface, parts};
 use crate::window::app::App;
-use crate::window::chart::still;
-use crate::window::style::{BAD, EXACT, GOURAUD, PHONG, STALE};
-
-const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+use crate::window::style::{BAD, STALE};
 
 impl App {
     pub fn pixel_tab(&mut self, ui: &mut Ui) {
@@ -30,52 +28,49 @@ impl App {
                 self.set_look(Probed(None));
             }
         });
-        progress(ui, &self.facts.probe.state, "probing");
-        let is_current = self.facts.probe.current().is_some();
-        let Some(probed) = &self.facts.probe.value else {
+        progress(ui, &self.facts.section.state, "probing");
+        let Some(probe) = self.probed() else {
             return;
         };
-        if !is_current {
+        if self.facts.section.current().is_none() {
             ui.visuals_mut().override_text_color = Some(STALE);
         }
-        let (Some(object), Some(surface)) = (&probed.probe.object, &probed.probe.surface) else {
+        let (Some(object), Some(surface)) = (&probe.object, &probe.surface) else {
             ui.label("Background: no cuboid is seen here.");
             return;
         };
         ui.label(format!("{object}, {}", surface.triangle_label()));
-        let is_gouraud = self.mode_of(object) == Some(ShadingMode::Gouraud);
-        verdict(ui, surface, is_gouraud);
+        verdict(ui, surface);
+        let channel = self.channel();
+        for sentence in surface.cause(channel).into_iter().flatten() {
+            ui.label(sentence);
+        }
+        let column = self.section(ui, surface, channel);
+        {
+            let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
+            let mut cuboids = cuboids.iter();
+            if let Some((_, material)) = cuboids.find(|(name, _)| name.0 == *object) {
+                shininess_row(ui, material);
+            }
+        }
+        ui.label(surface.drawn.cost());
         if ui
             .button("copy")
             .on_hover_text("Copies everything that is known of this pixel.")
             .clicked()
         {
-            ui.ctx().copy_text(probed.probe.lines().join("\n"));
+            ui.ctx().copy_text(probe.lines().join("\n"));
         }
-        section(ui, &probed.profile, x, y);
         worked_example(ui, surface);
-    }
-
-    /// The mode of the cuboid of this name.
-    fn mode_of(&self, object: &str) -> Option<ShadingMode> {
-        let mut cuboids = self
-            .scene
-            .world
-            .query::<(&crate::components::Name, &ShadingMode)>();
-        let mut cuboids = cuboids.iter();
-        cuboids
-            .find(|(name, _)| name.0 == object)
-            .map(|(_, mode)| *mode)
+        if let Some(column) = column {
+            self.set_look(Probed(Some([column, y])));
+        }
     }
 }
 
 /// Drawn, exact Phong, and the error between them, by channel, with both colours.
-fn verdict(ui: &mut Ui, surface: &Surface, is_gouraud: bool) {
-    let drawn = if is_gouraud {
-        surface.gouraud.levels
-    } else {
-        surface.phong.levels
-    };
+fn verdict(ui: &mut Ui, surface: &Surface) {
+    let drawn = surface.drawn.levels;
     let exact = surface.reference.phong.map(|it| it.levels);
     Grid::new("verdict")
         .num_columns(4)
@@ -112,41 +107,6 @@ fn swatch(ui: &mut Ui, levels: [f64; 3]) {
     let (place, _) = ui.allocate_exact_size(vec2(52.0, 20.0), egui::Sense::hover());
     ui.painter()
         .rect_filled(place, 2.0, color(display_pixel(levels)));
-}
-
-/// The levels along the pixel's row, of the channel that is brightest at the pixel.
-fn section(ui: &mut Ui, profile: &Profile, column: usize, row: usize) {
-    let exact = profile.reference.get(column).copied().unwrap_or_default();
-    let brightest = (0..3).reduce(|one, next| if exact[next] > exact[one] { next } else { one });
-    let channel = brightest.unwrap_or(0);
-    let name = CHANNELS[channel];
-    ui.label(format!("{name} along row {row}, levels of 255"));
-    ui.horizontal(|ui| {
-        for (ink, name) in [
-            (GOURAUD, "Gouraud"),
-            (PHONG, "Phong"),
-            (EXACT, "exact (dots)"),
-        ] {
-            ui.colored_label(ink, name);
-        }
-    });
-    let curve = |levels: &[[f64; 3]]| -> PlotPoints<'static> {
-        let points = levels.iter().enumerate();
-        points
-            .map(|(x, levels)| [x as f64, levels[channel].clamp(0.0, 255.0)])
-            .collect()
-    };
-    let plot = still(Plot::new("section").height(140.0).include_y(0.0));
-    plot.show(ui, |plot| {
-        plot.vline(VLine::new("pixel", column as f64).color(Color32::from_gray(110)));
-        plot.line(Line::new("Gouraud", curve(&profile.gouraud)).color(GOURAUD));
-        plot.line(Line::new("Phong", curve(&profile.phong)).color(PHONG));
-        plot.line(
-            Line::new("exact", curve(&profile.reference))
-                .color(EXACT)
-                .style(LineStyle::dotted_loose()),
-        );
-    });
 }
 
 /// Every step from the vectors to the sum.

@@ -278,17 +278,7 @@ impl App {
         if size != mesh.size() {
             *mesh = Mesh::cuboid(size);
         }
-        ui.horizontal(|ui| {
-            ui.label("shininess");
-            let before = material.shininess;
-            let slider = Slider::new(&mut material.shininess, range::SHININESS).logarithmic(true);
-            let slider = slider
-                .smallest_positive(0.1)
-                .custom_formatter(format_number);
-            ui.add(slider)
-                .on_hover_text("The exponent of the highlight, 0 to 1e6.");
-            keep_digits(before, &mut material.shininess);
-        });
+        shininess_row(ui, material);
         ui.horizontal(|ui| {
             ui.label("shading");
             ui.radio_value(mode, ShadingMode::Gouraud, "gouraud");
@@ -390,6 +380,21 @@ impl Field {
         ));
         keep_digits(before, value);
     }
+}
+
+/// A slider for the exponent of the highlight.
+pub fn shininess_row(ui: &mut Ui, material: &mut Material) {
+    ui.horizontal(|ui| {
+        ui.label("shininess");
+        let before = material.shininess;
+        let slider = Slider::new(&mut material.shininess, range::SHININESS).logarithmic(true);
+        let slider = slider
+            .smallest_positive(0.1)
+            .custom_formatter(format_number);
+        ui.add(slider)
+            .on_hover_text("The exponent of the highlight, 0 to 1e6.");
+        keep_digits(before, &mut material.shininess);
+    });
 }
 
 /// Adds a copy of the entity of this name; returns the copy's name.

@@ -1,0 +1,115 @@
+//! The profile of a wipe, column by column under the picture: both sides and exact Phong along a row, and the error of the
+//! side that is shown as the gap between, in the colours of the error map.
+
+use egui::{Align2, Color32, Frame, Panel, Pos2, Rect, Sense, Ui, pos2, vec2};
+
+use super::app::App;
+use super::inspector::CHANNELS;
+use super::keys::{Command, caption};
+use super::pictures::divider_column;
+use super::style::{EXACT, INK, STALE};
+use super::viewport::tag;
+use crate::components::{Probed, Show, Side, ViewMode};
+use crate::paint::color;
+use crate::trade::error_map::Pixel;
+
+/// The height of the curves, and the least height that is left to the picture, in points.
+const HEIGHT: f32 = 84.0;
+const ROOM: f32 = 260.0;
+
+impl App {
+    /// Lays out the profile of a wipe below the rest of the window.
+    pub fn profile(&mut self, ui: &mut Ui) {
+        let show: Show = self.look();
+        if show.mode != ViewMode::Wipe || ui.available_height() < HEIGHT + ROOM {
+            return;
+        }
+        let panel = Panel::bottom("profile").resizable(false);
+        let ground = Frame::new().fill(Color32::from_gray(20));
+        panel.frame(ground).show_inside(ui, |ui| {
+            let row = self.profile_row();
+            let is_open = !self.desk.profile_folded;
+            let key = caption(Command::Profile);
+            let arrow = if is_open { "⏷" } else { "⏵" };
+            let fold = ui.small_button(format!("{arrow} levels along row {row}  {key}"));
+            if fold.on_hover_text("Folds the profile.").clicked() {
+                self.desk.profile_folded = is_open;
+            }
+            if is_open {
+                let size = vec2(ui.available_width(), HEIGHT);
+                let (place, _) = ui.allocate_exact_size(size, Sense::hover());
+                self.draw_profile(&ui.painter_at(place), place, &show, row);
+            }
+        });
+    }
+
+    /// The row of the probed pixel, or the one in the middle.
+    pub fn profile_row(&self) -> usize {
+        let Probed(pixel) = self.look();
+        let height = self.pictures.size()[1];
+        pixel.map_or(height / 2, |[_, y]| y.min(height.saturating_sub(1)))
+    }
+
+    fn draw_profile(&self, painter: &egui::Painter, place: Rect, show: &Show, row: usize) {
+        let width = self.pictures.size()[0];
+        let comparison = self.facts.comparison.current();
+        let exact = comparison.map(|it| it.exact.as_slice());
+        let of_row = |pixels: &[u32]| {
+            pixels
+                .get(row * width..(row + 1) * width)
+                .map(<[u32]>::to_vec)
+        };
+        let exact = exact.and_then(of_row);
+        let sides = [0, 1].map(|index| match show.sides[index] {
+            Side::Reference => exact.clone(),
+            _ => of_row(self.pictures.side(index)),
+        });
+        let [Some(left), Some(right)] = &sides else {
+            return;
+        };
+        let level = |pixel: u32, channel: usize| f32::from(pixel.to_be_bytes()[1 + channel]);
+        let gap = |channel: usize| {
+            let truth = exact.as_ref().unwrap_or(right).iter();
+            let columns = truth.zip(left).zip(right);
+            let gaps = columns.map(|((truth, left), right)| {
+                let [truth, left, right] = [*truth, *left, *right].map(|it| level(it, channel));
+                (truth - left).abs().max((truth - right).abs())
+            });
+            gaps.fold(0.0, f32::max)
+        };
+        let channel = (0..3).fold(
+            0,
+            |most, next| if gap(next) > gap(most) { next } else { most },
+        );
+        let at = |column: usize, pixel: u32| -> Pos2 {
+            let x = self.place_of([column as i32, 0]).x;
+            pos2(
+                x,
+                place.max.y - 4.0 - level(pixel, channel) / 255.0 * (place.height() - 8.0),
+            )
+        };
+        let divider = divider_column(show.divider, width);
+        if let (Some(exact), Some(comparison)) = (&exact, comparison) {
+            for (column, truth) in exact.iter().enumerate() {
+                let drawn = if column < divider { left } else { right }[column];
+                let error = (level(drawn, channel) - level(*truth, channel)).abs();
+                let ink = color(comparison.scale.color(Pixel::Error(error)));
+                painter.line_segment([at(column, *truth), at(column, drawn)], (1.5, ink));
+            }
+        }
+        let curves = [
+            (exact.as_ref(), EXACT),
+            (sides[0].as_ref(), self.side_ink(&show.sides[0])),
+            (sides[1].as_ref(), self.side_ink(&show.sides[1])),
+        ];
+        for (pixels, ink) in curves {
+            let points = pixels.into_iter().flatten().enumerate();
+            let points = points.map(|(column, pixel)| at(column, *pixel)).collect();
+            painter.line(points, (1.5, ink));
+        }
+        let x = at(divider, 0).x;
+        painter.vline(x, place.y_range(), (1.0, STALE));
+        let corner = place.left_top() + vec2(8.0, 2.0);
+        tag(painter, Align2::LEFT_TOP, corner, CHANNELS[channel], INK);
+    }
+}

@@ -1,0 +1,204 @@
+//! The two sides of a wipe: a tag for each beside the divider, with a menu of methods and the price of the one that is shown,
+//! and a mark on its worst pixel.
+
+use egui::{Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+
+use super::app::App;
+use super::inspector::short;
+use super::pictures::divider_column;
+use super::style::{BAD, EXACT, GOURAUD, INK, PHONG, SHORTCUT, STALE};
+use crate::components::{Inspector, Probed, ShadingMode, Show, Side, Tab, ViewMode};
+use crate::shading::{METHODS, Method};
+use crate::trade::Measurement;
+use crate::trade::words::{capital, method_name};
+
+/// The width of a tag, and its distance from the divider and from the upper edge, in points.
+const WIDTH: f32 = 188.0;
+const GAP: f32 = 9.0;
+/// A smaller picture has tags without a price, in points.
+const ROOM: f32 = 300.0;
+/// How far the mark of a worst pixel can be missed and is still caught, in points.
+const REACH: f32 = 10.0;
+
+/// The sides to choose from, in the order of menus and keys.
+pub fn choices() -> Vec<Side> {
+    let methods = METHODS.iter().map(|method| Side::Method {
+        mode: method.mode,
+        tolerance: method.tolerance,
+    });
+    methods.chain([Side::Picture, Side::Reference]).collect()
+}
+
+impl App {
+    /// The method of a side; `None` for the reference, and where the cuboids have different modes.
+    fn side_method(&self, side: &Side) -> Option<Method> {
+        match *side {
+            Side::Picture => self.method(),
+            Side::Method { mode, tolerance } => Some(Method::of(mode, tolerance)),
+            Side::Reference => None,
+        }
+    }
+
+    fn side_name(&self, side: &Side) -> String {
+        let method = self.side_method(side).map(method_name);
+        match side {
+            Side::Reference => "Exact Phong in f64".to_owned(),
+            Side::Picture => format!("Picture: {}", method.unwrap_or_else(|| "mixed".to_owned())),
+            Side::Method { .. } => capital(&method.unwrap_or_default()),
+        }
+    }
+
+    /// The colour of a side's curve.
+    pub fn side_ink(&self, side: &Side) -> Color32 {
+        let method = self.side_method(side);
+        method.map_or(EXACT, |method| mode_ink(method.mode))
+    }
+
+    fn side_price(&self, side: &Side) -> Option<&Measurement> {
+        let method = self.side_method(side)?;
+        self.measured(method.mode, method.tolerance)
+    }
+
+    /// Lays out both tags beside the divider at `x`.
+    pub fn tags(&mut self, ui: &mut Ui, x: f32) {
+        let mut show: Show = self.look();
+        let prices = show.sides.map(|side| self.side_price(&side).cloned());
+        let times = prices.iter().flatten().map(|price| price.timing.median);
+        let slowest = times.fold(0.0, f64::max);
+        let before = show.sides;
+        let has_room = self.place.height() > ROOM;
+        for (index, price) in prices.into_iter().enumerate() {
+            let left = [x - GAP - WIDTH, x + GAP][index];
+            let corner = pos2(left, self.place.min.y + GAP);
+            let place = Rect::from_min_size(corner, vec2(WIDTH, 0.0));
+            let mut tag = ui.new_child(UiBuilder::new().max_rect(place).id_salt(("tag", index)));
+            tag.set_clip_rect(self.place);
+            let ground = Frame::new().fill(Color32::from_black_alpha(205));
+            let ground = ground.corner_radius(4.0).inner_margin(Margin::same(6));
+            ground.show(&mut tag, |ui| {
+                ui.set_width(WIDTH - 12.0);
+                let side = &mut show.sides[index];
+                let name = format!("{} ⏷", self.side_name(side));
+                ui.menu_button(RichText::new(name).strong(), |ui| {
+                    for choice in choices() {
+                        ui.selectable_value(side, choice, self.side_name(&choice));
+                    }
+                });
+                if let Some(price) = price.filter(|_| has_room)
+                    && self.price(ui, &price, slowest)
+                {
+                    self.explain(index, &price);
+                }
+            });
+        }
+        if show.sides != before {
+            self.wipe(show.sides);
+        }
+    }
+
+    /// Lays out the price of a method; whether its worst pixel was clicked.
+    fn price(&self, ui: &mut Ui, price: &Measurement, slowest: f64) -> bool {
+        let is_current = self.facts.trade.current().is_some();
+        let time = price.timing.median;
+        let fill = if is_current {
+            mode_ink(price.method.mode)
+        } else {
+            STALE
+        };
+        ui.visuals_mut().override_text_color = Some(if is_current { INK } else { STALE });
+        ui.horizontal(|ui| {
+            let bar = ProgressBar::new((time / slowest) as f32).fill(fill);
+            ui.add(bar.desired_width(90.0).desired_height(8.0))
+                .on_hover_text("The median time of a frame; both bars have one scale.");
+            ui.label(format!("{} ms", short(time)));
+        });
+        if let Some(kept) = price.highlight_kept {
+            ui.label(format!("highlight kept {:.0} %", 100.0 * kept));
+        }
+        let Some(error) = price.error else {
+            return false;
+        };
+        let worst = ui.link(format!("worst pixel {} of 255", short(error)));
+        worst.on_hover_text("Shows why it errs.").clicked()
+    }
+
+    /// Probes the worst pixel of a side, and moves the divider where the other side hides it.
+    fn explain(&mut self, index: usize, price: &Measurement) {
+        let Some([x, y]) = price.worst else {
+            return;
+        };
+        let show: Show = self.look();
+        let width = self.picture_size()[0];
+        let is_right = x >= divider_column(show.divider, width);
+        if show.mode == ViewMode::Wipe && is_right != (index == 1) {
+            // A tenth of the width beside it, so that its surroundings are seen as well.
+            let beside = [0.1, -0.1][index] + x as f64 / width as f64;
+            let divider = beside.clamp(0.02, 0.98);
+            self.set_look(Show { divider, ..show });
+        }
+        self.probe([x, y]);
+    }
+
+    /// Explains the worst pixel of what is shown; of the side that errs more in a wipe.
+    pub fn explain_worst(&mut self) {
+        let show: Show = self.look();
+        let sides = match show.mode {
+            ViewMode::Wipe => show.sides,
+            _ => [Side::Picture; 2],
+        };
+        let prices = sides.map(|side| self.side_price(&side).cloned());
+        let error = |index: usize| prices[index].as_ref().and_then(|it| it.error);
+        let index = usize::from(error(1) > error(0));
+        match &prices[index] {
+            Some(price) if self.facts.trade.current().is_some() => self.explain(index, price),
+            _ => self.say("the errors are not known yet"),
+        }
+    }
+
+    /// Looks at a pixel, in the tab for it where there is room.
+    pub fn probe(&mut self, pixel: [usize; 2]) {
+        self.set_look(Probed(Some(pixel)));
+        // The scene's tab stays open: a click selects the cuboid there.
+        if self.desk.has_room[1] && self.look::<Inspector>().0 != Some(Tab::Scene) {
+            self.set_look(Inspector(Some(Tab::Pixel)));
+        }
+    }
+
+    /// The worst pixels that are marked: those of the sides that show them.
+    fn worst_pixels(&self) -> Vec<[usize; 2]> {
+        let show: Show = self.look();
+        if self.facts.trade.current().is_none() || show.mode != ViewMode::Wipe {
+            return Vec::new();
+        }
+        let divider = divider_column(show.divider, self.picture_size()[0]);
+        let sides = show.sides.iter().enumerate();
+        let worst = sides.filter_map(|(index, side)| {
+            let pixel = self.side_price(side)?.worst?;
+            (usize::from(pixel[0] >= divider) == index).then_some(pixel)
+        });
+        worst.collect()
+    }
+
+    /// The worst pixel whose mark is at a place in the window.
+    pub fn worst_at(&self, at: Pos2) -> Option<[usize; 2]> {
+        let mut pixels = self.worst_pixels().into_iter();
+        pixels.find(|pixel| self.place_of(pixel.map(|it| it as i32)).distance(at) < REACH)
+    }
+
+    /// Marks the worst pixels.
+    pub fn draw_worst(&self, painter: &egui::Painter) {
+        for pixel in self.worst_pixels() {
+            let at = self.place_of(pixel.map(|it| it as i32));
+            painter.circle_stroke(at, 8.0, (4.0, Color32::from_black_alpha(150)));
+            painter.circle_stroke(at, 8.0, (2.0, BAD));
+        }
+    }
+}
+
+fn mode_ink(mode: ShadingMode) -> Color32 {
+    match mode {
+        ShadingMode::Gouraud => GOURAUD,
+        ShadingMode::Phong => PHONG,
+        ShadingMode::UnitVectors => SHORTCUT,
+    }
+}
