@@ -75,11 +75,11 @@ fn an_ordinary_view_gives_a_report_within_the_contract() {
     assert_eq!(exact.counts.model_evaluations, report.covered_pixels);
 }
 
-/// 100 rows are more than one band.
+/// 300 rows are several bands, and the worst pixels are not in the first.
 #[test]
 fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
     let asked = || {
-        let mut asked = request(scene(GREEN, CENTRE, true), [130, 100], 1);
+        let mut asked = request(scene(GREEN, CENTRE, true), [100, 300], 1);
         asked.methods.push(Method::of(ShadingMode::Phong, 3.0));
         asked
     };

@@ -119,6 +119,18 @@ fn the_sentence_states_only_measured_facts() {
         }
     }
     assert_eq!(sentence(&measured(USUAL), Method::of(Phong, 0.7)), None);
+    // Intervals that are so wide that they overlap allow no verdict.
+    let mut noisy = measured(USUAL);
+    for one in &mut noisy {
+        one.timing.interval = [0.1, 2.0];
+    }
+    for one in &noisy {
+        let text = sentence(&noisy, one.method).expect("it is measured");
+        assert!(
+            text.contains("not measurably") && !text.contains(NOTHING),
+            "{text}"
+        );
+    }
 }
 
 #[test]
