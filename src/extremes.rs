@@ -240,7 +240,7 @@ impl Extreme {
         if let Some(example) = examples.find(|it| wrong(it.verdict, it.pixel)) {
             let [x, y] = example.pixel;
             bail!(
-                "pixel {x},{y} is {:?}: drawn {:?}, exact {:?}",
+                "pixel {x},{y} is {:?}: drawn {:.4?}, exact {:.4?}",
                 example.verdict,
                 example.drawn,
                 example.enclosure

@@ -1,12 +1,12 @@
-//! Scene files: a TOML text is read into a [`SceneRecord`], and a record is spawned as a [`World`] and taken from one.
+//! Scene files. A TOML text is read into a [`SceneRecord`]; a record is spawned as a [`World`] and taken from one.
 //!
 //! ```text
 //! argument --file--> text --read--> SceneRecord <--spawn, of--> World
 //!                     ^ '--- error: one located message
 //!                     '-- updated (comments kept) --'
 //! ```
-//! Every number in a [`World`] spawned here is finite and within the [`range`] of its key, and every name is unique within its
-//! kind. Nothing else reads or writes scene files.
+//! Every number in a [`World`] spawned here is finite and within the [`range`] of its key, and every name is unique within
+//! its kind. Nothing else reads or writes scene files.
 
 mod check;
 mod error;
@@ -30,7 +30,7 @@ pub use self::save::updated;
 use crate::components::{ActiveCamera, Camera, Light, Name, names, ordered, overwrite};
 use crate::memory;
 
-/// The scenes the program carries, as name and text; the first is the default.
+/// The built-in scenes, as name and text. The first is the default.
 pub const BUILT_IN: [(&str, &str); 4] = [
     ("cuboid", include_str!("../assets/scenes/cuboid.toml")),
     ("bench-far", include_str!("../assets/scenes/bench-far.toml")),
@@ -44,11 +44,10 @@ pub const BUILT_IN: [(&str, &str); 4] = [
     ),
 ];
 
-/// The scenes at the ends of what numbers can be, as name and text: `extremes/NAME`, ordered by name.
+/// The built-in scenes with numbers at the ends of their ranges, as name (`extremes/NAME`) and text, ordered by name.
 pub const EXTREMES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/extremes.rs"));
 
-/// Memory that parsing takes for a byte of text: of an array of numbers of one digit, the densest text there is, 95; of
-/// usual scenes 45.
+/// Bytes of memory that the parser takes for a byte of text. An array of one-digit numbers takes 95, a usual scene 45.
 const BYTES_PER_BYTE: usize = 100;
 
 fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
@@ -56,35 +55,35 @@ fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
     all.find(|(name, _)| path.as_os_str() == *name)
 }
 
-/// Whether `path` is the name of a built-in scene, which wins over a file.
+/// Whether `path` is the name of a built-in scene. Such a name wins over a file.
 pub fn is_built_in(path: &Path) -> bool {
     built_in(path).is_some()
 }
 
-/// A scene: where it comes from, and its world.
+/// A world and its source.
 pub struct Scene {
     /// The built-in name, or the path as given.
     pub name: String,
-    /// The file it was read from, if any.
+    /// The file of the scene, if it has one.
     pub path: Option<PathBuf>,
-    /// The text it was read from; empty where it was not.
+    /// The text of the scene; empty if it was spawned from a record.
     pub text: String,
-    /// What the format allows and is probably a slip, with its place.
+    /// A probable mistake that the format allows, with its place.
     pub warning: Option<String>,
-    /// Everything; spawned in file order.
+    /// The entities, spawned in file order.
     pub world: World,
 }
 
 impl Scene {
-    /// The scene that `argument` names: a built-in one or else the file at that path; the default when there is none.
+    /// Loads the built-in scene of this name, or else the file at this path. `None` is the default scene.
     ///
     /// # Errors
-    /// When the file cannot be read or is no valid scene.
+    /// If the file cannot be read or is not a valid scene.
     pub fn load(argument: Option<&str>) -> Result<Scene, SceneError> {
         Scene::load_path(Path::new(argument.unwrap_or(BUILT_IN[0].0)))
     }
 
-    /// The same of a path, which need not be UTF-8.
+    /// As [`Scene::load`], for a path that need not be UTF-8.
     ///
     /// # Errors
     /// As [`Scene::load`].
@@ -99,10 +98,10 @@ impl Scene {
         })
     }
 
-    /// The scene that `text` describes; `name` is what the scene and its errors call it.
+    /// Reads a text. The scene and its errors carry `name`.
     ///
     /// # Errors
-    /// When the text is no valid scene: the first thing wrong, with its place. When there is no memory to parse it in.
+    /// If the text is not a valid scene: the first mistake, with its place. If memory does not suffice.
     pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
         let text = without_mark(text);
         memory::check_for("what it describes", text.len() * BYTES_PER_BYTE).map_err(|full| {
@@ -123,7 +122,7 @@ impl Scene {
         })
     }
 
-    /// The scene of what `record` says, which must be [checked](SceneRecord::check).
+    /// Spawns a [checked](SceneRecord::check) record.
     pub fn spawn(name: String, record: &SceneRecord) -> Scene {
         Scene {
             name,
@@ -134,16 +133,16 @@ impl Scene {
         }
     }
 
-    /// A scene of its own that has everything as it is now; what a frame derives starts empty.
+    /// A copy of the present state. The components that a frame derives start empty.
     #[must_use]
     pub fn snapshot(&self) -> Scene {
         Scene::spawn(self.name.clone(), &SceneRecord::of(&self.world))
     }
 
-    /// Switches on the lights that are chosen and every other one off.
+    /// Switches the chosen lights on and all others off.
     ///
     /// # Errors
-    /// When a chosen light does not exist; nothing is switched then.
+    /// If a chosen light does not exist. No light is switched then.
     pub fn switch_lights(&mut self, which: &LightChoice) -> anyhow::Result<()> {
         if let LightChoice::Names(chosen) = which {
             let lights = names::<Light>(&self.world);
@@ -160,10 +159,10 @@ impl Scene {
         Ok(())
     }
 
-    /// Looks through the camera of that name.
+    /// Makes the camera of this name the active one.
     ///
     /// # Errors
-    /// When there is none.
+    /// If there is no such camera.
     pub fn look_from(&mut self, name: &str) -> anyhow::Result<()> {
         let cameras = names::<Camera>(&self.world);
         let Some(place) = cameras.iter().position(|camera| camera == name) else {
@@ -175,24 +174,24 @@ impl Scene {
     }
 }
 
-/// Some editors put a byte order mark before the text; it is in no line and no column.
+/// Removes the byte order mark that some editors write, so that it counts in no column.
 fn without_mark(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
-/// Which lights are to be on; as text `all`, `none`, or names with commas between them.
+/// The lights to switch on. As text: `all`, `none`, or names separated by commas.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LightChoice {
     /// Every light.
     All,
-    /// These and no others; none of them is no light.
+    /// Only these; an empty list is no light.
     Names(Vec<String>),
 }
 
 impl FromStr for LightChoice {
     type Err = anyhow::Error;
 
-    /// Whether the names exist, [`Scene::switch_lights`] tells.
+    /// [`Scene::switch_lights`] checks that the names exist.
     fn from_str(text: &str) -> anyhow::Result<Self> {
         let names: Vec<&str> = text.split(',').collect();
         match names.iter().find(|name| ["", "all", "none"].contains(name)) {
@@ -209,9 +208,9 @@ impl FromStr for LightChoice {
     }
 }
 
-/// What is wrong when none of `names`, which are those of a `kind`, is `name`.
+/// The error for a `name` that is not among the `names` of a `kind`.
 pub fn unknown(kind: &str, name: &str, names: &[String]) -> anyhow::Error {
-    /// No more than a person reads.
+    /// A person reads no more.
     const MAX_LISTED: usize = 20;
     if names.is_empty() {
         return anyhow!("no {kind} is named {name:?}; the scene has no {kind}s");

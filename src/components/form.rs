@@ -1,4 +1,4 @@
-//! How values of a scene file are read where serde by itself would take more than is meant.
+//! Forms of values in a scene file that serde alone reads too loosely.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -8,7 +8,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-/// So many values. Serde would leave out what follows them.
+/// An array of exactly `N` values. Serde alone ignores further ones.
 pub fn array<'de, T: Deserialize<'de>, const N: usize, D: Deserializer<'de>>(
     from: D,
 ) -> Result<[T; N], D::Error> {
@@ -18,7 +18,7 @@ pub fn array<'de, T: Deserialize<'de>, const N: usize, D: Deserializer<'de>>(
     })
 }
 
-/// A number. Zero has no sign: -0 is within every range of 0, and another number where bits are looked at.
+/// A number, with -0 read as 0: pictures are compared bit by bit.
 pub fn number<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     f64::deserialize(from).map(|number| number + 0.0)
 }
@@ -28,12 +28,12 @@ pub fn three<'de, D: Deserializer<'de>>(from: D) -> Result<DVec3, D::Error> {
     array(from).map(|three: [f64; 3]| DVec3::from(three) + 0.0)
 }
 
-/// Three numbers of a key that may be left out.
+/// Three numbers of an optional key.
 pub fn some_three<'de, D: Deserializer<'de>>(from: D) -> Result<Option<DVec3>, D::Error> {
     three(from).map(Some)
 }
 
-/// A table. Serde would also take an array for one, by the order of its keys.
+/// A table. Serde alone also accepts an array of its values.
 struct Table<T>(T);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {

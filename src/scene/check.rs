@@ -1,6 +1,6 @@
-//! What the numbers and names of a record must be: each within its range, and what belongs together.
+//! The check of a record: numbers within their ranges, names, and values that belong together.
 //!
-//! A record is checked whatever it comes from: a file, a recording, or edits in the window.
+//! Records from files, from recordings and from edits in the window pass the same check.
 
 use std::collections::HashSet;
 
@@ -13,14 +13,14 @@ use super::range::{
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 use crate::components::{Budget, LightKind, Magnifier, Orbit, Tolerance, length, unit};
 
-/// An `up` is parallel to the view where the sine of the angle between them is smaller.
+/// `up` and the view are parallel if the sine of their angle is smaller.
 const PARALLEL: f64 = 1e-9;
 
 /// The longest side of a picture, in pixels.
 pub const MAX_SIDE: usize = 16_384;
 
 impl SceneRecord {
-    /// Whether everything is within its range and goes together.
+    /// Checks every number, every name and their relations.
     ///
     /// # Errors
     /// The first mistake.
@@ -43,7 +43,7 @@ impl SceneRecord {
         place.is("camera", camera, names.contains(&camera), &expected)
     }
 
-    /// The first light whose colour is written in levels, which makes it some 255 times as bright as was meant.
+    /// The first light with a colour above 1. Such a colour is probably meant in levels, and the light 255 times too bright.
     pub(super) fn slip(&self) -> Option<Mistake> {
         let is_slip = |light: &LightRecord| light.color.max_element() > 1.0;
         let index = self.light.iter().position(is_slip)?;
@@ -55,7 +55,7 @@ impl SceneRecord {
     }
 }
 
-/// Whether the names of a kind are its own, and everything else about each is right.
+/// Checks that the names of a kind are unique and not empty, and then each item.
 fn each<T>(
     kind: &'static str,
     all: &[T],
@@ -88,7 +88,7 @@ impl CuboidRecord {
 
 impl LightRecord {
     fn check(&self, place: &Place) -> Result<(), Mistake> {
-        // The command line writes lists of lights with commas between them.
+        // On the command line commas separate lights.
         let is_name = !["all", "none"].contains(&&*self.name) && !self.name.contains(',');
         let expected = "a name that holds no comma and is not \"all\" or \"none\"";
         place.is("name", &self.name, is_name, expected)?;
@@ -131,7 +131,7 @@ impl CameraRecord {
         let expected = "a point at least 1e-100 away from `camera.position`";
         place.is("target", target, length(view) >= 1e-100, expected)?;
         let is_parallel = unit(self.up).cross(unit(view)).length() < PARALLEL;
-        // A usual `up` is hardly ever said, nor is it what is wrong.
+        // The default `up` is rarely in the file, and rarely the mistake.
         if self.up == DVec3::Y {
             let expected =
                 "a point that is not above or below `camera.position`, as `camera.up` is +y";

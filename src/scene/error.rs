@@ -1,4 +1,4 @@
-//! Why there is no scene: one located message for a person.
+//! Errors of scene files, as messages with a place.
 //!
 //! ```text
 //! scene.toml:7:9: `cuboid.size`: invalid value: number `-4.0`, expected a number from 1e-100 to 1e100
@@ -7,7 +7,7 @@
 //!   |         ^^^^
 //! ```
 //!
-//! Every message has this form, is a few lines long whatever the text, and contains no control character of the text.
+//! Every message has this form. It is a few lines long for any text, and contains no control character of the text.
 
 use std::fmt::Debug;
 use std::io;
@@ -18,7 +18,7 @@ use glam::DVec3;
 
 use super::range::words;
 
-/// Why there is no scene. The display of either kind is the whole message, without a line break at its end.
+/// The reason why a scene cannot be loaded. It displays as the whole message, without a line break at the end.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// The file could not be read.
@@ -26,12 +26,12 @@ pub enum SceneError {
     Unreadable {
         /// As given.
         path: String,
-        /// What the system says.
+        /// The error of the system.
         cause: io::Error,
-        /// What else may have been meant, or nothing.
+        /// A suggestion, or nothing.
         hint: String,
     },
-    /// The text is no valid scene.
+    /// The text is not a valid scene.
     #[error("{file}:{line}:{column}: {message}\n{excerpt}")]
     Invalid {
         /// The scene's name, or the path as given.
@@ -40,19 +40,19 @@ pub enum SceneError {
         line: usize,
         /// In characters, counted from 1.
         column: usize,
-        /// The key, what was found and what is allowed.
+        /// The key, the value found and the values allowed.
         message: String,
-        /// The line, and carets below what is wrong.
+        /// The line, with carets below the mistake.
         excerpt: String,
     },
 }
 
-/// A table of a scene: what it is, and which of its kind; or one number of the background.
+/// A table of a scene, by its kind and its index; or one number of the background.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     kind: &'static str,
     index: usize,
-    /// Which number of the key.
+    /// The index of a number in an array.
     element: Option<usize>,
 }
 
@@ -65,7 +65,7 @@ impl Place {
         }
     }
 
-    /// Whether the value `found` at a key is legal.
+    /// Checks a value at a key.
     pub fn is(
         &self,
         key: &'static str,
@@ -80,7 +80,7 @@ impl Place {
         Err(self.mistake(key, message))
     }
 
-    /// Whether the number at a key is within its range.
+    /// Checks that a number is within its range.
     pub fn number(
         &self,
         key: &'static str,
@@ -93,7 +93,7 @@ impl Place {
         self.is(key, number, false, &words(range))
     }
 
-    /// Whether the three numbers at a key are within their range.
+    /// Checks that three numbers are within their range.
     pub fn three(
         &self,
         key: &'static str,
@@ -106,7 +106,7 @@ impl Place {
         })
     }
 
-    /// The mistake at a key.
+    /// A mistake at a key.
     pub fn mistake(&self, key: &'static str, message: String) -> Mistake {
         Mistake {
             place: *self,
@@ -116,18 +116,18 @@ impl Place {
     }
 }
 
-/// What a scene may not say, and at which key.
+/// An illegal value, and its key.
 #[derive(Debug, thiserror::Error)]
 #[error("`{}{}{key}`: {message}", place.kind, if key.is_empty() { "" } else { "." })]
 pub struct Mistake {
     place: Place,
-    /// With points between its parts; empty is the whole table.
+    /// Its parts are separated by dots; empty is the whole table.
     key: &'static str,
     message: String,
 }
 
 impl Mistake {
-    /// The bytes of the text that say it, or the table that does not.
+    /// The bytes of the value in the text, or those of its table if the key is missing.
     pub(super) fn span(&self, text: &str) -> Range<usize> {
         let span = toml_edit::Document::parse(text).ok().and_then(|document| {
             let all = document.get(self.place.kind)?;
@@ -142,10 +142,10 @@ impl Mistake {
     }
 }
 
-/// The bytes that toml's error is about, and its key and message.
+/// The bytes that an error of toml refers to, and its key and message.
 pub fn told(mut error: toml::de::Error) -> (Range<usize>, String) {
     let span = error.span().unwrap_or(0..0);
-    // Without the text the error says the key instead of showing the line.
+    // Without its input the error names the key instead of showing the line.
     error.set_input(None);
     let said = error.to_string();
     let message = match said.trim_end().rsplit_once("\nin ") {
@@ -155,7 +155,7 @@ pub fn told(mut error: toml::de::Error) -> (Range<usize>, String) {
     (span, message)
 }
 
-/// The error for the bytes of a text that are wrong; `file` is what the text is called.
+/// The error for a mistake in these bytes of a text. Messages call the text `file`.
 pub fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> SceneError {
     let (line, column) = line_and_column(text, span.start);
     SceneError::Invalid {
@@ -167,7 +167,7 @@ pub fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> Sc
     }
 }
 
-/// The error for a file that is not text.
+/// The error for a file that is not UTF-8.
 pub fn not_utf8(path: &str, error: &FromUtf8Error) -> SceneError {
     let start = error.utf8_error().valid_up_to();
     let byte = error.as_bytes()[start];
@@ -176,7 +176,7 @@ pub fn not_utf8(path: &str, error: &FromUtf8Error) -> SceneError {
     located(path, &text, &(start..start), &message)
 }
 
-/// Line and column of the byte `offset`, counted from 1; the end of the text where `offset` is inside no character.
+/// Line and column of the byte `offset`, counted from 1. An offset inside a character counts as the end of the text.
 fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -185,15 +185,15 @@ fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// Longer lines and messages are shown in part: in characters.
+/// In characters. Longer lines and messages are cut.
 const WIDEST_LINE: usize = 100;
 const WIDEST_MESSAGE: usize = 400;
 
-/// The line the span starts in, with carets below the part of the span that is in it.
+/// The first line of the span, with carets below the span.
 fn excerpt(text: &str, span: &Range<usize>, line: usize, column: usize) -> String {
     let content = text.split('\n').nth(line - 1).unwrap_or_default();
     let content = content.strip_suffix('\r').unwrap_or(content);
-    // Of a long line, the part around the column is shown.
+    // A long line is cut around the column.
     let (skipped, ellipsis) = if column > WIDEST_LINE {
         (column - WIDEST_LINE / 2, "…")
     } else {
@@ -212,14 +212,14 @@ fn excerpt(text: &str, span: &Range<usize>, line: usize, column: usize) -> Strin
     format!("{gutter} |\n{line} | {ellipsis}{shown}\n{gutter} | {indent}{carets}")
 }
 
-/// The first `widest` characters, printable, and whether there are more.
+/// The first `widest` characters, printable, and an ellipsis if there are more.
 fn shortened(mut characters: impl Iterator<Item = char>, widest: usize) -> String {
     let start: String = characters.by_ref().take(widest).collect();
     let more = characters.next().map_or("", |_| "…");
     printable(&start) + more
 }
 
-/// `text` without what would move the cursor or worse: one column for every character.
+/// `text` without control characters; every character takes one column.
 fn printable(text: &str) -> String {
     text.replace(['\t', '\n', '\r'], " ")
         .replace(char::is_control, "\u{fffd}")

@@ -1,6 +1,4 @@
-//! A path in, the scene's text out.
-//!
-//! Rule: whatever the path leads to, reading it ends, and what cannot be a scene is one [`SceneError`].
+//! Reads the text of a scene file. Reading ends for every path, devices and pipes included.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -9,7 +7,7 @@ use std::path::Path;
 use super::BUILT_IN;
 use super::error::{SceneError, not_utf8};
 
-/// In bytes. Room for two hundred thousand cuboids; an endless device stops here too.
+/// In bytes: room for two hundred thousand cuboids. Reading an endless device stops here.
 const LARGEST: u64 = 64 << 20;
 
 /// The text of the file at `path`.
@@ -34,7 +32,7 @@ fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// A bare name that is no file was probably meant as a built-in scene.
+/// A bare name without a file is probably a misspelt built-in scene.
 fn hint(path: &Path, cause: &io::Error) -> String {
     let is_plain = path.components().count() == 1 && path.extension().is_none();
     if cause.kind() != io::ErrorKind::NotFound || !is_plain {

@@ -1,4 +1,4 @@
-//! The numbers that each key of a scene file allows. NaN and the infinities are in no range.
+//! The ranges of the numbers in a scene file. NaN and infinities are in no range.
 
 use std::ops::RangeInclusive;
 
@@ -8,7 +8,7 @@ pub const LEVEL: RangeInclusive<f64> = 0.0..=255.0;
 pub const LENGTH: RangeInclusive<f64> = 1e-100..=1e100;
 /// World units.
 pub const COORDINATE: RangeInclusive<f64> = -1e100..=1e100;
-/// Degrees, any number of turns.
+/// Degrees, of any number of turns.
 pub const ANGLE: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 /// Coefficients, colours, intensities and gains.
 pub const STRENGTH: RangeInclusive<f64> = 0.0..=1e30;
@@ -20,10 +20,10 @@ pub const FIELD_OF_VIEW: RangeInclusive<f64> = 5e-324..=179.0;
 pub const ORBIT: RangeInclusive<f64> = -180.0..=180.0;
 /// The factor of a camera's distance and height.
 pub const ZOOM: RangeInclusive<f64> = 1e-200..=1e200;
-/// A part of a whole.
+/// A share of a whole.
 pub const SHARE: RangeInclusive<f64> = 0.0..=1.0;
 
-/// What a range allows, as it stands after "expected".
+/// A range in words, for use after "expected".
 pub(super) fn words(range: &RangeInclusive<f64>) -> String {
     if *range == ANGLE {
         return "a number that is finite (degrees)".to_owned();

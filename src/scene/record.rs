@@ -1,8 +1,7 @@
-//! A scene written down: the tables of its file, and the one form in which a [`World`](hecs::World) is saved, compared and
-//! copied.
+//! The tables of a scene file. A [`World`](hecs::World) is saved, compared and copied as a record.
 //!
-//! These tables are the whole format; what is not named here is refused. Optional keys have their defaults in the record, so
-//! that two records are equal where their scenes are.
+//! These tables are the whole format; other keys are errors. Optional keys have their defaults in the record, so that equal
+//! scenes have equal records.
 
 use std::ops::Range;
 
@@ -24,7 +23,7 @@ const EMERALD: Material = Material {
     shininess: 76.8,
 };
 
-/// The whole file, everything in its order.
+/// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneRecord {
@@ -69,7 +68,7 @@ pub struct LightRecord {
     pub intensity: f64,
     #[serde(default = "one", deserialize_with = "number")]
     pub gain: f64,
-    /// None of an ambient light.
+    /// `None` for an ambient light.
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",
@@ -100,7 +99,7 @@ pub struct CameraRecord {
     pub orbit: Orbit,
 }
 
-/// How the scene is looked at.
+/// The state of the viewer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ViewRecord {
@@ -118,7 +117,7 @@ pub struct ViewRecord {
     pub sides: [Side; 2],
     #[serde(deserialize_with = "number")]
     pub divider: f64,
-    /// Degrees by which all cuboids have turned, 0..360.
+    /// Degrees that all cuboids have turned, 0..360.
     pub turned: u32,
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
     pub pixel: Option<[usize; 2]>,
@@ -168,13 +167,13 @@ fn pixel<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[usize; 2]>, D::Er
 }
 
 impl SceneRecord {
-    /// The name of the camera that is looked through, which is one of the record's.
+    /// The name of the active camera.
     pub(super) fn active_camera_name(&self) -> Option<&str> {
         let first = self.camera.first().map(|camera| &*camera.name);
         self.view.camera.as_deref().or(first)
     }
 
-    /// The place in the file of the camera that is looked through; `None` where there is none of that name.
+    /// The index of the active camera; `None` if there is no camera of that name.
     pub(super) fn active_camera(&self) -> Option<usize> {
         match &self.view.camera {
             None => Some(0),
@@ -182,17 +181,17 @@ impl SceneRecord {
         }
     }
 
-    /// Leaves out the cameras that are not looked through.
+    /// Removes all cameras but the active one.
     pub(crate) fn keep_active_camera(&mut self) {
         let active = self.active_camera().unwrap_or(0);
         self.camera = vec![self.camera.swap_remove(active)];
         self.view.camera = None;
     }
 
-    /// What the text describes.
+    /// Reads and checks a text.
     ///
     /// # Errors
-    /// The bytes of the text that are wrong, and why they are.
+    /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
         let mut record: SceneRecord = toml::from_str(text).map_err(told)?;
         record
@@ -206,7 +205,7 @@ impl SceneRecord {
 }
 
 impl CuboidRecord {
-    /// An emerald of these edges at this place, not rotated, shaded by Phong.
+    /// An emerald of this size at this place, not rotated, with Phong shading.
     pub fn new(
         name: impl Into<String>,
         size: impl Into<DVec3>,
@@ -224,7 +223,7 @@ impl CuboidRecord {
 }
 
 impl LightRecord {
-    /// A white light that sends so many levels, from `position` unless it is ambient.
+    /// A white light of these levels at `position`; an ambient light has no position.
     pub fn new(
         name: impl Into<String>,
         kind: LightKind,
@@ -244,8 +243,8 @@ impl LightRecord {
 }
 
 impl CameraRecord {
-    /// From `position` towards `target`, with +y up: `fov` degrees in perspective, `height` units in orthographic
-    /// projection.
+    /// A camera at `position` that looks at `target`, with +y up. It sees `fov` degrees in perspective, `height` units in
+    /// orthographic projection.
     pub fn new(
         name: impl Into<String>,
         position: impl Into<DVec3>,

@@ -1,10 +1,10 @@
-//! A record written into the text that it was read from: what differs is set, and all else stays as it was written.
+//! Writes a record into the text of its file. Values that differ are set; everything else stays as it was written.
 //!
 //! ```text
 //! text --read--> old record --+
 //!      new record ------------+--> differences --set in the document--> text
 //! ```
-//! A key that the text lacks is added only where its value is another than before, so defaults stay left out.
+//! A key that the text lacks is added only if its value has changed. Defaults stay out of the text.
 
 use serde_json::{Map, Value as Json, json};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
@@ -12,19 +12,19 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 use super::record::SceneRecord;
 use crate::components::Orbit;
 
-/// A record's tables: a key's value is a number, a string, an array, a table, or an array of tables.
+/// A table of a record.
 type Tree = Map<String, Json>;
 
-/// `text` changed so that it is read as `record`. A text that is no scene is replaced.
+/// Changes a text so that it reads as `record`. A text that is not a scene is replaced.
 pub fn updated(text: &str, record: &SceneRecord) -> String {
-    // The document refuses integers that are floats in a scene: those of 64 bits.
+    // `parse` refuses integers of more than 64 bits, which a scene takes for floats.
     let (old, mut document) = match (SceneRecord::read(text), text.parse()) {
         (Ok(old), _) if old == *record => return text.to_owned(),
         (Ok(old), Ok(document)) => (old, document),
         _ => (SceneRecord::default(), DocumentMut::new()),
     };
     let [mut old, mut new] = [&old, record].map(tree);
-    // A text that names its camera follows that camera's name, even if it is the first.
+    // A text that names its camera follows that name, even if the camera is the first.
     let named = document.get("view").and_then(|view| view.get("camera"));
     if let Some(name) = named.and_then(Item::as_str) {
         old["view"]["camera"] = json!(name);
@@ -52,7 +52,7 @@ fn tables(list: Option<Json>) -> Vec<Tree> {
     tables.unwrap_or_default()
 }
 
-/// Makes the tables of a kind, which are `old`, those of `new`. A list in brackets becomes tables under headers.
+/// Changes the tables of a kind from `old` to `new`. A changed list in brackets becomes tables under headers.
 fn amend_list(document: &mut DocumentMut, kind: &str, old: &[Tree], new: &[Tree]) {
     if old == new {
         return;
@@ -80,7 +80,7 @@ fn headed() -> Table {
     table
 }
 
-/// What a new table of a kind need not say.
+/// The keys that a new table of a kind can leave out.
 fn unsaid(kind: &str) -> Tree {
     let mut unsaid = Tree::new();
     if kind == "camera" {
@@ -89,11 +89,11 @@ fn unsaid(kind: &str) -> Tree {
     unsaid
 }
 
-/// Which old table each new one was: that of its name, else the next one whose name is gone. `None` is a new one.
+/// The old index of each new table: the table of the same name, else the next one with a name that is gone. `None` is new.
 fn places(old: &[Tree], new: &[Tree]) -> Vec<Option<usize>> {
     let find = |table: &Tree| old.iter().position(|other| other["name"] == table["name"]);
     let mut named: Vec<_> = new.iter().map(find).collect();
-    // Tables stay in the text's order: where names have changed places, places alone count.
+    // Tables stay in the order of the text. If names have changed places, only the order counts.
     if !named.iter().flatten().is_sorted() {
         named.fill(None);
     }
@@ -108,7 +108,7 @@ fn places(old: &[Tree], new: &[Tree]) -> Vec<Option<usize>> {
     places
 }
 
-/// Makes a table, which says `old`, say `new`.
+/// Changes a table from `old` to `new`.
 fn amend_table(table: &mut dyn TableLike, old: &Tree, new: &Tree) {
     for (key, value) in new {
         let before = old.get(key).unwrap_or(&Json::Null);
@@ -138,7 +138,7 @@ fn amend(item: &mut Item, old: &Json, new: &Json) {
     }
 }
 
-/// Of an array only the elements that differ.
+/// Changes a value. In an array only the elements that differ are set.
 fn amend_value(value: &mut Value, old: &Json, new: &Json) {
     if let (Value::Array(array), Json::Array(old), Json::Array(new)) = (&mut *value, old, new)
         && old.len() == new.len()
@@ -155,7 +155,7 @@ fn amend_value(value: &mut Value, old: &Json, new: &Json) {
     *value.decor_mut() = decor;
 }
 
-/// What a key that was not there is set to; a table stands under a header if it is not small.
+/// The value of a new key. A large table stands under a header.
 fn created(key: &str, old: &Json, new: &Json) -> Item {
     match (key, new) {
         ("material" | "view", Json::Object(new)) => {
@@ -173,7 +173,7 @@ fn written(value: &Json) -> Value {
         .expect("a record holds texts and finite numbers")
 }
 
-/// A value as TOML has it, numbers in the shortest way: 1e100 not with a hundred zeros.
+/// A value in TOML, with numbers in the shortest form: 1e100 has no hundred zeros.
 fn toml_text(value: &Json) -> String {
     match value {
         Json::Number(number) if number.is_f64() => {

@@ -1,4 +1,4 @@
-//! A record is spawned as a [`World`] and taken from one; the two are inverse.
+//! Spawns a record as a [`World`], and takes a record from a world. The two are inverse.
 
 use hecs::World;
 
@@ -10,10 +10,10 @@ use crate::components::{
 };
 
 impl SceneRecord {
-    /// What the components say now, whether the cuboids go on turning apart.
+    /// The record of a world. Whether cuboids go on turning is not part of it.
     ///
     /// # Panics
-    /// When the world has no viewer or no camera: a scene is spawned with them.
+    /// If the world has no viewer or no camera. A spawned scene has both.
     pub fn of(world: &World) -> SceneRecord {
         let mut cuboids = world.query::<(
             &FileOrder,
@@ -90,10 +90,10 @@ impl SceneRecord {
         }
     }
 
-    /// The world that is written down here: its own record is this one again.
+    /// The world of this record.
     ///
     /// # Panics
-    /// When there is no camera.
+    /// If there is no camera.
     pub fn spawn(&self) -> World {
         let mut world = World::new();
         for (order, it) in self.cuboid.iter().enumerate() {

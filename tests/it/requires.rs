@@ -8,8 +8,8 @@ mod sixteen;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    ActiveCamera, Background, FileOrder, Inspector, Magnifier, Material, Name, Orbit, Probed, Show,
-    Spin, Tolerance, Transform, View,
+    ActiveCamera, Background, Budget, FileOrder, Inspector, Magnifier, Material, Name, Orbit,
+    Probed, Show, Spin, Tolerance, Transform, View,
 };
 use shadetrade::requires::{Change, Part, changes, parts};
 use shadetrade::scene::Scene;
@@ -37,6 +37,7 @@ fn scene_of(mut world: World, view: &View) -> Scene {
         view.projection,
         Background(view.background),
         Tolerance(view.tolerance),
+        Budget::default(),
         Spin::default(),
         Show::default(),
         Magnifier::default(),

@@ -175,7 +175,7 @@ fn change_places(scene: &mut SceneRecord, change: impl Fn(DVec3) -> DVec3) {
     }
 }
 
-/// Adds a light whose mirror image is in the face z = 1, and looks at its highlight, which is as wide as 1 / sqrt(shininess).
+/// Adds a light with its mirror image in the face z = 1, and looks at its highlight, which is 1 / sqrt(shininess) wide.
 fn set_shininess(scene: &mut SceneRecord, shininess: f64) {
     scene.cuboid[0].material.shininess = shininess;
     let camera = &mut scene.camera[0];
