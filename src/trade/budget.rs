@@ -25,15 +25,14 @@ const PATIENCE: u32 = 45;
 /// How long the frames of all methods are timed together before one picture is drawn.
 const MEASURING_TIME: Duration = Duration::from_secs(1);
 
-/// The front as methods and their milliseconds, the fastest and least exact first. The assignment's shortcut, which no scene
-/// asks for, is left out.
-pub fn ladder(measured: &[Measurement]) -> Vec<(Method, f64)> {
-    let on_front = measured
-        .iter()
-        .filter(|it| it.on_front && it.method.mode != ShadingMode::UnitVectors);
-    let mut ladder: Vec<_> = on_front.map(|it| (it.method, it.timing.median)).collect();
-    ladder.sort_by(|one, other| one.1.total_cmp(&other.1));
-    ladder
+/// The methods of the front and their milliseconds, the fastest and least exact first. The assignment's shortcut, which no
+/// scene asks for, is left out.
+pub fn ladder(measured: &[Measurement]) -> (Vec<Method>, Vec<f64>) {
+    let is_step = |it: &&Measurement| it.on_front && it.method.mode != ShadingMode::UnitVectors;
+    let mut steps: Vec<_> = measured.iter().filter(is_step).collect();
+    steps.sort_by(|one, other| one.timing.median.total_cmp(&other.timing.median));
+    let steps = steps.iter().map(|it| (it.method, it.timing.median));
+    steps.unzip()
 }
 
 /// The place of the most exact method that fits; that of the fastest where none does.
@@ -86,9 +85,9 @@ impl Hold {
 
 /// The method that holds a budget, and what is to be said of it.
 pub fn held(measured: &[Measurement], budget: f64) -> Option<(&Measurement, String)> {
-    let ladder = ladder(measured);
-    let costs: Vec<f64> = ladder.iter().map(|(_, cost)| *cost).collect();
-    let (method, cost) = *ladder.get(fitting(&costs, budget))?;
+    let (methods, costs) = ladder(measured);
+    let place = fitting(&costs, budget);
+    let (method, cost) = (*methods.get(place)?, costs[place]);
     let chosen = measured.iter().find(|it| it.method == method)?;
     let name = capital(&method_name(method));
     let [time, error] = [Some(cost), chosen.error].map(short);

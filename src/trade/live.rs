@@ -62,35 +62,20 @@ pub fn measure(
     cancelled: IsCancelled,
     on_progress: &(dyn Fn(f64) + Sync),
 ) -> Result<Vec<Measurement>, TradeError> {
-    let of_method = |method: &Method| known.iter().find(|it| it.method == *method);
-    let methods = request.methods.iter().copied();
-    let unknown: Vec<Method> = methods.filter(|it| of_method(it).is_none()).collect();
-    let mut errors = errors(request, &unknown, cancelled, &|done| {
-        on_progress(done / 2.0);
-    })?;
+    let of_method = |method: &&Method| known.iter().find(|it| it.method == **method);
+    let unknown = request.methods.iter().filter(|it| of_method(it).is_none());
+    let told = |done| on_progress(done / 2.0);
+    let mut errors = errors(request, unknown.copied(), cancelled, &told)?.into_iter();
     let batch = |number| super::time_batch(request, number, cancelled);
     let timings = timing::of_batches(batch, |done| on_progress(f64::midpoint(1.0, done)))?;
-    let measured = request.methods.iter().zip(timings);
-    let mut measured: Vec<Measurement> = measured
-        .map(|(method, timing)| match of_method(method) {
-            Some(known) if known.timing.samples > timing.samples => known.clone(),
-            Some(known) => Measurement {
-                timing,
-                ..known.clone()
-            },
-            None => {
-                let error = errors.remove(0);
-                Measurement {
-                    method: *method,
-                    timing,
-                    error: error.largest.map(|(error, _)| error),
-                    worst: error.largest.map(|(_, pixel)| pixel),
-                    highlight_kept: share(error.light),
-                    on_front: false,
-                }
-            }
-        })
-        .collect();
+    let methods = request.methods.iter();
+    let measured = methods.filter_map(|it| of_method(&it).cloned().or_else(|| errors.next()));
+    let mut measured: Vec<Measurement> = measured.collect();
+    for (one, timing) in measured.iter_mut().zip(timings) {
+        if timing.samples >= one.timing.samples {
+            one.timing = timing;
+        }
+    }
     let on_front = front::on_front(&measured);
     for (one, on_front) in measured.iter_mut().zip(on_front) {
         one.on_front = on_front;
@@ -98,24 +83,25 @@ pub fn measure(
     Ok(measured)
 }
 
-/// The error of a method over the bands so far.
-#[derive(Clone, Default)]
-struct ErrorSoFar {
-    /// The largest, and its pixel.
-    largest: Option<(f64, [usize; 2])>,
-    /// The light of the highlight that is kept, and all of it.
-    light: [u64; 2],
-}
-
+/// The errors of these methods, which are not timed.
 fn errors(
     request: &Request,
-    methods: &[Method],
+    methods: impl Iterator<Item = Method>,
     cancelled: IsCancelled,
     on_progress: &dyn Fn(f64),
-) -> Result<Vec<ErrorSoFar>, TradeError> {
-    let mut errors = vec![ErrorSoFar::default(); methods.len()];
-    if methods.is_empty() {
-        return Ok(errors);
+) -> Result<Vec<Measurement>, TradeError> {
+    let unknown = methods.map(|method| Measurement {
+        method,
+        timing: Timing::default(),
+        error: None,
+        worst: None,
+        highlight_kept: None,
+        on_front: false,
+    });
+    // With the light of the highlight that is kept, and all of it.
+    let mut errors: Vec<(Measurement, [u64; 2])> = unknown.map(|it| (it, [0; 2])).collect();
+    if errors.is_empty() {
+        return Ok(Vec::new());
     }
     let view = request.view.shaded(ShadingMode::Phong);
     let mut scene = request.scene.snapshot();
@@ -129,32 +115,29 @@ fn errors(
                 .ok_or(TradeError::Cancelled)
         };
         let (whole, lit) = (exact(&scene, &view)?, exact(&highlight, &black)?);
-        for (method, so_far) in methods.iter().zip(&mut errors) {
+        for (one, kept) in &mut errors {
             if cancelled() {
                 return Err(TradeError::Cancelled);
             }
-            let drawn = method.view(&view);
+            let drawn = one.method.view(&view);
             systems::draw_rows(&mut scene.world, &drawn, rows.clone(), &mut frame)?;
             let compared = metrics::compare(Picture::from(&frame), Picture::from(&whole));
             if let Some(error) = compared.error
-                && so_far
-                    .largest
-                    .is_none_or(|(largest, _)| error.max > largest)
+                && one.error.is_none_or(|largest| error.max > largest)
             {
                 let [x, y] = error.max_pixel;
-                so_far.largest = Some((error.max, [x, start + y]));
+                (one.error, one.worst) = (Some(error.max), Some([x, start + y]));
             }
-            let drawn = method.view(&black);
+            let drawn = one.method.view(&black);
             systems::draw_rows(&mut highlight.world, &drawn, rows.clone(), &mut frame)?;
-            for (sum, light) in so_far
-                .light
-                .iter_mut()
-                .zip(light_kept(frame.levels(), &lit.levels))
-            {
-                *sum += light;
-            }
+            let [common, all] = light_kept(frame.levels(), &lit.levels);
+            *kept = [kept[0] + common, kept[1] + all];
         }
         on_progress(rows.end as f64 / height as f64);
     }
-    Ok(errors)
+    let measured = errors.into_iter().map(|(one, kept)| Measurement {
+        highlight_kept: share(kept),
+        ..one
+    });
+    Ok(measured.collect())
 }

@@ -24,7 +24,7 @@ pub const BATCHES: usize = 8;
 pub const MAX_SAMPLES: usize = 9_999;
 
 /// Statistics of the times of a frame, in milliseconds.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Timing {
     pub samples: usize,
     pub median: f64,

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{CursorIcon, OutputCommand, Rect, ViewportId};
+use egui::{CursorIcon, Event, OutputCommand, Rect, ViewportId};
 use fearless_simd::Level;
 use hecs::Component;
 
@@ -36,7 +36,7 @@ use crate::scene::{Scene, SceneRecord, ViewRecord};
 use crate::shading::Method;
 use crate::trade::budget::Hold;
 
-/// The time without a change after which the picture is timed and compared.
+/// The time without a change after which the picture is compared, measured and proven.
 const REST: Duration = Duration::from_millis(100);
 /// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
 const DEGREE: Duration = Duration::from_millis(30);
@@ -112,8 +112,8 @@ pub struct App {
     pub(super) ordered: Vec<Task>,
     pub(super) level: Level,
     pub(super) threads: usize,
-    /// When the picture last changed, until its frames are timed.
-    untimed: Option<Duration>,
+    /// When the picture last changed, until it rests.
+    moved: Option<Duration>,
     next_degree: Duration,
     pub(super) next_progress: Duration,
     /// The method that holds the budget: the machine's choice, and so no part of the scene.
@@ -167,7 +167,7 @@ impl App {
             ordered: Vec::new(),
             level,
             threads,
-            untimed: None,
+            moved: None,
             next_degree: Duration::ZERO,
             next_progress: Duration::ZERO,
             drawn: None,
@@ -214,7 +214,7 @@ impl App {
 
     /// Whether the picture has not changed for a while.
     pub fn rests(&self) -> bool {
-        self.untimed.is_none()
+        self.moved.is_none()
     }
 
     /// Lets the events of `input` happen, in pixels of a window of `size`, and draws what is seen then.
@@ -229,6 +229,16 @@ impl App {
     ) -> anyhow::Result<Output> {
         self.now = now;
         self.receive(now);
+        // What is pressed may change the picture; frames that are timed until that is known would delay it.
+        let is_press = |event: &Event| {
+            matches!(
+                event,
+                Event::Key { pressed: true, .. } | Event::PointerButton { pressed: true, .. }
+            )
+        };
+        if self.ordered == [Task::Measure] && input.events.iter().any(is_press) {
+            self.stop_jobs();
+        }
         self.spin_on();
         if let Some(news) = self.file.look(now) {
             self.take_news(news);
@@ -252,7 +262,7 @@ impl App {
             self.screenshot(window, size);
             repaint_after = Duration::ZERO;
         }
-        if self.untimed.is_some() {
+        if self.moved.is_some() {
             repaint_after = repaint_after.min(REST);
         }
         if self.look::<Spin>().on {
@@ -386,16 +396,20 @@ impl App {
         }
     }
 
-    /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
-    pub(super) fn picture_changed(&mut self, is_same_view: bool) {
+    fn stop_jobs(&mut self) {
         if let Some(jobs) = &self.jobs {
             jobs.cancel();
         }
         self.ordered.clear();
+    }
+
+    /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
+    pub(super) fn picture_changed(&mut self, is_same_view: bool) {
+        self.stop_jobs();
         self.facts.are_old(is_same_view);
     }
 
-    /// Draws the pictures if the state or their size is another one, and times them once they rest.
+    /// Draws the pictures if the state or their size is another one.
     fn draw(&mut self) -> Result<(), OutOfMemory> {
         let (show, view): (Show, View) = (self.look(), self.view());
         let size = view.size;
@@ -407,23 +421,16 @@ impl App {
         let is_same = |(state, size, held): &(Arc<SceneRecord>, _, _)| {
             Arc::ptr_eq(state, &present.0) && (*size, *held) == (present.1, present.2)
         };
-        if !drawn.as_ref().is_some_and(is_same) {
+        if drawn.as_ref().is_some_and(is_same) {
+            self.moved.take_if(|moved| self.now >= *moved + REST);
+        } else {
             self.pictures.draw(world, &show, &view)?;
             self.previewed = None;
-            self.untimed = Some(self.now);
+            self.moved = Some(self.now);
             if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
                 self.keep_pixel(before, size);
                 self.picture_changed(false);
             }
-        } else if self
-            .untimed
-            .take_if(|since| self.now >= *since + REST)
-            .is_some()
-        {
-            if self.shows_times {
-                self.pictures.time(world, &show, &view)?;
-            }
-            self.painter.context.request_repaint();
         }
         if self.desk.preview != self.previewed {
             self.previewed = self.desk.preview;

@@ -14,7 +14,7 @@ use egui::{
 use egui_plot::Plot;
 
 use super::app::App;
-use super::inspector::short;
+use super::inspector::{short, two_digits};
 use super::jobs::State;
 use super::keys::{Command, caption};
 use super::pictures::TINTS;
@@ -24,6 +24,7 @@ use crate::paint::color;
 use crate::prove::{REFUTED, UNDECIDED};
 use crate::shading::{Method, TileKind};
 use crate::trade::Measurement;
+use crate::trade::budget::ladder;
 use crate::trade::chart::ticks;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
 use crate::trade::plot::FLOOR;
@@ -97,7 +98,15 @@ impl App {
         let place = Rect::from_min_max(area.min + vec2(38.0, 16.0), area.max - vec2(8.0, 18.0));
         let axes = Axes::of(&measured, place);
         self.paint_axes(ui, &axes, !measured.is_empty());
-        let front = front(&measured, &axes);
+        let place_of = |method: &Method| {
+            let known = measured.iter().find(|it| it.method == *method);
+            known.and_then(|it| axes.of_method(it))
+        };
+        let (front, _) = ladder(&measured);
+        let front: Vec<_> = front
+            .iter()
+            .filter_map(|it| Some((place_of(it)?, *it)))
+            .collect();
         for step in front.windows(2) {
             let [(from, _), (to, _)] = [step[0], step[1]];
             let line = vec![from, pos2(to.x, from.y), to];
@@ -122,43 +131,41 @@ impl App {
             let others = dots.iter().enumerate().filter(|(other, _)| *other != index);
             let ways = others.map(|(_, (_, other))| (*other - *at).abs().max_elem() / 2.0);
             let reach = ways.fold(REACH, f32::min).max(1.0);
-            self.dot(
-                ui,
-                one,
-                Rect::from_center_size(*at, Vec2::splat(2.0 * reach)),
-                &axes,
-            );
+            let place = Rect::from_center_size(*at, Vec2::splat(2.0 * reach));
+            self.dot(ui, one, place, &axes);
         }
-        self.paint_ring(ui, &measured, &axes);
+        // The place of what is on screen is an estimate until that is measured.
+        let known = self.method().and_then(|it| place_of(&it));
+        let estimate = || estimate(&front, self.method()?);
+        if let Some(at) = known.or_else(estimate) {
+            let is_known = known.is_some() && self.facts.trade.current().is_some();
+            let line = (if is_known { 2.0 } else { 1.0 }, Color32::WHITE);
+            ui.painter().circle_stroke(at, RING, line);
+        }
     }
 
     /// What is on screen against its alternatives, and the key that shows one.
     fn sentence(&self, ui: &mut Ui) {
         let (trade, method) = (&self.facts.trade, self.method());
         let known = trade.value.as_deref().unwrap_or_default();
-        let said = method.and_then(|method| sentence(known, method));
-        let text = match (&trade.state, said) {
+        let text = match (&trade.state, method) {
             (State::Failed(reason), _) => {
                 ui.colored_label(BAD, reason);
                 return;
             }
-            (_, Some(said)) => {
-                let other = match method.map(|method| method.mode) {
-                    Some(ShadingMode::Gouraud) => ShadingMode::Phong,
+            (_, None) => "The cuboids are shaded in different modes.".to_owned(),
+            (_, Some(method)) => {
+                let name = capital(&method_name(method));
+                let other = match method.mode {
+                    ShadingMode::Gouraud => ShadingMode::Phong,
                     _ => ShadingMode::Gouraud,
                 };
                 let key = caption(Command::Shading(other));
-                format!("{said} {key} shows {}.", capital(other.name()))
+                sentence(known, method).map_or_else(
+                    || format!("{name}: measured once nothing moves."),
+                    |said| format!("{said} {key} shows {}.", capital(other.name())),
+                )
             }
-            _ => method.map_or_else(
-                || "The cuboids are shaded in different modes.".to_owned(),
-                |it| {
-                    format!(
-                        "{}: measured once nothing moves.",
-                        capital(&method_name(it))
-                    )
-                },
-            ),
         };
         let ink = if trade.current().is_some() {
             INK
@@ -251,24 +258,6 @@ impl App {
         }
     }
 
-    /// The ring around what is on screen: estimated, and thinner, until that is measured.
-    fn paint_ring(&self, ui: &Ui, measured: &[Measurement], axes: &Axes) {
-        let Some(method) = self.method() else {
-            return;
-        };
-        let known = self
-            .measured(method.mode, method.tolerance)
-            .filter(|_| self.facts.trade.current().is_some());
-        let (at, width) = match known.and_then(|it| axes.of_method(it)) {
-            Some(at) => (Some(at), 2.0),
-            None => (estimate(measured, method, axes), 1.0),
-        };
-        if let Some(at) = at {
-            ui.painter()
-                .circle_stroke(at, RING, (width, Color32::WHITE));
-        }
-    }
-
     /// Shades every cuboid by a method. The assignment's shortcut, which no scene asks for, is shown beside the picture.
     pub fn choose_method(&mut self, method: Method) {
         let (mode, tolerance) = (method.mode, method.tolerance);
@@ -338,18 +327,6 @@ impl App {
     }
 }
 
-/// The methods that no other beats and that can be chosen, with their places, from the fastest on.
-fn front(measured: &[Measurement], axes: &Axes) -> Vec<(Pos2, Method)> {
-    let on_front = measured
-        .iter()
-        .filter(|it| it.on_front && it.method.mode != ShadingMode::UnitVectors);
-    let mut front: Vec<_> = on_front
-        .filter_map(|it| Some((axes.of_method(it)?, it.method)))
-        .collect();
-    front.sort_by(|one, other| one.0.x.total_cmp(&other.0.x));
-    front
-}
-
 /// The method next to a place, between two of Phong too.
 fn along(front: &[(Pos2, Method)], at: Pos2) -> Option<Method> {
     let ends = front.windows(2).map(|pair| (pair[0], pair[1]));
@@ -373,34 +350,21 @@ fn between(one: Method, other: Method, share: f64) -> Method {
     }
     let [from, to] = [one, other].map(|it| it.tolerance.max(ALMOST_EXACT).ln());
     let tolerance = (from + share * (to - from)).exp();
-    // The movement of a hand means no more than two digits.
-    let tolerance = format!("{tolerance:.1e}").parse().unwrap_or(tolerance);
+    let tolerance = two_digits(tolerance);
     let is_exact = tolerance <= ALMOST_EXACT;
     Method::of(one.mode, if is_exact { 0.0 } else { tolerance })
 }
 
-/// The place of a tolerance of Phong between those that were measured.
-fn estimate(measured: &[Measurement], method: Method, axes: &Axes) -> Option<Pos2> {
-    let same = measured.iter().filter(|it| it.method.mode == method.mode);
-    let mut known: Vec<_> = same
-        .filter_map(|it| {
-            Some((
-                it.method.tolerance.max(ALMOST_EXACT).ln(),
-                axes.of_method(it)?,
-            ))
-        })
-        .collect();
-    known.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let wanted = method.tolerance.max(ALMOST_EXACT).ln();
-    let above = known.iter().position(|(tolerance, _)| *tolerance >= wanted);
-    let above = above.unwrap_or(known.len().checked_sub(1)?);
-    let [(from, low), (to, high)] = [known[above.saturating_sub(1)], known[above]];
-    let share = if to > from {
-        (wanted - from) / (to - from)
-    } else {
-        1.0
-    };
-    Some(low.lerp(high, share.clamp(0.0, 1.0) as f32))
+/// The place of a tolerance of Phong on the staircase.
+fn estimate(front: &[(Pos2, Method)], method: Method) -> Option<Pos2> {
+    let log = |method: Method| method.tolerance.max(ALMOST_EXACT).ln();
+    front.windows(2).find_map(|pair| {
+        let [(from, one), (to, other)] = [pair[0], pair[1]];
+        let share = (log(method) - log(one)) / (log(other) - log(one));
+        let is_phong = [one, other].iter().all(|it| it.mode == method.mode);
+        let is_between = is_phong && (0.0..=1.0).contains(&share);
+        is_between.then(|| from.lerp(to, share as f32))
+    })
 }
 
 /// A plot that the mouse does not move.

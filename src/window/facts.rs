@@ -128,6 +128,16 @@ impl App {
         self.held.or_else(own)
     }
 
+    /// The milliseconds of a frame on screen: measured, or the last one's until that is done.
+    pub fn milliseconds(&self) -> Option<f64> {
+        let method = self
+            .method()
+            .filter(|_| self.facts.trade.current().is_some());
+        let measured = method.and_then(|it| self.measured(it.mode, it.tolerance));
+        let last = || self.pictures.time.map(|time| time.as_secs_f64() * 1e3);
+        measured.map(|it| it.timing.median).or_else(last)
+    }
+
     /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
     fn wanted_methods(&self) -> Vec<Method> {
         let show: Show = self.look();

@@ -179,6 +179,11 @@ pub fn short(value: f64) -> String {
     crate::trade::words::short(Some(value))
 }
 
+/// Two digits that matter: the movement of a hand means no more.
+pub fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
 /// Six significant digits at most, with an exponent where the number is very large or small.
 pub fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);

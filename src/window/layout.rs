@@ -148,9 +148,10 @@ impl App {
             ui.label(RichText::new(text).color(ink)).on_hover_text(says);
         };
         let ink = ui.visuals().text_color();
-        if let Some(time) = self.pictures.milliseconds(0).filter(|_| self.shows_times) {
-            let says = "The median time of a warm frame, from the World to the picture's pixels.";
-            fact(ui, format!("{time:.3} ms"), ink, true, says);
+        if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
+            let says = "The median time of a warm frame, from the World to the picture's pixels; \
+                        that of the last frame until it is measured.";
+            fact(ui, format!("{} ms", short(time)), ink, true, says);
         }
         let comparison = &self.facts.comparison;
         let error = comparison.value.as_ref().and_then(|it| it.error);

@@ -12,7 +12,7 @@ use hecs::Entity;
 
 use super::app::App;
 use super::file::load;
-use super::inspector::{color_button, format_number, keep_digits};
+use super::inspector::{color_button, format_number, keep_digits, two_digits};
 use super::keys::{Command, binding, caption};
 use crate::components::{
     ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side,
@@ -78,8 +78,7 @@ impl App {
             ui.weak("[ ]");
         });
         if is_dragged {
-            // The movement of a hand means no more than two digits.
-            tolerance = format!("{tolerance:.1e}").parse().unwrap_or(tolerance);
+            tolerance = two_digits(tolerance);
         }
         keep_digits(before, &mut tolerance);
         if tolerance != before {

@@ -1,4 +1,4 @@
-//! The pictures of the view: the frame, the two sides of a wipe, tinted tiles; and the time that their frames take.
+//! The pictures of the view: the frame, the two sides of a wipe, tinted tiles; and the time of the last one.
 //!
 //! A frame is timed from its first stage to the display step, and nothing else is. A picture that is not computed yet is
 //! shown as the frame dimmed, never as something else.
@@ -14,10 +14,6 @@ use crate::memory::OutOfMemory;
 use crate::shading::{Method, TileKind};
 use crate::systems;
 
-/// Warm frames that are timed once the picture rests.
-const FRAMES: usize = 9;
-/// The longest time for which frames are timed while the user waits.
-const TIMING_BUDGET: Duration = Duration::from_millis(50);
 /// The weight of a tile's tint, of 256, and that on its outline.
 const TINT_WEIGHT: u32 = 112;
 const OUTLINE_WEIGHT: u32 = 232;
@@ -41,8 +37,8 @@ pub struct Pictures {
     sides: [Vec<u32>; 2],
     /// The picture of another method, which is looked at in between.
     preview: Vec<u32>,
-    /// The times of the frame, or of each side of a wipe.
-    pub times: [Vec<Duration>; 2],
+    /// The time of the last frame; `None` in a wipe, which has two.
+    pub time: Option<Duration>,
 }
 
 impl Pictures {
@@ -53,7 +49,7 @@ impl Pictures {
             levels: Frame::new(Keep::Levels, Workers::alone(level)),
             sides: [Vec::new(), Vec::new()],
             preview: Vec::new(),
-            times: [Vec::new(), Vec::new()],
+            time: None,
         }
     }
 
@@ -77,35 +73,27 @@ impl Pictures {
         &self.sides[index]
     }
 
-    /// The middle one of the times of a side, in milliseconds; `None` where the renderer does not draw it.
-    pub fn milliseconds(&self, side: usize) -> Option<f64> {
-        let mut times = self.times[side].clone();
-        times.sort_unstable();
-        Some(times.get(times.len() / 2)?.as_secs_f64() * 1e3)
-    }
-
     /// Draws all pictures that `show` needs.
     ///
     /// # Errors
     /// When they do not fit in memory.
     pub fn draw(&mut self, world: &mut World, show: &Show, view: &View) -> Result<(), OutOfMemory> {
-        self.draw_frames(world, show, view, 1)?;
+        self.time = None;
+        if show.mode != ViewMode::Wipe {
+            let start = Instant::now();
+            systems::draw(world, view, &mut self.frame)?;
+            self.time = Some(start.elapsed());
+        }
         if show.mode == ViewMode::Tiles {
             systems::draw(world, view, &mut self.levels)?;
         }
-        Ok(())
-    }
-
-    /// Draws the same pictures again and times the warm frames.
-    ///
-    /// # Errors
-    /// As [`Pictures::draw`].
-    pub fn time(&mut self, world: &mut World, show: &Show, view: &View) -> Result<(), OutOfMemory> {
-        self.draw_frames(world, show, view, 1 + FRAMES)?;
-        for times in &mut self.times {
-            // The first frame warms caches and branch predictors.
-            if times.len() > 1 {
-                times.remove(0);
+        if show.mode == ViewMode::Wipe {
+            for (side, pixels) in show.sides.iter().zip(&mut self.sides) {
+                if let Some(view) = side_view(side, view) {
+                    systems::draw(world, &view, &mut self.frame)?;
+                    pixels.clear();
+                    pixels.extend_from_slice(self.frame.pixels());
+                }
             }
         }
         Ok(())
@@ -130,28 +118,6 @@ impl Pictures {
     /// The picture of [`Pictures::draw_preview`], 0x00RRGGBB.
     pub fn preview(&self) -> &[u32] {
         &self.preview
-    }
-
-    fn draw_frames(
-        &mut self,
-        world: &mut World,
-        show: &Show,
-        view: &View,
-        frames: usize,
-    ) -> Result<(), OutOfMemory> {
-        self.times = [Vec::new(), Vec::new()];
-        if show.mode != ViewMode::Wipe {
-            self.times[0] = draw_timed(world, view, &mut self.frame, frames)?;
-            return Ok(());
-        }
-        for (index, side) in show.sides.iter().enumerate() {
-            if let Some(view) = side_view(side, view) {
-                self.times[index] = draw_timed(world, &view, &mut self.frame, frames)?;
-                self.sides[index].clear();
-                self.sides[index].extend_from_slice(self.frame.pixels());
-            }
-        }
-        Ok(())
     }
 
     /// The picture of the view; `exact` and `error_map` are known once they were computed.
@@ -246,23 +212,4 @@ pub fn mix(one: u32, other: u32, weight: u32) -> u32 {
         let [one, other] = [one, other].map(|pixel| pixel >> shift & 0xff);
         mixed | (one * (256 - weight) + other * weight) >> 8 << shift
     })
-}
-
-/// Draws the same picture this often, or until [`TIMING_BUDGET`] is used up; returns the time of each frame.
-fn draw_timed(
-    world: &mut World,
-    view: &View,
-    frame: &mut Frame,
-    frames: usize,
-) -> Result<Vec<Duration>, OutOfMemory> {
-    let mut times = Vec::with_capacity(frames);
-    let mut spent = Duration::ZERO;
-    while times.is_empty() || times.len() < frames && spent < TIMING_BUDGET {
-        let start = Instant::now();
-        systems::draw(world, view, frame)?;
-        let time = start.elapsed();
-        times.push(time);
-        spent += time;
-    }
-    Ok(times)
 }

@@ -190,7 +190,6 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
         Key::P,
         Key::OpenBracket,
         Key::G,
-        Key::F3,
         Key::F5,
         Key::Z,
         Key::H,
