@@ -1,9 +1,12 @@
-//! The compiler that builds this in, `SHADETRADE_RUSTC` for `trade`'s reports out.
+//! Builds in the version of the compiler, for the reports of `trade`, and the scenes of `assets/extremes`.
 
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs, io};
 
-fn main() {
-    let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+fn main() -> io::Result<()> {
+    let compiler = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let version = Command::new(compiler)
         .arg("--version")
         .output()
@@ -12,4 +15,24 @@ fn main() {
         .unwrap_or_else(|| "unknown".to_owned());
     println!("cargo::rustc-env=SHADETRADE_RUSTC={}", version.trim());
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=assets/extremes");
+    let folder = |name| PathBuf::from(env::var_os(name).unwrap_or_default());
+    let scenes = folder("CARGO_MANIFEST_DIR").join("assets/extremes");
+    fs::write(folder("OUT_DIR").join("extremes.rs"), table(&scenes)?)
+}
+
+/// A Rust array of the names and texts of the scenes, sorted by name. The index is not a scene.
+fn table(folder: &Path) -> io::Result<String> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    let mut paths = entries.collect::<io::Result<Vec<_>>>()?;
+    paths.sort();
+    let mut table = String::from("&[");
+    for path in paths {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        if name != "index" {
+            let text = path.to_string_lossy();
+            let _ = writeln!(table, "(\"extremes/{name}\", include_str!({text:?})),");
+        }
+    }
+    Ok(table + "]")
 }

@@ -1,4 +1,4 @@
-//! README's pictures of the window, and the animations of the lessons, all drawn by the window's own step without a display:
+//! Draws README's pictures of the window and the animations of the lessons, without a display:
 //! `cargo run --release --example readme`.
 
 use std::fs;

@@ -1,4 +1,4 @@
-//! What every picture keeps to, whatever its scene.
+//! Promises that the picture of every valid scene keeps.
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -8,22 +8,26 @@ use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step};
 use shadetrade::reference::{at_pixel, picture};
 use shadetrade::systems;
 
-/// What the contract calls exact: the largest error at tolerance 0, in levels.
+/// The largest error at tolerance 0, in levels of 255.
 const EXACT: f64 = 0.05;
 
-/// A cuboid longer than so many times its width asks more of f64 than it has: its colours are defined, and no more.
+/// The largest ratio of length to width of a cuboid with a promised accuracy. Beyond it the precision of f64 does not
+/// suffice, and colours are only promised to be defined.
 const LONGEST: f64 = 1e7;
 
-/// Gouraud interpolates between what the corners show; more levels than this there leave f64 none of those in between.
+/// The largest level at a corner with a promised accuracy. Beyond it f64 cannot resolve a level between two corners.
 const BRIGHTEST: f64 = 1e9;
 
-/// Seen from further than this, in multiples of its size, a cuboid's places differ by less than what f64 tells apart.
+/// The largest distance of a cuboid from the eye with a promised accuracy, in multiples of its size. Beyond it f64
+/// cannot tell its points apart.
 const FARTHEST: f64 = 1e12;
 
-/// A light this close to the point seen, in multiples of the cuboid's size, may as well stand at it, where it does nothing.
+/// A light within this distance of the visible point, in multiples of the cuboid's size, counts as at the point, where
+/// it adds nothing.
 const AT_THE_POINT: f64 = 1e-6;
 
-/// The reference is asked about cuboids that are no longer than this, seen from no further, in multiples of their size.
+/// Pictures are compared with the reference up to this ratio of length to width, and up to this distance from the eye
+/// in multiples of a cuboid's size.
 const PLAIN: f64 = 1e4;
 
 fn frame(world: &mut World, view: &View, keep: Keep) -> Frame {
@@ -35,7 +39,7 @@ fn frame(world: &mut World, view: &View, keep: Keep) -> Frame {
 /// Draws `view` in every mode, at its tolerance and exactly.
 ///
 /// # Panics
-/// When a picture breaks a promise.
+/// If a picture breaks a promise.
 pub fn check(world: &mut World, view: &View) {
     for mode in [
         ShadingMode::Gouraud,
@@ -66,7 +70,8 @@ pub fn check(world: &mut World, view: &View) {
     }
 }
 
-/// No level is NaN, what shows nothing is background, and the counts and ids are those of the scene.
+/// Asserts that no level is NaN, that pixels without a triangle show the background, and that counts and ids fit the
+/// scene.
 fn defined(world: &mut World, view: &View, frame: &Frame) {
     let cuboids = world.query_mut::<&Mesh>().into_iter().count() as u32;
     let background = view.background.as_vec3().to_array();
@@ -74,17 +79,17 @@ fn defined(world: &mut World, view: &View, frame: &Frame) {
     for (levels, &id) in frame.levels().iter().zip(frame.triangles()) {
         assert!(levels.iter().all(|level| !level.is_nan()), "{levels:?}");
         if id == NO_TRIANGLE {
-            assert_eq!(*levels, background, "nothing is drawn there");
+            assert_eq!(*levels, background, "a pixel without a triangle");
         } else {
             assert!(id < 12 * cuboids, "there is no triangle {id}");
             covered += 1;
         }
     }
-    // With depths, a pixel may be covered more than once.
+    // With a depth buffer a pixel may be covered more than once.
     assert!(frame.counts().covered_pixels >= covered);
 }
 
-/// The tolerance moves no edge, and no level further than it says.
+/// Asserts that the tolerance moves no edge, and changes no displayed level by more than itself.
 fn within(world: &World, view: &View, exact: &Frame, certified: &Frame) {
     let tolerance = view.tolerance + EXACT;
     assert_eq!(exact.triangles(), certified.triangles());
@@ -101,7 +106,7 @@ fn within(world: &World, view: &View, exact: &Frame, certified: &Frame) {
     }
 }
 
-/// How many times longer than wide a cuboid is at most.
+/// The largest ratio of length to width of the cuboids.
 fn longest(world: &mut World) -> f64 {
     let ratio = |mesh: &Mesh| mesh.corners[7].max_element() / mesh.corners[7].min_element();
     world
@@ -111,7 +116,7 @@ fn longest(world: &mut World) -> f64 {
         .fold(1.0, f64::max)
 }
 
-/// The most levels that all lights together can make of a material.
+/// An upper bound of the levels of any point under all lights.
 fn brightest(world: &mut World) -> f64 {
     let sent: f64 = world
         .query_mut::<&Light>()
@@ -131,7 +136,7 @@ fn brightest(world: &mut World) -> f64 {
     sent * materials.map(answer).fold(0.0, f64::max)
 }
 
-/// How far from the eye a cuboid stands at most, in multiples of its size.
+/// The largest distance of a cuboid from the eye, in multiples of its size.
 fn farthest(world: &mut World, view: &View) -> f64 {
     let far = |(mesh, transform): (&Mesh, &Transform)| {
         length(transform.position - view.viewpoint.position) / length(mesh.corners[7])
@@ -140,7 +145,7 @@ fn farthest(world: &mut World, view: &View) -> f64 {
     cuboids.map(far).fold(0.0, f64::max)
 }
 
-/// Where both see one triangle and no light grazes it, the exact picture is the reference's.
+/// Asserts that the exact picture equals the reference where both show the same triangle and no light is tied.
 fn true_to_the_reference(world: &World, view: &View, exact: &Frame) {
     let rows = 0..view.size[1];
     let truth = picture(world, view, rows, &|| false, &|_| ()).expect("nobody cancels");
@@ -154,14 +159,14 @@ fn true_to_the_reference(world: &World, view: &View, exact: &Frame) {
             let error = (shown(a.into()) - shown(b)).abs();
             assert!(
                 error <= EXACT || is_tie(world, view, pixel),
-                "{error} levels at pixel {pixel}, {:?}: {drawn:?}, in truth {truth_levels:?}",
+                "{error} levels at pixel {pixel}, {:?}: drawn {drawn:?}, reference {truth_levels:?}",
                 view.shading
             );
         }
     }
 }
 
-/// Whether what is seen at this pixel may fall either way: a light grazes it, or stands at the very point.
+/// Whether the level of this pixel is ambiguous: a light grazes its face, or is at the visible point.
 fn is_tie(world: &World, view: &View, pixel: usize) -> bool {
     let [x, y] = [pixel % view.size[0], pixel / view.size[0]];
     let Some(seen) = at_pixel(world, view, x, y) else {
@@ -187,7 +192,8 @@ fn is_tie(world: &World, view: &View, pixel: usize) -> bool {
         .any(|(_, place)| length(place.position - seen.position) <= AT_THE_POINT * sizes)
 }
 
-/// The bytes for a window are the display step of the levels, of which a certified one may lose its last bit.
+/// Asserts that the displayed bytes are the display step of the levels, or of the next float: certified squares convert
+/// levels that may differ in the last bit.
 fn displayed(levels: &Frame, bytes: &Frame) {
     for (pixel, (levels, shown)) in levels.levels().iter().zip(bytes.pixels()).enumerate() {
         let [_, shown @ ..] = shown.to_be_bytes();

@@ -1,9 +1,9 @@
-//! The commands there are, each with its options and its help.
+//! The command line: commands, their options and their help.
 //!
 //! ```text
-//! words --parse--> Command with checked values (commands, options) --main--> done, or a Failure --failure--> exit status
+//! arguments --parse--> Command with checked values (commands, options) --main--> success, or Failure (failure)
 //! ```
-//! Rule: every command and option is declared here, in the words that `--help` prints.
+//! The doc comment of a command or option is its text in `--help`.
 
 mod commands;
 mod failure;
@@ -30,16 +30,16 @@ pub use failure::Failure;
 #[command(
     name = "shadetrade",
     version,
-    about = "Draws lit cuboids with Gouraud and Phong shading, and measures what every shortcut costs",
+    about = "Draws lit cuboids with Gouraud and Phong shading, and measures cost and error of each shortcut",
     args_conflicts_with_subcommands = true,
     after_help = "\
 Examples:
   shadetrade                                  the built-in scene in a window
-  shadetrade bench-far --size 800x600         another scene: as `shadetrade view bench-far ...`
+  shadetrade bench-far --size 800x600         another scene, as `shadetrade view bench-far ...`
   shadetrade figures                          the assignment's figures, into shadetrade-figures
   shadetrade render -o cuboid.png             one picture, without a window
 
-Without a command it does what `view` does. A scene file named like a command is given as ./name."
+Without a command it runs `view`. If a scene file is named like a command, write ./name."
 )]
 pub struct Arguments {
     #[command(subcommand)]
@@ -48,7 +48,7 @@ pub struct Arguments {
     view: ViewOptions,
 }
 
-/// What can be done.
+/// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Opens a window on a scene; without a display, draws the figures instead
@@ -59,8 +59,8 @@ Examples:
   shadetrade view bench-far --lights white,ambient --projection orthographic
   shadetrade view --record lesson.log
 
-Without a display to open, the built-in scene's figures are drawn, as by `shadetrade figures`.
-A recording says what happens, a line each; `shadetrade replay` draws it again.")]
+Without a display, plain `shadetrade` or `shadetrade view` draws the figures instead, as `shadetrade
+figures` does. A recording has one event per line; `shadetrade replay` plays it.")]
     View(ViewOptions),
     /// Draws one picture into a PNG file
     #[command(after_help = "\
@@ -71,7 +71,7 @@ Examples:
   shadetrade render -o - --lights white,ambient > white.png
   shadetrade render -o truth.png --shading phong --reference
 
-Standard error says what was written, how many pixels were shaded and what a frame takes.")]
+Prints to standard error the file written, the number of shaded pixels and the time of a frame.")]
     Render(RenderOptions),
     /// Draws the assignment's figures, and a sheet of them all, into a folder
     #[command(after_help = "\
@@ -79,14 +79,13 @@ Examples:
   shadetrade figures
   shadetrade figures -o pictures
 
-Drawn from the built-in scene, every pixel exactly, 960x720: Gouraud, Phong, and Phong with
-the white and ambient lights alone, each from both cameras; the components of the light; and
-a sheet of the six.")]
+Draws the built-in scene at tolerance 0 in 960x720: Gouraud, Phong, and Phong with the white and
+ambient lights alone, each from both cameras; the components of the light; and a sheet of the six.")]
     Figures(FiguresOptions),
-    /// Measures what every shading method costs and how far it errs, and which of them are worth their time
+    /// Measures the time and the error of every shading method, and names the methods worth their time
     #[command(
         mut_arg("size", |argument| argument.default_value("1920x1080")),
-        mut_arg("threads", |argument| argument.help("How many threads draw the frames that are timed, 1 to 1024 [default: 1]")),
+        mut_arg("threads", |argument| argument.help("The number of threads that draw the timed frames, 1 to 1024 [default: 1]")),
         mut_arg("shading", |argument| argument.hide(true)),
         mut_arg("tolerance", |argument| argument.hide(true)),
         after_help = "\
@@ -96,17 +95,17 @@ Examples:
   shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
   shadetrade trade --methods gouraud-0.5,phong-0.5
 
-Prints a verdict and a table; with -o also writes trade.json, trade.md, trade.svg (error against
-time) and an error map of each method. Errors are against exact Phong in f64, in levels.")]
+Prints a verdict and a table. With -o it also writes trade.json, trade.md, trade.svg (error against
+time) and an error map of each method. Errors are in levels of 255, against Phong in f64.")]
     Trade(TradeOptions),
-    /// Says what happened at one pixel: position, vectors, every light's term, for Gouraud, Phong and the reference
+    /// Shows the evaluation of one pixel: position, vectors and each term, for Gouraud, Phong and the reference
     #[command(after_help = "\
 Examples:
   shadetrade probe --pixel 480,300
   shadetrade probe bench-far --pixel 500,400 --tolerance 0
   shadetrade probe --pixel 480,300 --json > pixel.json
 
-Levels are unclamped; those of `drawn` come from the renderer, all else is evaluated in f64.")]
+Levels are unclamped. The row `drawn` comes from the renderer, all else is evaluated in f64.")]
     Probe(ProbeOptions),
     /// Proves, pixel by pixel, that a picture keeps its tolerance
     #[command(after_help = "\
@@ -114,14 +113,17 @@ Examples:
   shadetrade prove
   shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
   shadetrade prove assignment --projection orthographic --json > proof.json
+  shadetrade prove --shading phong --picture other.png -o judged.png
 
-Encloses every pixel's exact levels by interval arithmetic, from the scene's numbers on, and
-compares what is drawn. Says how many pixels are proven, refuted or undecided, how many are so
-near an edge that they may show either side, and how far the f64 reference may be off. The map
-shows proven pixels dim, undecided ones yellow and refuted ones red. Exit status 1 if a pixel is
+Encloses the exact levels of every pixel by interval arithmetic, from the scene's numbers on, and
+compares the drawn levels with them. Prints how many pixels are proven, refuted or undecided, how
+many are so near an edge that they may show either side, and a bound on the error of the f64
+reference. The map shows proven pixels dim, undecided ones yellow and refuted ones red. With --picture
+it judges a picture of another program: a byte is proven if it is the rounding of a level within the
+tolerance of every value of the enclosure (0.05 level at tolerance 0). Exit status 1 if a pixel is
 refuted.")]
     Prove(ProveOptions),
-    /// Says which parts of the model a scene requires: what leaving out each errs, proven, and what it costs
+    /// Shows which parts of the shading model a scene requires, with the proven error of leaving each out and its cost
     #[command(after_help = "\
 Examples:
   shadetrade requires
@@ -129,31 +131,34 @@ Examples:
   shadetrade requires my.toml -o least.toml
   shadetrade requires assignment --json > requires.json
 
-Leaves out every part in turn, the others as they are: each light, the specular gate (n.l > 0), the
-normalisation of interpolated normals, Phong of each cuboid (Gouraud instead), perspective-correct
-interpolation (linear on the screen instead), the depth test (the order of the file instead), the near
-plane, each cuboid, and f64 (f32 throughout instead). Both pictures are enclosed by interval arithmetic,
-so the largest error lies between the two numbers given. A part is required unless its largest error is
-proven to be within the tolerance (0.05 level at tolerance 0).
+Leaves out one part at a time: each light, the specular gate (n.l > 0), the normalisation of
+interpolated normals, Phong of each cuboid (Gouraud instead), perspective-correct interpolation (linear
+on the screen instead), the depth test (the order of the file instead), the near plane, each cuboid,
+and f64 (f32 throughout instead). Both pictures are enclosed by interval arithmetic, so the largest
+error lies between the two numbers printed. A part is required unless its largest error is proven to be
+within the tolerance (0.05 level at tolerance 0).
 
-With -o it leaves out as many lights, cuboids and evaluations at every pixel as the tolerance allows
-together, and writes the scene that remains, with the one camera looked through.")]
+With -o it leaves out several lights, cuboids and Phong of cuboids together as long as the tolerance is
+kept, and writes the remaining scene with the active camera alone.")]
     Requires(RequiresOptions),
-    /// Runs the table of numerical extremes: what each ought to give, what it gives, and whether that is right
+    /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\
 Examples:
   shadetrade extremes
-  shadetrade extremes --simd fallback
+  shadetrade extremes eye-inside horizon-1e12
+  shadetrade view extremes/horizon-1e12
   shadetrade extremes --json > extremes.json
   shadetrade extremes --chart -o stability
 
-Exit status 1 if a case fails. The largest picture takes a gigabyte of memory while it is drawn.
+Every pixel is proven as by `prove`: from each camera, in both projections and both modes, at
+tolerance 0 and 0.5. Values known from paper are compared, too. The first line of a scene describes
+the extreme and the expected picture. Exit status 1 if an extreme fails.
 
 With --chart it sweeps one number of a scene at a time instead: shininess, edge length, aspect,
-distance from the origin, of the eye and of a light, field of view, intensity, number of lights. Four
-evaluations are compared with intervals that enclose the exact levels: the textbook's formula in f32,
-this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps 0.05
-level (0.5 at tolerance 0.5); with -o also writes stability.svg and stability.json.")]
+distance from the origin, distance of the eye and of a light, field of view, intensity, number of
+lights. Four evaluations are compared with enclosures of the exact levels: the textbook's formula in
+f32, this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps
+0.05 level (0.5 at tolerance 0.5). With -o it also writes stability.svg and stability.json.")]
     Extremes(ExtremesOptions),
     /// Plays a recording in a window, or draws it into a file
     #[command(after_help = "\
@@ -163,11 +168,11 @@ Examples:
   shadetrade replay lesson.log -o last.png
   shadetrade replay lesson.log --hash --simd fallback
 
-A frame is the window without times, which differ between machines. Lines of one time make one frame.
-A line may be written by hand:
+A frame is the window without the times, which differ between machines. All lines with the same time
+make one frame. A line may be written by hand:
   2.500 say \"words for the status line\"
-A hash is that of the picture in the window. It is the same at every SIMD level and with any number
-of threads.")]
+A hash covers the picture in the window. It is the same at every SIMD level and with any number of
+threads.")]
     Replay(ReplayOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "\
@@ -175,21 +180,21 @@ Examples:
   shadetrade completions bash > shadetrade.bash
   shadetrade completions fish > shadetrade.fish
 
-The script goes where the shell looks for completions, or is read by its start-up file:
+Put the script into the folder of the shell's completions, or read it in the start-up file:
   echo 'source /path/to/shadetrade.bash' >> ~/.bashrc")]
     Completions {
-        /// The shell that is to complete
+        /// The shell
         shell: Shell,
     },
 }
 
 impl Command {
-    /// Starts the threads that work on everything but frames, such as the reference. The renderer starts its own.
+    /// Starts the global threads of rayon, which evaluate the reference. The renderer starts its own threads.
     ///
-    /// They are rayon's global ones: else rayon would start as many as there are cores, and panic where that fails.
+    /// Otherwise rayon would start one per core on first use, and panic if that fails.
     ///
     /// # Errors
-    /// When the system gives no threads.
+    /// If the threads cannot be started.
     pub fn start_threads(&self) -> anyhow::Result<()> {
         let threads = match self {
             Command::Render(options) if options.reference => options.drawing.workers.threads(),
@@ -198,7 +203,7 @@ impl Command {
             Command::Requires(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),
             Command::Replay(options) => options.workers.threads(),
-            // What is not timed may take every core.
+            // The reference is not timed, so it may use every core.
             Command::Trade(_) => all_cores(),
             _ => return Ok(()),
         };
@@ -210,10 +215,10 @@ impl Command {
     }
 }
 
-/// The command of a command line, or none where help or the version was asked for: that is printed already.
+/// Parses a command line. Prints the help or the version if asked for, and then returns `None`.
 ///
 /// # Errors
-/// When the command line is wrong, or help could not be printed.
+/// If the command line is wrong, or the help cannot be printed.
 pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
     match Arguments::try_parse_from(words) {
         Ok(Arguments { command, view }) => Ok(Some(command.unwrap_or(Command::View(view)))),
@@ -230,7 +235,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
 /// Prints the completion script of `shell` to standard output.
 ///
 /// # Errors
-/// When it cannot be written.
+/// If it cannot be written.
 pub fn print_completions(shell: Shell) -> anyhow::Result<()> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "shadetrade", &mut script);

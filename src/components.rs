@@ -17,6 +17,7 @@
 //! Nothing here computes a picture, and everything that the renderer and the reference share is here.
 
 mod camera;
+pub(crate) mod form;
 mod magnifier;
 mod orbit;
 mod view;
@@ -211,15 +212,20 @@ fn vertex_normals(corners: &[DVec3; 8]) -> [DVec3; 8] {
 }
 
 /// How a surface answers light: one coefficient per channel and term, and the exponent of the highlight.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Material {
     /// kappa A, >= 0.
+    #[serde(deserialize_with = "form::three")]
     pub ambient: DVec3,
     /// kappa D, >= 0.
+    #[serde(deserialize_with = "form::three")]
     pub diffuse: DVec3,
     /// kappa E, >= 0.
+    #[serde(deserialize_with = "form::three")]
     pub specular: DVec3,
     /// rho, 0..=1e6.
+    #[serde(deserialize_with = "form::number")]
     pub shininess: f64,
 }
 

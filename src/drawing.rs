@@ -1,6 +1,4 @@
-//! What every command that draws is handed: a scene, and what is no part of it.
-//!
-//! A [`Drawing`] is valid; nothing that uses one checks it again.
+//! The checked input of every command that draws: a scene, the size of the picture, threads and SIMD level.
 
 use std::num::NonZero;
 use std::thread::available_parallelism;
@@ -12,23 +10,23 @@ use crate::components::{Budget, Name, ShadingMode, View, active_camera, get, vie
 use crate::frame::Workers;
 use crate::scene::Scene;
 
-/// The most threads that draw: more than machines have cores, fewer than a process may start.
+/// The largest number of threads: more than the cores of common machines, fewer than the limit of a process.
 pub const MAX_THREADS: usize = 1024;
 
-/// A scene and how it is drawn, everything checked.
+/// A scene and the settings that are not part of it. All of it is valid.
 pub struct Drawing {
-    /// With what was asked for in its components.
+    /// The scene; options of the command line have overwritten its components.
     pub scene: Scene,
     /// Width and height in pixels, each 1..=16384.
     pub size: [usize; 2],
     /// At least 1.
     pub threads: usize,
-    /// One this machine has.
+    /// A SIMD level of this machine.
     pub level: Level,
 }
 
 impl Drawing {
-    /// How a frame of it is drawn.
+    /// The view of a frame.
     pub fn view(&self) -> View {
         View::of(&self.scene.world, self.size)
     }
@@ -39,13 +37,13 @@ impl Drawing {
         get(world, viewer(world)).and_then(|Budget(budget)| budget)
     }
 
-    /// The name of the camera that is looked through.
+    /// The name of the active camera.
     pub fn camera(&self) -> String {
         let world = &self.scene.world;
         get(world, active_camera(world)).map_or_else(String::new, |Name(name)| name)
     }
 
-    /// The mode of all cuboids, or `scene` where they differ.
+    /// The shading mode of all cuboids, or `scene` if they differ.
     pub fn mode(&self) -> &'static str {
         let mut modes = self.scene.world.query::<&ShadingMode>();
         let mut modes = modes.iter().copied();
@@ -56,7 +54,7 @@ impl Drawing {
         }
     }
 
-    /// What is drawn, in words.
+    /// The picture in words: scene, camera, projection, size, shading and tolerance.
     pub fn subject(&self) -> String {
         let view = self.view();
         let [width, height] = view.size;
@@ -70,16 +68,16 @@ impl Drawing {
         )
     }
 
-    /// Who draws it.
+    /// The threads and the SIMD level.
     ///
     /// # Errors
-    /// When the system gives no threads.
+    /// If the threads cannot be started.
     pub fn workers(&self) -> anyhow::Result<Workers> {
         Workers::new(self.threads, self.level).context("cannot start the threads that draw")
     }
 }
 
-/// As many threads as the machine runs at once.
+/// The number of threads that the machine runs in parallel, at most [`MAX_THREADS`].
 pub fn all_cores() -> usize {
     available_parallelism()
         .map_or(1, NonZero::get)

@@ -1,162 +1,277 @@
-//! The table of extreme cases: every number a scene can hold, at the ends of what it can be.
+//! Scenes at the ends of what numbers can be, and whether their pictures are right.
 //!
-//! ```text
-//!   Case { name, expected, examine }
-//!      |
-//!      v
-//!   Outcome { name, expected, observed, pass }  -->  a table, JSON, the exit status;  tests/it/extremes.rs
-//! ```
-//!
-//! Rule: what is right never comes from what is tried. It comes from enclosures of every pixel's exact levels, a value
-//! worked out on paper, or the same scene without the extreme; every case says which.
+//! Each file of `assets/extremes` is a scene, built in as `extremes/NAME`; its first line says what is extreme and what must
+//! be seen. Every pixel of its pictures is proven: from each camera, in both projections and modes, exactly and within half
+//! a level. `index.toml` says where a picture has another size, where some of the pictures mean nothing, and what is known
+//! of them on paper.
 
-mod camera;
-mod crowd;
-mod judge;
-mod light;
-mod numbers;
-mod picture;
-mod renderer;
-mod scene_spec;
-mod shape;
 pub mod stability;
-mod strength;
 
-use anyhow::Context;
-use comfy_table::{ContentArrangement, Table, TableComponent, presets};
+use std::collections::BTreeMap;
+
+use anyhow::{Context, bail, ensure};
 use fearless_simd::Level;
-use serde::Serialize;
+use hecs::World;
+use serde::{Deserialize, Serialize};
 
-use crate::memory;
+use crate::components::{Camera, Projection, ShadingMode, View, names};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::output::print;
+use crate::prove::{Proof, Verdict, prove};
+use crate::scene::{EXTREMES, Scene};
+use crate::shading::limit;
+use crate::systems;
 use crate::trade::progress::{OnProgress, with_bar};
-use renderer::Renderer;
 
-/// Bytes that the cases take, without the largest picture, which asks for its own.
-const MEMORY: usize = 512 << 20;
+/// The folder of the built-in names.
+const FOLDER: &str = "extremes/";
 
-/// Columns of the terminal.
-const WIDTH: u16 = 120;
+/// The least number of pixels, over the pictures from one camera, that show a cuboid: fewer prove little.
+const MIN_COVERED: u64 = 100;
 
-/// Says what was observed, or what is wrong.
-type Examine = Box<dyn Fn(&mut Renderer) -> anyhow::Result<String> + Send + Sync>;
-
-/// One extreme.
-pub struct Case {
-    /// What is extreme.
+/// A scene and what is expected of it, which the index says where it is not the rule.
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Extreme {
+    /// Its built-in name without the folder.
+    #[serde(skip)]
     pub name: &'static str,
-    /// What is right, and what decides it.
-    pub expected: String,
-    examine: Examine,
+    /// Width and height of the pictures in pixels.
+    size: [usize; 2],
+    projections: Vec<Projection>,
+    modes: Vec<ShadingMode>,
+    fact: Option<Fact>,
 }
 
-/// How a case went.
+impl Default for Extreme {
+    fn default() -> Self {
+        Extreme {
+            name: "",
+            size: [96, 72],
+            projections: Projection::ALL.to_vec(),
+            modes: vec![ShadingMode::Gouraud, ShadingMode::Phong],
+            fact: None,
+        }
+    }
+}
+
+/// What is known of every picture on paper.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Fact {
+    /// No cuboid is seen.
+    Background,
+    /// No cuboid but this one is seen, counted from 0 in the order of the file.
+    Cuboid(u32),
+    /// Each channel of a pixel that shows a cuboid has this level.
+    Everywhere(f64),
+    /// This pixel has these levels.
+    Pixel { at: [usize; 2], levels: [f64; 3] },
+}
+
+/// How an extreme went.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Outcome {
-    /// What is extreme.
     pub name: &'static str,
-    /// What is right, and what decides it.
     pub expected: String,
-    /// What the renderer makes of it, or what is wrong.
+    /// How far the pictures may err, or the first pixel that is wrong.
     pub observed: String,
     pub pass: bool,
 }
 
-/// The cases, in order.
-pub fn table() -> Vec<Case> {
-    [
-        camera::cases(),
-        light::cases(),
-        shape::cases(),
-        strength::cases(),
-        crowd::cases(),
-        picture::cases(),
-        numbers::cases(),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+/// Every extreme, ordered by name.
+///
+/// # Panics
+/// When the index is wrong; it is built in.
+pub fn table() -> Vec<Extreme> {
+    let index = include_str!("../assets/extremes/index.toml");
+    let mut index: BTreeMap<&str, Extreme> = toml::from_str(index).expect("the index is right");
+    let scenes = EXTREMES.iter().map(|(path, _)| {
+        let name = path.trim_start_matches(FOLDER);
+        let expected = index.remove(name).unwrap_or_default();
+        Extreme { name, ..expected }
+    });
+    let scenes = scenes.collect();
+    assert!(index.is_empty(), "the index names scenes that do not exist");
+    scenes
 }
 
-/// A case that a function decides, which says what it observed.
-fn case(
-    name: &'static str,
-    expected: impl Into<String>,
-    examine: impl Fn(&mut Renderer) -> anyhow::Result<String> + Send + Sync + 'static,
-) -> Case {
-    Case {
-        name,
-        expected: expected.into(),
-        examine: Box::new(examine),
-    }
-}
-
-/// Who draws.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    pub level: Level,
-    /// At least 1.
-    pub threads: usize,
-    /// Whether to draw the largest picture at its full size, which takes a gigabyte, and every case in both modes and at
-    /// every tolerance, not in one mode by turns and at three.
-    pub full: bool,
-}
-
-/// Examines the cases.
+/// The extremes of these names, with or without their folder; all if there are none.
 ///
 /// # Errors
-/// When the system gives no threads, or not the memory.
-pub fn examine(
-    cases: &[Case],
-    options: Options,
-    on_progress: OnProgress,
-) -> anyhow::Result<Vec<Outcome>> {
-    if options.full {
-        memory::check_for("the table of extremes", MEMORY)?;
+/// When there is no extreme of a name.
+pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
+    let mut table = table();
+    let names: Vec<&str> = names
+        .iter()
+        .map(|it| it.trim_start_matches(FOLDER))
+        .collect();
+    let missing = names
+        .iter()
+        .find(|name| !table.iter().any(|it| it.name == **name));
+    if let Some(name) = missing {
+        bail!("no extreme is named {name:?}; `shadetrade extremes` lists them");
     }
-    let mut renderer = Renderer::new(options.level, options.threads, options.full)
-        .context("cannot start the threads that draw")?;
-    let outcomes = cases.iter().enumerate().map(|(index, case)| {
-        on_progress("examining extremes", index as f64 / cases.len() as f64);
-        let observed = (case.examine)(&mut renderer);
+    table.retain(|extreme| names.is_empty() || names.contains(&extreme.name));
+    Ok(table)
+}
+
+/// Proves the pictures of extremes with the instructions of `level`, on rayon's current threads; unless all are wanted,
+/// every second one.
+pub fn examine(
+    extremes: &[Extreme],
+    level: Level,
+    all: bool,
+    on_progress: OnProgress,
+) -> Vec<Outcome> {
+    let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
+        on_progress("proving extremes", index as f64 / extremes.len() as f64);
+        let observed = extreme.observe(level, all);
         Outcome {
-            name: case.name,
-            expected: case.expected.clone(),
+            name: extreme.name,
+            expected: extreme.expected(),
             pass: observed.is_ok(),
-            observed: observed.unwrap_or_else(|error| error.to_string()),
+            observed: observed.unwrap_or_else(|error| format!("{error:#}")),
         }
     });
-    Ok(outcomes.collect())
+    outcomes.collect()
 }
 
-/// The command: examines every case and prints how it went; how many failed.
+/// The command: proves extremes and prints how they went; returns how many failed.
 ///
 /// # Errors
-/// When the cases could not be examined or the result not be printed.
-pub fn run(options: Options, as_json: bool) -> anyhow::Result<usize> {
-    let outcomes = with_bar(|progress| examine(&table(), options, progress))?;
+/// When the result cannot be printed.
+pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<usize> {
+    let outcomes = with_bar(|progress| anyhow::Ok(examine(extremes, level, true, progress)))?;
     print(&outcomes, as_json, || text(&outcomes))?;
     Ok(outcomes.iter().filter(|outcome| !outcome.pass).count())
 }
 
-/// The outcomes as a table, and how many passed.
+/// A line for each outcome, and how many passed.
 pub fn text(outcomes: &[Outcome]) -> String {
-    let mut table = Table::new();
-    table
-        .load_preset(presets::NOTHING)
-        .set_style(TableComponent::HeaderLines, '-')
-        .set_style(TableComponent::MiddleHeaderIntersections, ' ')
-        .set_content_arrangement(ContentArrangement::Dynamic)
-        .set_width(WIDTH)
-        .set_header(["case", "expected", "observed", ""]);
-    for outcome in outcomes {
+    let lines = outcomes.iter().map(|outcome| {
         let verdict = if outcome.pass { "pass" } else { "FAIL" };
-        table.add_row([outcome.name, &outcome.expected, &outcome.observed, verdict]);
-    }
+        let Outcome {
+            name,
+            expected,
+            observed,
+            ..
+        } = outcome;
+        format!("{verdict}  {name:<36}  {expected}; {observed}\n")
+    });
+    let lines: String = lines.collect();
     let passed = outcomes.iter().filter(|outcome| outcome.pass).count();
-    format!(
-        "{}\n\n{passed} of {} pass",
-        table.trim_fmt(),
-        outcomes.len()
-    )
+    format!("{lines}\n{passed} of {} pass", outcomes.len())
+}
+
+impl Extreme {
+    /// What is expected, in words.
+    fn expected(&self) -> String {
+        match self.fact {
+            None => "proven".to_owned(),
+            Some(Fact::Background) => "proven, nothing is seen".to_owned(),
+            Some(Fact::Cuboid(number)) => format!("proven, cuboid {number} alone"),
+            Some(Fact::Everywhere(level)) => format!("proven, {level} levels"),
+            Some(Fact::Pixel { at, levels }) => format!("proven, pixel {at:?} has {levels:?}"),
+        }
+    }
+
+    /// Proves the pictures and checks what is known of them; how far they may err, in words.
+    fn observe(&self, level: Level, all: bool) -> anyhow::Result<String> {
+        let mut scene = Scene::load(Some(&format!("{FOLDER}{}", self.name)))?;
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+        let (mut covered, mut pictures, mut worst) = (0, 0, [0.0_f64; 2]);
+        for (number, camera) in names::<Camera>(&scene.world).iter().enumerate() {
+            scene.look_from(camera)?;
+            let mut seen = 0;
+            for (index, view) in self.views(&scene.world).iter().enumerate() {
+                if !all && (index / 2 + number) % 2 == 1 {
+                    continue;
+                }
+                let proof = self.check(&mut scene.world, view, &mut frame);
+                let proof = proof.with_context(|| {
+                    let mode = view.shading.map_or("", ShadingMode::name);
+                    let (projection, tolerance) = (view.projection.name(), view.tolerance);
+                    format!("camera {camera}, {projection}, {mode}, tolerance {tolerance}")
+                })?;
+                worst[index % 2] = worst[index % 2].max(proof.worst);
+                seen += proof.covered;
+                pictures += 1;
+            }
+            ensure!(
+                seen >= MIN_COVERED || self.fact.is_some(),
+                "camera {camera}: only {seen} pixels show a cuboid"
+            );
+            covered += seen;
+        }
+        let [exact, half] = worst;
+        Ok(format!(
+            "{covered} pixels in {pictures} pictures: {exact:.0e} level at tolerance 0, {half:.2} at 0.5"
+        ))
+    }
+
+    /// The pictures from the present camera, each exactly and then within half a level.
+    fn views(&self, world: &World) -> Vec<View> {
+        let mut views = Vec::new();
+        for &projection in &self.projections {
+            for &mode in &self.modes {
+                views.extend([0.0, 0.5].map(|tolerance| View {
+                    projection,
+                    tolerance,
+                    ..View::of(world, self.size).shaded(mode)
+                }));
+            }
+        }
+        views
+    }
+
+    /// Proves a picture and compares it with what is known of it.
+    fn check(&self, world: &mut World, view: &View, frame: &mut Frame) -> anyhow::Result<Proof> {
+        let level = frame.workers().level();
+        let proof = prove(world, view, None, level, &|| false, &|_| ())?;
+        let proof = proof.context("the proof was cancelled")?;
+        // Intervals need not decide a pixel that is decided on paper.
+        let known = match self.fact {
+            Some(Fact::Pixel { at, .. }) => Some(at),
+            _ => None,
+        };
+        let wrong = |verdict, place| verdict == Verdict::Refuted || Some(place) != known;
+        let mut examples = proof.examples.iter();
+        if let Some(example) = examples.find(|it| wrong(it.verdict, it.pixel)) {
+            let [x, y] = example.pixel;
+            bail!(
+                "pixel {x},{y} is {:?}: drawn {:?}, exact {:?}",
+                example.verdict,
+                example.drawn,
+                example.enclosure
+            );
+        }
+        let Some(fact) = self.fact else {
+            return Ok(proof);
+        };
+        systems::draw(world, view, frame)?;
+        for (pixel, (id, drawn)) in frame.triangles().iter().zip(frame.levels()).enumerate() {
+            let is_background = *id == NO_TRIANGLE;
+            let has = |levels: [f64; 3]| {
+                let mut channels = levels.iter().zip(drawn);
+                channels.all(|(level, drawn)| {
+                    (level - f64::from(*drawn)).abs() <= limit(view.tolerance)
+                })
+            };
+            let place = [pixel % view.size[0], pixel / view.size[0]];
+            let is_right = match fact {
+                Fact::Background => is_background,
+                Fact::Cuboid(number) => is_background || id / 12 == number,
+                Fact::Everywhere(level) => is_background || has([level; 3]),
+                Fact::Pixel { at, levels } => at != place || has(levels),
+            };
+            ensure!(
+                is_right,
+                "pixel {place:?} shows triangle {} of cuboid {}, levels {drawn:?}",
+                id % 12,
+                id / 12
+            );
+        }
+        Ok(proof)
+    }
 }

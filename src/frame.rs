@@ -1,18 +1,20 @@
-//! Pixels: what one frame is drawn into, cut into bands for threads, and the display step.
+//! The buffers of one frame, which threads draw in bands of rows.
 //!
-//! Rule: a warm frame of unchanged size allocates nothing, clears only what the last frame touched, and holds the same
-//! bits however many threads drew it.
+//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew; with several threads, rayon's
+//! queue takes a block of memory every few dozen frames. Its bits do not depend on the number of threads.
 
+mod aligned;
 mod band;
 mod draw_list;
 
-use std::collections::TryReserveError;
 use std::ops::{AddAssign, Range};
+use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
+use self::aligned::Aligned;
 pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::components::{Illumination, Lens};
@@ -20,17 +22,17 @@ use crate::memory::{self, OutOfMemory};
 pub use crate::shading::display::{display_pixel, display_step};
 use crate::shading::{Scratch, TileKind};
 
-/// Who draws: the SIMD level and the threads.
+/// The SIMD level and the threads that draw.
 pub struct Workers {
     level: Level,
     pool: Option<ThreadPool>,
 }
 
 impl Workers {
-    /// `threads` 1 (or 0) is the calling thread alone.
+    /// Starts `threads` threads; for 1 (or 0) the calling thread draws.
     ///
     /// # Errors
-    /// When the system gives no threads.
+    /// If the threads cannot be started.
     pub fn new(threads: usize, level: Level) -> Result<Self, ThreadPoolBuildError> {
         let pool = if threads > 1 {
             Some(ThreadPoolBuilder::new().num_threads(threads).build()?)
@@ -40,7 +42,7 @@ impl Workers {
         Ok(Workers { level, pool })
     }
 
-    /// The calling thread alone, which no system refuses.
+    /// The calling thread alone, which cannot fail.
     pub fn alone(level: Level) -> Self {
         Workers { level, pool: None }
     }
@@ -50,7 +52,7 @@ impl Workers {
         self.level
     }
 
-    /// How many threads draw.
+    /// The number of threads that draw.
     pub fn threads(&self) -> usize {
         self.pool
             .as_ref()
@@ -58,40 +60,41 @@ impl Workers {
     }
 }
 
-/// What a frame keeps of every pixel.
+/// The buffers of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// The display step's bytes, 0x00RRGGBB, as a window takes them.
+    /// Displayed pixels, 0x00RRGGBB, in the format of the window.
     Display,
-    /// Unclamped, unrounded levels, the triangle seen, and how its tile was drawn.
+    /// Of each pixel the unclamped, unrounded levels, the visible triangle and the kind of its tile.
     Levels,
 }
 
-/// Set in the kind of pixels on the upper or left edge of their square.
+/// Bit set in the kind of pixels on the upper or left edge of their square.
 pub const OUTLINE: u8 = 0x80;
 
-/// The id of a pixel where nothing is drawn.
+/// The triangle of a pixel that shows the background.
 pub const NO_TRIANGLE: u32 = u32::MAX;
 
-/// The face of a triangle (cuboid * 6 + its face): both triangles of a face have the same, and [`NO_TRIANGLE`] one that no
-/// cuboid has.
+/// The face of a triangle: cuboid * 6 + face, the same for both triangles of a face. [`NO_TRIANGLE`] gives a number that
+/// no cuboid has.
 pub fn face(triangle: u32) -> u32 {
     triangle / 2
 }
 
-/// Farther than any depth.
+/// The nearness of the background: less than that of any surface.
 const FARTHEST: f64 = f64::MIN;
 
-/// What was done for one frame; the same on every machine.
+/// Counts of the work for one frame. They are the same on every machine and for any number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Pixels covered by a triangle.
     pub covered_pixels: u64,
     /// Evaluations of the illumination model, at vertices or pixels.
     pub model_evaluations: u64,
-    /// Powers evaluated.
+    /// Evaluations of a specular power.
     pub specular_evaluations: u64,
-    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`].
+    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
+    /// a pixel of it is seen, since the strips of a frame may belong to different threads.
     pub tiles: [u64; TileKind::ALL.len()],
 }
 
@@ -106,25 +109,26 @@ impl AddAssign for Counts {
     }
 }
 
-/// A picture being drawn, and what the systems derive for all cuboids together; its memory is kept for the next one.
+/// A picture, and the data that the systems derive for all cuboids together. Its memory is reused for the next picture.
 pub struct Frame {
-    /// What it is seen through.
+    /// The camera and projection of this frame.
     pub lens: Lens,
-    /// What lights it.
+    /// The lights of this frame.
     pub illumination: Illumination,
     keep: Keep,
     workers: Workers,
     size: [usize; 2],
     rows: Range<usize>,
     background: DVec3,
-    pixels: Vec<u32>,
-    levels: Vec<[f32; 3]>,
-    triangles: Vec<u32>,
-    kinds: Vec<u8>,
-    depths: Vec<f64>,
+    pixels: Aligned<u32>,
+    levels: Aligned<[f32; 3]>,
+    triangles: Aligned<u32>,
+    kinds: Aligned<u8>,
+    depths: Aligned<f64>,
     drawn: Vec<Drawn>,
     list: DrawList,
-    scratch: Box<Scratch>,
+    /// One for each thread.
+    scratch: Vec<Mutex<Scratch>>,
     counts: Counts,
 }
 
@@ -135,28 +139,28 @@ impl Frame {
             lens: Lens::default(),
             illumination: Illumination::default(),
             keep,
+            scratch: (0..workers.threads()).map(|_| Mutex::default()).collect(),
             workers,
             size: [0, 0],
             rows: 0..0,
             background: DVec3::ZERO,
-            pixels: Vec::new(),
-            levels: Vec::new(),
-            triangles: Vec::new(),
-            kinds: Vec::new(),
-            depths: Vec::new(),
+            pixels: Aligned::default(),
+            levels: Aligned::default(),
+            triangles: Aligned::default(),
+            kinds: Aligned::default(),
+            depths: Aligned::default(),
             drawn: Vec::new(),
             list: DrawList::default(),
-            scratch: Box::default(),
             counts: Counts::default(),
         }
     }
 
-    /// What it keeps.
+    /// The buffers that it keeps.
     pub fn keep(&self) -> Keep {
         self.keep
     }
 
-    /// Who draws it.
+    /// The threads and the SIMD level that draw it.
     pub fn workers(&self) -> &Workers {
         &self.workers
     }
@@ -166,48 +170,49 @@ impl Frame {
         self.size
     }
 
-    /// The rows of the picture held here: all of them unless a part was asked for.
+    /// The rows of the picture in the buffers: all of them, unless only a part was drawn.
     pub fn rows(&self) -> Range<usize> {
         self.rows.clone()
     }
 
-    /// 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
+    /// Displayed pixels, 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
     pub fn pixels(&self) -> &[u32] {
-        &self.pixels
+        self.pixels.as_slice()
     }
 
-    /// Levels, row by row from the top; empty unless [`Keep::Levels`].
+    /// Unclamped levels of 255, row by row from the top; empty unless [`Keep::Levels`].
     pub fn levels(&self) -> &[[f32; 3]] {
-        &self.levels
+        self.levels.as_slice()
     }
 
-    /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or a depth buffer
-    /// was needed. With [`Keep::Display`] it is the first triangle of the face that is seen.
+    /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or
+    /// a depth buffer is used. With [`Keep::Display`] it is the first triangle of the visible face.
     pub fn triangles(&self) -> &[u32] {
-        &self.triangles
+        self.triangles.as_slice()
     }
 
-    /// For each pixel that shows a triangle, how its tile was drawn: the place in [`TileKind::ALL`]; empty unless
-    /// [`Keep::Levels`].
+    /// The kind of each pixel's tile: its index in [`TileKind::ALL`], and [`OUTLINE`]. Undefined where no triangle is
+    /// visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
-        &self.kinds
+        self.kinds.as_slice()
     }
 
-    /// What the last frame took.
+    /// The counts of the last frame.
     pub fn counts(&self) -> Counts {
         self.counts
     }
 
-    /// Notes that the model was evaluated at the eight corners of a cuboid, `powers` specular powers each.
+    /// Counts evaluations of the model at the eight corners of a cuboid, with `powers` specular powers each.
     pub(crate) fn count_vertices(&mut self, powers: usize) {
         self.counts.model_evaluations += 8;
         self.counts.specular_evaluations += 8 * powers as u64;
     }
 
-    /// Makes room for these rows of a picture, and starts counting anew.
+    /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. `deep` adds a depth
+    /// buffer.
     ///
     /// # Errors
-    /// When memory does not suffice; the frame is then empty.
+    /// If there is too little memory. The frame is then empty.
     pub(crate) fn begin(
         &mut self,
         size: [usize; 2],
@@ -222,7 +227,7 @@ impl Frame {
             return Ok(());
         }
         let Range { start, end } = rows;
-        // Where memory does not suffice, nothing of the old picture may be taken for the new one.
+        // If the allocation fails, the old picture must not be taken for the new one.
         (self.size, self.rows) = ([0, 0], 0..0);
         self.release();
         let needed = wanted(display) * size_of::<u32>()
@@ -230,37 +235,41 @@ impl Frame {
             + wanted(deep || !display) * size_of::<u32>()
             + wanted(deep) * size_of::<f64>();
         memory::check(size, needed)?;
-        renew(&mut self.pixels, wanted(display), 0)
-            .and_then(|()| renew(&mut self.levels, wanted(!display), [0.0; 3]))
-            .and_then(|()| renew(&mut self.triangles, wanted(deep || !display), NO_TRIANGLE))
-            .and_then(|()| renew(&mut self.kinds, wanted(!display), 0))
-            .and_then(|()| renew(&mut self.depths, wanted(deep), FARTHEST))
-            .and_then(|()| renew(&mut self.drawn, end - start, Drawn::anything(size[0])))
+        let cleared = Drawn::anything(size[0]);
+        self.pixels
+            .renew(wanted(display), 0)
+            .and_then(|()| self.levels.renew(wanted(!display), [0.0; 3]))
+            .and_then(|()| self.triangles.renew(wanted(deep || !display), NO_TRIANGLE))
+            .and_then(|()| self.kinds.renew(wanted(!display), 0))
+            .and_then(|()| self.depths.renew(wanted(deep), FARTHEST))
+            .and_then(|()| self.drawn.try_reserve_exact(end - start))
             .map_err(memory::refused(size, needed))?;
+        self.drawn.resize(end - start, cleared);
         (self.size, self.rows) = (size, start..end);
         Ok(())
     }
 
-    /// Gives back the memory of the picture held.
+    /// Frees the buffers.
     fn release(&mut self) {
-        self.pixels = Vec::new();
-        self.levels = Vec::new();
-        self.triangles = Vec::new();
-        self.kinds = Vec::new();
-        self.depths = Vec::new();
+        self.pixels = Aligned::default();
+        self.levels = Aligned::default();
+        self.triangles = Aligned::default();
+        self.kinds = Aligned::default();
+        self.depths = Aligned::default();
         self.drawn = Vec::new();
     }
 
-    /// What is to be drawn, taken out while it is worked on.
+    /// Takes the list out of the frame; [`Frame::paint`] puts it back.
     pub(crate) fn take_list(&mut self) -> DrawList {
         std::mem::take(&mut self.list)
     }
 
-    /// Has `draw` fill the frame with what is listed, band by band, adds up what it counts, and keeps the list's memory.
+    /// Draws the list with `draw`, in bands on several threads if it covers enough pixels, and adds up the counts.
+    /// Keeps the memory of the list.
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
-        list: DrawList,
+        mut list: DrawList,
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
     ) {
         if self.background != background {
@@ -271,35 +280,35 @@ impl Frame {
             width: self.size[0],
             rows: self.rows.clone(),
             background,
-            pixels: &mut self.pixels,
-            levels: &mut self.levels,
-            triangles: &mut self.triangles,
-            kinds: &mut self.kinds,
-            depths: &mut self.depths,
+            pixels: self.pixels.as_mut_slice(),
+            levels: self.levels.as_mut_slice(),
+            triangles: self.triangles.as_mut_slice(),
+            kinds: self.kinds.as_mut_slice(),
+            depths: self.depths.as_mut_slice(),
             drawn: &mut self.drawn,
         };
-        self.counts += match &self.workers.pool {
-            Some(pool) if list.covered() >= WORTH_SHARING => {
-                let cuts = list.cuts(&self.rows, PARTS * pool.current_num_threads());
-                pool.install(|| {
-                    band.split_and(&cuts, &|band| draw(&list, band, &mut Scratch::default()))
-                })
+        let scratch = &self.scratch;
+        let draw = |list: &DrawList, band: &mut Band| {
+            let thread = rayon::current_thread_index().unwrap_or(0) % scratch.len();
+            let mut scratch = scratch[thread]
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner);
+            draw(list, band, &mut scratch)
+        };
+        let pool = self.workers.pool.as_ref();
+        self.counts += match pool {
+            Some(pool) if list.weigh(&self.rows) >= WORTH_SHARING => {
+                let parts = PARTS * pool.current_num_threads();
+                pool.install(|| band.split_and(&list, parts, &draw))
             }
-            _ => draw(&list, &mut band, &mut self.scratch),
+            _ => draw(&list, &mut band),
         };
         self.list = list;
     }
 }
 
-/// Below this many covered pixels a second thread costs more than it saves.
+/// Frames with fewer covered pixels are drawn on one thread: a second one costs more than it saves.
 const WORTH_SHARING: usize = 50_000;
 
-/// Bands for each thread, so that one that is done early helps the others.
+/// Bands per thread. A thread that finishes early takes over bands of others.
 const PARTS: usize = 4;
-
-/// Fills an empty vector.
-fn renew<T: Clone>(vector: &mut Vec<T>, len: usize, value: T) -> Result<(), TryReserveError> {
-    vector.try_reserve_exact(len)?;
-    vector.resize(len, value);
-    Ok(())
-}

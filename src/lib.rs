@@ -125,7 +125,7 @@
 //!
 //! // The same as a fact: no value of any pixel's enclosure is farther away than half a level.
 //! let level = fearless_simd::Level::new();
-//! let proof = prove(&mut scene.world, &view, level, &|| false, &|_| ())?.expect("not cancelled");
+//! let proof = prove(&mut scene.world, &view, None, level, &|| false, &|_| ())?.expect("not cancelled");
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -136,10 +136,9 @@
 //!
 //! # Where numbers end
 //!
-//! [`extremes`] is one table of what a scene can hold at the ends of its ranges: the near plane through a corner, a light an
-//! ulp off a face, edges as one to 1e100, sums beyond every float, ten thousand cuboids. The command prints it, the tests
-//! run it, and what is right in it comes from enclosures, from paper, or from the same scene without the
-//! extreme. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 leave their limits.
+//! `assets/extremes` holds scenes at the ends of what numbers can be: the near plane through a corner, a light an ulp off a
+//! face, edges as one to 1e100, sums beyond every float. Each is built in and opens by its name as any scene does.
+//! [`extremes`] proves every pixel of them, and compares the levels that are known on paper. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 leave their limits.
 //!
 //! # What to touch to add ...
 //!
@@ -151,8 +150,7 @@
 //!   the textbook's formula of [`extremes::stability`];
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`components::cuboid`];
-//! - an extreme that must be drawn right: a [`extremes::Case`] in the file of its kind under `extremes/`, with the rule
-//!   that decides what is right;
+//! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
 //! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::accuracy::Accuracy`], which JSON shows by
 //!   itself; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
 //! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
@@ -177,8 +175,8 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
-//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes a metric of
-//! [`trade`], its tables and the paper of its plots; [`cli`] takes what a command's options are made into; minifb is
+//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes
+//! tables and the paper of its plots from [`trade`]; [`cli`] takes what a command's options are made into; minifb is
 //! named in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the
 //! error map of [`trade`].
 //!

@@ -1,4 +1,4 @@
-//! shadetrade: parses the command line, runs one command, says what went wrong.
+//! shadetrade: parses the command line, runs one command and reports its error.
 
 use std::fs;
 use std::path::Path;
@@ -50,7 +50,8 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::Prove(options)) => {
             let map = options.output.as_ref();
             let mut drawing = options.drawing.open_for(map)?;
-            Ok(prove::run(&mut drawing, map, options.json)?)
+            let picture = options.read_picture()?;
+            Ok(prove::run(&mut drawing, picture, map, options.json)?)
         }
         Some(Command::Requires(options)) => {
             let least = options.output.as_ref();
@@ -63,24 +64,21 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     }
 }
 
-/// Runs the table of extremes, of which a case that fails is work not done, or draws the stability charts.
+/// Proves extremes, where a failed one is an error, or draws the stability charts.
 fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
-    let workers = extremes::Options {
-        level: options.workers.simd,
-        threads: options.workers.threads(),
-        full: true,
-    };
+    let level = options.workers.simd;
     if options.chart {
         let folder = options.output.as_deref();
-        return Ok(extremes::stability::run(workers, folder, options.json)?);
+        return Ok(extremes::stability::run(level, folder, options.json)?);
     }
-    match extremes::run(workers, options.json)? {
+    let chosen = extremes::named(&options.names).map_err(Failure::Usage)?;
+    match extremes::run(&chosen, level, options.json)? {
         0 => Ok(()),
         failed => Err(Failure::Work(anyhow!("{failed} of the extremes fail"))),
     }
 }
 
-/// Prints what happened at a pixel.
+/// Prints the evaluation of a pixel.
 fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     let mut drawing = options.drawing.open()?;
     let ([x, y], [width, height]) = (options.pixel, drawing.size);
@@ -98,9 +96,9 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     })?)
 }
 
-/// Opens the window; where there is no display, the figures are drawn if nothing else was asked for.
+/// Opens the window. Without a display it draws the figures if the command has no options.
 fn view(options: &ViewOptions) -> Result<(), Failure> {
-    // Before anything is read: a scene that comes through a pipe can be read once.
+    // Before the scene is read: a pipe can be read only once.
     window::restart_in_fit_environment()?;
     let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
     let mut drawing = options.drawing.open()?;
@@ -118,7 +116,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     }
 }
 
-/// Draws a recording again, or plays it in a window where nothing is asked for.
+/// Plays a recording in a window, or draws it into a file or prints hashes if the options say so.
 fn replay(options: &ReplayOptions) -> Result<(), Failure> {
     options.check_output()?;
     let plays = options.output.is_none() && !options.hash;

@@ -1,43 +1,42 @@
-//! Whether the machine has the memory that something large takes, asked before it is allocated.
+//! A check of the free memory before a large allocation.
 //!
-//! An allocation itself says nothing: Linux grants more than there is and kills the program once that is written to
-//! (overcommit). Other systems, which lack the file that is read here, refuse an allocation that they cannot back, or swap
-//! for it.
+//! On Linux an allocation beyond the free memory succeeds, and the kernel kills the program that writes to it
+//! (overcommit). Other systems lack `/proc/meminfo`; they refuse an allocation without memory for it, or swap.
 
 use std::collections::TryReserveError;
 use std::fmt::Display;
 use std::fs;
 
-/// Allocations up to this, in bytes, are not checked.
+/// Allocations of up to this many bytes are not checked.
 const LARGE: usize = 16 << 20;
-/// Bytes that are to stay free for everything that is small, whose refusal would end the program without a message.
+/// Bytes kept free for small allocations, whose failure would end the program without a message.
 const SPARE: usize = 32 << 20;
 
-/// Something large does not fit in memory.
+/// A large allocation does not fit in memory.
 #[derive(Debug, thiserror::Error)]
 #[error("{what} does not fit in memory: it takes {}, {}", megabytes(*.needed), left_text(*.left))]
 pub struct OutOfMemory {
-    /// What was to be allocated.
+    /// Name of the thing to allocate.
     pub what: String,
-    /// Bytes that were to be allocated.
+    /// Bytes to allocate.
     pub needed: usize,
-    /// Bytes that can be had without anything being swapped or killed, where that is known.
+    /// Bytes available without swapping, if known.
     pub left: Option<usize>,
 }
 
-/// Whether `needed` bytes more for a picture of `size` pixels can be had.
+/// Checks that `needed` more bytes are available for a picture of `size` pixels.
 ///
 /// # Errors
-/// When the system says that there are fewer.
+/// If the system reports fewer.
 pub fn check(size: [usize; 2], needed: usize) -> Result<(), OutOfMemory> {
     let [width, height] = size;
     check_for(format_args!("a picture of {width}x{height} pixels"), needed)
 }
 
-/// Whether `needed` bytes more can be had for `what`.
+/// Checks that `needed` more bytes are available for `what`.
 ///
 /// # Errors
-/// When the system says that there are fewer.
+/// If the system reports fewer.
 pub fn check_for(what: impl Display, needed: usize) -> Result<(), OutOfMemory> {
     if needed <= LARGE {
         return Ok(());
@@ -53,10 +52,10 @@ pub fn check_for(what: impl Display, needed: usize) -> Result<(), OutOfMemory> {
     }
 }
 
-/// An empty list with room for a value of every pixel of a picture of `size`.
+/// An empty vector with capacity for every pixel of a picture of `size`.
 ///
 /// # Errors
-/// When the system says that there is no such room, or does not grant it.
+/// If the system reports too little memory or refuses the allocation.
 pub fn reserve_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
     let pixels = size[0].saturating_mul(size[1]);
     let needed = pixels.saturating_mul(size_of::<T>());
@@ -67,7 +66,7 @@ pub fn reserve_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
     Ok(list)
 }
 
-/// What an allocation for a picture of `size` pixels, `needed` bytes in all, fails with.
+/// Converts a refused allocation for a picture of `size` pixels, `needed` bytes in all, into [`OutOfMemory`].
 pub fn refused(
     [width, height]: [usize; 2],
     needed: usize,
@@ -79,7 +78,7 @@ pub fn refused(
     }
 }
 
-/// Bytes that can be had without anything being swapped or killed, where the system tells.
+/// Bytes available without swapping, if the system reports them.
 fn available() -> Option<usize> {
     mem_available(&fs::read_to_string("/proc/meminfo").ok()?)
 }
@@ -92,12 +91,12 @@ fn mem_available(table: &str) -> Option<usize> {
     kibibytes.checked_mul(1024)
 }
 
-/// A number of bytes as people read it.
+/// A number of bytes in megabytes.
 fn megabytes(bytes: usize) -> String {
     format!("{:.0} MB", bytes as f64 / 1e6)
 }
 
-/// How a message about too little memory ends.
+/// The end of a message about too little memory.
 fn left_text(left: Option<usize>) -> String {
     left.map_or_else(
         || "more than the system grants".to_owned(),
@@ -110,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_kernel_s_row_is_read_in_bytes() {
+    fn mem_available_is_read_in_bytes() {
         let table = "MemFree:          1 kB\nMemAvailable:   17482340 kB\nBuffers: 7 kB\n";
         assert_eq!(mem_available(table), Some(17_482_340 * 1024));
         for table in ["MemFree: 1 kB\n", "MemAvailable: many kB\n"] {
@@ -120,7 +119,7 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn what_no_machine_has_is_refused_with_both_numbers() {
+    fn half_of_the_address_space_is_refused_with_both_numbers() {
         let error =
             check([16384, 16384], usize::MAX / 2).expect_err("nobody has half of all addresses");
         assert!(error.left.is_some_and(|left| left > LARGE));
@@ -130,7 +129,7 @@ mod tests {
                 && said.contains(" MB, and ")
                 && said.ends_with(" MB are left")
         );
-        check([1, 1], LARGE).expect("what is small is not asked for");
+        check([1, 1], LARGE).expect("a small allocation is not checked");
         assert!(reserve_pixels::<[u8; 1 << 40]>([16384, 16384]).is_err());
     }
 }

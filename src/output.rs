@@ -1,8 +1,8 @@
-//! Files that are written whole or not at all, and standard output.
+//! Output to standard output and to files, which are written completely or not at all.
 //!
-//! The content goes to a hidden temporary file in the same folder, which
-//! takes the target's name once everything is on the disk. Devices and pipes are written directly; a symbolic link stays
-//! a link and its target is replaced; a reader that closes our standard output early is no error.
+//! The content goes to a hidden temporary file in the folder of the target, which is renamed to the target once all of
+//! it is on the disk. Devices and pipes are written directly. A symbolic link stays a link, and its target is replaced.
+//! It is no error if the reader of standard output closes it early.
 
 mod animation;
 
@@ -18,12 +18,12 @@ use serde::Serialize;
 
 pub use animation::Animation;
 
-/// Where one file's content goes.
+/// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Output {
     /// Standard output.
     Stdout,
-    /// The file, device or pipe of this path.
+    /// The file, device or pipe at this path.
     File(PathBuf),
 }
 
@@ -39,7 +39,7 @@ impl From<PathBuf> for Output {
 }
 
 impl Output {
-    /// What messages call it.
+    /// Its name in messages.
     pub fn name(&self) -> Cow<'_, str> {
         match self {
             Output::Stdout => "standard output".into(),
@@ -47,17 +47,17 @@ impl Output {
         }
     }
 
-    /// Writes what `content` produces.
+    /// Writes what `content` writes to its argument.
     ///
     /// # Errors
-    /// When it could not be written; a file that was there is then as it was before.
+    /// If the content cannot be written. An existing file is then unchanged.
     pub fn write(
         &self,
         content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> anyhow::Result<()> {
         match self {
             Output::Stdout => {
-                // An encoder hides the kind of an error, so the content is made before it is written.
+                // Encoders hide the kind of an error, so the whole content is collected before it is written.
                 let mut bytes = Vec::new();
                 let made = content(&mut bytes).and_then(|()| standard_output());
                 match made.and_then(|mut stdout| stdout.write_all(&bytes)) {
@@ -79,10 +79,10 @@ impl Output {
     }
 }
 
-/// Makes the folder `path` unless it is there; its parent is not made.
+/// Creates the folder `path` unless it exists. Its parent must exist.
 ///
 /// # Errors
-/// When something else has that name, or the folder cannot be made.
+/// If `path` exists and is not a folder, or the folder cannot be created.
 pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     match fs::create_dir(path) {
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
@@ -104,7 +104,7 @@ pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     }
 }
 
-/// Prints a record to standard output: as JSON, or as `text` tells it to a person.
+/// Prints a record to standard output, as JSON or as `text`.
 ///
 /// # Errors
 /// As [`Output::write`].
@@ -121,20 +121,20 @@ pub fn print<T: Serialize>(
     Output::Stdout.write(|writer| writeln!(writer, "{text}"))
 }
 
-/// One line for the user, on standard error so that standard output holds only what was asked for.
+/// Prints a line to standard error, so that standard output holds the result alone.
 pub fn say(line: &str) {
     let line = printable(line);
-    // A closed standard error is no failure.
+    // It is no failure if standard error is closed.
     let _ = writeln!(io::stderr(), "{line}");
 }
 
-/// `text` as a terminal may have it: a name or a path in it moves no cursor and changes no colour.
+/// `text` with control characters replaced, so that a name or path cannot move the cursor or change colours.
 pub fn printable(text: &str) -> String {
     let harmful = |character: char| character.is_control() && !"\n\t".contains(character);
     text.replace(harmful, "\u{fffd}")
 }
 
-/// A word as a shell has to be given it.
+/// A word quoted for a POSIX shell.
 pub fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-+=:,./@%".contains(letter);
     if !word.is_empty() && word.chars().all(plain) {
@@ -144,7 +144,7 @@ pub fn quoted(word: &str) -> String {
     }
 }
 
-/// Standard output as a file: the standard library's own handle says nothing when it cannot be written.
+/// Standard output as a file: the standard library's handle reports no error if it is closed.
 fn standard_output() -> io::Result<File> {
     let stdout = io::stdout();
     #[cfg(unix)]
@@ -154,7 +154,7 @@ fn standard_output() -> io::Result<File> {
     Ok(File::from(handle))
 }
 
-/// Writes `content` through a buffer, and notices what fails only when it is emptied.
+/// Writes `content` through a buffer and reports errors of the final flush.
 fn buffered(
     writer: impl Write,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -164,7 +164,7 @@ fn buffered(
     writer.flush()
 }
 
-/// Puts a new file in the place of what `path` leads to, which need not exist; what is no file is written as it is.
+/// Replaces the file that `path` leads to, or creates it. Devices and pipes are written directly.
 fn write_file(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -172,7 +172,7 @@ fn write_file(
     let old = match fs::metadata(path) {
         Ok(found) if found.is_dir() => bail!("it is a folder; give the name of a file"),
         Ok(found) if found.is_file() => {
-            // What a plain write would be refused, a replacement is refused too.
+            // A file that may not be written may not be replaced either.
             OpenOptions::new().write(true).open(path)?;
             Some(found)
         }
@@ -203,11 +203,10 @@ fn write_file(
     Ok(())
 }
 
-/// Writes a new file into `folder` under the first of the names that `name` gives for 1, 2, ... and nobody has taken;
-/// returns the file made.
+/// Writes a new file into `folder` under the first free name of `name(1)`, `name(2)`, ... and returns its path.
 ///
 /// # Errors
-/// When the folder cannot be written to, or the first 9999 names are taken.
+/// If the folder cannot be written to, or the first 9999 names are taken.
 pub fn write_numbered(
     folder: &Path,
     name: impl Fn(u32) -> String,
@@ -217,7 +216,7 @@ pub fn write_numbered(
     buffered(file.as_file(), content)?;
     for number in 1..=9999 {
         let path = folder.join(name(number));
-        // The system refuses a name that is taken, so that two programs never get the same one.
+        // The system refuses an existing name, so two programs never get the same one.
         match file.persist_noclobber(&path) {
             Ok(_) => return Ok(path),
             Err(taken) if taken.error.kind() == ErrorKind::AlreadyExists => file = taken.file,
@@ -230,12 +229,12 @@ pub fn write_numbered(
     ))
 }
 
-/// A hidden file that goes when it is dropped, with the permissions any new file gets.
+/// A hidden file that is deleted on drop, with the default permissions of a new file.
 fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     tempfile::Builder::new()
         .prefix(".shadetrade-")
         .suffix(".tmp")
-        // Opened here, so that an error is the system's: the library's would name the temporary file.
+        // Opened here, because an error of the library would name the temporary file.
         .make_in(folder, |path| {
             OpenOptions::new().write(true).create_new(true).open(path)
         })
@@ -248,7 +247,7 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// A PNG of 0x00RRGGBB pixels, which are held a second time meanwhile, as bytes of red, green and blue.
+/// Writes a PNG of 0x00RRGGBB pixels. A copy of 3 bytes per pixel is held meanwhile.
 pub(crate) fn encode_png(
     writer: &mut dyn Write,
     pixels: &[u32],

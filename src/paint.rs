@@ -1,6 +1,6 @@
-//! egui's shapes painted into pixels: the panels of the window, and the letters and lines of figures.
+//! Painting of egui's shapes into a buffer of pixels: the panels of the window, and the text and lines of figures.
 //!
-//! A pixel is `0x00RRGGBB`; the byte above red is egui's alpha once something was painted there.
+//! A pixel is `0x00RRGGBB`. Where egui has painted, its top byte is egui's alpha.
 
 use egui::{Color32, Context, FullOutput, LayerId, RawInput, Rect, pos2};
 use egui_software_backend::{BufferMutRef, ColorFieldOrder, EguiSoftwareRender};
@@ -15,18 +15,18 @@ impl Default for Painter {
     fn default() -> Self {
         Painter {
             context: Context::default(),
-            // Painting only changed parts costs more here than painting all.
+            // Painting only the changed parts is slower here than painting everything.
             rasterizer: EguiSoftwareRender::new(ColorFieldOrder::Bgra).with_caching(false),
         }
     }
 }
 
 impl Painter {
-    /// Paints the output of one pass over `pixels`, rows of `size[0]` from the top.
+    /// Paints the output of one pass of egui over `pixels`, row by row from the top.
     pub fn paint(&mut self, output: FullOutput, pixels: &mut [u32], [width, height]: [usize; 2]) {
         let scale = output.pixels_per_point;
         let triangles = self.context.tessellate(output.shapes, scale);
-        // Little-endian 0xAARRGGBB is blue, green, red, alpha.
+        // The bytes of a little-endian 0xAARRGGBB are blue, green, red and alpha.
         let buffer = bytemuck::cast_slice_mut(pixels);
         let mut buffer = BufferMutRef::new(buffer, width, height);
         self.rasterizer
@@ -39,13 +39,13 @@ pub fn area(size: [usize; 2]) -> Rect {
     Rect::from_min_max(egui::Pos2::ZERO, pos2(size[0] as f32, size[1] as f32))
 }
 
-/// A colour of egui from `0x00RRGGBB`.
+/// The colour of egui for `0x00RRGGBB`.
 pub fn color(pixel: u32) -> Color32 {
     let [_, red, green, blue] = pixel.to_be_bytes();
     Color32::from_rgb(red, green, blue)
 }
 
-/// Draws letters and shapes over a finished picture; one point is one pixel.
+/// Draws text and shapes over a finished picture; one point is one pixel.
 pub fn annotate(pixels: &mut [u32], size: [usize; 2], mut draw: impl FnMut(&egui::Painter)) {
     let mut painter = Painter::default();
     let input = RawInput {
@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn letters_and_shapes_are_painted_in_their_colors_where_they_stand() {
+    fn text_and_shapes_are_painted_in_their_colors_at_their_positions() {
         let size = [40, 30];
         let mut pixels = vec![0x0012_3456; size[0] * size[1]];
         annotate(&mut pixels, size, |painter| {

@@ -1,6 +1,6 @@
-//! A [`Drawing`] in, PNG files out.
+//! The commands `render` and `figures`: PNG files of a [`Drawing`].
 //!
-//! Rule: a picture of the renderer is a frame as the window would show it, byte for byte.
+//! The bytes of a rendered picture are those of the window's frame.
 
 mod figures;
 mod sheet;
@@ -18,10 +18,10 @@ use crate::trade::progress::with_bar;
 use crate::trade::words::counted;
 use crate::{reference, simd, systems};
 
-/// Draws one picture into `output`, and says on standard error what it wrote and what a frame of it costs.
+/// Draws one picture into `output` and reports it, with the time of a frame, on standard error.
 ///
 /// # Errors
-/// When the picture does not fit in memory or cannot be written.
+/// If the picture does not fit in memory or cannot be written.
 pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let mut view = drawing.view();
     if let Some(budget) = drawing.budget()
@@ -49,7 +49,7 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Draws one picture with the reference in f64 into `output`, and says on standard error what it wrote.
+/// Draws one picture with the f64 reference into `output` and reports it on standard error.
 ///
 /// # Errors
 /// As [`render`].
@@ -58,7 +58,7 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let [width, height] = view.size;
     let (mut pixels, mut covered) = (memory::reserve_pixels(view.size)?, 0);
     let begin = Instant::now();
-    // In bands, since the reference holds seven times what the picture does.
+    // In bands, because the reference takes seven times the memory of the picture.
     let rows_at_once = (PIXELS_AT_ONCE / width).max(1);
     with_bar(|on_progress| -> anyhow::Result<()> {
         for first in (0..height).step_by(rows_at_once) {
@@ -92,14 +92,14 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     Ok(())
 }
 
-/// How many pixels, at 28 bytes each, the reference draws before they become bytes.
+/// Pixels that the reference draws at once, 28 bytes each.
 const PIXELS_AT_ONCE: usize = 1 << 20;
 
-/// The median time of a frame by `draw`, and of how many: an odd number, so that the median is one of them.
+/// The median time of a frame by `draw`, and the number of frames, which is odd, so that the median is one of the times.
 fn warm_frame(
     mut draw: impl FnMut() -> Result<(), OutOfMemory>,
 ) -> Result<(Duration, usize), OutOfMemory> {
-    // Enough for a steady median of small pictures; a large one is steady by itself and should not keep anyone waiting.
+    // Small pictures need several frames for a steady median. A few frames of a large one suffice.
     const MAX_FRAMES: usize = 15;
     const ENOUGH: Duration = Duration::from_millis(200);
     let begin = Instant::now();

@@ -1,8 +1,8 @@
-//! Pixels in, everything that happened there out: the vectors, every light's term, three verdicts side by side, the cause
-//! of what is seen and its cost.
+//! The evaluation of pixels: vectors, the term of each light, the levels of Gouraud, Phong and the reference, the cause of
+//! their difference, and the cost.
 //!
-//! Rule: `levels` are the renderer's own, at the tolerance it was asked to keep; vectors and terms are evaluated exactly,
-//! by the reference. A quantity that does not exist, or that no f64 holds, is null.
+//! `levels` are those of the renderer at the view's tolerance. Vectors and terms come from the reference in f64. A
+//! quantity that does not exist, or that is not finite, is null in JSON.
 
 mod cause;
 
@@ -22,39 +22,40 @@ use crate::systems;
 /// The largest number of terms in a section.
 const MOST_TERMS: usize = 20_000;
 
-/// What is known of a pixel.
+/// The evaluation of a pixel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Probe {
     /// x right, y down, from the top left corner.
     pub pixel: [usize; 2],
-    /// The cuboid seen; `None` is background.
+    /// The name of the visible cuboid; `None` for the background.
     pub object: Option<String>,
-    /// What is known of it; nothing of the background.
+    /// The evaluation of its surface; `None` for the background.
     #[serde(flatten)]
     pub surface: Option<Surface>,
 }
 
-/// What is known of the surface at a pixel. Vectors are unit vectors in world space.
+/// The evaluation of the surface at a pixel. Vectors are unit vectors in world space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Surface {
-    /// Its place in [`crate::components::TRIANGLES`].
+    /// The index of the visible triangle in [`crate::components::TRIANGLES`].
     pub triangle: u32,
-    /// The point seen, in world units; `None` where the reference sees another face, at an edge.
+    /// The visible point in world units; `None` if the reference sees another face, at an edge. The same holds for n
+    /// and o.
     pub position: Option<DVec3>,
-    /// n, as Phong interpolates it.
+    /// n, interpolated by Phong and normalised.
     pub normal: Option<DVec3>,
-    /// o.
+    /// o, towards the eye.
     pub to_eye: Option<DVec3>,
     /// The material's exponent.
     #[serde(skip)]
     pub shininess: f64,
     /// Every light that is on, in file order.
     pub lights: Vec<LightSample>,
-    /// As Gouraud has it.
+    /// The pixel under Gouraud.
     pub gouraud: Shaded,
-    /// As Phong has it.
+    /// The pixel under Phong.
     pub phong: Shaded,
-    /// By the reference.
+    /// The pixel in the reference.
     pub reference: Reference,
     /// As the picture that was asked for has it.
     #[serde(skip)]
@@ -78,33 +79,33 @@ pub struct Drawn {
     pub pixels: usize,
 }
 
-/// What a mode makes of the pixel.
+/// The pixel under one shading mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Shaded {
-    /// The renderer's, unclamped.
+    /// The renderer's levels, unclamped.
     pub levels: [f64; 3],
-    /// Each light's share, in file order, evaluated exactly, unclamped.
+    /// The term of each light by name, in file order, evaluated in f64, in unclamped levels.
     #[serde(serialize_with = "as_map")]
     pub terms: Vec<(String, [f64; 3])>,
-    /// After the display step.
+    /// The levels after the display step.
     pub bytes: [u8; 3],
 }
 
-/// Both modes in f64.
+/// The pixel in the f64 reference.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reference {
-    /// The triangle it sees: at a diagonal perhaps the other one of the face; `None` where it sees another face.
+    /// The visible triangle, which near a diagonal may be the other one of the face; `None` if another face is visible.
     pub triangle: Option<u32>,
-    /// Exact Gouraud; `None` where the reference sees another face.
+    /// Gouraud in f64; `None` if another face is visible.
     pub gouraud: Option<Levels>,
-    /// Exact Phong.
+    /// Phong in f64; `None` if another face is visible.
     pub phong: Option<Levels>,
 }
 
 /// Unclamped levels.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Levels {
-    /// By channel.
+    /// Red, green and blue.
     pub levels: [f64; 3],
 }
 
@@ -112,10 +113,10 @@ fn as_map<S: Serializer>(terms: &[(String, [f64; 3])], serializer: S) -> Result<
     serializer.collect_map(terms.iter().map(|(name, levels)| (name, levels)))
 }
 
-/// Looks at pixel (`x`, `y`) of the picture that `view` asks for; it must lie inside.
+/// Evaluates pixel (`x`, `y`), which must lie inside the picture for `view`.
 ///
 /// # Errors
-/// When 32 rows of the picture do not fit in memory.
+/// If 32 rows of the picture do not fit in memory.
 pub fn at(
     scene: &mut Scene,
     view: &View,
@@ -126,8 +127,8 @@ pub fn at(
     Ok(probes.remove(0))
 }
 
-/// Looks at the pixels of row `y` on the face that is seen at (`x`, `y`), from left to right: at each of them, unless
-/// there are very many lights. Of the background it is one pixel.
+/// Evaluates the pixels of row `y` on the face that is seen at (`x`, `y`), from left to right; fewer of them where the
+/// scene has very many lights, and one pixel of the background.
 ///
 /// # Errors
 /// As [`at`].
@@ -154,7 +155,7 @@ pub fn section(
     })
 }
 
-/// Looks at some columns of row `y`, chosen by the triangles that are seen there.
+/// Evaluates some columns of row `y`. `choose` picks them by the triangles that the row shows.
 fn look(
     scene: &mut Scene,
     view: &View,
@@ -283,17 +284,17 @@ impl Surface {
     }
 }
 
-/// What stands above the columns of [`Surface::products`].
+/// The column titles of [`Surface::products`].
 pub const PRODUCT_HEADS: [[&str; 3]; 2] = [["n.l", "o.r", "factor"], ["r", "g", "b"]];
 
-/// Levels smaller than this are written as 0.
+/// Levels up to this are written as 0.
 const NEGLIGIBLE: f64 = 1e-6;
-/// Parts of a vector below this share of its largest are written as 0: they are what f64 makes of 0.
+/// Components of a vector up to this share of the largest are written as 0: they are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
 impl Surface {
-    /// Every light's term, the sum as drawn and by the reference, and the bytes: what it is, then the cells of Gouraud
-    /// and of Phong.
+    /// The rows of the table of levels: each light's term, the drawn sum, the sum of the reference, and the bytes. A
+    /// row is its name and the cells of Gouraud and of Phong.
     pub fn table(&self) -> Vec<(String, [[String; 3]; 2])> {
         let levels = |levels: [f64; 3]| numbers(levels, NEGLIGIBLE);
         let truth = |truth: Option<Levels>| truth.map_or_else(nothing, |it| levels(it.levels));
@@ -317,7 +318,8 @@ impl Surface {
             .collect()
     }
 
-    /// Every light's term under exact Phong as a product: n.l, o.r and the factor that they make, then the strength by channel.
+    /// The rows of the table of products: each light's term under Phong in f64 as n.l, o.r and their factor, then the
+    /// strength by channel.
     pub fn products(&self) -> Vec<(String, [[String; 3]; 2])> {
         let cosine = |one: Option<DVec3>, other: Option<DVec3>| {
             let cosine = one.zip(other).map(|(one, other)| one.dot(other));
@@ -336,13 +338,13 @@ impl Surface {
         lights.collect()
     }
 
-    /// What stands above both halves of [`Surface::products`].
+    /// The titles of both halves of [`Surface::products`].
     pub fn product_titles(&self) -> [String; 2] {
         let factor = format!("n.l or (o.r)^{}", self.shininess);
         [factor, "times strength".to_owned()]
     }
 
-    /// The triangle by its number, and the reference's where that is another.
+    /// The number of the triangle, and that of the reference if it differs.
     pub fn triangle_label(&self) -> String {
         let own = self.triangle;
         match self.reference.triangle {
@@ -353,7 +355,7 @@ impl Surface {
 }
 
 impl Probe {
-    /// As lines for a person, none longer than 78 characters while names are short.
+    /// The evaluation as lines of text, at most 78 characters long if names are short.
     pub fn lines(&self) -> Vec<String> {
         let [x, y] = self.pixel;
         let (Some(object), Some(surface)) = (&self.object, &self.surface) else {
@@ -409,12 +411,13 @@ pub fn parts(vector: Option<DVec3>) -> [String; 3] {
     vector.map_or_else(nothing, numbers)
 }
 
-/// The cells of what does not exist.
+/// The cells of a quantity that does not exist.
 fn nothing() -> [String; 3] {
     ["-"; 3].map(str::to_owned)
 }
 
-/// In plain notation as long as that says something, nine letters at most; 0 for what is `negligible`.
+/// Three decimals for 0.001 to 10000, else scientific notation, nine characters at most; 0 for magnitudes up to
+/// `negligible`.
 fn numbers(values: [f64; 3], negligible: f64) -> [String; 3] {
     values.map(|value| match value.abs() {
         size if size <= negligible => "0".to_owned(),

@@ -1,17 +1,18 @@
-//! A picture and the enclosures of its exact levels in, a proof or what it lacks out.
+//! The proof of a picture: every pixel is compared with intervals that hold its exact levels.
 //!
 //! ```text
-//! World --FRAME--> levels, bytes, triangles --+
-//!       --reference over intervals--> what each pixel may show --judge--> proven, refuted or undecided
-//!       --reference over f64--> truth --------+  how far it errs
+//! World --FRAME--> levels, bytes, faces ---+
+//!  or a PNG of any program --> bytes ------+--judge--> proven, refuted or undecided
+//! World --reference over intervals--> faces that each pixel may show, and their levels
+//!       --reference over f64--> its own error
 //! ```
-//!
-//! Rule: a pixel is proven if it shows a face that it may show and every value of that face's enclosure is within the limit
-//! of what is drawn: within it as levels, and half a level more as the bytes that a window gets. It is refuted if it shows a
-//! face that it may not show, or no value of the face's enclosure is within the limit, and undecided otherwise. Differences
-//! are rounded outwards.
+//! A pixel is proven if it shows a face that it may show, and every value of that face's interval is within the limit of
+//! the drawn levels; bytes have half a level more, for their rounding. It is refuted if it shows another face, or no value
+//! is within the limit. Else it is undecided. A PNG does not say which face a pixel shows: each one that the pixel may
+//! show is tried. Differences are rounded outwards.
 
 mod command;
+mod png;
 
 use fearless_simd::Level;
 use hecs::World;
@@ -26,11 +27,12 @@ use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::{difference, displayed, ends};
 pub use command::run;
+pub use png::{Picture, read as read_png};
 
 /// Rows that are drawn, enclosed and judged at once.
 const BAND: usize = 64;
 
-/// How many pixels that are not proven are kept as examples.
+/// The most pixels that are kept as examples.
 const EXAMPLES: usize = 10;
 
 /// The colours of pixels that are undecided and refuted, 0x00RRGGBB.
@@ -78,6 +80,10 @@ pub struct Example {
     pub drawn: [f64; 3],
     /// The least and the largest displayed level, by channel.
     pub enclosure: [[f64; 2]; 3],
+    /// The least and the largest error that the enclosure leaves possible, in levels of 255.
+    pub error: [f64; 2],
+    /// Cuboid * 6 + face whose enclosure this is; `None` is the background.
+    pub face: Option<usize>,
 }
 
 /// A picture's proof, or what it lacks. Errors and widths are between displayed levels.
@@ -95,7 +101,7 @@ pub struct Proof {
     pub widest_enclosure: f64,
     /// The largest error of the f64 reference that the enclosures leave possible.
     pub reference_error: f64,
-    /// The first pixels that are not proven.
+    /// The pixels that are not proven and err most, the worst first.
     pub examples: Vec<Example>,
     /// Row by row from the top.
     #[serde(skip)]
@@ -120,6 +126,22 @@ impl Shown {
             face: shown_face(levels.triangles()[pixel]),
             levels: levels.levels()[pixel].map(f64::from),
             bytes: Some(bytes),
+        }
+    }
+
+    /// A pixel of a picture without faces, 0x00RRGGBB: it shows the face that suits its bytes best.
+    fn of_bytes(pixel: u32, seen: &[Seen<Interval>], limit: f64) -> Self {
+        let [_, levels @ ..] = pixel.to_be_bytes().map(f64::from);
+        let faces = seen.iter().map(Seen::face);
+        let judged = faces.filter_map(|face| {
+            let error = nearest(face, levels, seen)?;
+            Some((Verdict::of(error, limit), error[1], face))
+        });
+        let best = judged.min_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
+        Shown {
+            face: best.and_then(|(.., face)| face),
+            levels,
+            bytes: None,
         }
     }
 }
@@ -168,6 +190,8 @@ impl Proof {
         self.widest_enclosure = self.widest_enclosure.max(below.widest_enclosure);
         self.reference_error = self.reference_error.max(below.reference_error);
         self.examples.extend(below.examples);
+        self.examples
+            .sort_by(|one, other| other.error[0].total_cmp(&one.error[0]));
         self.examples.truncate(EXAMPLES);
         self.marks.extend(below.marks);
     }
@@ -190,13 +214,17 @@ impl Proof {
             .flat_map(|seen| ends(seen.levels))
             .map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
-        if mark.verdict != Verdict::Proven && self.examples.len() < EXAMPLES {
+        if mark.verdict != Verdict::Proven {
             let same = seen.iter().find(|seen| seen.face() == shown.face);
+            let nearest = nearest(shown.face, shown.levels, seen);
+            let of = same.unwrap_or(&seen[0]);
             self.examples.push(Example {
                 pixel,
                 verdict: mark.verdict,
                 drawn: shown.levels.map(displayed),
-                enclosure: ends(same.unwrap_or(&seen[0]).levels),
+                enclosure: ends(of.levels),
+                error: nearest.unwrap_or([255.0; 2]),
+                face: of.face(),
             });
         }
         self.marks.push(mark);
@@ -209,17 +237,23 @@ impl Proof {
     }
 }
 
-/// Draws the picture that `view` asks for with the instructions of `level`, and proves what can be proven of it on rayon's
-/// current threads.
+/// The largest error that a pixel may have, in levels of 255. A byte is a level that was rounded.
+fn limit_of(view: &View, is_bytes: bool) -> f64 {
+    limit(view.tolerance) + if is_bytes { 0.5 } else { 0.0 }
+}
+
+/// Proves `picture`, 0x00RRGGBB row by row from the top, on rayon's current threads. Without one, draws the picture that
+/// `view` asks for with the instructions of `level`, and proves that.
 ///
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told which share of
-/// the rows is done.
+/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told the share of the rows that
+/// is done.
 ///
 /// # Errors
 /// When the picture does not fit in memory.
 pub fn prove(
     world: &mut World,
     view: &View,
+    picture: Option<&[u32]>,
     level: Level,
     cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(f64) + Sync),
@@ -229,14 +263,17 @@ pub fn prove(
         [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level)));
     let enclosures = Reference::<Interval>::new(world, view);
     let reference = Reference::<f64>::new(world, view);
+    let limit = limit_of(view, picture.is_some());
     let mut proof = Proof {
         marks: memory::reserve_pixels(view.size)?,
         ..Proof::default()
     };
     for start in (0..height).step_by(BAND) {
         let rows = start..height.min(start + BAND);
-        systems::draw_rows(world, view, rows.clone(), &mut drawn)?;
-        systems::draw_rows(world, view, rows.clone(), &mut displayed)?;
+        if picture.is_none() {
+            systems::draw_rows(world, view, rows.clone(), &mut drawn)?;
+            systems::draw_rows(world, view, rows.clone(), &mut displayed)?;
+        }
         let Some(truth) = reference.picture(rows.clone(), cancelled, &|_| ()) else {
             return Ok(None);
         };
@@ -247,8 +284,11 @@ pub fn prove(
             let mut row = Proof::default();
             enclosures.row(y, |x, seen| {
                 let pixel = (y - start) * width + x;
-                let shown = Shown::at(pixel, &drawn, &displayed);
-                row.add([x, y], shown, seen, limit(view.tolerance));
+                let shown = match picture {
+                    Some(picture) => Shown::of_bytes(picture[y * width + x], seen, limit),
+                    None => Shown::at(pixel, &drawn, &displayed),
+                };
+                row.add([x, y], shown, seen, limit);
                 row.add_reference(
                     shown_face(truth.triangles[pixel]),
                     truth.levels[pixel],

@@ -1,18 +1,19 @@
-//! The truth: the picture evaluated in f64, one line of sight per pixel.
+//! The reference: the picture evaluated along one line of sight per pixel, in f64, f32 or intervals.
 //!
-//! A ray through every pixel centre is met with the cuboids' faces (`sight`) and the model is evaluated where it
-//! arrives (`illumination`). Nothing is rasterised, snapped or approximated.
+//! The line through each pixel centre is intersected with the faces of the cuboids (`sight`), and the illumination
+//! model is evaluated at the intersection (`illumination`). Nothing is rasterised, snapped or approximated.
 //!
 //! ```text
-//!        eye . . . . . . +---------.          near plane: what is met before it is not there
+//!        eye . . . . . . +---------.          near plane: intersections before it do not count
 //!           ` . pixel .  |          \
 //!               ` . . .  * hit       \        place on the face -> normal, weights of three corners -> colour
 //!                        +------------+
 //! ```
 //!
-//! Rule: this shares the renderer's data (`components`) and not one of its formulas. Positions are differences first
-//! (cuboid - eye, light - cuboid), so a scene a billion units from the origin loses nothing, and each cuboid is met and
-//! lit in its own coordinates, so its proportions do not matter. Any number of threads gives the same bits.
+//! The reference shares the scene's data (`components`) with the renderer, but none of its formulas. Positions are
+//! subtracted first (cuboid - eye, light - cuboid), so a scene a billion units from the origin loses no precision. Each
+//! cuboid is intersected and lit in its own coordinates, so its proportions do not matter. The bits of the result do not
+//! depend on the number of threads.
 
 mod illumination;
 mod interval;
@@ -41,22 +42,22 @@ pub use sample::{LightSample, Sample, at_pixel, in_row};
 use sight::{Line, Meeting, Place, Sight, Solid};
 use vector::Vector;
 
-/// Hits of two cuboids whose depths differ by less than this share of the depth are at one depth: the cuboid earlier in
-/// the file is seen. It is far above what f64 makes of two faces in one plane and far below what can be seen.
+/// Relative difference of depths below which two cuboids tie; the cuboid earlier in the file is then visible. Rounding
+/// in f64 separates two coplanar faces by far less, and a visible gap is far larger.
 pub const DEPTH_TIE: f64 = 1e-11;
 
-/// Rows of the exact picture.
+/// Rows of the reference picture in f64.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Truth {
     /// Pixels in a row.
     pub width: usize,
-    /// Unclamped levels, row by row from the top; the background's where nothing is hit.
+    /// Unclamped levels of 255, row by row from the top; the background level where no cuboid is hit.
     pub levels: Vec<[f64; 3]>,
-    /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`].
+    /// The visible triangle of each pixel: cuboid * 12 + triangle, or [`NO_TRIANGLE`].
     pub triangles: Vec<u32>,
 }
 
-/// A picture to be evaluated, in f64, in f32 or in intervals.
+/// A picture that is evaluated pixel by pixel, in f64, f32 or intervals.
 pub struct Reference<R> {
     /// The rule that is left out, if any.
     without: Option<Rule>,
@@ -66,9 +67,9 @@ pub struct Reference<R> {
     width: usize,
 }
 
-/// One cuboid: where its picture is, and what it looks like there.
+/// A cuboid: its geometry (`solid`) and its illumination (`surface`).
 struct Cuboid<R> {
-    /// Its place in the file, which it keeps when others are gone.
+    /// Its index in the file, which does not change when other cuboids are removed.
     number: usize,
     solid: Solid<R>,
     surface: Surface<R>,
@@ -77,13 +78,13 @@ struct Cuboid<R> {
     is_perspective_correct: bool,
 }
 
-/// What a pixel may show.
+/// A surface, or the background, that a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
-    /// Cuboid * 12 + triangle; `None` is the background. Phong's triangles of a face are one: it is the first where both
-    /// may be seen.
+    /// Cuboid * 12 + triangle; `None` is the background. Under Phong the two triangles of a face do not differ, so near
+    /// the diagonal this is the first one.
     pub triangle: Option<usize>,
-    /// Unclamped.
+    /// Unclamped levels of 255.
     pub levels: [R; 3],
 }
 
@@ -95,12 +96,12 @@ impl<R> Seen<R> {
 }
 
 impl<R: Real> Reference<R> {
-    /// The picture of `world` that `view` asks for; the view's tolerance is not used.
+    /// The picture of `world` for `view`. The tolerance of the view is not used.
     pub fn new(world: &World, view: &View) -> Self {
         Reference::without(world, view, None)
     }
 
-    /// The same picture without one of the model's rules.
+    /// The picture without one rule of the model.
     pub fn without(world: &World, view: &View, without: Option<Rule>) -> Self {
         let sight = Sight::new(view, without);
         let enclosed = Sight::<Interval>::new(view, without);
@@ -136,8 +137,8 @@ impl<R: Real> Reference<R> {
         }
     }
 
-    /// Evaluates the pixels of row `y` from left to right. `each` is told what every one of them may show: one thing, unless
-    /// an edge, a gate that may fall either way, or another cuboid at the same depth is near.
+    /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel
+    /// may show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
         let here = |cuboid: &&Cuboid<R>| cuboid.solid.rows.contains(&y);
         let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
@@ -149,7 +150,7 @@ impl<R: Real> Reference<R> {
         }
     }
 
-    /// What pixel (`x`, `y`) may show.
+    /// The surfaces that the pixel [x, y] may show.
     pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
         let cuboids: Vec<_> = self.cuboids.iter().collect();
         let (mut met, mut seen) = (Vec::new(), Vec::new());
@@ -158,7 +159,8 @@ impl<R: Real> Reference<R> {
         seen
     }
 
-    /// Overwrites `seen` with what the cuboids that are met look like.
+    /// Overwrites `seen` with the surfaces of the cuboids in `met`, and the background unless one of them is certainly
+    /// hit.
     fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
         seen.clear();
         for met in met {
@@ -169,7 +171,7 @@ impl<R: Real> Reference<R> {
                 ..
             } = met;
             for face in meeting.faces() {
-                // Where an edge is near, the centre may lie beside the face.
+                // Near an edge the pixel centre may lie outside the face.
                 if meeting.well_conditioned() {
                     cuboid.see(face, &cuboid.solid.place(face, line), seen);
                 } else {
@@ -187,7 +189,7 @@ impl<R: Real> Reference<R> {
         }
     }
 
-    /// Overwrites `met` with what may be seen at pixel (`x`, `y`) of some cuboids, in file order.
+    /// Overwrites `met` with those of the cuboids that may be visible at pixel (`x`, `y`), in file order.
     fn meet<'a>(&self, [x, y]: [usize; 2], cuboids: &[&'a Cuboid<R>], met: &mut Vec<Met<'a, R>>) {
         met.clear();
         for &cuboid in cuboids {
@@ -227,7 +229,7 @@ impl<R: Real> Reference<R> {
     }
 }
 
-/// A cuboid that a line of sight meets.
+/// A cuboid that a line of sight may hit.
 struct Met<'a, R> {
     cuboid: &'a Cuboid<R>,
     line: Line<R>,
@@ -235,7 +237,7 @@ struct Met<'a, R> {
 }
 
 impl<R: Real> Cuboid<R> {
-    /// Adds what a place on a face looks like.
+    /// Adds the levels at a place on a face, once for each state of the tied gates.
     fn see(&self, face: usize, place: &Place<R>, seen: &mut Vec<Seen<R>>) {
         for &is_first in self.triangles(place) {
             let mut see = |open| {
@@ -255,7 +257,8 @@ impl<R: Real> Cuboid<R> {
         }
     }
 
-    /// Which triangles of its face a place may be on: both where the diagonal is near, and Phong's are one.
+    /// Whether the place may be on the first triangle of its face, on the second, or on both (near the diagonal). Under
+    /// perspective-correct Phong the triangles do not differ, and the first stands for both.
     fn triangles(&self, place: &Place<R>) -> &'static [bool] {
         match place.is_on_first {
             None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
@@ -266,7 +269,7 @@ impl<R: Real> Cuboid<R> {
         }
     }
 
-    /// What is seen at a place on a triangle of a face, or on its plane beyond the diagonal.
+    /// The levels at a place on a triangle of a face, or on the triangle's plane beyond the diagonal.
     fn lit(&self, face: usize, is_first: bool, place: &Place<R>, open: Open) -> Lit<R> {
         if self.mode == ShadingMode::Phong && self.is_perspective_correct {
             return self.surface.phong(place, open);
@@ -292,11 +295,11 @@ impl<R: Real> Cuboid<R> {
         depths.map_or(weights, |depths| on_screen(weights, depths))
     }
 
-    /// The place that interpolation of the corners gives.
+    /// The place interpolated between the corners.
     fn blended(&self, corners: [usize; 3], weights: [R; 3]) -> Place<R> {
         let [a, b, c] = corners.map(|corner| Vector::exact(self.mesh.corners[corner]));
         let share = |corner: usize| Vector::exact(self.mesh.corners[corner].signum() / 2.0);
-        // The eye may be so far away that it must not be weighted.
+        // Only differences of corners are weighted: weights of a distant eye would cost precision.
         let point = a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2];
         Place {
             point,
@@ -307,19 +310,19 @@ impl<R: Real> Cuboid<R> {
     }
 }
 
-/// Weights in linear interpolation on the screen instead of on the triangle.
+/// Barycentric weights on the screen from those on the triangle: a za : b zb : c zc.
 ///
-/// Areas shrink with both depths of their edge: bc / (zb zc) : ca / (zc za) : ab / (za zb).
+/// A weight is the area opposite its corner, which perspective divides by the depths of the other two corners.
 fn on_screen<R: Real>(weights: [R; 3], depths: [R; 3]) -> [R; 3] {
     let [a, b, c] = Vector(weights).zip(Vector(depths), R::mul).0;
     [a, b, c].map(|weight| weight / (a + b + c))
 }
 
-/// Evaluates `rows` of the picture of `world` that `view` asks for; the view's tolerance is not used.
+/// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used.
 ///
-/// It works on rayon's current threads and takes 28 bytes a pixel of `rows`: ask for a very large picture in bands.
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told, from any thread, how
-/// many rows are done.
+/// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
+/// `cancelled` is called before every row; the result is `None` once it returns true. `progress` receives the number of
+/// finished rows, from any thread.
 pub fn picture(
     world: &World,
     view: &View,

@@ -1,18 +1,17 @@
-//! A scene and its views in; what each part of the model is worth to the picture out, proven.
+//! The parts of the model that a scene requires, with the proven error of leaving each of them out.
 //!
 //! ```text
-//! scene --reference over intervals--> what each pixel shows ---------------+
-//!    |                                                                     +--> error --> required or not
-//!    '--without a part--> reference over intervals --> what each shows ----+
+//! scene --reference over intervals--> levels of each pixel -------------------+
+//!    |                                                                        +--> error --> required or not
+//!    '--without a part--> reference over intervals --> levels of each pixel --+
 //! ```
-//! A part is left out alone, and the others stay as they are. Its error is between displayed levels, the largest of the
-//! three channels. Both pictures are enclosed, so it lies in an interval: the largest error of the picture is at least the
-//! largest of the lower ends and at most the largest of the upper ends.
+//! One part is left out at a time. The error of a pixel is the largest difference of displayed levels in a channel.
+//! Both pictures are enclosed in intervals, so the error lies in an interval too. The largest error of the picture is
+//! at least the largest lower end and at most the largest upper end.
 //!
-//! Rule: a part is required unless it is proven that the picture without it keeps the tolerance. A pixel whose centre is so
-//! near an edge that it may show either side is judged as `prove` judges it: what it may show of a face is held against the
-//! nearest that it may show of that face in the other picture. A face that it may show in one picture alone is held against
-//! all that it may show in the other.
+//! A part is required unless the picture without it is proven to keep the tolerance. Near an edge a pixel may show one
+//! of several surfaces. Each of them is compared with the nearest possible colour of the same face in the other
+//! picture, or with all its possible colours if that face is not there.
 
 mod command;
 mod least;
@@ -32,41 +31,41 @@ use crate::trade::metrics::{difference, ends};
 pub use command::run;
 pub use least::least;
 
-/// A part of the model. Cuboids and lights are named by their place in the file.
+/// A part of the model. Cuboids and lights are given by their index in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// A light that is on; left out, it is off.
+    /// A light that is on. Without the part it is off.
     Light(usize),
-    /// A rule of the reference; see [`Rule`] for what a picture without it is.
+    /// A rule of the reference. [`Rule`] defines the picture without it.
     Rule(Rule),
-    /// Phong of a cuboid; left out, it is Gouraud.
+    /// Phong shading of a cuboid. Without the part it is shaded by Gouraud.
     EveryPixel(usize),
-    /// A cuboid; left out, what is behind it is seen.
+    /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
-    /// f64; left out, the reference's formula is evaluated in f32, from the scene's numbers on. No step is adapted to f32, so it
-    /// errs as a textbook's does; only a cuboid's bounds on the screen are still computed in intervals.
+    /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. No step is adapted to f32,
+    /// so the error is that of the textbook's formula. Only the bounds of a cuboid on the screen stay intervals.
     F64SetUp,
 }
 
-/// Pictures that are evaluated at once. Each holds every cuboid.
+/// Pictures that are evaluated together. Each takes memory for every cuboid.
 const AT_ONCE: usize = 16;
 
-/// What leaving out parts does to a picture.
+/// The proven change of a picture without some parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Change {
-    /// The largest error, in levels: at least, and at most.
+    /// The lower and the upper bound of the largest error, in levels of 255.
     pub largest_error: [f64; 2],
-    /// How many pixels err by more than the tolerance, whatever the values in their enclosures are.
+    /// Pixels with an error that is proven to exceed the tolerance.
     pub pixels: u64,
 }
 
 /// A face that a pixel may show, and the least and the largest displayed level of each channel.
-type Shown = (Option<usize>, [[f64; 2]; 3]);
+type FaceLevels = (Option<usize>, [[f64; 2]; 3]);
 
-/// What each pixel of a row of a picture may show.
-type Rows = Box<dyn Fn(usize) -> Vec<Vec<Shown>> + Sync>;
+/// Returns the surfaces that each pixel of a row may show.
+type PixelRows = Box<dyn Fn(usize) -> Vec<Vec<FaceLevels>> + Sync>;
 
-/// The parts of the model that a scene is drawn with and what they are called, in the order in which they are reported.
+/// The parts of the model that a scene uses, with their names, in the order of the report.
 pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     let scene = SceneRecord::of(&scene.world);
     let rule = |rule, name: &str| (Part::Rule(rule), name.to_owned());
@@ -87,7 +86,7 @@ pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     parts
 }
 
-/// The scene without some of its lights, cuboids and ways of shading. What remains keeps its place in the file.
+/// The scene without some of its lights, cuboids and Phong shading. The remaining entities keep their index in the file.
 pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
     let mut record = SceneRecord::of(&scene.world);
     for part in parts {
@@ -100,7 +99,7 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
     let mut scene = Scene::spawn(scene.name.clone(), &record);
     for (number, entity) in ordered::<Mesh>(&scene.world).into_iter().enumerate() {
         if parts.contains(&Part::Cuboid(number)) {
-            // It has just been spawned.
+            // Cannot fail: the entity has just been spawned.
             let _ = scene.world.despawn(entity);
         }
     }
@@ -108,7 +107,7 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
 }
 
 impl Change {
-    /// All of them together.
+    /// The largest error and the number of pixels of all changes.
     pub fn sum(changes: impl IntoIterator<Item = Change>) -> Change {
         let add = |sum: Change, one: Change| Change {
             largest_error: [0, 1].map(|end| sum.largest_error[end].max(one.largest_error[end])),
@@ -117,7 +116,7 @@ impl Change {
         changes.into_iter().fold(Change::default(), add)
     }
 
-    /// The upper end of the largest error.
+    /// The upper bound of the largest error, in levels of 255.
     pub fn most(&self) -> f64 {
         self.largest_error[1]
     }
@@ -128,10 +127,10 @@ impl Change {
     }
 }
 
-/// What a picture of the scene errs without each of these lists of parts, on rayon's current threads; `None` as soon as
-/// `cancelled` says yes. `progress` is told which share of it is done.
+/// The change of the picture without each of these lists of parts, computed on rayon's current threads. `None` as soon
+/// as `cancelled` returns true. `progress` receives the finished share, 0..=1.
 ///
-/// Each cuboid has its own shading, whatever the view's.
+/// Each cuboid keeps its own shading; that of the view is not used.
 pub fn changes(
     scene: &Scene,
     view: &View,
@@ -158,13 +157,13 @@ pub fn changes(
                 (rows(picture), true)
             }
         };
-        let pictures: Vec<(Rows, bool)> = some.iter().map(picture).collect();
+        let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
         let row = |y: usize| {
             if cancelled() {
                 return None;
             }
             let full = full(y);
-            let change = |(picture, is_enclosed): &(Rows, bool)| {
+            let change = |(picture, is_enclosed): &(PixelRows, bool)| {
                 let pixels = full.iter().zip(picture(y));
                 Change::sum(pixels.map(|(full, without)| {
                     let largest_error = error(full, &without, *is_enclosed);
@@ -186,7 +185,7 @@ pub fn changes(
     Some(changes)
 }
 
-/// A part, what it is called, and what the picture errs without it.
+/// A part, its name, and the change of the picture without it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartChange {
     pub part: Part,
@@ -194,8 +193,8 @@ pub struct PartChange {
     pub change: Change,
 }
 
-/// What a picture errs without each part, the largest error first; `None` as soon as `cancelled` says yes. `progress` is told
-/// which share of it is done.
+/// The change of the picture without each part, the largest error first. `None` as soon as `cancelled` returns true.
+/// `progress` receives the finished share, 0..=1.
 pub fn ranked(
     scene: &Scene,
     view: &View,
@@ -211,7 +210,7 @@ pub fn ranked(
     Some(ranked)
 }
 
-/// The picture without a part, by the reference, 0x00RRGGBB; `None` as soon as `cancelled` says yes.
+/// The reference's picture without a part, as 0x00RRGGBB. `None` as soon as `cancelled` returns true.
 pub fn picture_without(
     scene: &Scene,
     view: &View,
@@ -225,7 +224,7 @@ pub fn picture_without(
     };
     let row = |y| {
         let pixels = picture(y).into_iter();
-        let pixel = |seen: Vec<Shown>| display_pixel(seen[0].1.map(|[least, _]| least));
+        let pixel = |seen: Vec<FaceLevels>| display_pixel(seen[0].1.map(|[least, _]| least));
         (!cancelled()).then(|| pixels.map(pixel).collect())
     };
     let rows = (0..view.size[1]).into_par_iter().map(row);
@@ -233,7 +232,7 @@ pub fn picture_without(
     Some(rows.concat())
 }
 
-/// The rule among parts that are left out, if any.
+/// The first rule among the parts, if there is one.
 fn rule(left_out: &[Part]) -> Option<Rule> {
     left_out.iter().find_map(|part| match part {
         Part::Rule(rule) => Some(*rule),
@@ -241,9 +240,8 @@ fn rule(left_out: &[Part]) -> Option<Rule> {
     })
 }
 
-/// The rows of a picture, for their displayed levels alone: an enclosed one may show several things at a pixel, any other shows
-/// one.
-fn rows<R: Real + 'static>(picture: Reference<R>) -> Rows {
+/// The rows of a picture as displayed levels. In intervals a pixel may show several surfaces, in floats it shows one.
+fn rows<R: Real + 'static>(picture: Reference<R>) -> PixelRows {
     Box::new(move |y| {
         let mut row = Vec::new();
         let shown = |seen: &Seen<R>| (seen.face(), ends(seen.levels));
@@ -252,11 +250,11 @@ fn rows<R: Real + 'static>(picture: Reference<R>) -> Rows {
     })
 }
 
-/// The least and the largest error of a pixel by what it may show in full and without a part; without enclosures it shows one
-/// of what it may show in full.
-fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
+/// The lower and the upper bound of a pixel's error, from the surfaces that it may show in the full picture and without
+/// a part. A picture in floats (`is_enclosed` false) shows one surface, so only that one is compared.
+fn error(full: &[FaceLevels], without: &[FaceLevels], is_enclosed: bool) -> [f64; 2] {
     let mut error = [f64::INFINITY, 0.0_f64];
-    let mut compare = |pixel: &[Shown], other: &[Shown]| {
+    let mut compare = |pixel: &[FaceLevels], other: &[FaceLevels]| {
         for shown in pixel {
             let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
             for other in other {
@@ -281,12 +279,12 @@ fn error(full: &[Shown], without: &[Shown], is_enclosed: bool) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn grey(face: usize, least: f64, most: f64) -> Shown {
+    fn grey(face: usize, least: f64, most: f64) -> FaceLevels {
         (Some(face), [[least, most]; 3])
     }
 
     #[test]
-    fn near_an_edge_a_face_is_held_against_itself_and_against_all_where_it_is_gone() {
+    fn near_an_edge_a_face_is_compared_with_itself_or_with_all_where_it_is_missing() {
         let [front, darker] = [grey(0, 100.0, 101.0), grey(0, 90.0, 92.0)];
         let behind = (None, [[20.0, 20.0]; 3]);
         let cases = [
@@ -294,13 +292,13 @@ mod tests {
             (vec![front, behind], vec![behind], [0.0, 81.0]),
             (vec![behind], vec![front, behind], [0.0, 81.0]),
             (vec![front], vec![behind], [80.0, 81.0]),
-            // Of what may be seen of one face the nearest counts.
+            // The nearest possible colour of the same face counts.
             (vec![front, darker], vec![darker], [0.0, 11.0]),
         ];
         for (full, without, known) in cases {
             assert_eq!(error(&full, &without, true), known, "{full:?} {without:?}");
         }
-        // In f32 one thing is drawn, and it may be any of those that may be seen.
+        // A picture in f32 shows one surface, which may be any of the possible ones.
         assert_eq!(error(&[front, behind], &[behind], false), [0.0, 0.0]);
         let drawn = grey(0, 30.0, 30.0);
         assert_eq!(error(&[front, behind], &[drawn], false), [10.0, 71.0]);

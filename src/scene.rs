@@ -6,14 +6,15 @@
 //!                     '-- updated (comments kept) --'
 //! ```
 //! Every number in a [`World`] spawned here is finite and within the [`range`] of its key, and every name is unique within its
-//! kind. Nothing else knows TOML.
+//! kind. Nothing else reads or writes scene files.
 
+mod check;
 mod error;
 mod file;
-mod form;
 pub mod range;
 mod record;
 mod save;
+mod world;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -22,11 +23,9 @@ use std::str::FromStr;
 use anyhow::{anyhow, bail};
 use hecs::World;
 
+pub use self::check::MAX_SIDE;
 pub use self::error::{Mistake, SceneError};
-pub(crate) use self::record::EMERALD;
-pub use self::record::{
-    CameraRecord, CuboidRecord, LightRecord, MAX_SIDE, MaterialRecord, SceneRecord, ViewRecord,
-};
+pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 pub use self::save::updated;
 use crate::components::{ActiveCamera, Camera, Light, Name, names, ordered, overwrite};
 use crate::memory;
@@ -45,12 +44,16 @@ pub const BUILT_IN: [(&str, &str); 4] = [
     ),
 ];
 
+/// The scenes at the ends of what numbers can be, as name and text: `extremes/NAME`, ordered by name.
+pub const EXTREMES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/extremes.rs"));
+
 /// Memory that parsing takes for a byte of text: of an array of numbers of one digit, the densest text there is, 95; of
 /// usual scenes 45.
 const BYTES_PER_BYTE: usize = 100;
 
 fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
-    BUILT_IN.iter().find(|(name, _)| path.as_os_str() == *name)
+    let mut all = BUILT_IN.iter().chain(EXTREMES);
+    all.find(|(name, _)| path.as_os_str() == *name)
 }
 
 /// Whether `path` is the name of a built-in scene, which wins over a file.
@@ -109,8 +112,10 @@ impl Scene {
                 hint: String::new(),
             }
         })?;
-        let record = SceneRecord::read(text).map_err(|fault| fault.locate(name, text))?;
-        let slip = record.slip().map(|slip| slip.locate(name, text));
+        let located = |span, message: &str| error::located(name, text, &span, message);
+        let record = SceneRecord::read(text).map_err(|(span, why)| located(span, &why))?;
+        let slip = record.slip();
+        let slip = slip.map(|slip| located(slip.span(text), &slip.to_string()));
         Ok(Scene {
             text: text.to_owned(),
             warning: slip.map(|slip| slip.to_string()),

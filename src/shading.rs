@@ -1,12 +1,20 @@
-//! What is evaluated at a pixel: the methods, the illumination model, and the seam between squares and shaders.
+//! How a face's pixels get their levels: the methods, the illumination model, and how squares of pixels are drawn.
 //!
 //! ```text
-//!  face --affine N, L, O--> square --the model at nine nodes--> biquadratic --cheapest rows--> levels
-//!                             |         where a bound on third derivatives keeps the tolerance
-//!                             '-- elsewhere: four squares; on 16 x 16 pixels the model at each
+//! draw(square):
+//!     classify the lights: each is dark, lit or crossing (n.l changes its sign) on the square, and shows a highlight or none
+//!     if bounds on the interpolation errors of all lights add up to less than the tolerance:
+//!         evaluate the model at nine nodes; draw the biquadratic through them, by the cheapest rows that the rest allows
+//!     else if the square is larger than 16 x 16 pixels and its quarters promise more:
+//!         draw each quarter
+//!     else:
+//!         evaluate the model at every pixel, in f32 where its rounding keeps the tolerance, in f64 elsewhere
 //! ```
-//! A terminator is a line in which n.l of a light is 0. A face is steady where no pixel that snapping adds lies far beyond it, as
-//! a share of the face; where it is not, it is a sliver, and what its pixels show is held on it.
+//! [`phong`] classifies and evaluates, [`bound`] bounds, [`interpolation`] chooses rows, [`rows`] fills them, and
+//! [`crate::systems::rasterization`] cuts squares.
+//!
+//! A terminator is a line in which n.l of a light is 0. Snapping moves an edge by up to 1/512 pixel. On a sliver, a face
+//! that is not steady, a pixel's centre can then lie more than 1/128 of the face outside it; its place is clamped to the face.
 //!
 //! Rule: a face is set up in f64 from unsnapped corners; what is done in f32 is done only where its rounding error is
 //! bounded below the tolerance, and in f64 elsewhere.
@@ -39,8 +47,8 @@ use self::field::Places;
 use self::gouraud::Gouraud;
 use self::interpolation::Interpolant;
 use self::kernel::Light;
-use self::phong::{Active, FaceLight, Phong, Reaching};
-use self::square::Region;
+use self::phong::{FaceLight, Phong, TileLights};
+use self::square::{MIN_SIDE, Region};
 use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, View, unit};
 use crate::simd::outlined;
@@ -249,10 +257,6 @@ pub trait Sink<S: Simd> {
 }
 
 /// What shades the squares of a face: one of the definitions.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "there is one at a time, on the stack"
-)]
 pub enum Shader<'a> {
     Gouraud(Gouraud<'a>),
     Phong(Phong<'a>),
@@ -260,46 +264,62 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Colours of four squares that keep the tolerance where they leave something of it; none where no square has one.
+    /// Prepares four squares for being interpolated or evaluated.
     #[inline(always)]
-    pub fn interpolate<S: Simd>(
+    pub fn prepare<S: Simd>(
         &self,
         simd: S,
         places: &Places<S>,
+        effort: Effort,
         scratch: &mut Scratch,
-    ) -> Option<Interpolant<S>> {
-        if !self.interpolates() {
-            return None;
-        }
+    ) -> Prepared<S> {
         match self {
-            Shader::Gouraud(gouraud) => outlined!(simd, gouraud.interpolate(simd, places)),
-            Shader::Phong(phong) => {
-                outlined!(simd, phong.interpolate(simd, places, &mut scratch.reaching))
+            Shader::Gouraud(gouraud) if effort != Effort::Pixels => Prepared {
+                interpolant: Some(outlined!(simd, gouraud.interpolate(simd, places))),
+                promising: 0b1111,
+            },
+            // Compiled apart, without what bounds and samples: 5 % of the instructions of a crowd of small faces.
+            Shader::Phong(phong) if effort == Effort::Pixels => {
+                let tile = &mut scratch.tile;
+                outlined!(simd, phong.prepare(simd, places, Effort::Pixels, tile))
             }
-            Shader::UnitVectors(_) => None,
+            Shader::Phong(phong) => {
+                outlined!(simd, phong.prepare(simd, places, effort, &mut scratch.tile))
+            }
+            _ => Prepared {
+                interpolant: None,
+                promising: 0,
+            },
         }
     }
 
-    /// Whether squares may have such colours at all.
-    pub fn interpolates(&self) -> bool {
-        match self {
+    /// What is worth trying for squares of a side of so many pixels.
+    pub fn effort(&self, side: usize) -> Effort {
+        let interpolates = match self {
             Shader::Gouraud(gouraud) => gouraud.tolerance > 0.0,
             Shader::Phong(phong) => phong.tolerance > 0.0,
             Shader::UnitVectors(_) => false,
+        };
+        match side {
+            _ if !interpolates => Effort::Pixels,
+            MIN_SIDE => Effort::Squares,
+            _ => Effort::Quarters,
         }
     }
 
-    /// Evaluates every covered pixel in lanes, into the scratch; nothing where that could not keep the tolerance.
+    /// Evaluates every covered pixel in lanes, into the scratch; nothing where that could not keep the tolerance. The square
+    /// is the one at `index` of those prepared last.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
         region: &Region,
+        index: usize,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
         match self {
             Shader::Gouraud(gouraud) => gouraud.evaluate(simd, region, scratch),
-            Shader::Phong(phong) => phong.evaluate(simd, region, scratch),
-            Shader::UnitVectors(vectors) => vectors.evaluate(simd, region, scratch),
+            Shader::Phong(phong) => phong.evaluate(simd, region, index, scratch),
+            Shader::UnitVectors(_) => None,
         }
     }
 
@@ -331,6 +351,25 @@ impl Shader<'_> {
     }
 }
 
+/// How squares may be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// Pixel by pixel.
+    Pixels,
+    /// As colours too.
+    Squares,
+    /// Or as four squares each.
+    Quarters,
+}
+
+/// What is known of four squares before they are drawn.
+pub struct Prepared<S: Simd> {
+    /// Colours that keep the tolerance where they leave something of it.
+    pub interpolant: Option<Interpolant<S>>,
+    /// The set of squares, a bit each, whose quarters may have such colours where they themselves have none.
+    pub promising: u64,
+}
+
 /// What a shader has done to a square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Evaluations {
@@ -346,10 +385,10 @@ pub struct Evaluations {
 #[derive(Debug, Default)]
 pub struct Scratch {
     pub levels: Levels,
-    /// The lights that reach the face being drawn.
+    /// The lights that reach the face being drawn, and the unit vectors to all lights at its corners.
     pub lights: Vec<FaceLight>,
-    reaching: Vec<Reaching>,
-    active: Vec<Active>,
+    pub to_lights: Vec<[DVec3; 4]>,
+    tile: TileLights,
     single: Vec<Light<f32>>,
     double: Vec<Light<f64>>,
 }

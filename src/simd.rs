@@ -1,14 +1,15 @@
-//! The SIMD levels by name, a word of the command line in, a level this machine has out.
+//! The SIMD levels by name, and helpers that compile a loop for one level.
 //!
-//! Rules: a level the machine lacks is never replaced by another one. A function that takes lanes is `#[inline(always)]`, for
-//! compiled by itself it would have no level; other functions only where leaving that out was measured to cost.
+//! A level that the machine lacks is never replaced by another one. A function over SIMD lanes is `#[inline(always)]`,
+//! because compiled on its own it would use the baseline instructions. Other functions are marked only if it was
+//! measured to be faster.
 
 use fearless_simd::{Level, Simd};
 
 pub(crate) use fearless_simd::dispatch;
 
-/// The levels that can be asked for, besides the best one there is. The fallback is what every machine of a kind has: SSE2
-/// on 64-bit x86.
+/// The levels that can be selected by name. The fallback is the baseline of the architecture: SSE2 on 64-bit x86, Neon
+/// on 64-bit ARM.
 pub const NAMES: [&str; 5] = ["fallback", "sse4.2", "avx2", "avx512", "neon"];
 
 /// The level called `name`, if it is one of [`NAMES`] and this machine has it.
@@ -27,17 +28,17 @@ pub fn named(name: &str) -> Option<Level> {
     }
 }
 
-/// The lanes that every machine of a kind has.
+/// The SIMD lanes of every machine of the architecture.
 #[cfg(target_arch = "x86_64")]
 pub type Baseline = fearless_simd::x86::Sse2;
-/// The lanes that every machine of a kind has.
+/// The SIMD lanes of every machine of the architecture.
 #[cfg(target_arch = "aarch64")]
 pub type Baseline = fearless_simd::aarch64::Neon;
-/// The lanes that every machine of a kind has.
+/// The SIMD lanes of every machine of the architecture.
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub type Baseline = fearless_simd::Fallback;
 
-/// A token for those, for what has no level of its own.
+/// The token of [`Baseline`], for code that is not compiled for every level.
 pub fn baseline() -> Option<Baseline> {
     #[cfg(target_arch = "x86_64")]
     return Level::baseline().as_sse2();
@@ -47,19 +48,19 @@ pub fn baseline() -> Option<Baseline> {
     return Some(fearless_simd::Fallback::new());
 }
 
-/// The same for unit tests, on machines of a kind that has one.
+/// The token of [`Baseline`] for unit tests.
 #[cfg(test)]
 pub(crate) fn token() -> Baseline {
-    baseline().expect("every machine has them")
+    baseline().expect("every machine has the baseline")
 }
 
-/// Does `work` at a SIMD level, in a function of its own.
+/// Runs `work` at a SIMD level, in a function that is not inlined.
 #[inline(never)]
 pub(crate) fn outline<S: Simd, R>(simd: S, work: impl FnOnce() -> R) -> R {
     simd.vectorize(work)
 }
 
-/// [`outline`] for a closure, all of whose code is part of that function.
+/// [`outline`] for a closure that is inlined into that function.
 macro_rules! outlined {
     ($simd:expr, $work:expr) => {
         $crate::simd::outline(
@@ -70,7 +71,7 @@ macro_rules! outlined {
     };
 }
 
-/// A closure whose code is part of the function that calls it; only one that is handed to a function can be told so.
+/// A closure that is inlined into its caller. The attribute is legal only on a closure that is an argument.
 macro_rules! inlined {
     ($closure:expr) => {
         std::convert::identity(
@@ -80,8 +81,8 @@ macro_rules! inlined {
     };
 }
 
-/// The value of an expression for each index. Unlike [`array::map`](array#method.map), which is a function of its own, it is
-/// part of the loop where it stands and so has its SIMD level.
+/// An array with the value of an expression for each index. Unlike [`array::map`](array#method.map) it is not a function
+/// call, so the expression has the SIMD level of the surrounding loop.
 macro_rules! each {
     ([$($number:literal),*], |$index:ident| $value:expr) => {
         [$({ let $index: usize = $number; $value }),*]
@@ -111,7 +112,7 @@ macro_rules! four {
 
 pub(crate) use {each, four, inlined, outlined, three, two};
 
-/// What `level` is called.
+/// The name of `level`.
 pub fn name(level: Level) -> &'static str {
     match level {
         #[cfg(target_arch = "x86_64")]
@@ -131,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_level_that_is_found_bears_the_name_it_was_asked_by() {
+    fn a_level_found_by_name_has_that_name() {
         for asked in NAMES {
             if let Some(level) = named(asked) {
                 assert_eq!(name(level), asked);

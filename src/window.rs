@@ -26,6 +26,7 @@ pub mod lights;
 mod panel;
 pub mod pictures;
 mod profile;
+pub mod recent;
 pub mod recording;
 pub mod replay;
 pub mod style;
@@ -45,6 +46,7 @@ use crate::drawing::Drawing;
 use crate::output;
 use app::App;
 use display::Display;
+use recent::Recent;
 use recording::{Log, Recorder};
 
 pub use display::{NoDisplay, restart_in_fit_environment};
@@ -68,6 +70,10 @@ const PRESENT_SHARE: u32 = 200;
 pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
+    app.desk.recent = Recent::of_user();
+    if let Some(path) = &app.scene.path {
+        app.desk.recent.add(path);
+    }
     if let Some(path) = recording {
         let file = File::create_new(path);
         let file = file.with_context(|| format!("cannot record to {}", path.display()))?;

@@ -1,7 +1,7 @@
-//! Numbers in, straight into a world and a view, from everywhere that the scene format allows: every mode, projection
-//! and tolerance keeps its promises.
+//! Fuzzes the numbers of a scene over the ranges of the scene format: the pictures of every mode, projection and
+//! tolerance keep their promises.
 //!
-//! `SHADETRADE_SHOW=1 cargo +nightly fuzz run scene_numbers ARTIFACT` prints the scene that an artifact stands for.
+//! `SHADETRADE_SHOW=1 cargo +nightly fuzz run scene_numbers ARTIFACT` prints the scene of an artifact.
 #![no_main]
 
 #[path = "../promises.rs"]
@@ -20,7 +20,7 @@ const LENGTHS: [f64; 2] = [1e-100, 1e100];
 const COORDINATES: [f64; 2] = [-1e100, 1e100];
 const STRENGTHS: [f64; 2] = [0.0, 1e30];
 
-/// Where a number is likely to do harm.
+/// Numbers that are likely to expose a fault.
 const DELICATE: [f64; 16] = [
     0.0,
     -0.0,
@@ -40,7 +40,7 @@ const DELICATE: [f64; 16] = [
     255.0,
 ];
 
-/// A number of the range: delicate, of any size, or plain.
+/// A number in the range: delicate, of any magnitude, or ordinary.
 fn number(u: &mut Unstructured, [least, most]: [f64; 2]) -> Result<f64> {
     let number = match u.int_in_range(0..=7_u8)? {
         0 => *u.choose(&DELICATE)?,
@@ -62,7 +62,7 @@ fn three(u: &mut Unstructured, range: [f64; 2]) -> Result<DVec3> {
     ))
 }
 
-/// A place or length in multiples of `scale`, most often near the middle of things.
+/// A position or size in multiples of `scale`, most often near the origin.
 fn scaled(u: &mut Unstructured, scale: f64, range: [f64; 2]) -> Result<DVec3> {
     let plain = three(u, COORDINATES)? * scale;
     Ok(plain.clamp(DVec3::splat(range[0]), DVec3::splat(range[1])))
@@ -111,7 +111,7 @@ fn light(u: &mut Unstructured, scale: f64, world: &mut World) -> Result<()> {
     Ok(())
 }
 
-/// A scene as the format allows it, and a view of it; `None` where the camera has no direction.
+/// A legal scene and a view of it; `None` if the camera has no direction.
 fn scene(u: &mut Unstructured) -> Result<Option<(World, View)>> {
     let scale = *u.choose(&[1.0, 1.0, 1.0, 1e90, 1e-90, 1e-3, 1e6])?;
     let mut world = World::new();

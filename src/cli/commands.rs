@@ -1,6 +1,6 @@
-//! The words of each command's own options in, checked values out.
+//! The options of each command, and the checks of their values.
 //!
-//! Rule: what an option's value may be is checked here, and every message says what would be right.
+//! A message about a wrong value names the legal values.
 
 use std::io;
 use std::path::PathBuf;
@@ -14,6 +14,7 @@ use image::ImageFormat;
 use super::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::{Output, quoted};
+use crate::prove::{Picture, read_png};
 use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::trade::{self, process};
@@ -21,13 +22,13 @@ use crate::trade::{self, process};
 /// The options of `view`.
 #[derive(Args, Clone, Debug)]
 pub struct ViewOptions {
-    /// What to show, and how.
+    /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The time of a frame.
     #[command(flatten)]
     pub budget: BudgetOption,
-    /// Writes what happens to a new file, for `replay`
+    /// Records all events into a new file, for `replay`
     #[arg(long, value_name = "LOG")]
     pub record: Option<PathBuf>,
 }
@@ -38,36 +39,36 @@ pub struct ReplayOptions {
     /// The recording
     #[arg(value_name = "LOG")]
     pub log: PathBuf,
-    /// Where the last frame goes as PNG, `-` is standard output; a file that ends in .apng takes all frames, as animated PNG [default: a window plays it]
+    /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Option<Output>,
     /// Prints the time and a hash of the picture of every frame
     #[arg(long)]
     pub hash: bool,
-    /// Pauses that are longer are cut to this
+    /// The longest pause; longer ones are shortened to it
     #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "2", allow_negative_numbers = true)]
     pub idle: Duration,
-    /// Who draws.
+    /// The SIMD level and the threads.
     #[command(flatten)]
     pub workers: WorkerOptions,
 }
 
 impl ReplayOptions {
-    /// Whether the frames may go where they are to go.
+    /// Checks the file that receives the frames.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when that is the recording, or standard output takes hashes.
+    /// [`Failure::Usage`] if it is the recording, or it is standard output and that receives the hashes.
     pub fn check_output(&self) -> Result<(), Failure> {
         match &self.output {
             Some(Output::Stdout) if self.hash => Err(Failure::Usage(anyhow!(
-                "standard output takes the hashes; give -o a file, ./- is one of that name"
+                "standard output receives the hashes; give -o a file, ./- is one of that name"
             ))),
             Some(output) => options::refuse_to_replace(&self.log, "recording", output),
             None => Ok(()),
         }
     }
 
-    /// Whether all frames are written.
+    /// Whether the output is an animation of all frames.
     pub fn animated(&self) -> bool {
         let Some(Output::File(path)) = &self.output else {
             return false;
@@ -80,16 +81,16 @@ impl ReplayOptions {
 /// The options of `render`.
 #[derive(Args, Debug)]
 pub struct RenderOptions {
-    /// What to draw, and how.
+    /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The time of a frame.
     #[command(flatten)]
     pub budget: BudgetOption,
-    /// Where the PNG goes; `-` is standard output
+    /// The PNG file; `-` for standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
     pub output: Output,
-    /// Draws with the f64 reference instead of the renderer; --tolerance and --simd are not used then
+    /// Draws with the f64 reference instead of the renderer, without use of --tolerance and --simd
     #[arg(long)]
     pub reference: bool,
 }
@@ -97,31 +98,31 @@ pub struct RenderOptions {
 /// The options of `trade`.
 #[derive(Args, Debug)]
 pub struct TradeOptions {
-    /// What is measured; each method has its own shading and tolerance.
+    /// The scene and the view; each method has its own shading and tolerance.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// The folder for the reports, made if absent
+    /// The folder for the reports, created if absent
     #[arg(short, long, value_name = "DIR", value_parser = PathBufValueParser::new().try_map(folder))]
     pub output: Option<PathBuf>,
-    /// As few samples as a median needs; the same as --seconds 0
+    /// Takes the least number of samples; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
     pub quick: bool,
-    /// How long to time frames in all, the reference apart; no less than 30 of each method [default: 20]
+    /// The total time for timing frames, without the reference; at least 30 frames of each method [default: 20]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub seconds: Option<Duration>,
-    /// Measures only these [default: all]
+    /// Measures only these methods [default: all]
     #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(METHODS.iter().map(|method| method.id)))]
     pub methods: Option<Vec<String>>,
-    /// Times this batch of the scene on standard input and prints the times; `trade` calls itself so
+    /// Times this batch of the scene on standard input and prints the times; `trade` starts itself with it
     #[arg(long, hide = true)]
     pub batch: Option<usize>,
 }
 
 impl TradeOptions {
-    /// What is to be measured.
+    /// The request to measure.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, a shading or tolerance is asked for.
+    /// [`Failure::Usage`] if the scene is wrong, or a shading or tolerance is given.
     pub fn request(&self) -> Result<trade::Request, Failure> {
         let given = [
             ("--shading", self.drawing.shading.is_some()),
@@ -172,10 +173,10 @@ fn seconds(text: &str) -> Result<Duration, &'static str> {
 /// The options of `probe`.
 #[derive(Args, Debug)]
 pub struct ProbeOptions {
-    /// What is drawn, and how.
+    /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// The pixel: x to the right and y down from the top left corner, from 0
+    /// The pixel: x to the right and y down, from 0,0 in the top left corner
     #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
     pub pixel: [usize; 2],
     /// Prints one JSON object instead of text
@@ -195,10 +196,13 @@ fn pixel(text: &str) -> Result<[usize; 2], String> {
 /// The options of `prove`.
 #[derive(Args, Debug)]
 pub struct ProveOptions {
-    /// What is drawn, and how.
+    /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// Where a PNG of the verdicts goes
+    /// Judges a picture of the scene by any program: a PNG with 8 bits per channel, whose size replaces --size
+    #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
+    pub picture: Option<PathBuf>,
+    /// The PNG file of the verdicts
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(map_file))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
@@ -206,13 +210,29 @@ pub struct ProveOptions {
     pub json: bool,
 }
 
+impl ProveOptions {
+    /// The picture to judge, if one is given.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if it is no such PNG, or the map would replace it.
+    pub fn read_picture(&self) -> Result<Option<Picture>, Failure> {
+        let Some(path) = &self.picture else {
+            return Ok(None);
+        };
+        if let Some(output) = &self.output {
+            options::refuse_to_replace(path, "picture", output)?;
+        }
+        read_png(path).map(Some).map_err(Failure::Usage)
+    }
+}
+
 /// The options of `requires`.
 #[derive(Args, Debug)]
 pub struct RequiresOptions {
-    /// What is drawn, and how.
+    /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// Where the least scene goes that still keeps the tolerance
+    /// The file for the least scene that keeps the tolerance
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(file))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
@@ -223,17 +243,20 @@ pub struct RequiresOptions {
 /// The options of `extremes`.
 #[derive(Args, Debug)]
 pub struct ExtremesOptions {
-    /// Sweeps one number of a scene at a time over its whole range instead, and shows how far f32, f64 and the renderer err
+    /// Proves only these extremes [default: all]
+    #[arg(value_name = "NAME", conflicts_with = "chart")]
+    pub names: Vec<String>,
+    /// Sweeps one number of a scene at a time over its whole range instead, and shows the errors of f32, f64 and the renderer
     #[arg(long)]
     pub chart: bool,
-    /// The folder for what --chart finds, made if absent
+    /// The folder for the charts, created if absent
     #[arg(short, long, value_name = "DIR", requires = "chart",
           value_parser = PathBufValueParser::new().try_map(folder))]
     pub output: Option<PathBuf>,
-    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each case; with --chart, the curves
+    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves
     #[arg(long)]
     pub json: bool,
-    /// Who draws.
+    /// The SIMD level and the threads.
     #[command(flatten)]
     pub workers: WorkerOptions,
 }
@@ -241,16 +264,16 @@ pub struct ExtremesOptions {
 /// The options of `figures`.
 #[derive(Args, Debug)]
 pub struct FiguresOptions {
-    /// The folder the figures go to, made if absent
+    /// The folder for the figures, created if absent
     #[arg(short, long, value_name = "DIR", default_value = DEFAULT_FIGURES,
           value_parser = PathBufValueParser::new().try_map(folder))]
     pub output: PathBuf,
 }
 
-/// The folder for figures when none is named.
+/// The default folder for figures.
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
-/// Pictures are PNG; a name that promises another format is refused.
+/// Refuses a name that ends like another format: pictures are PNG files.
 fn picture_file(path: PathBuf) -> Result<Output, &'static str> {
     match ImageFormat::from_path(&path) {
         Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
@@ -262,20 +285,20 @@ fn map_file(path: PathBuf) -> Result<Output, &'static str> {
     picture_file(path.clone()).and_then(|_| file(path))
 }
 
-/// Standard output takes what is found.
+/// Refuses standard output, which receives the text or JSON.
 fn file(path: PathBuf) -> Result<Output, &'static str> {
     match Output::from(path) {
         Output::Stdout => {
-            Err("it is a file: standard output takes what is found; ./- is a file of that name")
+            Err("give a file: standard output receives the result; ./- is a file of that name")
         }
         file @ Output::File(_) => Ok(file),
     }
 }
 
-/// Several files need a folder.
+/// Refuses standard output: several files need a folder.
 fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
     match Output::from(path.clone()) {
         Output::File(_) => Ok(path),
-        Output::Stdout => Err("it is a folder, not standard output; ./- is a folder of that name"),
+        Output::Stdout => Err("give a folder, not standard output; ./- is a folder of that name"),
     }
 }

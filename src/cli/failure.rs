@@ -1,7 +1,7 @@
-//! Why a run did not do what was asked in, what it says and its exit status out.
+//! The failure of a command, its message and its exit status.
 //!
-//! Rule: a run ends with status 0 (done), 1 (could not do it) or 2 (the command line or the scene was wrong), and with
-//! one paragraph on standard error unless it is 0.
+//! The exit status is 0 for success, 1 for a failure, and 2 for a wrong command line or scene. A failure prints one
+//! paragraph to standard error.
 
 use std::process::ExitCode;
 
@@ -9,12 +9,12 @@ use anyhow::anyhow;
 
 use crate::output::say;
 
-/// Why a run did not do what was asked.
+/// The failure of a command.
 #[derive(Debug)]
 pub enum Failure {
-    /// The command line or the scene was wrong: status 2.
+    /// The command line or the scene is wrong: status 2.
     Usage(anyhow::Error),
-    /// It could not be done: status 1.
+    /// The command failed: status 1.
     Work(anyhow::Error),
 }
 
@@ -25,7 +25,7 @@ impl From<anyhow::Error> for Failure {
 }
 
 impl Failure {
-    /// Clap's error as one paragraph: clap sets its tips and the usage apart with blank lines.
+    /// Clap's error as one paragraph: blank lines between its message, tips and usage are dropped.
     pub(super) fn of(error: &clap::Error) -> Self {
         let text = error.render().to_string();
         let lines = text.trim_start_matches("error: ").lines();
@@ -33,13 +33,13 @@ impl Failure {
         Failure::Usage(anyhow!(lines.join("\n")))
     }
 
-    /// Says on standard error what went wrong; the status to end with.
+    /// Prints the error to standard error and returns the exit status.
     pub fn report(&self) -> ExitCode {
         let (error, status) = match self {
             Failure::Usage(error) => (error, 2),
             Failure::Work(error) => (error, 1),
         };
-        // Some errors say their cause themselves.
+        // The text of some errors already contains the cause.
         let mut text = error.to_string();
         for cause in error.chain().skip(1).map(ToString::to_string) {
             if !text.contains(&cause) {

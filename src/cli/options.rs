@@ -1,6 +1,6 @@
-//! The options that every command which draws has in common: words in, a [`Drawing`] out.
+//! The common options of all commands that draw, which give a [`Drawing`].
 //!
-//! Rule: everything is checked before anything is allocated, and every message says what would be right.
+//! Values are checked before anything is allocated. A message about a wrong value names the legal values.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -19,58 +19,58 @@ use crate::output::{Output, say};
 use crate::scene::{self, LightChoice, MAX_SIDE, Scene, SceneError};
 use crate::simd;
 
-/// What to draw and how, as the command line says it.
+/// The scene and the view on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct DrawingOptions {
-    /// A scene file, or one of the built-in scenes cuboid, bench-far, bench-close, assignment [default: cuboid]
+    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME [default: cuboid]
     #[arg(value_name = "SCENE")]
     pub scene: Option<PathBuf>,
-    /// The camera of the scene to look through [default: as the scene says]
+    /// The camera of the scene [default: as the scene says]
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
-    /// How the picture is projected [default: as the scene says]
+    /// The projection [default: as the scene says]
     #[arg(long, value_name = "PROJECTION", value_parser = one_of::<Projection>(Projection::ALL.map(Projection::name)))]
     pub projection: Option<Projection>,
-    /// How all objects are shaded [default: each as the scene says]
+    /// The shading of all cuboids [default: each as the scene says]
     #[arg(long, value_name = "SHADING", value_parser = one_of::<ShadingMode>([ShadingMode::Gouraud, ShadingMode::Phong].map(ShadingMode::name)))]
     pub shading: Option<ShadingMode>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
     pub lights: Option<LightChoice>,
-    /// The largest error of a pixel, in levels: 0 (exact), or 0.0001 to 255 [default: as the scene says, else 0.5]
+    /// The largest error of a pixel, in levels of 255: 0 (exact), or 0.0001 to 255 [default: as the scene says, else 0.5]
     #[arg(long, value_name = "LEVELS", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// The picture in pixels, 1x1 to 16384x16384
+    /// The size of the picture in pixels, 1x1 to 16384x16384
     #[arg(long, default_value = "960x720", value_name = "WIDTHxHEIGHT", value_parser = size, allow_hyphen_values = true)]
     pub size: [usize; 2],
-    /// Who draws.
+    /// The SIMD level and the threads.
     #[command(flatten)]
     pub workers: WorkerOptions,
 }
 
-/// Who draws, as the command line says it.
+/// The SIMD level and the threads on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct WorkerOptions {
-    /// The SIMD instructions to draw with
+    /// The SIMD instructions of the renderer
     #[arg(long, default_value = "auto", value_name = "LEVEL", value_parser = level())]
     pub simd: Level,
-    /// How many threads draw, 1 to 1024 [default: all cores]
+    /// The number of threads, 1 to 1024 [default: all cores]
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 }
 
 impl WorkerOptions {
-    /// How many threads draw.
+    /// The number of threads.
     pub fn threads(&self) -> usize {
         self.threads.unwrap_or_else(all_cores)
     }
 }
 
 impl DrawingOptions {
-    /// As [`DrawingOptions::open`], for what is written to `output`.
+    /// As [`DrawingOptions::open`], for a command that writes to `output`.
     ///
     /// # Errors
-    /// [`Failure::Usage`] also when that is the file of the scene.
+    /// [`Failure::Usage`] also if `output` is the file of the scene.
     pub fn open_for(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
         if let (Some(scene), Some(output)) = (&self.scene, output)
             && !scene::is_built_in(scene)
@@ -80,11 +80,11 @@ impl DrawingOptions {
         self.open()
     }
 
-    /// Loads the scene and looks up in it what the options name.
+    /// Loads the scene and applies the options to it.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when the scene is wrong, or has no such camera or light; [`Failure::Work`] when it does not fit
-    /// in memory.
+    /// [`Failure::Usage`] if the scene is wrong, or has no such camera or light; [`Failure::Work`] if it does not fit in
+    /// memory.
     pub fn open(&self) -> Result<Drawing, Failure> {
         let scene = match &self.scene {
             Some(path) => Scene::load_path(path),
@@ -102,10 +102,10 @@ impl DrawingOptions {
         self.apply_to(scene)
     }
 
-    /// Looks up in a scene what the options name, whatever scene they name.
+    /// Applies the options to a scene, whatever scene they name.
     ///
     /// # Errors
-    /// [`Failure::Usage`] when it has no such camera or light.
+    /// [`Failure::Usage`] if the scene has no such camera or light.
     pub fn apply_to(&self, mut scene: Scene) -> Result<Drawing, Failure> {
         if let Some(name) = &self.camera {
             scene.look_from(name).map_err(Failure::Usage)?;
@@ -150,10 +150,10 @@ impl BudgetOption {
     }
 }
 
-/// Whether a picture may go to `output` when it is made from the file `source`, which is a `kind`.
+/// Checks that `output` is not the file `source`, which the message calls `kind`.
 ///
 /// # Errors
-/// [`Failure::Usage`] when that is the same file.
+/// [`Failure::Usage`] if both are the same file.
 pub fn refuse_to_replace(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
     let Output::File(file) = output else {
         return Ok(());
@@ -161,7 +161,7 @@ pub fn refuse_to_replace(source: &Path, kind: &str, output: &Output) -> Result<(
     match (fs::canonicalize(source), fs::canonicalize(file)) {
         (Ok(source), Ok(target)) if source == target && target.is_file() => {
             Err(Failure::Usage(anyhow!(
-                "{} is the {kind} itself; -o takes another file",
+                "{} is the {kind} itself; give -o another file",
                 file.display()
             )))
         }
@@ -169,7 +169,7 @@ pub fn refuse_to_replace(source: &Path, kind: &str, output: &Output) -> Result<(
     }
 }
 
-/// One of these names, of what serde calls so.
+/// A parser of one of these names, which serde converts to the value.
 fn one_of<T>(names: [&'static str; 2]) -> impl TypedValueParser<Value = T>
 where
     T: DeserializeOwned + Clone + Send + Sync + 'static,
@@ -198,7 +198,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(levels) if Tolerance::is_legal(levels) => Ok(levels),
         _ => Err(format!(
-            "it is 0, for exact, or a number of levels from {} to 255",
+            "it is 0 (exact) or a number of levels from {} to 255",
             Tolerance::LEAST
         )),
     }
@@ -227,7 +227,7 @@ fn threads(text: &str) -> Result<usize, String> {
         .ok_or_else(|| format!("it is a whole number from 1 to {MAX_THREADS}"))
 }
 
-/// A number written in digits alone, 1..=`most`.
+/// A number in 1..=`most` that is written in digits alone.
 pub(super) fn whole_number(text: &str, most: usize) -> Option<usize> {
     let digits = text.bytes().all(|byte| byte.is_ascii_digit());
     text.parse()

@@ -1,13 +1,17 @@
 //! Pixels of the picture seen as squares of one size that fill an area of the window.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+
+use super::form;
 
 /// How large pixels are seen, and which one is in the upper left corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Magnifier {
     /// Pixels of the window across one of the picture: a power of two up to [`Magnifier::MAX_SCALE`].
     pub scale: usize,
     /// The pixel of the picture in the upper left corner.
+    #[serde(deserialize_with = "form::array")]
     pub corner: [usize; 2],
 }
 

@@ -1,14 +1,13 @@
-//! One number of a scene at a time over its whole range in; how far four evaluations of Phong's model differ from the
-//! enclosures of its exact levels out.
+//! The stability charts: one number of a scene varies over its whole range, and four evaluations of Phong's model are compared
+//! with the enclosures of its exact levels.
 //!
 //! ```text
-//! Sweep (sweeps) --values--> SceneSpec -+-- textbook: all of it in f32 --+
-//!                                      +-- the renderer at 0 and 0.5 ---+-- enclosures --> Curves --> report, plot
-//!                                      '-- the reference in f64 --------+
+//! sweeps --values--> SceneRecord -+-- textbook, in f32 --------+
+//!                                +-- renderer at 0 and 0.5 ---+-- enclosures --> curves --> report, plot
+//!                                '-- reference in f64 --------+
 //! ```
-//!
-//! Rule: an error is an interval, from what is drawn to the nearest and to the farthest value of the enclosure. A limit is
-//! kept where all of it is within the limit.
+//! An error is an interval: from the drawn level to the nearest and to the farthest value of the enclosure. A limit is kept
+//! where all of the interval is within it.
 
 mod plot;
 mod report;
@@ -23,15 +22,14 @@ use fearless_simd::Level;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::Options;
-use super::judge::enclosures;
-use super::renderer::{Picture, Renderer};
-use super::scene_spec::{RenderConfig, SceneSpec};
-use crate::components::Projection;
+use crate::components::{ShadingMode, View};
+use crate::frame::{Frame, Keep, Workers};
 use crate::output::{Output, print, say};
 use crate::prove::{Verdict, nearest, shown_face};
-use crate::reference::{self, Seen};
+use crate::reference::{Interval, Reference, Seen};
+use crate::scene::SceneRecord;
 use crate::shading::EXACT;
+use crate::systems;
 use crate::trade::export::json;
 use crate::trade::make_writable;
 use crate::trade::progress::{OnProgress, with_bar};
@@ -46,6 +44,9 @@ pub const EVALUATIONS: [(&str, f64); 4] = [
     ("phong-0.5", 0.5),
     ("reference-f64", EXACT),
 ];
+
+/// Width and height of a picture, in pixels.
+const SIZE: [usize; 2] = [64, 48];
 
 /// How an evaluation fares over the range of a number.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -120,7 +121,7 @@ pub fn measure(
     let mut curves = Vec::new();
     for sweep in sweeps {
         let errors = sweep.values().into_par_iter().map(|value| {
-            let errors = errors(&(sweep.scene)(value), level)?;
+            let errors = errors(&sweep.scene(value), level)?;
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             on_progress("sweeping numbers", done as f64 / total as f64);
             Ok((value, errors))
@@ -133,37 +134,44 @@ pub fn measure(
 }
 
 /// How far each evaluation errs in one picture.
-fn errors(spec: &SceneSpec, level: Level) -> anyhow::Result<Errors> {
-    let phong = |tolerance| RenderConfig::phong(Projection::Perspective, tolerance);
-    let mut renderer = Renderer::new(level, 1, false)?;
-    let exact = renderer.picture(spec, phong(0.0))?;
-    let half = renderer.picture(spec, phong(0.5))?;
-    let (scene, view) = (spec.parse()?, &exact.view);
-    let rows = 0..view.size[1];
-    let truth = reference::picture(&scene.world, view, rows, &|| false, &|_| ())
+fn errors(record: &SceneRecord, level: Level) -> anyhow::Result<Errors> {
+    record.check()?;
+    let mut world = record.spawn();
+    let view = View::of(&world, SIZE).shaded(ShadingMode::Phong);
+    let mut drawn = |tolerance| {
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+        systems::draw(&mut world, &view.with_tolerance(tolerance), &mut frame)?;
+        anyhow::Ok(frame)
+    };
+    let frames = [drawn(0.0)?, drawn(0.5)?];
+    let truth = Reference::<f64>::new(&world, &view)
+        .picture(0..SIZE[1], &|| false, &|_| ())
         .context("the reference was cancelled")?;
-    let textbook = Textbook::new(spec);
+    let textbook = Textbook::new(record, SIZE);
+    let enclosures = Reference::<Interval>::new(&world, &view);
     let mut errors = Errors::default();
-    for (pixel, seen) in enclosures(&scene, view).iter().enumerate() {
-        let place = [pixel % view.size[0], pixel / view.size[0]];
-        let met = seen.iter().find_map(Seen::face);
-        let drawn = |picture: &Picture| {
-            let face = shown_face(picture.triangles[pixel]);
-            Some((face, picture.levels[pixel].map(f64::from)))
-        };
-        let shown = [
-            met.map(|face| (Some(face), textbook.levels(face, place).map(f64::from))),
-            drawn(&exact),
-            drawn(&half),
-            Some((shown_face(truth.triangles[pixel]), truth.levels[pixel])),
-        ];
-        for (worst, shown) in errors.iter_mut().zip(shown) {
-            let Some((face, levels)) = shown else {
-                continue;
-            };
-            let error = nearest(face, levels, seen).unwrap_or([255.0; 2]);
-            *worst = [worst[0].max(error[0]), worst[1].max(error[1])];
-        }
+    for y in 0..SIZE[1] {
+        enclosures.row(y, |x, seen| {
+            let pixel = y * SIZE[0] + x;
+            let met = seen.iter().find_map(Seen::face);
+            let [exact, half] = frames.each_ref().map(|frame| {
+                let face = shown_face(frame.triangles()[pixel]);
+                Some((face, frame.levels()[pixel].map(f64::from)))
+            });
+            let shown = [
+                met.map(|face| (Some(face), textbook.levels(face, [x, y]).map(f64::from))),
+                exact,
+                half,
+                Some((shown_face(truth.triangles[pixel]), truth.levels[pixel])),
+            ];
+            for (worst, shown) in errors.iter_mut().zip(shown) {
+                let Some((face, levels)) = shown else {
+                    continue;
+                };
+                let error = nearest(face, levels, seen).unwrap_or([255.0; 2]);
+                *worst = [worst[0].max(error[0]), worst[1].max(error[1])];
+            }
+        });
     }
     Ok(errors)
 }
@@ -172,11 +180,11 @@ fn errors(spec: &SceneSpec, level: Level) -> anyhow::Result<Errors> {
 ///
 /// # Errors
 /// When the system gives no threads, or something cannot be written.
-pub fn run(options: Options, out: Option<&Path>, as_json: bool) -> anyhow::Result<()> {
+pub fn run(level: Level, out: Option<&Path>, as_json: bool) -> anyhow::Result<()> {
     if let Some(folder) = out {
         make_writable(folder)?;
     }
-    let curves = with_bar(|progress| measure(SWEEPS, options.level, progress))?;
+    let curves = with_bar(|progress| measure(SWEEPS, level, progress))?;
     print(&curves, as_json, || table(&curves))?;
     if let Some(folder) = out {
         for (name, content) in [

@@ -1,30 +1,30 @@
-//! The rows of a frame that one thread draws.
+//! A band: the rows of a frame that one thread draws.
 //!
-//! Rule: clearing touches only what was drawn, and leaves out only what is known to be drawn over.
+//! Clearing touches only pixels that the last frame drew, and skips those that this frame certainly overwrites.
 
 use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{Counts, FARTHEST, NO_TRIANGLE, display_pixel};
+use super::{Counts, DrawList, FARTHEST, NO_TRIANGLE, display_pixel};
 
-/// What is drawn in one row.
+/// The pixels that are drawn in one row, by the last frame and by the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Drawn {
-    /// The pixels from..to that may differ from the background.
+    /// The range from..to of the pixels that may differ from the background.
     by_last: [u32; 2],
-    /// The pixels from..to between which all lie that will be drawn.
+    /// The range from..to that holds every pixel of the next frame.
     by_next: [u32; 2],
-    /// Runs of pixels that will all be drawn: each is a span, or spans that meet end to end, and so has no gap. Three faces
-    /// side by side leave two runs at most, in whatever order they come.
+    /// Runs without gaps of pixels that the next frame draws: a span, or spans that meet end to end. Three faces side by
+    /// side need at most two runs, in any order.
     runs: [[u32; 2]; 2],
 }
 
-/// No pixels, and beyond the ends of all spans.
+/// An empty run, which meets no span.
 const NO_RUN: [u32; 2] = [u32::MAX; 2];
 
 impl Drawn {
-    /// A row of which nothing is known, in a picture so wide.
+    /// A row of `width` pixels that may all differ from the background.
     pub fn anything(width: usize) -> Self {
         Drawn {
             by_last: [0, width as u32],
@@ -33,49 +33,50 @@ impl Drawn {
         }
     }
 
-    /// After clearing: notes that some of the pixels from..to may be drawn.
+    /// Records, after clearing, that pixels in from..to may be drawn.
     pub fn drew(&mut self, from: usize, to: usize) {
         self.by_last = joined(self.by_last, from, to);
     }
 }
 
-/// Some rows of a frame, owned by one thread; every slice holds those rows, or nothing where the frame keeps none.
+/// The buffers of some rows of a frame, for one thread. A buffer that the frame does not keep is empty.
 pub(crate) struct Band<'a> {
     pub width: usize,
-    /// Which rows of the picture these are.
+    /// The rows of the picture.
     pub rows: Range<usize>,
     pub background: DVec3,
     pub pixels: &'a mut [u32],
     pub levels: &'a mut [[f32; 3]],
     pub triangles: &'a mut [u32],
-    /// Meaningless where no triangle is seen.
+    /// Undefined where no triangle is visible.
     pub kinds: &'a mut [u8],
     pub depths: &'a mut [f64],
-    /// For each row.
+    /// One per row.
     pub drawn: &'a mut [Drawn],
 }
 
 impl Band<'_> {
-    /// Draws the parts between these rows of the picture, in parallel.
+    /// Draws the band in `parts` parts of about the same work, in parallel.
     pub fn split_and(
         &mut self,
-        cuts: &[usize],
-        draw: &(impl Fn(&mut Band) -> Counts + Sync),
+        list: &DrawList,
+        parts: usize,
+        draw: &(impl Fn(&DrawList, &mut Band) -> Counts + Sync),
     ) -> Counts {
-        if cuts.is_empty() {
-            return draw(self);
-        }
-        let middle = cuts.len() / 2;
-        let (mut upper, mut lower) = self.split(cuts[middle]);
+        let cut = list.cut(&self.rows).filter(|_| parts > 1);
+        let Some(row) = cut else {
+            return draw(list, self);
+        };
+        let (mut upper, mut lower) = self.split(row);
         let (mut counts, more) = rayon::join(
-            || upper.split_and(&cuts[..middle], draw),
-            || lower.split_and(&cuts[middle + 1..], draw),
+            || upper.split_and(list, parts / 2, draw),
+            || lower.split_and(list, parts - parts / 2, draw),
         );
         counts += more;
         counts
     }
 
-    /// The rows above `row` of the picture, and the others.
+    /// The rows above `row` of the picture, and `row` with those below it.
     fn split(&mut self, row: usize) -> (Band<'_>, Band<'_>) {
         let rows = row - self.rows.start;
         let pixels = rows * self.width;
@@ -109,8 +110,9 @@ impl Band<'_> {
         (above, below)
     }
 
-    /// Puts the background back wherever the last frame drew in some rows of the picture, except in one run of every row
-    /// that the next one draws over: all that is seen of a convex body, for its faces meet without a gap.
+    /// Restores the background of some rows of the picture where the last frame drew, except in one run of each row
+    /// that the next frame overwrites. For a convex body that run is its whole picture, because its faces meet without
+    /// gaps.
     #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>) {
         let pixel = display_pixel(self.background.to_array());
@@ -140,7 +142,7 @@ impl Band<'_> {
         }
     }
 
-    /// Before clearing: notes that every pixel from..to of a row of the picture will be drawn.
+    /// Records, before clearing, that every pixel of from..to in a row of the picture will be drawn.
     #[inline(always)]
     pub fn will_draw(&mut self, row: usize, from: usize, to: usize) {
         let drawn = &mut self.drawn[row - self.rows.start];
@@ -152,34 +154,34 @@ impl Band<'_> {
                 *run = NO_RUN;
             }
         }
-        // A run without a place is forgotten: its pixels are cleared, and drawn.
+        // Only two runs are kept. The pixels of a third are cleared and then overwritten.
         if let Some(place) = drawn.runs.iter_mut().find(|run| **run == NO_RUN) {
             *place = span;
         }
     }
 
-    /// Which of some rows of the picture are here.
+    /// The part of `rows` of the picture that lies in this band.
     pub fn held(&self, rows: Range<usize>) -> Range<usize> {
         rows.start.max(self.rows.start)..rows.end.min(self.rows.end)
     }
 
-    /// Whether it takes bytes, and nothing hides them.
+    /// Whether it has displayed pixels and no depth buffer.
     pub fn is_plain(&self) -> bool {
         self.depths.is_empty() && !self.pixels.is_empty()
     }
 
-    /// Where the pixel `x` of a row of the picture stands in the slices.
+    /// The index in the buffers of pixel `x` in a row of the picture.
     pub fn index(&self, x: usize, row: usize) -> usize {
         (row - self.rows.start) * self.width + x
     }
 }
 
-/// The least range that holds both.
+/// The smallest range that holds both ranges.
 fn joined(range: [u32; 2], from: usize, to: usize) -> [u32; 2] {
     [range[0].min(from as u32), range[1].max(to as u32)]
 }
 
-/// At `index`, or at the end of a slice that holds nothing.
+/// Splits a slice at `index`; an empty slice gives two empty ones.
 fn split<T>(slice: &mut [T], index: usize) -> (&mut [T], &mut [T]) {
     let index = index.min(slice.len());
     slice.split_at_mut(index)
@@ -199,7 +201,7 @@ mod tests {
     const STALE: u32 = 1;
     const BACKGROUND: u32 = 0;
 
-    /// A row in which everything is stale, cleared for a frame that will draw `spans`.
+    /// A row of stale pixels after clearing for a frame that will draw `spans`.
     fn cleared(spans: &[[usize; 2]]) -> [u32; WIDTH] {
         let mut pixels = [STALE; WIDTH];
         let mut band = Band {
@@ -225,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn a_gap_is_cleared_even_where_an_overlap_makes_up_for_its_length_and_place() {
+    fn a_gap_is_cleared_even_if_an_overlap_has_the_same_length_and_sum_of_places() {
         // Pixels 10 and 21 are missing, 15 and 16 are drawn twice: 10 + 21 = 15 + 16.
         let spans = [[0, 10], [11, 17], [15, 21], [22, 32]];
         let row = cleared(&spans);
@@ -233,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_will_not_be_drawn_is_cleared() {
+    fn every_pixel_that_will_not_be_drawn_is_cleared() {
         // Every set of up to four spans between six places.
         let ends = [0, 3, 10, 17, 31, 32];
         let all: Vec<[usize; 2]> = (0..ends.len())
@@ -251,8 +253,8 @@ mod tests {
     }
 
     #[test]
-    fn where_faces_meet_nothing_is_cleared_whatever_their_order() {
-        // From left to right, by triangles. A face's two come one after the other.
+    fn adjacent_faces_in_any_order_need_no_clearing() {
+        // The spans of two triangles per face, from left to right.
         let faces = [[[2, 5], [5, 9]], [[9, 10], [10, 17]], [[17, 22], [22, 30]]];
         for order in [
             [0, 1, 2],

@@ -1,8 +1,7 @@
-//! What one frame draws: cuboids, and the pixels that their faces cover.
+//! The list of one frame: its cuboids, and the pixels that their faces cover.
 //!
-//! What shades a face is made where the face is drawn: only there is it known to be seen.
-//!
-//! Rule: all of it is made once a frame, read by every thread, and its memory kept for the next frame.
+//! The list is made once per frame, all threads read it, and its memory is reused for the next frame. Shaders of faces
+//! are not part of it: they are made when a face is drawn, because only then is it known to be visible.
 
 use std::ops::Range;
 
@@ -17,19 +16,21 @@ use crate::shading::square::{MAX_SIDE, Spans};
 /// The faces of a frame.
 #[derive(Debug, Default)]
 pub(crate) struct DrawList {
-    /// What is drawn, in the order of drawing.
+    /// In the order of drawing.
     pub pieces: Vec<Piece>,
     pub objects: Vec<Object>,
-    /// Of objects one after another with different materials.
+    /// One entry per run of consecutive objects with the same material.
     pub glosses: Vec<Gloss>,
-    /// For each strip of [`MAX_SIDE`] rows of the picture, which pieces it may show, in the order of drawing.
+    /// For each strip of [`MAX_SIDE`] rows of the picture the indices of its pieces, in the order of drawing.
     pub strips: Vec<Vec<u32>>,
+    /// For each strip, how many pixels all pieces cover there; see [`DrawList::weigh`].
+    weights: Vec<usize>,
     /// The pixels from..to of each row of each piece.
     pub from: Vec<i32>,
     pub to: Vec<i32>,
 }
 
-/// A cuboid as its pixels are shaded.
+/// The data of a cuboid that its shaders use.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Object {
     /// The number of its first triangle.
@@ -39,29 +40,29 @@ pub(crate) struct Object {
     pub centre: DVec3,
     pub solid: Solid,
     pub mode: ShadingMode,
-    /// Which of the list's.
+    /// Its index in [`DrawList::glosses`].
     pub gloss: usize,
 }
 
-/// A face, or one triangle of a face whose two do not meet on the screen, as snapped.
+/// A face, or a single triangle of it if snapping has separated its two triangles on the screen.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
     /// The number of its first triangle: cuboid * 12 + triangle.
     pub id: u32,
-    /// Which of the list's.
+    /// Its index in [`DrawList::objects`].
     pub object: usize,
-    /// The picture's row of its first span, and its spans.
+    /// The row of the picture of its first span, and the range of its spans in the list.
     pub row: usize,
     pub spans: Range<usize>,
     /// See [`crate::shading::face::Plane::nearness`].
     pub nearness: Affine<f64>,
-    /// The least and the most of what is seen of the face. Samples are held to it: one that snapping put just outside an
-    /// edge-on face would else be as near or as far as the face is steep.
+    /// The least and the largest nearness on the visible part of the face. Samples are clamped to it: snapping may put
+    /// one just outside an edge-on face, where the nearness of its plane is far off.
     pub range: [f64; 2],
 }
 
 impl DrawList {
-    /// Nothing, but the memory is kept.
+    /// Empties the list and keeps its memory.
     pub fn clear(&mut self) {
         self.pieces.clear();
         self.objects.clear();
@@ -71,7 +72,7 @@ impl DrawList {
         self.to.clear();
     }
 
-    /// The pixels that a piece covers.
+    /// The pixels that a piece covers, by row.
     pub fn spans(&self, piece: &Piece) -> Spans<'_> {
         Spans {
             first: piece.row,
@@ -80,9 +81,9 @@ impl DrawList {
         }
     }
 
-    /// Puts the pieces into the order of drawing and into strips of a picture of so many rows.
+    /// Sorts the pieces into the order of drawing and into the strips of a picture with `height` rows.
     pub fn sort(&mut self, height: usize) {
-        // Where depths tie the piece listed first is seen, so the file decides, and not the order in which hecs iterates.
+        // If depths tie, the first piece is visible. So the file decides, not the order in which hecs iterates.
         self.pieces
             .sort_unstable_by_key(|piece| (piece.id, piece.spans.start));
         self.strips.resize_with(height.div_ceil(MAX_SIDE), Vec::new);
@@ -94,32 +95,32 @@ impl DrawList {
         }
     }
 
-    /// How many pixels all pieces cover.
-    pub fn covered(&self) -> usize {
-        let spans = self.from.iter().zip(&self.to);
-        spans.map(|(from, to)| (to - from).max(0) as usize).sum()
+    /// Counts the pixels that all pieces cover in these rows of the picture, strip by strip; their sum.
+    pub fn weigh(&mut self, rows: &Range<usize>) -> usize {
+        let mut weights = std::mem::take(&mut self.weights);
+        weights.clear();
+        weights.resize(self.strips.len(), 0);
+        for piece in &self.pieces {
+            for (row, span) in self.spans(piece).within(rows) {
+                weights[row / MAX_SIDE] += span.len();
+            }
+        }
+        self.weights = weights;
+        self.weights.iter().sum()
     }
 
-    /// The rows of a picture at which to cut it into so many parts of about the same work: where squares meet.
-    pub fn cuts(&self, rows: &Range<usize>, parts: usize) -> Vec<usize> {
-        let first = rows.start / MAX_SIDE;
-        let mut work = vec![0; rows.end.div_ceil(MAX_SIDE) - first];
-        for piece in &self.pieces {
-            let spans = self.spans(piece);
-            for (row, span) in spans.within(rows) {
-                work[row / MAX_SIDE - first] += span.len();
-            }
-        }
-        let share = work.iter().sum::<usize>() / parts + 1;
-        let mut cuts = Vec::new();
-        let mut done = 0;
-        for (strip, work) in work.iter().enumerate().skip(1) {
-            let (before, row) = (done, (first + strip) * MAX_SIDE);
-            done += work;
-            if before / share != done / share && row < rows.end {
-                cuts.push(row);
-            }
-        }
-        cuts
+    /// The row between two strips that cuts these rows of the picture into two parts of about the same work.
+    pub fn cut(&self, rows: &Range<usize>) -> Option<usize> {
+        let strips = rows.start / MAX_SIDE..rows.end.div_ceil(MAX_SIDE);
+        let weights = &self.weights[strips.clone()];
+        let all: usize = weights.iter().sum();
+        let mut above = 0;
+        // The first whose middle lies below the middle of the work.
+        let below = weights.iter().position(|weight| {
+            above += 2 * weight;
+            above - weight > all
+        });
+        let cut = strips.start + below?.max(1);
+        (cut < strips.end).then_some(cut * MAX_SIDE)
     }
 }

@@ -1,6 +1,6 @@
-//! Frames -> an animated PNG, of each frame only what differs from the one before.
+//! Animated PNG files. Each frame stores only the rectangle that differs from the frame before.
 //!
-//! Rule: every frame is shown as it was given; one smaller than the canvas stands in its upper left corner on black.
+//! A frame smaller than the canvas is placed in its upper left corner on black.
 
 use std::io::{self, Write};
 use std::ops::Range;
@@ -20,10 +20,10 @@ pub struct Animation<'a> {
 }
 
 impl<'a> Animation<'a> {
-    /// Begins one of so many frames on a canvas of `size` pixels.
+    /// Begins an animation of `frames` frames on a canvas of `size` pixels.
     ///
     /// # Errors
-    /// When it cannot be written; so it is with the others.
+    /// If the header cannot be written.
     pub fn new(writer: &'a mut dyn Write, size: [usize; 2], frames: usize) -> io::Result<Self> {
         let mut encoder = Encoder::new(writer, size[0] as u32, size[1] as u32);
         encoder.set_color(ColorType::Rgb);
@@ -38,10 +38,10 @@ impl<'a> Animation<'a> {
         })
     }
 
-    /// Adds a frame of `size` pixels that is shown so long, one minute at most.
+    /// Adds a frame of `size` pixels that is shown for `time`, one minute at most.
     ///
     /// # Errors
-    /// As above.
+    /// If the frame cannot be written or the canvas does not fit in memory.
     pub fn add(&mut self, pixels: &[u32], size: [usize; 2], time: Duration) -> io::Result<()> {
         let [width, height] = self.size;
         let mut canvas = memory::reserve_pixels(self.size).map_err(io::Error::other)?;
@@ -73,12 +73,12 @@ impl<'a> Animation<'a> {
     /// Ends the file.
     ///
     /// # Errors
-    /// As above, and when frames are missing.
+    /// If the end cannot be written or frames are missing.
     pub fn finish(self) -> io::Result<()> {
         self.writer.finish().map_err(cause)
     }
 
-    /// The columns and rows in which `canvas` differs from the last one; one pixel where it does not.
+    /// The columns and rows in which `canvas` differs from the last one; one pixel if it does not differ.
     fn changed(&self, canvas: &[u32]) -> [Range<usize>; 2] {
         let [width, height] = self.size;
         if self.last.is_empty() {

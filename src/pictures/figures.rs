@@ -1,6 +1,6 @@
-//! The built-in scene in, the assignment's figures out: its pictures, the components of its light, and a sheet.
+//! The assignment's figures of the built-in scene: six pictures, the components of the light, and a sheet.
 //!
-//! Rule: every pixel is exact (tolerance 0), and the same bytes come out every time.
+//! They are drawn at tolerance 0, and their bytes are the same every time.
 
 use std::path::Path;
 
@@ -18,10 +18,10 @@ use crate::systems;
 /// Width and height of a figure, in pixels.
 const SIZE: [usize; 2] = [960, 720];
 
-/// Bytes that all pictures take that are held at once, the file that is written among them.
+/// Bytes of all pictures and of the encoded file that are held at the same time.
 const MEMORY: usize = 30 << 20;
 
-/// The assignment's pictures by file name, mode, camera and lights, in the order of the sheet: a row for each camera.
+/// The assignment's pictures in the order of the sheet, a row for each camera: file name, mode, camera and lights.
 const FIGURES: [(&str, ShadingMode, &str, &str); 6] = [
     ("gouraud-camera-1", ShadingMode::Gouraud, "1", "all"),
     ("phong-camera-1", ShadingMode::Phong, "1", "all"),
@@ -33,8 +33,8 @@ const FIGURES: [(&str, ShadingMode, &str, &str); 6] = [
 
 const WHITE: &str = "white,ambient";
 
-/// The terms of the model one by one, and their sum, Phong from camera 1: their lights, what the label says, and what stands
-/// between one and the next.
+/// The terms of the model and their sum, under Phong from camera 1: lights, heading, remark, and the sign before the next
+/// picture.
 const COMPONENTS: [(&str, &str, &str, &str); 4] = [
     ("ambient", "Ambient", "", "+"),
     ("white,red", "Diffuse", "white and red", "+"),
@@ -42,10 +42,10 @@ const COMPONENTS: [(&str, &str, &str, &str); 4] = [
     ("all", "Sum", "", ""),
 ];
 
-/// Draws the assignment's figures into `folder`, which is made if absent, and says on standard error what it wrote.
+/// Draws the assignment's figures into `folder`, which is created if absent, and reports each file on standard error.
 ///
 /// # Errors
-/// When the folder cannot be made or a file cannot be written; the files before it are then there.
+/// If the folder cannot be created or a file cannot be written. Files written before stay.
 pub fn figures(folder: &Path) -> Result<()> {
     memory::check_for("the sheet of figures", MEMORY)?;
     make_folder(folder)?;

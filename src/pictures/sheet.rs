@@ -1,9 +1,9 @@
-//! A sheet of labelled pictures: cells of one size in rows under a title.
+//! A sheet of labelled pictures: cells of equal size in rows under a title.
 //!
 //! ```text
 //! title
 //! +---------+   +---------+
-//! | picture | + | picture |     a joiner stands in the gap after its cell
+//! | picture | + | picture |     the joiner of a cell is drawn in the gap after it
 //! +---------+   +---------+
 //! heading remark  heading remark
 //! ```
@@ -19,16 +19,16 @@ const DIM: u32 = 0x00a0_a0aa;
 
 /// The empty border of a sheet, in pixels.
 const MARGIN: usize = 40;
-/// Between two cells, and wide enough for a joiner.
+/// Between two cells, without and with joiners.
 const GAP: usize = 32;
 const JOINED_GAP: usize = 72;
 /// From a picture to its label, and from the title to the pictures.
 const LABEL_GAP: usize = 10;
 const TITLE_GAP: usize = 24;
-/// From a label's first words to the rest.
+/// Between the heading and the remark of a label.
 const WORD_GAP: f32 = 12.0;
 
-/// The heights of lines, and the letters in them.
+/// The heights of lines in pixels, and their fonts.
 const TITLE_HEIGHT: usize = 32;
 const LABEL_HEIGHT: usize = 24;
 const TITLE: FontId = FontId::proportional(28.0);
@@ -38,7 +38,7 @@ const LABEL: FontId = FontId::proportional(19.0);
 pub struct Picture {
     /// Width and height, in pixels.
     pub size: [usize; 2],
-    /// Width times height of them.
+    /// Width * height pixels.
     pub pixels: Vec<u32>,
 }
 
@@ -48,13 +48,13 @@ pub struct Cell<'a> {
     pub picture: Picture,
     /// The first words of the label.
     pub heading: &'a str,
-    /// The rest of the label, set back.
+    /// The rest of the label, in a dimmer colour.
     pub remark: String,
     /// A sign between this cell and the next; may be empty.
     pub joiner: &'a str,
 }
 
-/// `picture` at half its size, each pixel the mean of four; an odd last row or column is left out.
+/// `picture` at half its size. A pixel is the mean of four; an odd last row or column is dropped.
 pub fn half(picture: &Picture) -> Picture {
     let [width, height] = picture.size.map(|side| side / 2);
     let pixel = |x: usize, y: usize| picture.pixels[y * picture.size[0] + x];
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn half_a_picture_is_the_mean_of_four_pixels_each() {
+    fn a_pixel_at_half_size_is_the_mean_of_four() {
         let picture = Picture {
             size: [4, 2],
             pixels: vec![0, 0, 0x00ff_0000, 0, 0, 0x0000_0004, 0, 0x00ff_0000],
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sheet_holds_every_picture_whole_and_nothing_over_its_margin() {
+    fn a_sheet_shows_every_picture_completely_and_leaves_its_margin_empty() {
         let colors = [
             0x0010_0000,
             0x0020_0000,

@@ -1,17 +1,16 @@
-//! A [`Drawing`] in; its proof as text, JSON and a map out.
-//!
-//! Rule: a picture of which a pixel is refuted is work not done.
+//! The command: a proof as text, JSON and a map. It fails where a pixel is refuted.
 
 use std::time::Instant;
 
 use anyhow::{Context, bail};
 use serde::Serialize;
 
-use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
+use super::png::Picture;
+use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, limit_of, prove};
+use crate::components::{Mesh, names};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep};
 use crate::output::{Output, print};
-use crate::shading::limit;
 use crate::systems;
 use crate::trade::progress::with_bar;
 
@@ -34,25 +33,39 @@ struct Record<'a> {
     proof: &'a Proof,
 }
 
-/// Proves what can be proven of a picture, prints it, and writes the map if one is asked for.
+/// The faces of a cuboid by the direction of their normals, before rotation.
+const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
+
+/// Proves the picture that is drawn, or `picture` instead, and prints the proof; `map` takes a picture of the verdicts.
 ///
 /// # Errors
-/// When a pixel is refuted, or the picture does not fit in memory, or something cannot be written.
-pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
+/// When a pixel is refuted, the picture does not fit in memory, or something cannot be written.
+pub fn run(
+    drawing: &mut Drawing,
+    picture: Option<Picture>,
+    map: Option<&Output>,
+    as_json: bool,
+) -> anyhow::Result<()> {
+    let (pixels, size) = picture.unzip();
+    drawing.size = size.unwrap_or(drawing.size);
     let view = drawing.view();
     let begin = Instant::now();
     let (world, level) = (&mut drawing.scene.world, drawing.level);
     let proof = with_bar(|on_progress| {
         let progress = |share| on_progress("proving", share);
-        prove(world, &view, level, &|| false, &progress)
+        let pixels = pixels.as_deref();
+        prove(world, &view, pixels, level, &|| false, &progress)
     })?
     .context("the proof was cancelled")?;
     if let Some(output) = map {
         let mut frame = Frame::new(Keep::Display, drawing.workers()?);
-        systems::draw(&mut drawing.scene.world, &view, &mut frame)?;
-        let pixels = frame.pixels().iter().zip(&proof.marks);
-        let pixels: Vec<u32> = pixels.map(|(pixel, mark)| color(*pixel, *mark)).collect();
-        output.write_png(&pixels, view.size)?;
+        if pixels.is_none() {
+            systems::draw(&mut drawing.scene.world, &view, &mut frame)?;
+        }
+        let pixels = pixels.as_deref().unwrap_or_else(|| frame.pixels());
+        let marked = pixels.iter().zip(&proof.marks);
+        let marked: Vec<u32> = marked.map(|(pixel, mark)| color(*pixel, *mark)).collect();
+        output.write_png(&marked, view.size)?;
     }
     let record = Record {
         scene: &drawing.scene.name,
@@ -61,7 +74,7 @@ pub fn run(drawing: &mut Drawing, map: Option<&Output>, as_json: bool) -> anyhow
         size: view.size,
         mode: drawing.mode(),
         tolerance: view.tolerance,
-        limit: limit(view.tolerance),
+        limit: limit_of(&view, size.is_some()),
         seconds: begin.elapsed().as_secs_f64(),
         pixels: proof.marks.len(),
         proof: &proof,
@@ -105,10 +118,17 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
         ),
         format!("time              {:.2} s", record.seconds),
     ];
+    if !proof.examples.is_empty() {
+        lines.push("The pixels that are not proven and err most:".to_owned());
+    }
     for example in &proof.examples {
         let [x, y] = example.pixel;
         let verdict = format!("{:?}", example.verdict).to_lowercase();
-        lines.push(format!("pixel {x},{y} is {verdict}:"));
+        let [least, most] = example.error;
+        lines.push(format!(
+            "pixel {x},{y} is {verdict}, {}: off by {least:.3} to {most:.3} levels",
+            face(drawing, example)
+        ));
         for ((channel, drawn), [least, largest]) in ["red", "green", "blue"]
             .iter()
             .zip(example.drawn)
@@ -120,4 +140,13 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
         }
     }
     lines
+}
+
+/// The cuboid and the face that an example is compared with.
+fn face(drawing: &Drawing, example: &Example) -> String {
+    let Some(face) = example.face else {
+        return "background".to_owned();
+    };
+    let names = names::<Mesh>(&drawing.scene.world);
+    format!("{}, face {}", names[face / 6], FACES[face % 6])
 }

@@ -1,4 +1,4 @@
-//! A point of a cuboid's surface in, levels out: the model, and the ways to spread it over a triangle.
+//! The illumination model at a point of a cuboid's surface, and its interpolation over a triangle.
 //!
 //! ```text
 //! ambient   kA * levels                                  n  unit normal      r = 2 (n.l) n - l
@@ -6,8 +6,9 @@
 //! specular  kE * levels * max(0, o.r)^rho  if n.l > 0    o  to the eye
 //! ```
 //!
-//! Rule: everything is along the cuboid's axes. Lights are seen from the eye (Phong) or from the corners (Gouraud). Two
-//! choices: a light at the very point has no direction and adds nothing, and 0^0 is 1 where n.l > 0.
+//! Vectors are given in the cuboid's axes. Positions of lights are relative to the eye (Phong) or to the corners
+//! (Gouraud). Two cases are defined here: a light exactly at the point has no direction and adds nothing, and 0^0 is 1
+//! where n.l > 0.
 
 use glam::DVec3;
 
@@ -17,9 +18,9 @@ use super::sight::{Place, Solid};
 use super::vector::Vector;
 use crate::components::{Light, LightKind, Material, Mesh};
 
-/// Which tied gates are open, one bit for each corner of a triangle under Gouraud, for each specular light (by its number
-/// modulo [`TIES`]) elsewhere. Lights that share a bit are taken to be open together: where more than that are tied at one
-/// point, which takes lights in one plane with it, not every legal picture is enclosed.
+/// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per
+/// specular light, by its number modulo [`TIES`]. Lights with the same bit open together, so not every legal picture is
+/// enclosed where more than [`TIES`] lights are tied at one point. Those lights then lie in one plane with the point.
 pub type Open = usize;
 
 /// The bits of [`Open`].
@@ -28,19 +29,19 @@ pub const TIES: usize = 3;
 /// All tied gates are open.
 const ALL: Open = (1 << TIES) - 1;
 
-/// A light that is on, as a cuboid sees it.
+/// A light that is on, in the coordinates of a cuboid.
 pub struct LightTerm<R> {
     pub kind: LightKind,
-    /// What it sends times what the material returns of it, in levels.
+    /// Coefficient of the material * colour * intensity * gain, in levels of 255.
     pub levels: Vector<R>,
-    /// In world units; an ambient light's is not used.
+    /// Its position in world units; not used for an ambient light.
     place: DVec3,
-    /// The place from the eye and from the cuboid's centre.
+    /// Its position relative to the eye and to the cuboid's centre.
     from_eye: Vector<R>,
     from_centre: Vector<R>,
 }
 
-/// What the model needs to know of a corner.
+/// The vectors of the model at a corner.
 struct Corner<R> {
     normal: Vector<R>,
     to_eye: Vector<R>,
@@ -48,14 +49,14 @@ struct Corner<R> {
     to_lights: Vec<Vector<R>>,
 }
 
-/// Levels, and whether they rest on a gate that may fall either way.
+/// Levels, and whether they depend on a tied gate.
 #[derive(Clone, Copy)]
 pub struct Lit<R> {
     pub levels: Vector<R>,
     pub is_tied: bool,
 }
 
-/// A cuboid's surface under its lights.
+/// The illumination of a cuboid's surface.
 pub struct Surface<R> {
     /// The rule that is left out, if any.
     without: Option<Rule>,
@@ -63,12 +64,12 @@ pub struct Surface<R> {
     /// In file order.
     pub lights: Vec<LightTerm<R>>,
     corners: [Corner<R>; 8],
-    /// The levels at the corners with tied gates closed, and open.
+    /// The levels at the corners with tied gates closed, and with tied gates open.
     corner_levels: [[Lit<R>; 8]; 2],
 }
 
 impl<R: Real> Surface<R> {
-    /// The surface of a cuboid; `lights` are places and what stands there, all of them on.
+    /// The surface of a cuboid. `lights` are the lights that are on with their positions; positions are in world units.
     pub fn new(
         solid: &Solid<R>,
         mesh: &Mesh,
@@ -97,7 +98,7 @@ impl<R: Real> Surface<R> {
         let corners = mesh.corners.map(|corner| {
             let place = Vector::exact(corner);
             Corner {
-                // The three faces that meet at a corner face the way it lies: along +x or -x, +y or -y, +z or -z.
+                // The normals of the three faces at a corner are the axes with the signs of its coordinates.
                 normal: Vector::exact(corner.signum()).unit(),
                 to_eye: solid.to_eye(place - solid.eye),
                 to_lights: (lights.iter())
@@ -128,7 +129,8 @@ impl<R: Real> Surface<R> {
         surface
     }
 
-    /// What the model multiplies a light's levels with where `to_light` is l; `tied` opens a tied gate.
+    /// The factor of a light's levels in the model: 1, max(0, n.l) or the gated max(0, o.r)^rho. `to_light` is l; `tied`
+    /// opens a tied gate.
     pub fn factor(
         &self,
         kind: LightKind,
@@ -144,7 +146,7 @@ impl<R: Real> Surface<R> {
             let along = if self.without == Some(Rule::UnitNormal) {
                 along
             } else {
-                // Of unit vectors |r - o|^2 / 2 is 1 - o.r, and sharp where o.r is nearly 1.
+                // For unit vectors |r - o|^2 / 2 is 1 - o.r, and its enclosure is tighter where o.r is nearly 1.
                 along.both(one - (reflected - to_eye).length_squared() / R::of(2.0))
             };
             along.max(zero).min(one).power(self.shininess)
@@ -161,7 +163,7 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// The model at a point; `to_light` gives l of a light by its number.
+    /// The model at a point; `to_light` returns l for the index of a light.
     fn lit(
         &self,
         normal: Vector<R>,
@@ -177,7 +179,7 @@ impl<R: Real> Surface<R> {
                 levels = levels + light.levels;
                 continue;
             }
-            // Lights at one place follow one another in most files, and share l.
+            // In most files lights at one position follow one another, and share l.
             let shared = last.filter(|(place, _)| *place == light.place);
             let to_light = shared.map_or_else(|| to_light(index), |(_, to_light)| to_light);
             last = Some((light.place, to_light));
@@ -185,7 +187,7 @@ impl<R: Real> Surface<R> {
             levels = levels + light.levels * factor;
             if light.kind == LightKind::Specular {
                 is_tied |= normal.dot(to_light).is_tied();
-                // The next specular light has the next bit, and after the last one the first again.
+                // Rotates the bits: the lowest belongs to the next specular light.
                 open = open >> 1 | (open & 1) << (TIES - 1);
             }
         }
@@ -196,7 +198,7 @@ impl<R: Real> Surface<R> {
     pub fn phong(&self, place: &Place<R>, open: Open) -> Lit<R> {
         let to_light = |light| self.to_light(light, place);
         let normal = if self.without == Some(Rule::UnitNormal) {
-            // A corner is at 1/2 along every axis, where its normal has 1 / sqrt(3).
+            // At a corner the share is (±1, ±1, ±1) / 2, and the unit normal is (±1, ±1, ±1) / sqrt(3).
             place.share * (R::of(2.0) / R::of(3.0).sqrt())
         } else {
             place.share.unit()
@@ -218,14 +220,14 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// What the model multiplies a light's levels with at a corner.
+    /// The factor of a light's levels in the model at a corner, with tied gates closed.
     pub fn factor_at_corner(&self, light: usize, corner: usize) -> R {
         let (kind, corner) = (self.lights[light].kind, &self.corners[corner]);
         let to_light = corner.to_lights[light];
         self.factor(kind, corner.normal, corner.to_eye, to_light, false)
     }
 
-    /// The assignment's shortcut: the corners' unit n, l and o, interpolated and left as short as that makes them.
+    /// The assignment's shortcut: the corners' unit n, l and o are interpolated and not normalised again.
     pub fn unit_vectors(&self, corners: [usize; 3], weights: [R; 3]) -> Lit<R> {
         let between = |vector: &dyn Fn(&Corner<R>) -> Vector<R>| {
             blend(corners.map(|corner| vector(&self.corners[corner])), weights)
@@ -236,12 +238,12 @@ impl<R: Real> Surface<R> {
     }
 }
 
-/// r: `to_light` mirrored at the normal.
+/// r: `to_light` reflected about the normal.
 pub fn reflection<R: Real>(normal: Vector<R>, to_light: Vector<R>) -> Vector<R> {
     normal * (R::of(2.0) * normal.dot(to_light)) - to_light
 }
 
-/// What three corners have, by their weights.
+/// The weighted sum of the values at three corners.
 pub fn blend<R: Real>(values: [Vector<R>; 3], weights: [R; 3]) -> Vector<R> {
     values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2]
 }

@@ -1,14 +1,14 @@
-//! Intervals of real numbers with outward rounding.
+//! Interval arithmetic in f64 with outward rounding.
 //!
 //! ```text
 //! sum      s = a + b     the rounding error is a float: (a - (s - (s - a))) + (b - (s - a))       (Knuth's TwoSum)
 //! product  p = a b       it is exact where fma(a, b, -p) is 0, and p is no smaller than TINY
 //! ```
 //!
-//! Rule: the exact value of every operation on numbers of the intervals lies in the result. A bound that is not exact is
-//! moved outwards by one float, because f64's operations round to nearest. What is undefined somewhere, such as a division
-//! by an interval that holds 0, may be any number. Exponential, logarithm, sine and cosine are crate maryada's, which
-//! proves its bounds (IEEE 1788.1).
+//! The exact result of an operation on any numbers of its intervals lies in the resulting interval. Operations of f64
+//! round to nearest, so a bound that is not exact moves outwards by one float. A result that is undefined for some of
+//! the numbers, such as a division by an interval that holds 0, is the interval of all numbers. Exponential, logarithm,
+//! sine and cosine come from the crate maryada, whose bounds are proven (IEEE 1788.1).
 
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -18,7 +18,7 @@ use maryada::{EnclosureOps, IntervalOps};
 
 use super::real::Real;
 
-/// Where |n.l| is smaller, the gate of a specular light may fall either way.
+/// Up to this |n.l| the gate of a specular light is tied: it may be open or closed.
 const GATE_TIE: f64 = 1e-6;
 
 /// Every number from `least` to `largest`.
@@ -28,7 +28,7 @@ pub struct Interval {
     largest: f64,
 }
 
-/// Below this size the error of a product or a quotient may be no float.
+/// Below this magnitude the error of a product or a quotient may not be a float, so that it cannot be found to be 0.
 const TINY: f64 = 1e-280;
 
 impl Interval {
@@ -38,7 +38,7 @@ impl Interval {
         largest: f64::INFINITY,
     };
 
-    /// The numbers from `least` to `largest`; all of them where one of these is no number.
+    /// The numbers from `least` to `largest`; all numbers unless `least <= largest`, as with NaN.
     pub fn new(least: f64, largest: f64) -> Self {
         if least <= largest {
             Interval { least, largest }
@@ -47,7 +47,8 @@ impl Interval {
         }
     }
 
-    /// What holds these floats, each exact or the nearest to the exact one.
+    /// The interval that encloses these values. Each is given with whether it is exact; otherwise it is rounded to
+    /// nearest.
     fn around<const COUNT: usize>(values: [(f64, bool); COUNT]) -> Self {
         let [mut least, mut largest] = [f64::INFINITY, f64::NEG_INFINITY];
         for (value, is_exact) in values {
@@ -64,13 +65,13 @@ impl Interval {
         Interval { least, largest }
     }
 
-    /// `of` every pair of endpoints.
+    /// The interval that encloses `of` every pair of endpoints.
     fn of_endpoints(self, other: Self, of: impl Fn(f64, f64) -> (f64, bool)) -> Self {
         let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
         Interval::around([of(a, c), of(a, d), of(b, c), of(b, d)])
     }
 
-    /// A function of crate maryada's.
+    /// Applies a function of the crate maryada.
     fn map(self, of: impl Fn(maryada::Interval) -> maryada::Interval) -> Self {
         let result = of(maryada::Interval::new(self.least, self.largest));
         // An empty interval has endpoints in the wrong order.
@@ -114,7 +115,7 @@ impl Real for Interval {
         Interval::new(square.least.max(0.0), square.largest)
     }
 
-    /// Of the numbers that have one.
+    /// Negative numbers count as 0.
     fn sqrt(self) -> Self {
         Interval::around(self.endpoints().map(|value| {
             let root = value.max(0.0).sqrt();
@@ -132,7 +133,7 @@ impl Real for Interval {
     }
 
     fn sin_cos(degrees: f64) -> [Self; 2] {
-        // The f64 is below pi.
+        // The constant is the float below pi.
         let radians = Interval::of(degrees) * Interval::new(PI, PI.next_up());
         let radians = radians / Interval::of(180.0);
         [
@@ -156,7 +157,7 @@ impl Real for Interval {
         }
     }
 
-    /// Disjoint intervals give all numbers, which decides nothing.
+    /// The intersection; all numbers if it is empty.
     fn both(self, other: Self) -> Self {
         Interval::new(self.least.max(other.least), self.largest.min(other.largest))
     }
@@ -182,7 +183,7 @@ impl Add for Interval {
         let sum = |a: f64, b: f64| {
             let sum = a + b;
             let part = sum - a;
-            // The error of an infinite sum is no number.
+            // The error of an infinite sum is NaN, so the sum counts as not exact.
             (sum, (a - (sum - part)) + (b - part) == 0.0)
         };
         Interval::around([
@@ -228,7 +229,8 @@ impl Div for Interval {
 mod tests {
     use super::*;
 
-    /// Every pair of numbers of many sizes, near ones and exact ones among them.
+    /// Every pair of numbers of many magnitudes: zero, short decimals, subnormal numbers and the largest float among
+    /// them.
     fn pairs() -> impl Iterator<Item = [f64; 2]> {
         let values: Vec<f64> = (0..40_u32)
             .map(|i| f64::from(i).sin() * 10_f64.powi((i as i32 * 7) % 25 - 12))
@@ -258,7 +260,7 @@ mod tests {
         )
     }
 
-    /// The tightest interval that holds every result is held, and no bound is more than a float farther out.
+    /// Asserts that `found` encloses `tightest` and that each bound is at most one float farther out.
     fn assert_close(found: Interval, tightest: maryada::Interval, what: &str) {
         let (least, largest) = (tightest.inf(), tightest.sup());
         let [low, high] = found.endpoints();
@@ -271,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn operations_hold_what_the_library_s_tightest_ones_hold_and_hardly_more() {
+    fn operations_are_within_one_float_of_the_library_s_tightest_enclosures() {
         for left in pairs().step_by(7) {
             for right in pairs().step_by(11) {
                 let ((a, x), (b, y)) = (both_kinds(left), both_kinds(right));
@@ -293,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_of_one_number_hold_what_the_library_s_hold() {
+    fn functions_of_one_number_enclose_the_library_s_results() {
         for pair in pairs() {
             let (a, x) = both_kinds(pair);
             let what = format!("{a:?}");
@@ -310,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_exact_stays_exact() {
+    fn an_exact_result_is_one_number() {
         let [three, half] = [3.0, 0.5].map(Interval::of);
         assert_eq!((three * half + three - half).endpoints(), [4.0; 2]);
         assert_eq!((three / half).endpoints(), [6.0; 2]);
@@ -321,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_undefined_may_be_anything() {
+    fn an_undefined_result_is_the_interval_of_all_numbers() {
         let (zero, one) = (Interval::of(0.0), Interval::of(1.0));
         assert_eq!(zero / zero, Interval::ALL);
         assert_eq!(one / Interval::new(-1.0, 1.0), Interval::ALL);
@@ -333,7 +335,7 @@ mod tests {
     }
 
     #[test]
-    fn a_power_is_that_of_the_logarithm() {
+    fn a_power_encloses_the_known_value() {
         for (base, exponent, expected) in [(0.5, 2.0, 0.25), (0.25, 0.5, 0.5), (1.0, 1e6, 1.0)] {
             let [least, largest] = Interval::of(base).power(exponent).endpoints();
             assert!(least <= expected && expected <= largest && largest - least < 1e-14);

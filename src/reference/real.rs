@@ -1,12 +1,12 @@
-//! The numbers that the formula is evaluated in: f64 and f32 give one value, intervals enclose every value that exact
-//! arithmetic could give.
+//! The number types of the reference: f64 and f32 hold one rounded value, an interval encloses the exact one.
 //!
-//! Rule: an interval that straddles a bound is undecided, and nothing takes "undecided" for "no".
+//! A comparison of an interval that holds values of both answers is undecided (`None`). No caller takes undecided for
+//! no.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number of the formula; what is not said of a type is that of one that stands for one value.
+/// A number type of the reference. The default methods are those of a type that holds one value.
 pub trait Real:
     Copy
     + Send
@@ -17,22 +17,22 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// A number of the scene: exact, or in f32 the nearest.
+    /// A number of the scene; f32 rounds it to nearest.
     fn of(value: f64) -> Self;
 
-    /// The least and the largest value that it can stand for.
+    /// The least and the largest value enclosed; a float is both.
     fn endpoints(self) -> [f64; 2];
 
-    /// Its order to 0; `None` where that is undecided. An interval is also undecided unless all of it is farther than `margin`
-    /// from 0; without a margin, 0 is decided too.
+    /// The order of the number to 0, or `None` if it is undecided. An interval is decided if all of it is farther than
+    /// `margin` from 0, or if `margin` is 0 and it is exactly 0. A float ignores the margin.
     fn sign(self, margin: f64) -> Option<Ordering>;
 
-    /// Whether a specular light with this n.l is seen. An interval within 1e-6 of 0 is open if `tied` says so.
+    /// Whether the gate of a specular light with this n.l is open. For a tied gate the result is `tied`.
     fn gate(self, _tied: bool) -> Option<bool> {
         Some(self.sign(0.0) == Some(Ordering::Greater))
     }
 
-    /// Whether the gate is tied.
+    /// Whether a gate with this n.l is tied: an interval within 1e-6 of 0. A float never is.
     fn is_tied(self) -> bool {
         false
     }
@@ -54,21 +54,21 @@ pub trait Real:
     /// Sine and cosine of an angle in degrees, -90..=90.
     fn sin_cos(degrees: f64) -> [Self; 2];
 
-    /// To the power of `exponent`, 0..=1e6; of a number in 0..=1. 0^0 is 1.
+    /// The number, in 0..=1, to the power of `exponent`, in 0..=1e6. 0^0 is 1.
     fn power(self, exponent: f64) -> Self;
 
-    /// A number that two expressions give: what both enclose.
+    /// The common value of two expressions: the intersection of their enclosures; of floats the first.
     fn both(self, _other: Self) -> Self {
         self
     }
 
-    /// A number that is one of two: what encloses either.
+    /// One of two values: the hull of their enclosures; of floats the first.
     fn either(self, _other: Self) -> Self {
         self
     }
 }
 
-/// Rounds every operation to the nearest number of the type.
+/// Implements [`Real`] for a float type, whose operations round to nearest.
 macro_rules! float {
     ($float:ident) => {
         impl Real for $float {

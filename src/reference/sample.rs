@@ -1,4 +1,4 @@
-//! Pixels of a row in; what is seen there out, and why it looks as it does.
+//! The evaluation of pixels of a row in f64: the visible point, the vectors of the model and the term of each light.
 
 use glam::DVec3;
 use hecs::World;
@@ -10,18 +10,18 @@ use super::vector::Vector;
 use super::{Cuboid, Met, Reference};
 use crate::components::{FileOrder, Light, LightKind, Name, View, in_file_order};
 
-/// What is seen at one pixel, and why it looks as it does. Vectors are of unit length, in world space.
+/// The evaluation of one pixel. Vectors are unit vectors in world space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
-    /// The cuboid's place in the file, from 0.
+    /// The cuboid's index in the file, from 0.
     pub object: usize,
-    /// The triangle's place in [`crate::components::TRIANGLES`].
+    /// The triangle's index in [`crate::components::TRIANGLES`].
     pub triangle: usize,
-    /// The point seen, in world units.
+    /// The visible point, in world units.
     pub position: DVec3,
-    /// n as Phong has it: interpolated and normalised.
+    /// n under Phong: interpolated and normalised.
     pub normal: DVec3,
-    /// o: to the eye, or against the view direction if the projection is orthographic.
+    /// o: towards the eye, or opposite to the view direction in orthographic projection.
     pub to_eye: DVec3,
     /// Every light that is on, in file order.
     pub lights: Vec<LightSample>,
@@ -33,35 +33,35 @@ pub struct Sample {
     pub normal_length: f64,
 }
 
-/// What one light does at a [`Sample`].
+/// The contribution of one light to a [`Sample`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightSample {
     /// The light's name.
     pub name: String,
-    /// The term it feeds.
+    /// The term of the model that it contributes to.
     pub kind: LightKind,
-    /// l; `None` for an ambient light and for one that stands at the very point.
+    /// l; `None` for an ambient light and for a light exactly at the point.
     pub to_light: Option<DVec3>,
-    /// r = 2 (n.l) n - l; exists where l does.
+    /// r = 2 (n.l) n - l; `None` if l is.
     pub reflected: Option<DVec3>,
-    /// What the model multiplies its strength with at the point: max(0, n.l), (o.r)^rho where n.l > 0, or 1 for an ambient light.
+    /// The factor of its strength at the point: max(0, n.l), max(0, o.r)^rho where n.l > 0, or 1 for an ambient light.
     #[serde(skip)]
     pub factor: f64,
-    /// The same at the corners of the triangle, in its order.
+    /// The factor at the corners of the triangle, in its order.
     #[serde(skip)]
     pub at_corners: [f64; 3],
-    /// Coefficient, colour, intensity and gain together, in levels.
+    /// Coefficient of the material * colour * intensity * gain, in levels of 255.
     #[serde(skip)]
     pub strength: DVec3,
-    /// Its term in levels under Gouraud, unclamped.
+    /// Its term under Gouraud, in unclamped levels.
     #[serde(skip)]
     pub gouraud: DVec3,
-    /// Its term in levels under Phong, unclamped.
+    /// Its term under Phong, in unclamped levels.
     #[serde(skip)]
     pub phong: DVec3,
 }
 
-/// What is seen at pixel (`x`, `y`) of the picture that `view` asks for; which must lie in it; `None` is background.
+/// The evaluation of pixel (`x`, `y`), which must lie inside the picture for `view`; `None` for the background.
 pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
     in_row(world, view, y, &[x]).pop()?
 }

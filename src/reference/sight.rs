@@ -1,6 +1,6 @@
-//! A camera in; the line of sight through every pixel's centre out.
+//! The camera of the reference: lines of sight through pixel centres.
 //!
-//! Rule: the axes are unit vectors in world space; in intervals every number encloses the exact one.
+//! In intervals every number encloses the exact one.
 
 mod bounds;
 mod edge;
@@ -14,7 +14,7 @@ use super::vector::Vector;
 use crate::components::{Projection, Transform, View};
 pub use solid::{Meeting, Place, Solid};
 
-/// Farther away than anything in a scene, in world units.
+/// Larger than any distance in a scene, in world units.
 const FAR: f64 = 1e150;
 
 /// The lines of sight of a picture.
@@ -26,22 +26,22 @@ pub struct Sight<R> {
     projection: Projection,
     /// Distance of the near plane, in world units.
     near: R,
-    /// From one pixel to the next: a slope in perspective, in world units if orthographic.
+    /// Distance between neighbouring pixels: a slope in perspective, world units in orthographic projection.
     pitch: R,
     /// Width and height in pixels.
     size: [usize; 2],
 }
 
-/// The line of sight through one pixel's centre: `offset + along * t` from the eye, along the cuboid's axes.
+/// The line of sight through a pixel centre, `offset + along * t`, relative to the eye and in the cuboid's axes.
 pub struct Line<R> {
-    /// How far the line starts from the eye; zero in perspective.
+    /// The start of the line relative to the eye; zero in perspective.
     pub offset: Vector<R>,
     pub along: Vector<R>,
     pixel: [f64; 2],
 }
 
 impl<R: Real> Sight<R> {
-    /// The lines of sight that `view` asks for, without one of the model's rules.
+    /// The lines of sight of `view`, without a rule of the model if one is given.
     pub fn new(view: &View, without: Option<Rule>) -> Self {
         let camera = &view.viewpoint.camera;
         let eye = view.viewpoint.position;
@@ -83,7 +83,7 @@ fn own_axes<R: Real>(transform: &Transform) -> [Vector<R>; 3] {
 
 /// Sine and cosine of an angle in degrees.
 fn sin_cos<R: Real>(degrees: f64) -> [R; 2] {
-    // The remainder of a division of floats is exact, and so is the rest of a quarter turn.
+    // The remainder of floats is exact, and so is the difference to the nearest quarter turn.
     let turn = degrees % 360.0;
     let quarters = (turn / 90.0).round();
     let [sin, cos] = R::sin_cos(turn - 90.0 * quarters);

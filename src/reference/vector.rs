@@ -1,4 +1,4 @@
-//! Three numbers as one vector.
+//! Vectors of three numbers of any type of the reference.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -17,7 +17,7 @@ impl<R: Real> Vector<R> {
         Vector(vector.to_array().map(R::of))
     }
 
-    /// The same to each component of two vectors.
+    /// Applies `of` to each pair of components.
     pub fn zip(self, other: Self, of: impl Fn(R, R) -> R) -> Self {
         Vector(std::array::from_fn(|i| of(self.0[i], other.0[i])))
     }
@@ -41,10 +41,10 @@ impl<R: Real> Vector<R> {
         x + y + z
     }
 
-    /// The vector at length 1; zero where it is zero.
+    /// The vector scaled to length 1; zero stays zero.
     ///
-    /// Squares of very long and very short vectors leave the range of f64, so these are scaled first. A component is
-    /// clamped to -1..=1, which an interval exceeds where the length may be 0.
+    /// The squares of very long and very short vectors overflow or underflow f64, so those vectors are scaled first.
+    /// Each component is clamped to -1..=1, because an interval exceeds it where the length may be 0.
     pub fn unit(self) -> Self {
         let bounds = self.0.map(|x| x.endpoints().map(f64::abs)).concat();
         let largest = bounds.into_iter().fold(0.0, f64::max);

@@ -1,6 +1,6 @@
-//! What a [`Drawing`] requires, as a table or JSON, and the least scene as a file.
+//! The command `requires`: prints a table or JSON, and writes the least scene.
 //!
-//! The file is a scene that is read as it stands; comments say what was left out of it and what that errs.
+//! The least scene is a valid scene file. Its comments list the parts left out and their error.
 
 use anyhow::Context;
 use serde::Serialize;
@@ -16,9 +16,9 @@ use crate::trade::progress::with_bar;
 use crate::trade::tables::{aligned, wrapped};
 use crate::trade::words::short;
 
-/// A part as `--json` and the table have it.
+/// A part in the table and in the output of `--json`.
 #[derive(Serialize)]
-struct Row {
+struct PartRow {
     #[serde(skip)]
     left_out: Part,
     part: String,
@@ -28,14 +28,14 @@ struct Row {
     required: bool,
 }
 
-const LEGEND: &str = "Each part is left out alone. largest error: in levels of 255, proven; pixels: how many err by more \
-    than the tolerance; time: share of a frame on one thread, the shortest of several, - where the renderer cannot \
-    draw without it; required: not proven to keep the tolerance without it.";
+const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
+    above the tolerance, proven; time: the part's share of the shortest frame time on one thread, - if the renderer \
+    cannot draw without it; required: not proven to keep the tolerance without it.";
 
-/// Finds what a picture requires, prints it, and writes the least scene if one is asked for.
+/// Prints the parts that a picture requires, and writes the least scene to `least_scene`.
 ///
 /// # Errors
-/// When the picture does not fit in memory, or something cannot be written.
+/// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
     let rows = rows(drawing, &view)?;
@@ -55,7 +55,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
 }
 
 /// A row for each part.
-fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
+fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartRow>> {
     let scene = &drawing.scene;
     let parts = parts(scene);
     let time_shares: Vec<_> = with_bar(|on_progress| {
@@ -75,7 +75,7 @@ fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
         changes(scene, view, &left_out, &|| false, &progress)
             .context("the comparison was cancelled")
     })?;
-    let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| Row {
+    let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| PartRow {
         left_out,
         part,
         change,
@@ -86,11 +86,11 @@ fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<Row>> {
     Ok(parts.map(row).collect())
 }
 
-/// The parts that err most first.
-fn table(rows: &[Row]) -> String {
-    let mut sorted: Vec<&Row> = rows.iter().collect();
+/// The table, the largest error first.
+fn table(rows: &[PartRow]) -> String {
+    let mut sorted: Vec<&PartRow> = rows.iter().collect();
     sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
-    let cells = |row: &&Row| {
+    let cells = |row: &&PartRow| {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         vec![
             row.part.clone(),
@@ -104,7 +104,7 @@ fn table(rows: &[Row]) -> String {
     aligned(&head, &sorted.iter().map(cells).collect::<Vec<_>>())
 }
 
-/// An interval in as few words as say it.
+/// An interval as text: a single number if both ends read the same.
 fn error(ends: [f64; 2]) -> String {
     let [least, most] = ends.map(|level| short(Some(level)));
     if least == most || most == "<0.001" {
@@ -114,12 +114,12 @@ fn error(ends: [f64; 2]) -> String {
     }
 }
 
-/// Writes the least scene that keeps the tolerance, of those parts that a scene file can do without.
+/// Writes the least scene that keeps the tolerance. Only parts that a scene file can leave out are tried.
 fn write_least(
     subject: &str,
     scene: &Scene,
     view: &View,
-    mut rows: Vec<Row>,
+    mut rows: Vec<PartRow>,
     output: &Output,
 ) -> anyhow::Result<()> {
     rows.retain(|row| {
@@ -143,7 +143,7 @@ fn write_least(
             names.join(", ")
         ),
     };
-    // A name may hold a line break, which would end the comment.
+    // A line break in a name would end the comment.
     let comments = format!("The least scene for {subject}: {found}.");
     let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
     let mut record = SceneRecord::of(&without(scene, &left_out).world);

@@ -1,15 +1,15 @@
-//! The parts that a scene does not require together, of those that it does not require one by one.
+//! A set of parts that a scene does not require together.
 //!
-//! Errors of parts add up, or make up for one another, so what is tried is the picture without all of them.
-//!
-//! The picture without what is left out is proven to keep the tolerance against the full one.
+//! Errors of parts add up or cancel, so each candidate is tried together with the parts already left out. The picture
+//! without the set is proven to keep the tolerance.
 
 use super::{Change, Part, changes, without};
 use crate::components::{Mesh, View, ordered};
 use crate::scene::Scene;
 
-/// Leaves out one candidate after the other, as long as the picture keeps its tolerance and a cuboid remains; also what that
-/// does to the picture; `None` as soon as `cancelled` says yes. `progress` is told which share of it is done.
+/// Leaves out each candidate in turn if the picture then keeps its tolerance and a cuboid remains. Returns the parts
+/// left out and the change of the picture, or `None` as soon as `cancelled` returns true. `progress` receives the
+/// finished share, 0..=1.
 pub fn least(
     scene: &Scene,
     view: &View,

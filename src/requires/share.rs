@@ -1,7 +1,6 @@
-//! The share of a frame's time that a part costs.
+//! The share of a frame's time that a part of the model costs.
 //!
-//! Frames are drawn by the renderer on one thread, warm, with and without the part in turns. What the renderer cannot
-//! draw without has no time of its own.
+//! The renderer draws warm frames on one thread, alternately with and without the part.
 
 use std::time::Duration;
 
@@ -16,16 +15,15 @@ use crate::scene::Scene;
 use crate::systems;
 use crate::trade::timing;
 
-/// How long each part is timed, and how often at least.
+/// Time spent on each part, and the least number of samples.
 const TIME: Duration = Duration::from_millis(250);
 const MIN_SAMPLES: usize = 16;
 
-/// 1 less the time without the part over the time with it; negative where a frame without the part
-/// takes longer. Of both the shortest time counts: what else runs on the machine only adds to a time. `None`: the renderer
-/// cannot draw without the part.
+/// 1 - (time without the part) / (time with it); negative if a frame without the part takes longer. `None` if the
+/// renderer cannot draw without the part. The shortest time of each counts, because other programs only add to a time.
 ///
 /// # Errors
-/// When the picture does not fit in memory.
+/// If the picture does not fit in memory.
 pub fn time_share(
     scene: &Scene,
     view: &View,
@@ -33,7 +31,7 @@ pub fn time_share(
     level: Level,
 ) -> Result<Option<f64>, OutOfMemory> {
     match part {
-        // The renderer has no depth buffer then.
+        // A scene with one cuboid is drawn without a depth buffer.
         Part::Rule(Rule::DepthTest) if ordered::<Mesh>(&scene.world).len() == 1 => {
             return Ok(Some(0.0));
         }

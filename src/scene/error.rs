@@ -65,19 +65,19 @@ impl Place {
         }
     }
 
-    /// Whether what is `found` at a key is legal.
+    /// Whether the value `found` at a key is legal.
     pub fn is(
         &self,
         key: &'static str,
         found: impl Debug,
         is_legal: bool,
-        expected: impl FnOnce() -> String,
+        expected: &str,
     ) -> Result<(), Mistake> {
         if is_legal {
             return Ok(());
         }
-        let message = format!("invalid value: {found:?}, expected {}", expected());
-        Err(Mistake::new(*self, key, message))
+        let message = format!("invalid value: {found:?}, expected {expected}");
+        Err(self.mistake(key, message))
     }
 
     /// Whether the number at a key is within its range.
@@ -87,7 +87,10 @@ impl Place {
         number: f64,
         range: &RangeInclusive<f64>,
     ) -> Result<(), Mistake> {
-        self.is(key, number, range.contains(&number), || words(range))
+        if range.contains(&number) {
+            return Ok(());
+        }
+        self.is(key, number, false, &words(range))
     }
 
     /// Whether the three numbers at a key are within their range.
@@ -102,6 +105,15 @@ impl Place {
             Place { element, ..*self }.number(key, numbers[axis], range)
         })
     }
+
+    /// The mistake at a key.
+    pub fn mistake(&self, key: &'static str, message: String) -> Mistake {
+        Mistake {
+            place: *self,
+            key,
+            message,
+        }
+    }
 }
 
 /// What a scene may not say, and at which key.
@@ -115,63 +127,36 @@ pub struct Mistake {
 }
 
 impl Mistake {
-    pub(super) fn new(place: Place, key: &'static str, message: String) -> Self {
-        Mistake {
-            place,
-            key,
-            message,
-        }
-    }
-
-    /// The mistake as told to a person: `text` is what it is in, `file` what that is called.
-    pub(super) fn locate(&self, file: &str, text: &str) -> SceneError {
-        let span = self.span(text).unwrap_or(0..0);
-        located(file, text, &span, &self.to_string())
-    }
-
     /// The bytes of the text that say it, or the table that does not.
-    fn span(&self, text: &str) -> Option<Range<usize>> {
-        let document = toml_edit::Document::parse(text).ok()?;
-        let all = document.get(self.place.kind)?;
-        let mut said = all.get(self.place.index).unwrap_or(all);
-        for key in self.key.split('.') {
-            said = said.get(key).unwrap_or(said);
-        }
-        let element = self.place.element.and_then(|element| said.get(element));
-        element.unwrap_or(said).span()
+    pub(super) fn span(&self, text: &str) -> Range<usize> {
+        let span = toml_edit::Document::parse(text).ok().and_then(|document| {
+            let all = document.get(self.place.kind)?;
+            let mut said = all.get(self.place.index).unwrap_or(all);
+            for key in self.key.split('.') {
+                said = said.get(key).unwrap_or(said);
+            }
+            let element = self.place.element.and_then(|element| said.get(element));
+            element.unwrap_or(said).span()
+        });
+        span.unwrap_or(0..0)
     }
 }
 
-/// Why a text is no scene.
-#[derive(Debug, thiserror::Error)]
-pub enum Fault {
-    /// It is no TOML, or not as the records have it.
-    #[error(transparent)]
-    Toml(#[from] toml::de::Error),
-    #[error(transparent)]
-    Mistake(#[from] Mistake),
+/// The bytes that toml's error is about, and its key and message.
+pub fn told(mut error: toml::de::Error) -> (Range<usize>, String) {
+    let span = error.span().unwrap_or(0..0);
+    // Without the text the error says the key instead of showing the line.
+    error.set_input(None);
+    let said = error.to_string();
+    let message = match said.trim_end().rsplit_once("\nin ") {
+        Some((message, key)) => format!("{key}: {message}"),
+        None => said.trim_end().to_owned(),
+    };
+    (span, message)
 }
 
-impl Fault {
-    /// The fault as told to a person: `text` is what it is in, `file` what that is called.
-    pub fn locate(self, file: &str, text: &str) -> SceneError {
-        let mut error = match self {
-            Fault::Mistake(mistake) => return mistake.locate(file, text),
-            Fault::Toml(error) => error,
-        };
-        let span = error.span().unwrap_or(0..0);
-        // Without the text the error says the key instead of showing the line.
-        error.set_input(None);
-        let said = error.to_string();
-        let message = match said.trim_end().rsplit_once("\nin ") {
-            Some((message, key)) => format!("{key}: {message}"),
-            None => said.trim_end().to_owned(),
-        };
-        located(file, text, &span, &message)
-    }
-}
-
-fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> SceneError {
+/// The error for the bytes of a text that are wrong; `file` is what the text is called.
+pub fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> SceneError {
     let (line, column) = line_and_column(text, span.start);
     SceneError::Invalid {
         file: printable(file),

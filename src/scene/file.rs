@@ -41,5 +41,5 @@ fn hint(path: &Path, cause: &io::Error) -> String {
         return String::new();
     }
     let names = BUILT_IN.map(|(name, _)| name).join(", ");
-    format!("; built in are {names}")
+    format!("; built in are {names} and what `shadetrade extremes` lists")
 }

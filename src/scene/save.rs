@@ -43,77 +43,41 @@ pub fn updated(text: &str, record: &SceneRecord) -> String {
 }
 
 fn tree(record: &SceneRecord) -> Tree {
-    match serde_json::to_value(record) {
-        Ok(Json::Object(tree)) => tree,
-        _ => Tree::new(),
-    }
+    let tree = serde_json::to_value(record).and_then(serde_json::from_value);
+    tree.unwrap_or_default()
 }
 
 fn tables(list: Option<Json>) -> Vec<Tree> {
-    let Some(Json::Array(tables)) = list else {
-        return Vec::new();
-    };
-    let table = |table| match table {
-        Json::Object(table) => Some(table),
-        _ => None,
-    };
-    tables.into_iter().filter_map(table).collect()
+    let tables = list.and_then(|list| serde_json::from_value(list).ok());
+    tables.unwrap_or_default()
 }
 
-/// Makes the tables of a kind, which are `old`, those of `new`.
+/// Makes the tables of a kind, which are `old`, those of `new`. A list in brackets becomes tables under headers.
 fn amend_list(document: &mut DocumentMut, kind: &str, old: &[Tree], new: &[Tree]) {
-    let list = document
-        .entry(kind)
-        .or_insert_with(|| ArrayOfTables::new().into());
-    let written: Vec<Item> = match &*list {
-        Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
-        inline => inline
-            .as_array()
-            .into_iter()
-            .flatten()
-            .cloned()
-            .map(Item::Value)
-            .collect(),
-    };
-    let amended = new.iter().zip(places(old, new)).map(|(new, place)| {
-        let (mut item, old) = match place {
-            Some(place) => (written[place].clone(), old[place].clone()),
-            None => (headed(), unsaid(kind)),
-        };
-        if let Some(table) = item.as_table_like_mut() {
-            amend_table(table, &old, new);
-        }
-        item
-    });
-    let amended: Vec<Item> = amended.collect();
-    match list {
-        Item::ArrayOfTables(tables) => {
-            tables.clear();
-            tables.extend(
-                amended
-                    .into_iter()
-                    .filter_map(|item| item.into_table().ok()),
-            );
-        }
-        inline => {
-            if let Some(array) = inline.as_array_mut() {
-                array.clear();
-                for value in amended
-                    .into_iter()
-                    .filter_map(|item| item.into_value().ok())
-                {
-                    array.push_formatted(value);
-                }
-            }
-        }
+    if old == new {
+        return;
     }
+    let list = document.entry(kind).or_insert(Item::None);
+    let written = std::mem::take(list).into_array_of_tables();
+    let written = written.unwrap_or_default();
+    let mut amended = ArrayOfTables::new();
+    for (new, place) in new.iter().zip(places(old, new)) {
+        let (written, old) = match place {
+            Some(place) => (written.get(place).cloned(), old[place].clone()),
+            None => (None, unsaid(kind)),
+        };
+        let mut table = written.unwrap_or_else(headed);
+        amend_table(&mut table, &old, new);
+        amended.push(table);
+    }
+    *list = Item::ArrayOfTables(amended);
 }
 
 /// An empty table under a header, after an empty line.
-fn headed() -> Item {
+fn headed() -> Table {
     let mut table = Table::new();
     table.decor_mut().set_prefix("\n");
-    Item::Table(table)
+    table
 }
 
 /// What a new table of a kind need not say.
@@ -195,11 +159,9 @@ fn amend_value(value: &mut Value, old: &Json, new: &Json) {
 fn created(key: &str, old: &Json, new: &Json) -> Item {
     match (key, new) {
         ("material" | "view", Json::Object(new)) => {
-            let mut item = headed();
-            if let Some(table) = item.as_table_like_mut() {
-                amend_table(table, old.as_object().unwrap_or(&Tree::new()), new);
-            }
-            item
+            let mut table = headed();
+            amend_table(&mut table, old.as_object().unwrap_or(&Tree::new()), new);
+            Item::Table(table)
         }
         _ => Item::Value(written(new)),
     }

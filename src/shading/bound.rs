@@ -46,7 +46,8 @@
 //! Where s <= 0 the highlight is zero, and so are its derivatives. From rho = 3 on its second derivative is Lipschitz at
 //! s = 0, which is all that the error of a quadratic asks for. Below that a square where s may reach 0 has no bound.
 //!
-//! Rule: four squares are bounded side by side, each as it would be alone; whatever is not a number bounds nothing.
+//! Rule: four squares are bounded side by side, each as it would be alone. Whatever is not a number bounds nothing; a maximum
+//! or minimum may lose it, and then stands for a bound of its own or is part of a sum that has it still.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask64x4};
@@ -160,9 +161,12 @@ pub fn reflection<S: Simd>(
     ];
     let sine = dot(&cross, &cross).sqrt();
     let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
-    // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. Where the angle to
-    // go is more than t, the sine is so large that t instead of sin(t) makes up for t^4 / 24. Where s <= 0, s cos(t) is at
-    // most s (1 - t^2 / 2). Where the angle and t pass pi together, |s| makes the least at most -1.
+    // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. So, theta being the
+    // angle at the middle,
+    //   sin(theta) <= t - t^3 / 6 and s > 0:   theta may be within t, and s may reach 1
+    //   sin(theta) >  t - t^3 / 6 and s > 0:   cos(theta - t) <= s - s t^2 / 2 + sin(theta) t, as sin(theta) (t - sin(t)) > t^4 / 24
+    //   s <= 0:                                the same, as s cos(t) <= s (1 - t^2 / 2)
+    //   always:                                cos(theta + t) >= s - |s| t^2 / 2 - sin(theta) t, at most -1 if theta + t > pi
     let turn2 = turn * turn;
     let drop = s.abs() * turn2;
     let one = Lanes::splat(simd, 1.0);
@@ -268,6 +272,8 @@ pub fn power<S: Simd>(power: &Power, most: Lanes<S>) -> Lanes<S> {
     // f32 may round 1 - s up, which would make the power smaller.
     let one_minus_cos =
         positive((1.0 - most) * (1.0 - 2.0 * U)).min(Lanes::splat(most.token(), 1.0));
+    // A power that is not clamped has an exponent of two of at least -126 and so is relatively exact to 126 ln(2) times the
+    // 8 U of its logarithm, 5e-5; one that is clamped is below 2^-126.
     one_minus_cos.powers(power) * 1.001 + 1e-30
 }
 

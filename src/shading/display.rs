@@ -81,24 +81,15 @@ impl Listed {
         self.len
     }
 
-    /// Evaluates all, and takes those that are `wanted`; both are told places from the square's middle.
+    /// Evaluates all; `evaluate` is told places from the square's middle.
     #[inline(always)]
-    fn fill<S: Simd>(
-        &mut self,
-        simd: S,
-        evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
-        wanted: impl Fn([f64; 2]) -> bool,
-    ) {
+    fn fill<S: Simd>(&mut self, simd: S, evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]) {
         for first in (0..self.len).step_by(16) {
             let [x, y] =
                 two!(|axis| f32x16::from_slice(simd, &self.places[axis][first..first + 16]));
             let levels = evaluate([x, y]);
-            for lane in 0..16 {
-                if wanted([x[lane], y[lane]].map(f64::from)) {
-                    for channel in 0..3 {
-                        self.levels[channel][first + lane] = levels[channel][lane];
-                    }
-                }
+            for channel in 0..3 {
+                self.levels[channel][first..first + 16].copy_from_slice(levels[channel].as_slice());
             }
         }
     }
@@ -149,20 +140,17 @@ impl Levels {
         self.rows[row].map(|channel| channel[column])
     }
 
-    /// Evaluates what is covered of a region, sixteen pixels at a time, and takes the pixels that are `wanted`. Places are
-    /// in pixels: `evaluate` is told them from the square's middle, `wanted` from the picture's.
+    /// Evaluates what is covered of a region, sixteen pixels at a time; `evaluate` is told places from the square's middle, in
+    /// pixels.
     #[inline(always)]
     pub fn fill<S: Simd>(
         &mut self,
         simd: S,
         region: &Region,
         evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
-        wanted: impl Fn([f64; 2]) -> bool,
     ) {
         if region.listed {
-            let [right, down] = region.middle();
-            let wanted = |[x, y]: [f64; 2]| wanted([x + right, y + down]);
-            return self.listed.fill(simd, evaluate, wanted);
+            return self.listed.fill(simd, evaluate);
         }
         let [left, top] = region.square.first().map(|first| first as f32);
         for part in region.square.parts() {
@@ -174,12 +162,9 @@ impl Levels {
                 }
                 let y = f32x16::splat(simd, row as i32 as f32 + top);
                 let levels = evaluate([x, y]);
-                for lane in 0..16 {
-                    if wanted(region.centre(first + lane, row)) {
-                        for channel in 0..3 {
-                            self.rows[row][channel][first + lane] = levels[channel][lane];
-                        }
-                    }
+                for channel in 0..3 {
+                    self.rows[row][channel][first..first + 16]
+                        .copy_from_slice(levels[channel].as_slice());
                 }
             }
         }
@@ -275,8 +260,9 @@ const INTEGERS: f32 = 8_388_608.0;
 #[inline(always)]
 pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
     let simd = level.token();
-    // The other way round what is not a number would stay.
-    let positive = level.max(f32x16::splat(simd, 0.0));
+    // A maximum may return either operand where one of them is not a number; a comparison is false there.
+    let zero = f32x16::splat(simd, 0.0);
+    let positive = level.simd_gt(zero).select(level, zero);
     let clamped = positive.min(f32x16::splat(simd, 255.0));
     (f32x16::from_bits(clamped.to_bits() + 1) + INTEGERS).to_bits()
 }
@@ -319,6 +305,19 @@ mod tests {
             let byte = u32::from(display_step(f64::from(level as f32)));
             let level = level as f32;
             assert_eq!(shown(level), byte * 0x0001_0101, "{level} in f32");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_black_at_every_simd_level() {
+        for level in crate::simd::NAMES
+            .into_iter()
+            .filter_map(crate::simd::named)
+        {
+            let pixel = crate::simd::dispatch!(level, simd => {
+                pack([display_bits(f32x16::splat(simd, f32::NAN)); 3]).as_array()[0]
+            });
+            assert_eq!(pixel, 0, "{}", crate::simd::name(level));
         }
     }
 

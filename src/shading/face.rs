@@ -111,7 +111,7 @@ impl Plane {
     }
 }
 
-/// Overshoot, as a share of the face, from which a point is held on the face: coverage is decided on vertices moved by up
+/// Overshoot, as a share of the face, from which a point is clamped to the face: coverage is decided on vertices moved by up
 /// to 1/512 pixel, which is nothing to a face of some pixels and everything to a sliver.
 pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
@@ -130,9 +130,8 @@ pub struct Face<'a> {
     /// w times the weight of the corner across the diagonal: positive on the first triangle, minus the other's weight on
     /// the second.
     pub diagonal: Affine<f64>,
-    /// What u and v change by from an edge to the next pixel at most, times w there: the changes of u w and of w times an u of
-    /// at most 1.
-    pace: f64,
+    /// An upper bound of w |d(u, v) / d pixel| on the face: u and v are at most 1 there.
+    uv_gradient: f64,
     /// The plane's distance from the cuboid's centre.
     half_height: f64,
     /// The face's middle from the eye, and half its edges.
@@ -150,8 +149,8 @@ pub struct Point {
     pub place: [f64; 2],
     /// From the eye, in world units.
     pub from_eye: DVec3,
-    /// Whether it was moved onto the face.
-    pub held: bool,
+    /// Whether it was clamped to the face.
+    pub clamped: bool,
 }
 
 impl<'a> Face<'a> {
@@ -166,7 +165,7 @@ impl<'a> Face<'a> {
             number,
             place: Affine::default(),
             diagonal: Affine::default(),
-            pace: 0.0,
+            uv_gradient: 0.0,
             half_height: solid.half[axis],
             middle: solid.centre + plane.outwards * solid.half[axis],
             half_edges: along.map(|axis| solid.axes.col(axis) * solid.half[axis]),
@@ -185,7 +184,7 @@ impl<'a> Face<'a> {
             dy: DVec3::new(u.dy, v.dy, w.dy),
         };
         let moved = |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + w.abs();
-        face.pace = moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy);
+        face.uv_gradient = moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy);
         face.diagonal = face
             .place
             .map(|place| face.across[0] * place.x + face.across[1] * place.y);
@@ -229,7 +228,7 @@ impl<'a> Face<'a> {
 
     /// The least w from which a face is so large that no pixel's centre can overshoot it by much.
     pub fn least_steady(&self) -> f64 {
-        self.pace / (1024.0 * OVERSHOOT)
+        self.uv_gradient / (1024.0 * OVERSHOOT)
     }
 
     /// Whether it is as large as that, w being at least `least`.
@@ -242,15 +241,15 @@ impl<'a> Face<'a> {
         self.is_steady(self.plane.w.at(x, y) - self.plane.w.reach(half))
     }
 
-    /// What the pixel `x` right and `y` down of the picture's middle shows; held on the face where the face is a sliver.
+    /// What the pixel `x` right and `y` down of the picture's middle shows; clamped to the face where the face is a sliver.
     pub fn point(&self, x: f64, y: f64) -> Point {
         let place = self.place.at(x, y);
         let w = place.z;
         let [u, v] = [place.x / w, place.y / w];
         let is_on = w > 0.0 && u.abs() <= 1.0 && v.abs() <= 1.0;
-        let held = !is_on && !self.is_steady(w);
-        let place = if held { self.hold(x, y) } else { [u, v] };
-        let from_eye = if held {
+        let clamped = !is_on && !self.is_steady(w);
+        let place = if clamped { self.clamp(x, y) } else { [u, v] };
+        let from_eye = if clamped {
             self.from_eye(place)
         } else {
             let Rays {
@@ -261,7 +260,7 @@ impl<'a> Face<'a> {
         Point {
             place,
             from_eye,
-            held,
+            clamped,
         }
     }
 
@@ -270,7 +269,7 @@ impl<'a> Face<'a> {
     /// In perspective u w is `foot` w + `step`, where `foot` is u of the point of the plane nearest to the eye: turned
     /// towards the plane, which makes w larger, the line of sight moves over the plane from afar towards that point. One that
     /// snapping may have turned past the far end of the face, or past the horizon, where w <= 0, is turned back to that end.
-    fn hold(&self, x: f64, y: f64) -> [f64; 2] {
+    fn clamp(&self, x: f64, y: f64) -> [f64; 2] {
         let Rays {
             direction,
             projection,
@@ -308,18 +307,11 @@ impl<'a> Face<'a> {
         from_centre: DVec3,
         [x, y]: [f64; 2],
     ) -> DVec3 {
-        if point.held {
+        if point.clamped {
             light - point.from_eye
         } else {
             self.towards(light, from_centre).at(x, y)
         }
-    }
-
-    /// The weights of three corners, given as places on the face, times w.
-    pub fn weights(&self, corners: [[f64; 2]; 3]) -> Affine {
-        let [a, b, c] = corners.map(|[u, v]| DVec3::new(u, v, 1.0));
-        let to_weights = DMat3::from_cols(a, b, c).inverse();
-        self.place.map(|place| to_weights * place)
     }
 
     /// A place on the face, from the eye, in world units.
@@ -327,8 +319,8 @@ impl<'a> Face<'a> {
         self.middle + self.half_edges[0] * u + self.half_edges[1] * v
     }
 
-    /// The vector to the eye from a point that was moved onto the face.
-    pub fn held_to_eye(&self, point: &Point) -> DVec3 {
+    /// The vector to the eye from a point that was clamped.
+    pub fn clamped_to_eye(&self, point: &Point) -> DVec3 {
         match self.rays.projection {
             Projection::Perspective => -point.from_eye,
             Projection::Orthographic => self.rays.to_eye.vector.centre,

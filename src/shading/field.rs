@@ -8,9 +8,10 @@ use fearless_simd::{Simd, f64x4, mask64x4};
 use super::affine::Affine;
 use super::interpolation::NODE;
 use super::kernel::dot;
+use super::rounding::Extent;
 use super::square::Square;
 use crate::components::length;
-use crate::simd::{inlined, three, two};
+use crate::simd::{four, inlined, three, two};
 
 /// A number for each of four squares.
 pub type Lanes<S> = f64x4<S>;
@@ -45,6 +46,20 @@ impl<S: Simd> Places<S> {
             middle: two!(|axis| lanes(middles, axis) - origin[axis]),
             half: two!(|axis| lanes(halves, axis)),
         }
+    }
+
+    /// How many rows of sixteen pixels the squares have together, about, that have a positive budget.
+    #[inline(always)]
+    pub fn rows(&self, budget: Lanes<S>) -> f64 {
+        let [width, height] = two!(|axis| self.half[axis] * 2.0 + 1.0);
+        let rows = height * (width * (1.0 / 16.0)).max(Lanes::splat(width.token(), 1.0));
+        let zero = Lanes::splat(width.token(), 0.0);
+        budget
+            .simd_gt(0.0)
+            .select(rows, zero)
+            .as_array()
+            .iter()
+            .sum()
     }
 
     /// One square, four times.
@@ -82,6 +97,7 @@ pub struct Moving {
 }
 
 impl From<Affine> for Moving {
+    /// No coordinate exceeds 1e100, so neither products nor lengths leave the range of f64.
     fn from(vector: Affine) -> Self {
         Moving {
             lengths: [vector.dx, vector.dy].map(length),
@@ -140,6 +156,16 @@ impl<S: Simd> Field<S> {
     #[inline(always)]
     pub fn is_calm(&self) -> mask64x4<S> {
         self.radius.simd_lt(MAX_RADIUS)
+    }
+
+    /// What rounding depends on, by square.
+    #[inline(always)]
+    pub fn extents(&self) -> [Extent; 4] {
+        let (radius, shortest) = (self.radius.as_array(), self.shortest.as_array());
+        four!(|square| Extent {
+            radius: radius[square],
+            shortest: shortest[square],
+        })
     }
 
     /// At one of the nine nodes, by row and column.

@@ -7,7 +7,7 @@ use super::specular::Power;
 use super::{Surface, limit};
 use crate::components::Material;
 
-/// The part of the tolerance that dropped highlights may use up together.
+/// The part of the tolerance that dropped highlights may use up together. More drops more of them and leaves less to all else.
 const DROPPED: f64 = 0.25;
 
 /// The part of the tolerance that cheaper powers may use up together.
@@ -49,6 +49,7 @@ impl Gloss {
         } else if shininess == 0.0 {
             f64::NEG_INFINITY
         } else {
+            // Another libm may differ in the last bit, and then a picture may: only one machine's are the same bits.
             (faint / brightest).powf(1.0 / shininess)
         };
         Gloss {

@@ -28,10 +28,16 @@ pub struct Gouraud<'a> {
     colors: [Affine; 2],
 }
 
-/// What f32 makes of a colour, over the largest: 24 roundings, over the smallest w, which is at least half the middle's; and
-/// the display may be that of the next float. An affine value, such as the numerator, is rounded four times; w, of up to 1.5
-/// times the middle's, makes ten of dividing by it; the division is two. The diagonal is an affine value too: where its
-/// rounding puts a pixel on the wrong side, the colours of the two triangles are four times twice the largest apart.
+/// The rounding error of a colour in f32, relative to the largest on the square:
+///
+/// ```text
+///   numerator, an affine value                                      4 U
+///   w, another, up to 1.5 times the middle's: by dividing by it    10 U
+///   the division, as a reciprocal and a product                     2 U
+///   diagonal, another: pixels on its wrong side, 4 times 2          8 U
+///   all that over the smallest w, half the middle's               x 2
+///   the display step may be that of the next float                  2 U
+/// ```
 const ROUNDING: f64 = 50.0 * U;
 
 /// What f64 makes of a sample and of the biquadratic, relative to the colours: less than this. At the nodes w is at least 0.134
@@ -50,9 +56,9 @@ impl<'a> Gouraud<'a> {
         }
     }
 
-    /// See [`super::Shader::interpolate`].
+    /// Colours of four squares.
     #[inline(always)]
-    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Option<Interpolant<S>> {
+    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Interpolant<S> {
         let Face {
             plane: Plane { w, .. },
             diagonal,
@@ -103,7 +109,7 @@ impl<'a> Gouraud<'a> {
             });
             biquadratic(&samples)
         });
-        // What pixels show of a sliver is held on the face, one by one.
+        // What pixels show of a sliver is clamped to the face, one by one.
         let least = middle * (1.0 - e.abs() - g.abs());
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let budget = (steady & (first | second)).select(
@@ -111,12 +117,12 @@ impl<'a> Gouraud<'a> {
             Lanes::splat(simd, f64::NEG_INFINITY),
         );
         let [red, green, blue] = colors;
-        Some(Interpolant::new(Colors {
+        Interpolant::new(Colors {
             terms: [red, green, blue, [[zero; 3]; 3]],
             crossing: [zero; 3],
             crosses: mask64x4::splat(simd, false),
             budget,
-        }))
+        })
     }
 
     /// See [`super::Shader::evaluate`].
@@ -170,7 +176,7 @@ impl<'a> Gouraud<'a> {
             w: affine(w.at(x, y), w.dx, w.dy),
         };
         let evaluate = inlined!(|place: [f32x16<S>; 2]| quotient.at(place));
-        outlined!(simd, scratch.levels.fill(simd, region, evaluate, |_| true));
+        outlined!(simd, scratch.levels.fill(simd, region, evaluate));
         Some(Evaluations {
             kind: TileKind::Exact,
             model: 0,

@@ -14,11 +14,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask64x4};
 
 use super::display::display_pixel;
-use super::field::{Lanes, Places};
+use super::field::Lanes;
 use super::rows::{Curve, FixedCurve, Flat, Ramp, Terminator};
 use super::square::Square;
 use super::{Sink, TileKind, U};
-use crate::simd::{four, inlined, three};
+use crate::simd::{four, three};
 
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;
@@ -47,9 +47,13 @@ pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
     transposed(&columns)
 }
 
-/// What f32 makes of a value, over the size of its terms. A term x^2 y^2 is rounded once as a coefficient, and at most twice
-/// for each power of x and of y: nine times. What is cut off is rounded three times more where it is multiplied and added,
-/// and the display may be that of the next float, which is two.
+/// The rounding error of a value in a row, relative to the sum of the sizes of its terms:
+///
+/// ```text
+///   x^2 y^2: its coefficient, and two for each power of x and of y      9 U
+///   the term that crosses zero: a product and two sums more             3 U
+///   the display step may be that of the next float                      2 U
+/// ```
 const ROUNDING: f64 = 14.0 * U;
 
 /// What multiples of 1/256 level cost: three roundings.
@@ -91,7 +95,7 @@ impl<S: Simd> Interpolant<S> {
         let zero = Lanes::splat(budget.token(), 0.0);
         let [mut size, mut error, mut flat_error] = [zero; 3];
         let mut inside = budget.simd_gt(0.0);
-        // What is not a number is smaller than nothing, and the larger of two may hide it.
+        // A maximum may lose what is not a number, so finiteness is tested on its own.
         let mut finite = inside;
         let mut cosine = zero;
         for terms in colors.terms[3] {
@@ -144,37 +148,6 @@ impl<S: Simd> Interpolant<S> {
         }
     }
 
-    /// That of one of the squares, on its quarters.
-    #[inline(always)]
-    pub fn on_quarters(&self, index: usize, square: &Square, quarters: &[Square; 4]) -> Self {
-        let Colors {
-            terms,
-            crossing,
-            crosses,
-            budget,
-        } = &self.colors;
-        let simd = budget.token();
-        let splat = inlined!(|lanes: Lanes<S>| Lanes::splat(simd, lanes.as_array()[index]));
-        let Places { middle, half } = Places::new(simd, quarters, square.middle());
-        let scales = square.half().map(|half| 1.0 / half);
-        let [starts, scales] = [middle, half].map(|[x, y]| [x * scales[0], y * scales[1]]);
-        let terms = four!(|channel| {
-            let rows = three!(|j| {
-                let terms = three!(|i| splat(terms[channel][j][i]));
-                moved(terms, starts[0], scales[0])
-            });
-            let columns =
-                three!(|i| moved([rows[0][i], rows[1][i], rows[2][i]], starts[1], scales[1]));
-            transposed(&columns)
-        });
-        Interpolant::new(Colors {
-            terms,
-            crossing: three!(|channel| splat(crossing[channel])),
-            crosses: mask64x4::splat(simd, crosses.test(index)),
-            budget: splat(*budget),
-        })
-    }
-
     /// The colour of one of the squares, where a unit is `x` and `y` half extents.
     #[inline(always)]
     fn color(&self, index: usize, [x, y]: [f64; 2]) -> Color {
@@ -190,17 +163,6 @@ impl<S: Simd> Interpolant<S> {
         }
         color
     }
-}
-
-/// A quadratic in x = start + scale t, as one in t.
-#[inline(always)]
-fn moved<S: Simd>(c: [Lanes<S>; 3], start: Lanes<S>, scale: Lanes<S>) -> [Lanes<S>; 3] {
-    let bend = c[2] * start;
-    [
-        c[0] + (c[1] + bend) * start,
-        (c[1] + bend + bend) * scale,
-        c[2] * scale * scale,
-    ]
 }
 
 #[inline(always)]

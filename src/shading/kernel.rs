@@ -4,8 +4,7 @@
 //!   N, L, O --> n.l = N.L / sqrt(N.N L.L)        |r - o|^2 / 2 = 1 - s --> s^rho
 //! ```
 //! The same lines evaluate sixteen pixels in f32, four in f64, and a node of each of four squares in f64. 1 - s
-//! is formed as |r - o|^2 / 2, which holds for unit vectors and cancels nothing (Lyon 1993); vectors that are not normalised
-//! have 1 - o.r.
+//! is formed as |r - o|^2 / 2, which holds for unit vectors and cancels nothing (Lyon 1993).
 //!
 //! Rule: what rounding these lines cost is counted in [`super::rounding`], line by line.
 
@@ -17,7 +16,7 @@ use super::affine::Affine;
 use super::display::Levels;
 use super::specular::{self, Power};
 use super::square::Region;
-use crate::simd::{inlined, outlined, three};
+use crate::simd::{four, inlined, outlined, three};
 
 /// Unit round-off of f64.
 pub const DOUBLE: f64 = f64::EPSILON / 2.0;
@@ -143,11 +142,10 @@ pub fn cosine<S: Simd, V: Reals<S>>(normal: &Lanes3<V>, normal2: V, light: &Lane
     dot(normal, light) / (normal2 * dot(light, light)).sqrt()
 }
 
-/// n.l and s^rho, from unit vectors n and o and a vector to the light of any positive length.
+/// n.l and 1 - s, from unit vectors n and o and a vector to the light of any positive length.
 #[inline(always)]
-pub fn highlight<S: Simd, V: Reals<S>>(
+pub fn mirrored<S: Simd, V: Reals<S>>(
     simd: S,
-    power: &Power,
     normal: &Lanes3<V>,
     light: &Lanes3<V>,
     eye: &Lanes3<V>,
@@ -156,8 +154,27 @@ pub fn highlight<S: Simd, V: Reals<S>>(
     let cosine = dot(normal, light) * inverse;
     let twice = cosine + cosine;
     let difference = three!(|axis| normal[axis] * twice - light[axis] * inverse - eye[axis]);
-    let one_minus_cos = dot(&difference, &difference) * V::all(simd, 0.5);
-    [cosine, one_minus_cos.powers(power)]
+    [cosine, dot(&difference, &difference) * V::all(simd, 0.5)]
+}
+
+/// Powers at three nodes of four squares: twelve fit into sixteen lanes.
+#[inline(always)]
+pub fn powers_of_row<S: Simd>(
+    simd: S,
+    power: &Power,
+    one_minus_cos: [f64x4<S>; 3],
+) -> [f64x4<S>; 3] {
+    if power.exact > 0.0 && power.exact < 1.0 {
+        return three!(|node| one_minus_cos[node].powers(power));
+    }
+    let mut sixteen = [0.0; 16];
+    for node in 0..3 {
+        for (square, own) in one_minus_cos[node].as_array().iter().enumerate() {
+            sixteen[4 * node + square] = *own as f32;
+        }
+    }
+    let powers = f32x16::simd_from(simd, sixteen).powers(power);
+    three!(|node| f64x4::simd_from(simd, four!(|square| f64::from(powers[4 * node + square]))))
 }
 
 /// At length one.
@@ -210,8 +227,8 @@ pub struct Light<T> {
     pub is: [bool; 2],
 }
 
-/// The model at every pixel of a square. `UNIT`: the vectors are taken to be of length one and are not normalised.
-pub struct Model<'a, S: Simd, V: Reals<S>, const UNIT: bool> {
+/// The model at every pixel of a square.
+pub struct Model<'a, S: Simd, V: Reals<S>> {
     pub simd: S,
     pub normal: Vector<V::Element>,
     pub eye: Vector<V::Element>,
@@ -222,16 +239,16 @@ pub struct Model<'a, S: Simd, V: Reals<S>, const UNIT: bool> {
     pub highlights: usize,
 }
 
-impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
-    /// Evaluates what is covered of a region, where `wanted`: see [`Levels::fill`].
-    pub fn fill(&self, region: &Region, levels: &mut Levels, wanted: impl Fn([f64; 2]) -> bool) {
+impl<S: Simd, V: Reals<S>> Model<'_, S, V> {
+    /// Evaluates what is covered of a region: see [`Levels::fill`].
+    pub fn fill(&self, region: &Region, levels: &mut Levels) {
         let evaluate = inlined!(|[x, y]: [f32x16<S>; 2]| {
             V::sixteen(
                 self.simd,
                 inlined!(|lane| self.sum([V::some(x, lane), V::some(y, lane)])),
             )
         });
-        outlined!(self.simd, levels.fill(self.simd, region, evaluate, wanted));
+        outlined!(self.simd, levels.fill(self.simd, region, evaluate));
     }
 
     /// Its levels at places from the square's middle, in pixels.
@@ -242,25 +259,15 @@ impl<S: Simd, V: Reals<S>, const UNIT: bool> Model<'_, S, V, UNIT> {
         let mut o = n;
         if self.highlights > 0 {
             o = self.eye.at(place);
-            if !UNIT {
-                (n, o) = (unit(simd, n), unit(simd, o));
-            }
+            (n, o) = (unit(simd, n), unit(simd, o));
         }
         let n2 = dot(&n, &n);
         let mut levels = three!(|channel| V::splat(simd, self.ambient[channel]));
         for light in self.lights {
             let l = light.vector.at(place);
-            let [cosine, power] = if UNIT {
-                let cosine = dot(&n, &l);
-                if light.is[1] {
-                    let along = (cosine + cosine) * dot(&n, &o) - dot(&l, &o);
-                    let one_minus_cos = (V::all(simd, 1.0) - along).max(V::all(simd, 0.0));
-                    [cosine, one_minus_cos.powers(self.power)]
-                } else {
-                    [cosine; 2]
-                }
-            } else if light.is[1] {
-                highlight(simd, self.power, &n, &l, &o)
+            let [cosine, power] = if light.is[1] {
+                let [cosine, one_minus_cos] = mirrored(simd, &n, &l, &o);
+                [cosine, one_minus_cos.powers(self.power)]
             } else {
                 [cosine(&n, n2, &l); 2]
             };

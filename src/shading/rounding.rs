@@ -2,11 +2,8 @@
 //!
 //! Rule: every rounding is counted once, per light and per term of the sum.
 
-use fearless_simd::Simd;
-use fearless_simd::prelude::*;
-
 use super::U;
-use super::field::{Field, MAX_RADIUS};
+use super::field::MAX_RADIUS;
 use super::specular::Power;
 
 /// What rounding costs the model at one pixel, in levels. Rows of polynomials are counted in [`super::interpolation`].
@@ -17,14 +14,20 @@ use super::specular::Power;
 /// ```text
 ///   delta = u (3 + 4 radius) / shortest
 /// ```
-/// A vector is brought to length one by 4.5 roundings: half of three for its square, a root, a quotient, a product. n.l
-/// errs by the delta of n and of l, and by twelve roundings: 4.5 of n, three of the product, 3.5 of the length of l, one more.
-/// |r - o| errs by twice the delta of n, those of l and o, and fewer than 50 roundings: 2 n.l n, of size two, by twice
-/// those of n.l, n and a product, 35; l and o by 4.5 each; two differences, of lengths one and two, by three. s^rho errs by
-/// what that and the roundings of 1 - s make of it, of which there are three and one is spare, and by the power's own error.
+/// The operations that follow round, in units of u:
 ///
-/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, so that no row and no
-/// column sees another vector, and they err by what the definition's own vectors err by.
+/// ```text
+///   unit vector   4.5   its square 3, halved by the root; root 1, quotient 1, product 1
+///   n.l           12    n 4.5, product 3, length of l 3.5, product 1
+///   |r - o|       50    2 (n.l) n: twice (n.l 12, n 4.5, product 1) = 35; l and o 4.5 each; differences of lengths 1 and 2; 3 spare
+///   1 - s         4     square 3, 1 spare
+/// ```
+/// n.l errs by the delta of n and of l besides, |r - o| by twice that of n and by those of l and o. s^rho errs by what these errors
+/// make of it ([`Power::propagated`]) and by the power's own error.
+///
+/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, and they err by what the
+/// definition's own vectors err by. So the bound is relative to what f64 can set up, and that may err by more than a tolerance:
+/// with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes away on.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounding {
     /// Unit round-off.
@@ -64,8 +67,8 @@ impl Rounding {
 
     /// Adds a light's specular term of at most so many levels.
     pub fn specular(&mut self, light: Extent, levels: f64, power: &Power) {
-        let moved = power.moved(self.chord(light), self.unit);
-        self.error += levels * (moved + power.error);
+        let propagated = power.propagated(self.chord(light), self.unit);
+        self.error += levels * (propagated + power.error);
         self.count(levels);
     }
 
@@ -87,7 +90,7 @@ impl Rounding {
 }
 
 /// How far a vector of length one at the middle of a square gets from there, and how short it gets.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Extent {
     pub radius: f64,
     pub shortest: f64,
@@ -99,15 +102,6 @@ impl Extent {
         radius: MAX_RADIUS,
         shortest: 1.0 - MAX_RADIUS,
     };
-}
-
-impl<S: Simd> From<&Field<S>> for Extent {
-    fn from(field: &Field<S>) -> Self {
-        Extent {
-            radius: field.radius.as_array()[0],
-            shortest: field.shortest.as_array()[0],
-        }
-    }
 }
 
 /// Direction error of an interpolated vector.

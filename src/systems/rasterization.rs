@@ -11,79 +11,39 @@
 //! threads, strips nor parts of a picture change a bit.
 
 mod listing;
+mod quadtree;
 mod store;
 
 use std::ops::Range;
 
-use fearless_simd::Simd;
-use glam::DVec3;
 use hecs::World;
 
-use self::listing::Listing;
-use self::store::Store;
-use crate::components::{
-    FileOrder, Illumination, Lens, Material, Mesh, Normals, Projected, Projection, ShadingMode,
-    VertexColors, View, WorldTransform,
-};
-use crate::frame::{Band, Counts, DrawList, Frame, Object, Piece, face};
+use self::listing::Context;
+use crate::components::{Lens, View};
+use crate::frame::{Band, Counts, DrawList, Frame, Piece};
 use crate::shading::affine::Affine;
-use crate::shading::display::{Evaluated, Listed};
-use crate::shading::face::{Face, Rays, Solid, places};
-use crate::shading::field::Places;
-use crate::shading::gouraud::Gouraud;
-use crate::shading::interpolation::{self, Form, Interpolant};
-use crate::shading::phong::{FaceLight, Phong};
-use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Spans, Square};
-use crate::shading::unit_vectors::{self, UnitVectors};
-use crate::shading::{Evaluations, Scratch, Shader, Sink, Surface, TileKind};
-use crate::simd::{dispatch, outlined};
+use crate::shading::face::Rays;
+use crate::shading::square::MAX_SIDE;
+use crate::simd::dispatch;
 
-/// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins.
+/// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins: coplanar faces
+/// are set up some roundings apart, and would else show by turns. Each face is compared with what is nearest so far, in the
+/// order of the file; where one ties with two that do not tie with each other, that order decides which of the two is seen.
 const DEPTH_TIE: f64 = 1e-11;
 
-/// So few pixels of a square are evaluated faster than an interpolant for them is found.
-const FEW: usize = 24;
-
-/// Draws every cuboid into the frame.
+/// Draws every cuboid into the frame: lists the pixels of its faces, sorts the faces into strips of the picture, and in each
+/// strip first compares depths, then shades.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
-    let (lens, lights) = (frame.lens, std::mem::take(&mut frame.illumination));
-    let illumination = &lights;
-    let level = frame.workers().level();
-    let rays = &Rays::new(&lens);
-    let listing = Listing {
-        illumination,
+    let (lens, illumination) = (frame.lens, std::mem::take(&mut frame.illumination));
+    let context = Context {
+        illumination: &illumination,
         view,
         lens: &lens,
-        rays,
+        rays: &Rays::new(&lens),
     };
+    let level = frame.workers().level();
     let mut list = frame.take_list();
-    list.clear();
-    for (order, place, mesh, material, own, normals, colors, projected) in world.query_mut::<(
-        &FileOrder,
-        &WorldTransform,
-        &Mesh,
-        &Material,
-        &ShadingMode,
-        &Normals,
-        &VertexColors,
-        &Projected,
-    )>() {
-        let object = Object {
-            id: 12 * order.0,
-            material: *material,
-            centre: place.position,
-            mode: view.mode(*own),
-            gloss: 0,
-            solid: Solid {
-                centre: place.position - lens.eye,
-                axes: place.axes,
-                half: mesh.corners[7],
-                normals: normals.0,
-                colors: colors.0,
-            },
-        };
-        dispatch!(level, simd => listing.add(simd, &mut list, object, projected));
-    }
+    context.list(level, world, &mut list);
     list.sort(view.size[1]);
     frame.paint(view.background, list, |list, band, scratch| {
         let mut counts = Counts::default();
@@ -95,118 +55,15 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             dispatch!(level, _simd => prepare(list, strip, &rows, band, &lens));
             for &piece in &list.strips[strip] {
                 let piece = &list.pieces[piece as usize];
-                let spans = list.spans(piece);
                 // Drawn once all of it in this band is prepared.
-                if band.held(spans.rows()).end > rows.end {
-                    continue;
+                if band.held(list.spans(piece).rows()).end <= rows.end {
+                    context.shade(level, list, piece, band, scratch, &mut counts);
                 }
-                // What fits into the smallest square is drawn as one.
-                let mut square = Square::around(&spans);
-                if let Some(square) = &mut square {
-                    list_seen(&mut scratch.levels.listed, square, &spans, piece, band);
-                    square.pixels = scratch.levels.listed.count();
-                    if square.pixels == 0 {
-                        continue;
-                    }
-                }
-                let object = &list.objects[piece.object];
-                let face = Face::new((piece.id % 12 / 2) as usize, &object.solid, rays);
-                let mut lights = std::mem::take(&mut scratch.lights);
-                let shader = shader(list, object, &face, &mut lights, illumination, view, &lens);
-                let mut drawing = Drawing {
-                    spans,
-                    id: piece.id,
-                    picture: lens.half,
-                    few: if shader.interpolates() {
-                        FEW
-                    } else {
-                        usize::MAX
-                    },
-                    shader,
-                    band,
-                    scratch,
-                    counts: &mut counts,
-                };
-                dispatch!(level, simd => match &square {
-                    Some(square) => drawing.evaluated(simd, square, true),
-                    None => drawing.draw(simd),
-                });
-                scratch.lights = lights;
             }
         }
         counts
     });
-    frame.illumination = lights;
-}
-
-/// Lists the pixels of a square in which a piece is seen.
-fn list_seen(listed: &mut Listed, square: &Square, spans: &Spans, piece: &Piece, band: &Band) {
-    listed.clear();
-    let [left, top] = square.first().map(|first| first as f32);
-    for (row, span) in spans.within(&band.rows) {
-        let x = left + (span.start - square.place[0]) as i32 as f32;
-        let y = top + (row - square.place[1]) as i32 as f32;
-        let pixels = band.index(span.start, row)..band.index(span.end, row);
-        if band.triangles.is_empty() {
-            listed.extend([x, y], pixels, |_| true);
-        } else {
-            let ids = &band.triangles[pixels.clone()];
-            listed.extend([x, y], pixels, |pixel| face(ids[pixel]) == face(piece.id));
-        }
-    }
-}
-
-/// What shades a face, by the mode of its cuboid.
-fn shader<'a>(
-    list: &'a DrawList,
-    object: &'a Object,
-    face: &'a Face,
-    lights: &'a mut Vec<FaceLight>,
-    illumination: &'a Illumination,
-    view: &View,
-    lens: &Lens,
-) -> Shader<'a> {
-    let surface = Surface {
-        material: &object.material,
-        illumination,
-        centre: object.centre,
-    };
-    let (eye, tolerance) = (lens.eye, view.tolerance);
-    let solid = &object.solid;
-    match object.mode {
-        ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, &solid.colors, tolerance)),
-        ShadingMode::Phong => {
-            let gloss = &list.glosses[object.gloss];
-            let normals = face.linear(&solid.normals, 0);
-            lights.clear();
-            let points = illumination.points.iter();
-            lights.extend(
-                points.filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye)),
-            );
-            Shader::Phong(Phong::new(
-                face, normals, surface, eye, gloss, lights, tolerance,
-            ))
-        }
-        ShadingMode::UnitVectors => {
-            let normals = face.linear(&solid.normals, 0);
-            // w of the corners on the screen, where they have a place there.
-            let depths = places(face.number).map(|place| {
-                let corner = face.from_eye(place);
-                let seen = DVec3::from_array(lens.axes.map(|axis| axis.dot(corner)));
-                (seen.z >= lens.near).then(|| lens.homogeneous(seen).z)
-            });
-            Shader::UnitVectors(UnitVectors {
-                face,
-                surface,
-                eye,
-                backward: (lens.projection == Projection::Orthographic).then(|| -lens.axes[2]),
-                triangles: [0, 1]
-                    .map(|second| unit_vectors::Triangle::new(face, &normals, second, depths)),
-                gloss: &list.glosses[object.gloss],
-                power: list.glosses[object.gloss].every,
-            })
-        }
-    }
+    frame.illumination = illumination;
 }
 
 /// Clears the rows of a strip that are in a band, and writes the id of the piece seen at each pixel, if the band keeps ids.
@@ -264,160 +121,5 @@ fn see(piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) 
             (*old, *id) = (new, piece.id);
         }
         x += 1.0;
-    }
-}
-
-/// A piece being drawn.
-struct Drawing<'a, 'b> {
-    shader: Shader<'a>,
-    spans: Spans<'a>,
-    /// Of its first triangle.
-    id: u32,
-    /// The picture's middle, in pixels from its corner.
-    picture: [f64; 2],
-    /// Squares of at most so many pixels are evaluated at once.
-    few: usize,
-    band: &'a mut Band<'b>,
-    scratch: &'a mut Scratch,
-    counts: &'a mut Counts,
-}
-
-impl Drawing<'_, '_> {
-    /// Draws all of it that is in the band.
-    fn draw<S: Simd>(&mut self, simd: S) {
-        let rows = self.band.held(self.spans.rows());
-        for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
-            let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
-            for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
-                let square = |index| {
-                    let place = [column + index * MAX_SIDE, row];
-                    if extent.end <= place[0] {
-                        Square::default()
-                    } else if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
-                        Square::whole(place, MAX_SIDE)
-                    } else {
-                        Square::new(&self.spans, place, MAX_SIDE)
-                    }
-                };
-                self.squares(simd, &[square(0), square(1), square(2), square(3)]);
-            }
-        }
-    }
-
-    /// Draws four squares: interpolated where that keeps the tolerance, else as four squares each, or pixel by pixel where
-    /// they are small or hold few pixels.
-    fn squares<S: Simd>(&mut self, simd: S, squares: &[Square; 4]) {
-        let seen = squares.each_ref().map(|square| self.is_seen(square));
-        let tried = squares.each_ref().map(|square| square.pixels > self.few);
-        let interpolant = if (0..4).any(|index| seen[index] && tried[index]) {
-            let places = Places::new(simd, squares, self.picture);
-            self.shader.interpolate(simd, &places, self.scratch)
-        } else {
-            None
-        };
-        for (index, square) in squares.iter().enumerate() {
-            if !seen[index] {
-                continue;
-            }
-            if tried[index]
-                && let Some(interpolant) = &interpolant
-                && let Some(form) = interpolant.forms[index]
-            {
-                self.interpolated(simd, square, interpolant, index, form);
-            } else if square.side > MIN_SIDE && tried[index] {
-                self.squares(simd, &square.quarters(&self.spans));
-            } else {
-                self.evaluated(simd, square, false);
-            }
-        }
-    }
-
-    /// Draws one of the squares of an interpolant: as its quarters where the colour is too curved for linear rows.
-    fn interpolated<S: Simd>(
-        &mut self,
-        simd: S,
-        square: &Square,
-        interpolant: &Interpolant<S>,
-        index: usize,
-        form: Form,
-    ) {
-        if form.kind == TileKind::Quadratic && square.side > MIN_SIDE {
-            let quarters = square.quarters(&self.spans);
-            let interpolant = outlined!(simd, interpolant.on_quarters(index, square, &quarters));
-            for (index, quarter) in quarters.iter().enumerate() {
-                if !self.is_seen(quarter) {
-                    continue;
-                }
-                match interpolant.forms[index] {
-                    Some(form) => self.interpolated(simd, quarter, &interpolant, index, form),
-                    None => self.evaluated(simd, quarter, false),
-                }
-            }
-            return;
-        }
-        let mut store = Store::new(self.band, &self.spans, square, self.id);
-        outlined!(
-            simd,
-            interpolation::draw(simd, interpolant, index, form, square, &mut store)
-        );
-        self.counts.covered_pixels += store.finish(form.kind, &self.shader, self.picture);
-        self.counts.tiles[form.kind as usize] += 1;
-    }
-
-    /// Draws a square, or what is listed of it, pixel by pixel; or its quarters where that cannot be done in lanes.
-    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, listed: bool) {
-        let region = Region {
-            square,
-            spans: &self.spans,
-            picture: self.picture,
-            listed,
-        };
-        let evaluations = match self.shader.evaluate(simd, &region, self.scratch) {
-            None if square.side > MIN_SIDE => {
-                return self.squares(simd, &square.quarters(&self.spans));
-            }
-            None => {
-                let levels = &mut self.scratch.levels;
-                levels.fill_each(&region, |[x, y]| self.shader.define(x, y));
-                let pixels = square.pixels as u64;
-                Evaluations {
-                    kind: TileKind::Double,
-                    model: pixels,
-                    specular: pixels * self.shader.powers() as u64,
-                }
-            }
-            Some(evaluations) => evaluations,
-        };
-        let mut store = Store::new(self.band, &self.spans, square, self.id);
-        let levels = &self.scratch.levels;
-        outlined!(simd, {
-            if listed {
-                store.draw_listed(simd, &levels.listed);
-            } else {
-                store.draw(&mut Evaluated::new(simd, levels));
-            }
-        });
-        self.counts.covered_pixels += store.finish(evaluations.kind, &self.shader, self.picture);
-        self.counts.model_evaluations += evaluations.model;
-        self.counts.specular_evaluations += evaluations.specular;
-        self.counts.tiles[evaluations.kind as usize] += 1;
-    }
-
-    /// Whether any pixel of a square is drawn here: in this band, and not hidden.
-    fn is_seen(&self, square: &Square) -> bool {
-        let rows = self.band.held(square.covered_rows());
-        if square.pixels == 0 || rows.is_empty() {
-            return false;
-        }
-        if self.band.depths.is_empty() {
-            return true;
-        }
-        self.spans.clipped(rows, square.columns).any(|(row, span)| {
-            let first = self.band.index(0, row);
-            !span.is_empty()
-                && self.band.triangles[first + span.start..first + span.end]
-                    .iter()
-                    .any(|id| face(*id) == face(self.id))
-        })
     }
 }

@@ -9,6 +9,8 @@ use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
 pub const UNSEEN: f64 = 0.5;
+/// Times that this factor parts are not called alike, however wide their intervals.
+const ALIKE: f64 = 1.2;
 /// Smaller errors are those of f32, in levels.
 const ROUNDING: f64 = 1e-3;
 const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
@@ -70,14 +72,15 @@ fn of(measured: &[Measurement], shown: &Measurement) -> String {
     });
     let remark = match (exact, half) {
         (Some(exact), Some(half)) if exact.method == shown.method => {
-            if is_faster(half, exact) {
-                let name = capital(&method_name(half.method));
-                format!(" {name} is {} it.", pace(half, exact))
+            let (name, pace) = (capital(&method_name(half.method)), pace(half, exact));
+            let verdict = if saves_nothing(half, exact) {
+                ": nothing to trade here"
             } else {
-                " Half a level more saves no time: nothing to trade here.".to_owned()
-            }
+                ""
+            };
+            format!(" {name} is {pace} it{verdict}.")
         }
-        (Some(exact), _) if is_phong && !is_faster(shown, exact) && rival != Some(exact) => {
+        (Some(exact), _) if is_phong && rival != Some(exact) && saves_nothing(shown, exact) => {
             let pace = pace(exact, shown);
             format!(" Exact Phong is {pace} it: nothing to trade here.")
         }
@@ -92,13 +95,22 @@ fn is_faster(one: &Measurement, other: &Measurement) -> bool {
     one.timing.is_measurably_less_than(&other.timing)
 }
 
-/// "2.3 times faster than", "about as fast as".
+/// Whether `one` takes as long as `exact`, or longer. Intervals that overlap because they are wide do not say so.
+fn saves_nothing(one: &Measurement, exact: &Measurement) -> bool {
+    !is_faster(one, exact) && one.timing.median * ALIKE >= exact.timing.median
+}
+
+/// "2.3 times faster than", "about as fast as", "not measurably faster than".
 fn pace(one: &Measurement, other: &Measurement) -> String {
     let [mine, its] = [one, other].map(|it| it.timing.median);
     let (ratio, word) = if is_faster(one, other) {
         (times(its, mine), "faster")
     } else if is_faster(other, one) {
         (times(mine, its), "slower")
+    } else if mine * ALIKE < its {
+        return "not measurably faster than".to_owned();
+    } else if its * ALIKE < mine {
+        return "not measurably slower than".to_owned();
     } else {
         return "about as fast as".to_owned();
     };

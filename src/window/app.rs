@@ -23,6 +23,7 @@ use super::history::History;
 use super::inspector::Kind;
 use super::jobs::{Jobs, State, Task};
 use super::pictures::{Pictures, or_dimmed};
+use super::recent::Recent;
 use super::recording::Recorder;
 use super::viewport::Grab;
 use crate::components::{Magnifier, Probed, Show, Side, Spin, View, ViewMode, get, viewer};
@@ -81,8 +82,7 @@ pub struct Desk {
     /// The kind and the name of the entity that the scene's tab shows.
     pub selected: Option<(Kind, String)>,
     pub grab: Grab,
-    /// The files that were opened last.
-    pub recent: Vec<PathBuf>,
+    pub recent: Recent,
     /// The field of the scene's path.
     pub path: String,
 }
@@ -328,9 +328,7 @@ impl App {
     /// Shows another scene in place of this one.
     pub fn open(&mut self, scene: Scene) {
         if let Some(path) = &scene.path {
-            self.desk.recent.retain(|recent| recent != path);
-            self.desk.recent.insert(0, path.clone());
-            self.desk.recent.truncate(10);
+            self.desk.recent.add(path);
         }
         self.file = SceneFile::of(&scene);
         self.scene = scene;

@@ -31,7 +31,7 @@ use crate::trade::verdict::{UNSEEN, sentence};
 use crate::trade::words::{capital, method_name};
 
 /// The heights of the sentence and of the chart, in points: neither moves what lies below.
-const SENTENCE: f32 = 50.0;
+const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
 const GROUND: Color32 = Color32::from_gray(20);
 /// The axis of errors, in levels.
@@ -150,8 +150,15 @@ impl App {
                 let key = caption(Command::Shading(other));
                 format!("{said} {key} shows {}.", capital(other.name()))
             }
-            _ if method.is_none() => "The cuboids are shaded in different modes.".to_owned(),
-            _ => "Each method is measured once nothing moves.".to_owned(),
+            _ => method.map_or_else(
+                || "The cuboids are shaded in different modes.".to_owned(),
+                |it| {
+                    format!(
+                        "{}: measured once nothing moves.",
+                        capital(&method_name(it))
+                    )
+                },
+            ),
         };
         let ink = if trade.current().is_some() {
             INK

@@ -233,7 +233,7 @@ fn answer(
             comparison.map(|it| Answer::Compare(Box::new(it)))
         }
         Task::Prove => {
-            let proof = prove(&mut scene.world, view, level, cancelled, progress)?;
+            let proof = prove(&mut scene.world, view, None, level, cancelled, progress)?;
             proof.map(|it| Answer::Prove(Box::new(it)))
         }
         Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),

@@ -18,7 +18,7 @@ use crate::components::{
     ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side,
     Spin, Tab, Tolerance, ViewMode, active_camera, get, names, ordered,
 };
-use crate::scene::{BUILT_IN, range};
+use crate::scene::{BUILT_IN, EXTREMES, range};
 
 const TOLERANCE: &str = "The largest error of a pixel against the exact evaluation of its mode, \
                          in levels of 255. A coarser tolerance is faster.";
@@ -200,13 +200,12 @@ impl App {
         let mut chosen: Option<PathBuf> = None;
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            let built_in = BUILT_IN.iter().map(|(name, _)| PathBuf::from(name));
-            for path in built_in.chain(self.desk.recent.iter().cloned()) {
+            let built_in = BUILT_IN.iter().chain(EXTREMES);
+            let built_in = built_in.map(|(name, _)| PathBuf::from(name));
+            for path in self.desk.recent.files.iter().cloned().chain(built_in) {
                 let name = path.to_string_lossy();
-                if ui
-                    .selectable_label(self.scene.name == name, &*name)
-                    .clicked()
-                {
+                let is_open = self.scene.name == name;
+                if ui.selectable_label(is_open, &*name).clicked() {
                     chosen = Some(path.clone());
                 }
             }

@@ -1,7 +1,7 @@
-//! The promise of the tolerance: whatever is drawn, no pixel errs by more against the exact evaluation of its mode.
+//! The tolerance: no pixel errs by more than it against the exact evaluation of its mode.
 //!
-//! `SHADETRADE_CASES` sets how many random scenes are drawn (default 100), and eighty times as many random squares; the
-//! long run is 10000 in a release build, with `--nocapture` to see how much slack the certificates leave.
+//! `SHADETRADE_CASES` sets the number of random scenes (default 100); eighty times as many random squares are drawn.
+//! The long run is 10000 in a release build, with `--nocapture` to print the share of the tolerance that was used.
 
 mod choices;
 mod derivatives;
@@ -9,5 +9,5 @@ mod overshoot;
 mod scenes;
 mod squares;
 
-/// How many random scenes are drawn where that is not set.
+/// The default number of random scenes.
 const SCENES: usize = 100;

@@ -1,4 +1,4 @@
-//! The stability charts: f32 leaves its limit where paper says, the renderer nowhere, and all outputs say the same.
+//! The stability charts: f32 leaves its limit where paper predicts, the renderer never does, and all outputs agree.
 
 use std::sync::LazyLock;
 
@@ -17,7 +17,7 @@ fn of(evaluation: &str) -> impl Iterator<Item = &'static Curve> {
         .filter(move |curve| curve.evaluation == evaluation)
 }
 
-/// The verdicts on an evaluation where a number is within these ends.
+/// The verdicts on an evaluation for values of a number in this range.
 fn verdicts(evaluation: &str, number: &str, [from, to]: [f64; 2]) -> Vec<Verdict> {
     let curve = of(evaluation)
         .find(|curve| curve.number == number)
@@ -38,10 +38,10 @@ fn assert_all(verdict: Verdict, evaluation: &str, number: &str, ends: [f64; 2]) 
 }
 
 #[test]
-fn the_renderer_keeps_its_limit_wherever_f64_suffices_to_decide() {
+fn the_renderer_keeps_its_limit_wherever_f64_can_decide() {
     for evaluation in ["phong-0", "phong-0.5"] {
         for curve in of(evaluation) {
-            // Of an eye so far away, f64 does not say where it looks.
+            // At this distance of the eye f64 cannot tell where a line of sight hits.
             let most = if curve.number == "distance of the eye" {
                 1e10
             } else {
@@ -53,7 +53,7 @@ fn the_renderer_keeps_its_limit_wherever_f64_suffices_to_decide() {
 }
 
 #[test]
-fn the_textbook_in_f32_is_right_where_numbers_are_ordinary() {
+fn the_textbook_in_f32_is_right_for_ordinary_numbers() {
     for (number, ends) in [
         ("shininess", [1e-3, 30.0]),
         ("edge length", [0.1, 1e3]),
@@ -68,24 +68,24 @@ fn the_textbook_in_f32_is_right_where_numbers_are_ordinary() {
     }
 }
 
-/// f32 has 24 bits, and its numbers end at 3e38 and 1e-45.
+/// f32 has 24 bits, and a range from 1e-45 to 3e38.
 #[test]
-fn the_textbook_in_f32_errs_where_paper_says() {
+fn the_textbook_in_f32_fails_where_paper_predicts() {
     for (number, ends) in [
-        // A unit in the last place of 1e7 is a unit of length.
+        // The last place of 1e7 in f32 is one world unit.
         ("distance from the origin", [1e7, 1e15]),
-        // The square of a length is no number.
+        // The square of a length overflows.
         ("edge length", [1e20, 1e97]),
-        // The square of a length is 0.
+        // The square of a length underflows to 0.
         ("edge length", [1e-97, 1e-24]),
-        // The slope of the power is rho, and s errs by 6e-8.
+        // The slope of the power is rho, and s has an error of 6e-8.
         ("shininess", [1e6, 1e6]),
     ] {
         assert_all(Verdict::Refuted, "textbook-f32", number, ends);
     }
 }
 
-/// A curve as JSON holds it.
+/// A curve in JSON.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Read {
@@ -124,9 +124,9 @@ fn json_holds_every_point() {
     }
 }
 
-/// The longest run, by trying all of them.
+/// The longest run of proven points, found by trying all runs.
 #[test]
-fn the_range_that_is_kept_is_the_longest_without_a_point_that_is_not_proven() {
+fn the_kept_range_is_the_longest_run_of_proven_points() {
     for curve in CURVES.iter() {
         let points = &curve.points;
         let runs = (0..points.len()).flat_map(|from| {

@@ -1,11 +1,12 @@
-//! The program as people and scripts meet it: run for real, judged by exit status, standard output, standard error and
-//! files.
+//! The program on the command line: it is run as a process and judged by exit status, standard output, standard error
+//! and files.
 
 mod errors;
 #[cfg(unix)]
 mod faults;
 mod files;
 mod help;
+mod judging;
 #[cfg(unix)]
 mod names;
 mod pictures;
@@ -23,12 +24,12 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
-/// A folder of its own for one test.
+/// A temporary folder for one test.
 fn folder() -> TempDir {
     tempfile::tempdir().expect("a temporary folder can be made")
 }
 
-/// The program in `folder`, where no display is to be found.
+/// The program in `folder`, without a display.
 fn shadetrade(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_shadetrade"));
     command
@@ -39,7 +40,7 @@ fn shadetrade(folder: &Path) -> Command {
     command
 }
 
-/// Runs the program in `folder` with the words of `line`.
+/// Runs the program in `folder` with the arguments in `line`.
 fn run(folder: &Path, line: &str) -> Output {
     shadetrade(folder)
         .args(line.split_whitespace())
@@ -47,7 +48,7 @@ fn run(folder: &Path, line: &str) -> Output {
         .expect("the program starts")
 }
 
-/// What a script does in `folder`, to which `$0` is the program.
+/// Runs a shell script in `folder`, with the program as `$0`.
 #[cfg(unix)]
 fn in_shell(folder: &Path, script: &str) -> Output {
     Command::new("sh")
@@ -59,7 +60,7 @@ fn in_shell(folder: &Path, script: &str) -> Output {
         .expect("there is a shell")
 }
 
-/// Sends a signal once `is_time` says so, unless the program ends before; how it ends.
+/// Sends a signal once `is_time` returns true, unless the program ends before. Returns its exit status.
 #[cfg(unix)]
 fn stop(mut program: Child, signal: &str, is_time: impl Fn() -> bool) -> ExitStatus {
     while !is_time() && program.try_wait().expect("its state is known").is_none() {
@@ -74,7 +75,8 @@ fn said(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("messages are UTF-8")
 }
 
-/// Runs `line` and checks that it ends with `status`, says each of `words` in one paragraph and nothing on stdout.
+/// Runs `line` and asserts its exit status, one paragraph with each of `words` on standard error, and no standard
+/// output.
 #[track_caller]
 fn assert_fails(folder: &Path, line: &str, status: i32, words: &[&str]) {
     let output = run(folder, line);
@@ -99,7 +101,7 @@ fn assert_fails(folder: &Path, line: &str, status: i32, words: &[&str]) {
     for internal in ["panicked", "backtrace", "src/"] {
         assert!(
             !said.contains(internal),
-            "`shadetrade {line}` shows its inside: {said}"
+            "`shadetrade {line}` shows internals: {said}"
         );
     }
     for word in words {
@@ -110,7 +112,7 @@ fn assert_fails(folder: &Path, line: &str, status: i32, words: &[&str]) {
     }
 }
 
-/// Runs `line`, checks that it ends well, and gives what it said on standard error.
+/// Runs `line`, asserts success, and returns its standard error.
 #[track_caller]
 fn assert_works(folder: &Path, line: &str) -> String {
     let output = run(folder, line);
@@ -123,7 +125,7 @@ fn assert_works(folder: &Path, line: &str) -> String {
     said(&output)
 }
 
-/// Width, height and RGB bytes of a PNG; panics where it is none, or not 8-bit RGB.
+/// Width, height and RGB bytes of a PNG; panics unless it is an 8-bit RGB PNG.
 #[track_caller]
 fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
     let picture =
@@ -132,7 +134,7 @@ fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
     (picture.width(), picture.height(), picture.into_bytes())
 }
 
-/// What `folder` holds, hidden files too, in order.
+/// The names in `folder` in order, with hidden files.
 fn listing(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(folder)
         .expect("a folder")

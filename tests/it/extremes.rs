@@ -1,36 +1,40 @@
-//! Every extreme of the table passes.
+//! Every extreme passes, also those that need a generator or are compared with a scene without the extreme.
 //!
-//! `SHADETRADE_EXTREMES=full` does what `shadetrade extremes` does, at every SIMD level of this machine: the largest picture
-//! has 16384 x 16384 pixels, which take a gigabyte, and a release build.
+//! `SHADETRADE_EXTREMES=full` proves all pictures at every SIMD level of this machine, and draws the largest picture of
+//! 16384 x 16384 pixels, which takes a gigabyte of memory. It needs a release build.
+
+mod crowds;
+mod same;
 
 use fearless_simd::Level;
 use rayon::prelude::*;
-use serde_json::{Value, json as value};
-use shadetrade::extremes::{Options, Outcome, examine, table, text};
+use serde::Deserialize;
+use shadetrade::extremes::{Outcome, examine, named, table, text};
+use shadetrade::scene::EXTREMES;
 use shadetrade::simd;
 use shadetrade::trade::export::json;
 
-#[test]
-fn every_extreme_passes() {
-    let full = std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full");
-    let levels: Vec<Level> = if full {
+fn is_full() -> bool {
+    std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full")
+}
+
+fn levels() -> Vec<Level> {
+    if is_full() {
         simd::NAMES.into_iter().filter_map(simd::named).collect()
     } else {
         vec![Level::new()]
-    };
-    for level in levels {
-        let options = Options {
-            level,
-            threads: 2,
-            full,
-        };
-        let cases = table();
-        assert!(cases.len() > 80, "the table is whole");
-        // Most of a case keeps one core busy.
-        let examined = cases.par_chunks(4).flat_map(|cases| {
-            examine(cases, options, &|_, _| ()).expect("the system gives threads")
-        });
-        let failed: Vec<Outcome> = examined.filter(|outcome| !outcome.pass).collect();
+    }
+}
+
+#[test]
+fn every_extreme_passes() {
+    for level in levels() {
+        // Most of an extreme runs on one core.
+        let outcomes = table();
+        let outcomes = outcomes
+            .par_chunks(4)
+            .flat_map(|extremes| examine(extremes, level, is_full(), &|_, _| ()));
+        let failed: Vec<Outcome> = outcomes.filter(|outcome| !outcome.pass).collect();
         assert!(
             failed.is_empty(),
             "{}\n{}",
@@ -41,18 +45,57 @@ fn every_extreme_passes() {
 }
 
 #[test]
-fn an_outcome_is_printed_with_its_name_what_was_expected_what_was_observed_and_whether_that_is_right()
- {
+fn every_extreme_begins_with_a_comment() {
+    assert!(EXTREMES.len() > 100, "the table is whole");
+    for (name, text) in EXTREMES {
+        assert!(text.starts_with("# "), "{name}");
+    }
+}
+
+#[test]
+fn extremes_are_chosen_by_name_with_or_without_their_folder() {
+    let chosen = |names: &[&str]| {
+        let names: Vec<String> = names.iter().map(ToString::to_string).collect();
+        named(&names).map(|extremes| extremes.iter().map(|it| it.name).collect::<Vec<_>>())
+    };
+    assert_eq!(
+        chosen(&["eye-inside", "extremes/assignment"]).ok(),
+        Some(vec!["assignment", "eye-inside"])
+    );
+    assert_eq!(chosen(&[]).map(|all| all.len()).ok(), Some(EXTREMES.len()));
+    assert!(chosen(&["eye-inside", "eye"]).is_err());
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Read {
+    name: String,
+    expected: String,
+    observed: String,
+    pass: bool,
+}
+
+#[test]
+fn an_outcome_is_printed_with_its_name_expectation_observation_and_verdict() {
     let outcomes = [true, false].map(|pass| Outcome {
         name: "two by two",
         expected: "four".to_owned(),
         observed: if pass { "four" } else { "five" }.to_owned(),
         pass,
     });
-    let parsed: Value =
+    let read: [Read; 2] =
         serde_json::from_str(&json(&outcomes).expect("it is text")).expect("it is JSON");
-    let one = |observed, pass| value!({ "name": "two by two", "expected": "four", "observed": observed, "pass": pass });
-    assert_eq!(parsed, value!([one("four", true), one("five", false)]));
+    for (read, outcome) in read.iter().zip(&outcomes) {
+        assert_eq!(
+            (&*read.name, &read.expected, &read.observed, read.pass),
+            (
+                outcome.name,
+                &outcome.expected,
+                &outcome.observed,
+                outcome.pass
+            )
+        );
+    }
     let table = text(&outcomes);
     for word in ["two by two", "four", "five", "pass", "FAIL", "1 of 2 pass"] {
         assert!(table.contains(word), "{word} is not in\n{table}");

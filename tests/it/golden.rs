@@ -1,4 +1,4 @@
-//! The six figures of the assignment look as they did when a person last looked at them.
+//! The six figures of the assignment equal the stored ones, which a person has looked at.
 //!
 //! To accept a change after looking at it: `SHADETRADE_BLESS=1 cargo test --test it golden`.
 
@@ -8,9 +8,9 @@ use std::process::Command;
 
 use image::RgbImage;
 
-/// A byte may differ by this much: another machine's libm may round the other way.
+/// A byte may differ by this much, because the libm of another machine may round differently.
 const MAX_LEVELS: u8 = 1;
-/// So many pixels may differ by more: on an edge, for the same reason, coverage may fall the other way.
+/// This many pixels may differ by more: for the same reason coverage may differ at an edge.
 const MAX_EDGE_PIXELS: usize = 12;
 
 const FIGURES: [&str; 6] = [
@@ -34,7 +34,8 @@ fn open(path: &Path) -> RgbImage {
         .into_rgb8()
 }
 
-/// How many pixels differ by more than is allowed, and a picture of expected, actual and difference side by side.
+/// The number of pixels that differ by more than allowed, and a picture of expected, actual and difference side by
+/// side.
 fn compare(expected: &RgbImage, actual: &RgbImage) -> (usize, RgbImage) {
     assert_eq!(expected.dimensions(), actual.dimensions());
     let (width, height) = expected.dimensions();
@@ -56,7 +57,7 @@ fn compare(expected: &RgbImage, actual: &RgbImage) -> (usize, RgbImage) {
 }
 
 #[test]
-fn the_figures_look_as_they_did() {
+fn the_figures_equal_the_stored_ones() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figures");
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
         .args(["figures", "-o"])

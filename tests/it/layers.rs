@@ -1,10 +1,10 @@
-//! Who may import whom: as the crate's front page draws it, layer by layer.
+//! Checks the imports of every module against the drawing of layers in the crate documentation.
 
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The modules by layer, from the top: the block of text below its heading on the front page.
+/// The modules by layer from the top: the block of text under the heading in the crate documentation.
 fn layers() -> Vec<Vec<&'static str>> {
     let (_, page) = include_str!("../../src/lib.rs")
         .split_once("# Who may import whom")
@@ -34,7 +34,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The first words after `crate::` or, in the program, `shadetrade::`, and those in its braces.
+/// The first names after `crate::` or, in the program, `shadetrade::`, including those in braces.
 fn imported(code: &str) -> Vec<&str> {
     let words = |text| {
         str::split(text, |letter: char| {

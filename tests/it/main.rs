@@ -1,4 +1,4 @@
-//! Every test from outside that needs no display, as one program, which is linked once.
+//! Every test that needs no display, as one program, so that the crate is linked once.
 
 mod certificate;
 mod charts;

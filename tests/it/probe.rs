@@ -1,4 +1,4 @@
-//! `shadetrade probe`: what it says is true, adds up, and has the shape scripts rely on.
+//! `shadetrade probe`: its values are right and add up, and its output has the format that scripts rely on.
 
 use std::process::Command;
 
@@ -44,7 +44,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 #[test]
-fn the_vectors_are_what_their_definitions_say() {
+fn the_vectors_meet_their_definitions() {
     let probe = probe(&["--pixel", "480,300"]);
     let (position, normal, to_eye) = (
         triple(&probe["position"]),
@@ -56,7 +56,7 @@ fn the_vectors_are_what_their_definitions_say() {
         (position[2] - 1.0).abs() < 1e-12,
         "the pixel shows the face z = 1: {position:?}"
     );
-    // Corner normals are affine over a face: n is (x / 2, y / 1.5, z) normalised.
+    // Corner normals are interpolated over a face: n is (x / 2, y / 1.5, z) normalised.
     let along = [position[0] / 2.0, position[1] / 1.5, position[2]];
     for axis in 0..3 {
         assert!((normal[axis] - along[axis] / length(along)).abs() < 1e-12);
@@ -85,7 +85,10 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
             for mode in ["gouraud", "phong"] {
                 let reference = triple(&probe["reference"][mode]["levels"]);
                 let levels = triple(&probe[mode]["levels"]);
-                assert_ne!(levels, reference, "the renderer's own, not the reference's");
+                assert_ne!(
+                    levels, reference,
+                    "the levels of the renderer, not of the reference"
+                );
                 let terms = probe[mode]["terms"].as_object().expect("terms by light");
                 assert_eq!(terms.keys().count(), 4);
                 for channel in 0..3 {
@@ -106,7 +109,7 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 }
 
 #[test]
-fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() {
+fn factor_times_strength_is_phongs_term_and_the_factor_follows_from_the_cosines() {
     let mut scene = Scene::load(None).expect("it is built in");
     let view = view_from(&scene, 0, [96, 72]);
     let mut lit = 0;
@@ -138,7 +141,7 @@ fn factor_times_strength_is_phongs_term_and_the_factor_is_made_of_the_cosines() 
 }
 
 #[test]
-fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same_triangles() {
+fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
     let mut on_diagonals = 0;
     for turn in 0..24 {
         let mut scene = Scene::load(None).expect("it is built in");
@@ -159,7 +162,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
                 own == other || own / 2 != other / 2,
                 "at {pixel} of turn {turn}"
             );
-            // Where the next pixel shows the face's other triangle, once in a while.
+            // Every 37th pixel that has the face's other triangle to its right.
             let next = triangles
                 .get(pixel + 1)
                 .is_some_and(|&next| next == own ^ 1);
@@ -183,7 +186,7 @@ fn on_the_diagonals_of_faces_everything_is_given_and_the_reference_sees_the_same
 }
 
 #[test]
-fn the_background_has_a_pixel_and_nothing_else() {
+fn the_background_has_only_a_pixel() {
     assert_eq!(
         probe(&["--pixel", "0,0"]),
         serde_json::json!({"pixel": [0, 0], "object": null})
@@ -219,8 +222,8 @@ fn a_pixel_outside_the_picture_is_a_wrong_command_line() {
 }
 
 #[test]
-fn levels_too_large_for_the_renderer_are_said_as_the_model_has_them() {
-    // 1e20 of an intensity of 1e20 are 1e40 in the first channel, and floats end at 3e38; 1e-20 of it are 1.
+fn levels_beyond_f32_are_those_of_the_reference() {
+    // 1e20 of an intensity of 1e20 is 1e40 in the first channel, beyond the largest f32 of 3e38; 1e-20 of it is 1.
     let scene = include_str!("support/least.toml")
         .replace("ambient = [0.1, 0.2, 0.3]", "ambient = [1e20, 1e-20, 0.0]")
         .replace("kind = \"diffuse\"", "kind = \"ambient\"")
@@ -242,7 +245,7 @@ fn levels_too_large_for_the_renderer_are_said_as_the_model_has_them() {
     }
 }
 
-/// What is known of a pixel of the default scene's picture after a change of the scene.
+/// The evaluation of a pixel of the default scene after a change of the scene.
 fn surface_of(mode: ShadingMode, pixel: [usize; 2], change: impl Fn(&mut SceneRecord)) -> Surface {
     let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
     change(&mut record);
@@ -428,7 +431,7 @@ fn the_cost_is_that_of_the_square() {
     }
 }
 
-/// A pixel of a cube under an ambient and a diffuse light, in numbers of every size.
+/// A pixel of a cube under an ambient and a diffuse light, with numbers of every magnitude.
 fn made_up() -> Probe {
     let light = |name: &str, kind, vector: Option<DVec3>| LightSample {
         name: name.to_owned(),
@@ -485,7 +488,7 @@ fn made_up() -> Probe {
 }
 
 #[test]
-fn the_lines_for_a_person_say_all_of_it_in_columns() {
+fn the_text_shows_every_value_in_columns() {
     let expected = "\
 pixel 31,7: cube, triangle 9 (reference: 8)
   position      1.000   -20.500     1.5e9

@@ -1,4 +1,4 @@
-//! Proofs: that they hold for what is right, that they refute what is wrong, and that the enclosures can be believed.
+//! Proofs: right pictures are proven, wrong ones refuted, and the enclosures hold the exact values.
 
 mod arithmetic;
 mod broken;
@@ -6,6 +6,7 @@ mod judge;
 mod known;
 mod limits;
 mod naive;
+mod picture;
 mod scenes;
 mod search;
 mod ties;
@@ -16,15 +17,15 @@ use shadetrade::components::View;
 use shadetrade::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Seen};
 
-/// The proof of the picture that the renderer draws.
-fn proof(world: &mut World, view: &View) -> Proof {
-    let proof = prove(world, view, Level::new(), &|| false, &|_| ());
+/// The proof of the renderer's picture.
+pub fn proof(world: &mut World, view: &View) -> Proof {
+    let proof = prove(world, view, None, Level::new(), &|| false, &|_| ());
     proof
         .expect("a small picture fits")
         .expect("it is not cancelled")
 }
 
-/// What every pixel may show, row by row from the top.
+/// The surfaces that each pixel may show, row by row from the top.
 fn enclosures(world: &World, view: &View) -> Vec<Vec<Seen<Interval>>> {
     let reference = Reference::<Interval>::new(world, view);
     let mut pixels = Vec::new();

@@ -1,4 +1,4 @@
-//! Which pixels a polygon covers.
+//! Coverage: the pixels of a polygon.
 
 mod bent;
 mod counting;

@@ -1,4 +1,4 @@
-//! The reference: against values computed on paper, and the renderer against the reference.
+//! The reference against values from paper, and the renderer against the reference.
 
 mod agreement;
 mod invariance;

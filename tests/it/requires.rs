@@ -1,4 +1,4 @@
-//! What a scene requires: answers known on paper, against an evaluation in f64, and of the least scene.
+//! `requires`: answers known on paper, comparison with f64, and the least scene.
 
 mod known;
 mod least;
@@ -14,7 +14,7 @@ use shadetrade::components::{
 use shadetrade::requires::{Change, Part, changes, parts};
 use shadetrade::scene::Scene;
 
-/// Reflects diffuse light as it is, and half of specular light.
+/// Reflects diffuse light fully, and half of specular light.
 const WHITE: Material = Material {
     ambient: DVec3::ONE,
     diffuse: DVec3::ONE,
@@ -22,7 +22,7 @@ const WHITE: Material = Material {
     shininess: 20.0,
 };
 
-/// The scene of a world, and of the camera of a view.
+/// The scene of a world and of the camera of a view.
 fn scene_of(mut world: World, view: &View) -> Scene {
     let camera = (
         Name("1".to_owned()),
@@ -52,13 +52,13 @@ fn scene_of(mut world: World, view: &View) -> Scene {
     }
 }
 
-/// What the picture errs without a part.
+/// The change of the picture without a part.
 fn change(scene: &Scene, view: &View, part: Part) -> Change {
     let changes = changes(scene, view, &[vec![part]], &|| false, &|_| ());
     changes.expect("nobody cancels it")[0]
 }
 
-/// Every part of a scene that the picture requires, by name.
+/// The names of all parts that the picture requires.
 fn required(scene: &Scene, view: &View) -> Vec<String> {
     let parts = parts(scene).into_iter();
     let required = parts.filter(|(part, _)| !change(scene, view, *part).keeps(view.tolerance));

@@ -1,4 +1,4 @@
-//! Scene files: what they say and may not say, what they become, and that they are saved without loss.
+//! Scene files: reading, mistakes, the world that they become, and saving without loss.
 
 mod errors;
 pub mod random;
@@ -6,10 +6,10 @@ mod read;
 mod record;
 mod saved;
 
-/// A scene with nothing but the keys that must be there.
+/// A scene with only the mandatory keys.
 const LEAST: &str = include_str!("support/least.toml");
 
-/// Every key, numbers written in every way, tables in every way, kinds in no order.
+/// A scene with every key, with numbers and tables in every notation, and with entities of mixed kinds.
 const MOST: &str = r#"
 camera = [{ name = "c", position = [0, 0, 9], target = [0, 0, 1], up = [1, 0, 0], fov = 179, height = 2, near = 3 }]
 light = [{ name = "l", kind = "specular", color = [0x10, 0o17, 0b11], intensity = 1_000, gain = 1000000000000000000, position = [1, 2, 3], on = false }]

@@ -1,4 +1,4 @@
-//! What colour a pixel gets.
+//! The colour of pixels.
 
 mod agreement;
 mod known;

@@ -1,10 +1,10 @@
-//! What must not change a picture by one bit, and what must not break it.
+//! Changes that must keep every bit of a picture, and extreme scenes that must keep it defined.
 
 mod bits;
 mod depth;
 mod extremes;
 mod found;
-mod life;
+pub mod life;
 mod memory;
 mod redrawing;
 mod symmetries;

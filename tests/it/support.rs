@@ -1,4 +1,4 @@
-//! Helpers of several modules.
+//! Helpers of several test modules.
 
 pub mod cases;
 pub mod random;

@@ -1,10 +1,10 @@
-//! The systems of a frame, one file each, in the order of `systems::FRAME`: entities are spawned by hand, the system runs,
-//! and what it leaves in components, in the frame or in pixels is known from paper.
+//! The systems of a frame, one file each, in the order of `systems::FRAME`. Entities are spawned by hand, the system
+//! runs, and the resulting components or pixels are compared with values from paper.
 //!
 //! ```text
 //! spin -> viewpoint -> normals -> projection -> lighting -> rasterization
 //! ```
-//! Which pixels a polygon covers has tests of its own, in `tests/it/rasterization`.
+//! Coverage of polygons is tested in `tests/it/rasterization`.
 
 mod frame;
 mod lighting;
@@ -25,7 +25,7 @@ use shadetrade::frame::{Frame, Keep, Workers};
 
 const PROJECTIONS: [Projection; 2] = Projection::ALL;
 
-/// kA 0.1, kD 0.5 and kE 1 in every channel; a highlight's exponent of 2.
+/// kA 0.1, kD 0.5 and kE 1 in every channel, and a shininess of 2.
 const MATERIAL: Material = Material {
     ambient: DVec3::splat(0.1),
     diffuse: DVec3::splat(0.5),
@@ -33,12 +33,12 @@ const MATERIAL: Material = Material {
     shininess: 2.0,
 };
 
-/// An empty frame of the calling thread alone.
+/// An empty frame, drawn by the calling thread.
 fn empty_frame() -> Frame {
     Frame::new(Keep::Levels, Workers::alone(Level::new()))
 }
 
-/// Ten units before the origin, looking at it along -z: 90 degrees or 20 units high, at tolerance 0, on black.
+/// From z = 10 towards the origin: 90 degrees or 20 units high, at tolerance 0, on black.
 fn ahead(projection: Projection, size: [usize; 2]) -> View {
     let camera = Camera {
         target: DVec3::ZERO,
@@ -61,12 +61,12 @@ fn ahead(projection: Projection, size: [usize; 2]) -> View {
     }
 }
 
-/// An unturned place.
+/// A position without rotation.
 fn at(position: DVec3) -> Transform {
     Transform::at(position)
 }
 
-/// The place in the world of what is at `transform`.
+/// The derived placement in the world for `transform`.
 fn place(transform: Transform) -> WorldTransform {
     WorldTransform {
         position: transform.position,
@@ -74,7 +74,7 @@ fn place(transform: Transform) -> WorldTransform {
     }
 }
 
-/// A cuboid in its place in the file.
+/// A cuboid with its index in the file.
 fn spawn_cuboid(
     world: &mut World,
     order: usize,
@@ -87,7 +87,7 @@ fn spawn_cuboid(
     world.spawn(cuboid(order, name, transform, mesh, material, mode))
 }
 
-/// A white light of so many levels, which is on.
+/// A white light of this many levels that is on.
 fn light(kind: LightKind, levels: f64) -> Light {
     Light {
         kind,
@@ -103,7 +103,7 @@ fn read<C: hecs::Component + Copy>(world: &World, entity: Entity) -> C {
     *world.get::<&C>(entity).expect("the entity has it")
 }
 
-/// The signs of a corner along x, y and z.
+/// The signs of a corner's coordinates.
 fn signs(corner: usize) -> DVec3 {
     let sign = |bit: usize| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
     dvec3(sign(0), sign(1), sign(2))

@@ -1,5 +1,5 @@
-//! The trade: statistics, errors and the front on hand-computed samples, every report of a made-up measurement, and real
-//! measurements of ordinary and degenerate views held against the contract of `trade.json`.
+//! `trade`: statistics, errors and the front of hand-computed samples, every report of an invented measurement, and
+//! real measurements of ordinary and degenerate views against the format of `trade.json`.
 
 mod budget;
 mod contract;

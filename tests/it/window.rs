@@ -1,4 +1,4 @@
-//! The window without a display: events go into `App::step`; components, files, messages and pixels come of it.
+//! The window without a display: events go into `App::step`; components, files, messages and pixels are checked.
 
 mod facts;
 mod files;
@@ -23,14 +23,14 @@ use tempfile::TempDir;
 
 use super::support::window::{app, default_scene};
 
-/// There is room for the panel, the inspector and a small picture.
+/// A size with room for the panel, the inspector and a small picture.
 const SIZE: [usize; 2] = [900, 600];
 /// The time between two steps.
 const FRAME: Duration = Duration::from_millis(20);
-/// A change after this time is another step of the history.
+/// After this time a change is a new step of the history.
 const PAUSE: Duration = Duration::from_secs(2);
 
-/// A window, its clock, and the folder that it saves into.
+/// A window, its clock, and the folder of its saved files.
 struct Window {
     app: App,
     size: [usize; 2],
@@ -53,7 +53,7 @@ impl Window {
         let folder = tempfile::tempdir().expect("a temporary folder");
         app.folder = folder.path().to_path_buf();
         let step = |app: &mut App| app.step(Duration::ZERO, size, RawInput::default());
-        // Widgets have their sizes after the first pass.
+        // Widgets have their final sizes after the first pass.
         step(&mut app).expect("a small picture fits");
         let output = step(&mut app).expect("a small picture fits");
         Window {
@@ -77,7 +77,7 @@ impl Window {
         self.output = output.expect("the picture fits");
     }
 
-    /// A step after a time in which nothing happens.
+    /// A step after a pause without events.
     fn wait(&mut self, time: Duration) {
         self.now += time;
         self.step(Vec::new());
@@ -136,7 +136,7 @@ impl Window {
         self.button(at, false);
     }
 
-    /// Drags in so many steps.
+    /// Drags in this number of steps.
     fn drag(&mut self, from: Pos2, to: Pos2, steps: usize) {
         self.point_at(from);
         self.button(from, true);
@@ -157,7 +157,7 @@ impl Window {
         }]);
     }
 
-    /// Types, each character with its key as far as it has one.
+    /// Types a text: each character, with its key if it has one.
     fn enter(&mut self, text: &str) {
         for character in text.chars() {
             let key = Key::from_name(&character.to_uppercase().to_string());
@@ -178,7 +178,7 @@ impl Window {
         message.map_or("", |message| &message.text)
     }
 
-    /// The names of the files that were saved, in order.
+    /// The names of the saved files, in order.
     fn files(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.folder.path()).expect("the folder is there");
         let names = entries.map(|entry| entry.expect("an entry").file_name());
@@ -189,7 +189,7 @@ impl Window {
         names
     }
 
-    /// The pixels of the picture's place in the window.
+    /// The pixels of the picture's area in the window.
     fn seen(&self) -> Vec<u32> {
         let [left, top] = [self.app.place.min.x, self.app.place.min.y].map(|it| it as usize);
         let [width, height] = self.app.picture_size();

@@ -1,4 +1,4 @@
-//! A display of its own for a test, and the program with its window open on it.
+//! An X server for a test, and the program with its window on it.
 
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -8,16 +8,16 @@ use std::time::{Duration, Instant};
 use image::RgbImage;
 use tempfile::TempDir;
 
-/// A place in the window, in pixels.
+/// A position in the window, in pixels.
 pub type Point = [i32; 2];
 
-/// How long anything may take before it counts as failed.
+/// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Width and height of a display, in pixels.
 const SCREEN: (u32, u32) = (3840, 2160);
 
-/// An X server without a screen to look at.
+/// An X server without a screen.
 struct Display {
     server: Child,
     manager: Option<Child>,
@@ -67,7 +67,7 @@ impl Drop for Display {
     }
 }
 
-/// The program with its window open, in a folder of its own.
+/// The program with its window, in a temporary folder.
 pub struct Program {
     display: Display,
     pub child: Child,
@@ -85,6 +85,7 @@ impl Program {
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("XMODIFIERS")
             .env("DISPLAY", &display.name)
+            .env("XDG_STATE_HOME", folder.path().join("state"))
             .envs(environment.iter().copied())
             .spawn()
             .expect("the program starts");
@@ -107,7 +108,7 @@ impl Program {
                 .clone_into(&mut program.window);
             !program.window.is_empty()
         });
-        // No window manager runs: the window gets neither a place nor the keys by itself.
+        // Without a window manager the window gets neither a position nor the keyboard focus by itself.
         program.xdotool(&["windowmove", &program.window, "0", "0"]);
         program.xdotool(&["windowfocus", "--sync", &program.window]);
         until("a picture is there", || {
@@ -139,7 +140,7 @@ impl Program {
         self.xdotool(&["mouseup", "1"]);
     }
 
-    /// Drags in small steps, as a hand does.
+    /// Drags in small steps, like a hand.
     pub fn drag(&self, from: Point, [right, down]: Point) {
         self.point_at(from);
         self.xdotool(&["mousedown", "1"]);
@@ -164,7 +165,7 @@ impl Program {
         self.xdotool(&["getwindowname", &self.window])
     }
 
-    /// What the window shows.
+    /// The pixels of the window.
     pub fn picture(&self) -> RgbImage {
         let png = self
             .display
@@ -174,7 +175,7 @@ impl Program {
             .unwrap_or_default()
     }
 
-    /// Waits until the window shows something else than `before`, and that it rests.
+    /// Waits until the window shows another picture than `before` and no longer changes.
     pub fn next_picture(&self, before: &RgbImage, what: &str) -> RgbImage {
         let mut last = self.picture();
         until(what, || {
@@ -186,7 +187,7 @@ impl Program {
         last
     }
 
-    /// Starts a window manager, and gives the keys to the window again.
+    /// Starts a window manager, and focuses the window again.
     pub fn start_window_manager(&mut self) {
         let manager = Command::new("openbox")
             .env("DISPLAY", &self.display.name)
@@ -194,7 +195,7 @@ impl Program {
             .spawn()
             .expect("openbox is installed");
         self.display.manager = Some(manager);
-        // What is asked of it before it has taken over the window is lost.
+        // A request before the window manager manages the window is lost.
         until("the window manager has the window", || {
             let state = self
                 .display
@@ -204,24 +205,24 @@ impl Program {
         self.xdotool(&["windowactivate", "--sync", &self.window]);
     }
 
-    /// Gives the keys to no window.
+    /// Removes the keyboard focus from all windows.
     pub fn focus_elsewhere(&self) {
         let root = self.xdotool(&["search", "--maxdepth", "0", ""]);
         self.xdotool(&["windowfocus", root.lines().next().expect("a root window")]);
     }
 
-    /// Waits until the window shows something else than `before`, moving or not.
+    /// Waits until the window shows another picture than `before`.
     pub fn next_while_moving(&self, before: &RgbImage) {
         until("the picture moves", || self.picture() != *before);
     }
 
-    /// Ends the server under the window.
+    /// Kills the X server.
     pub fn kill_display(&mut self) {
         self.display.server.kill().expect("it was running");
         self.display.server.wait().expect("it has ended");
     }
 
-    /// How it ended.
+    /// The exit status of the program.
     pub fn status(&mut self) -> ExitStatus {
         self.child.wait().expect("it has ended")
     }
@@ -230,7 +231,7 @@ impl Program {
         self.child.try_wait().expect("its state is known").is_none()
     }
 
-    /// Waits for the end, which must be a success.
+    /// Waits for the program to end, which must be a success.
     pub fn end(mut self) {
         until("the program ends", || !self.is_running());
         let status = self.child.wait().expect("it has ended");

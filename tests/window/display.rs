@@ -1,4 +1,4 @@
-//! The real window, on a display of its own: opened, driven and looked at from outside.
+//! The real window on its own X server: opened, controlled and checked from outside.
 
 use std::fs;
 use std::process::Command;
@@ -12,17 +12,17 @@ use shadetrade::scene::BUILT_IN;
 use super::desktop::{Point, Program, until};
 use super::support::{app, default_scene, places, widgets};
 
-/// The size of the window as it opens, in pixels.
+/// The initial size of the window, in pixels.
 const SIZE: [usize; 2] = [960, 720];
 
-/// The middle of the widget of this label.
+/// The centre of the widget with this label.
 fn place(label: &str) -> Point {
     let harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
     let at = places(&harness, label)[0];
     [at.x, at.y].map(|it| it as i32)
 }
 
-/// The picture in a window as it opens.
+/// The picture's area in a window of the initial size.
 pub(super) fn picture(window: &RgbImage) -> RgbImage {
     let harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
     let place = harness.state().place;
@@ -31,12 +31,12 @@ pub(super) fn picture(window: &RgbImage) -> RgbImage {
     image::imageops::crop_imm(window, x, y, width, height).to_image()
 }
 
-/// A place on the cuboid.
+/// A position on the cuboid.
 const CUBOID: Point = [620, 350];
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn keys_change_the_picture_and_change_it_back() {
+fn keys_change_the_picture_and_restore_it() {
     let program = Program::open(&[], &[]);
     let start = program.picture();
     assert_eq!(start.dimensions(), (960, 720));
@@ -78,7 +78,7 @@ fn keys_change_the_picture_and_change_it_back() {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn clicks_drags_and_the_wheel_do_what_they_are_for() {
+fn clicks_drags_and_the_wheel_have_their_effects() {
     let program = Program::open(&[], &[]);
     let start = picture(&program.picture());
     let seen = || picture(&program.picture());
@@ -139,7 +139,7 @@ fn no_tap_of_a_key_is_lost() {
     let program = Program::open(&[], &[]);
     let start = picture(&program.picture());
     let seen = || picture(&program.picture());
-    // An odd number of times, so that one lost tap shows. Events come in order: the help is open after all taps.
+    // An odd number of taps, so that a lost one shows. Events come in order: the help opens after all taps.
     program.xdotool(&["key", "--repeat", "41", "--delay", "12", "1"]);
     let before = seen();
     program.press("h");
@@ -249,7 +249,7 @@ fn any_size_is_drawn() {
 
 #[test]
 #[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
-fn edits_are_asked_for_by_q_and_rescued_where_the_frame_is_closed() {
+fn q_asks_about_edits_and_closing_the_frame_rescues_them() {
     let mut program = Program::open(&[], &[]);
     let folder = program.folder.path().to_path_buf();
     program.start_window_manager();
@@ -280,7 +280,7 @@ fn edits_are_asked_for_by_q_and_rescued_where_the_frame_is_closed() {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn an_input_method_that_does_not_run_does_no_harm() {
+fn an_input_method_that_does_not_run_is_harmless() {
     let program = Program::open(&["assignment"], &[("XMODIFIERS", "@im=ibus")]);
     let title = "the arguments are handed on";
     until(title, || program.title().contains("assignment"));
@@ -290,7 +290,7 @@ fn an_input_method_that_does_not_run_does_no_harm() {
 
 #[test]
 #[ignore = "tells of a machine without a display, which needs none; it is here beside its opposite"]
-fn without_a_display_a_named_scene_is_an_error_that_names_the_way_out() {
+fn without_a_display_a_named_scene_is_an_error_that_advises_render() {
     let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
         .args(["view", "assignment"])
         .env_remove("DISPLAY")
@@ -307,7 +307,7 @@ fn without_a_display_a_named_scene_is_an_error_that_names_the_way_out() {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn a_resting_window_hardly_works() {
+fn an_idle_window_uses_little_processor_time() {
     let program = Program::open(&["--size", "1920x1080"], &[]);
     let worked = || {
         let tasks = fs::read_dir(format!("/proc/{}/task", program.child.id())).expect("listed");
@@ -322,7 +322,7 @@ fn a_resting_window_hardly_works() {
         });
         Duration::from_nanos(nanoseconds.sum())
     };
-    // The reference takes its time once. The promise is 2 %; the limit leaves room for a busy machine.
+    // The reference runs once. The promise is 2 %; the limit leaves room for a busy machine.
     let share = || {
         let (start, before) = (Instant::now(), worked());
         sleep(Duration::from_secs(1));

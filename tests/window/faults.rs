@@ -1,5 +1,5 @@
-//! What goes wrong around the real window: it is destroyed, its server dies, signals come, keys are held as the focus
-//! goes. A screenshot under its own name is whole, and the program ends or goes on as ever.
+//! Faults around the real window: it is destroyed, its server dies, signals arrive, keys are held when the focus
+//! leaves. A screenshot under its final name is complete, and the program ends or continues normally.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,8 @@ use super::desktop::{Program, until};
 use super::display::picture;
 use super::signal;
 
-/// Asserts that every screenshot in `folder` is whole and everything else hidden; returns how many there are.
+/// Asserts that every screenshot in `folder` is complete and every other file hidden; returns the number of
+/// screenshots.
 #[track_caller]
 fn whole_screenshots(folder: &Path) -> usize {
     let entries = fs::read_dir(folder).expect("listed");
@@ -32,8 +33,8 @@ fn whole_screenshots(folder: &Path) -> usize {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn a_window_destroyed_from_outside_ends_the_program_and_leaves_whole_files() {
-    // The connection is cut, or the window alone is gone.
+fn a_window_destroyed_from_outside_ends_the_program_and_leaves_complete_files() {
+    // The connection is closed, or the window alone is destroyed.
     for way in ["windowkill", "windowclose"] {
         let mut program = Program::open(&["--size", "1600x1200"], &[]);
         program.xdotool(&["key", "--repeat", "5", "--delay", "5", "F12"]);
@@ -46,7 +47,7 @@ fn a_window_destroyed_from_outside_ends_the_program_and_leaves_whole_files() {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn a_server_that_dies_ends_the_program_and_leaves_whole_files() {
+fn a_dead_server_ends_the_program_and_leaves_complete_files() {
     let mut program = Program::open(&["--size", "1600x1200"], &[]);
     program.xdotool(&["key", "--repeat", "5", "--delay", "5", "F12"]);
     program.kill_display();
@@ -57,13 +58,13 @@ fn a_server_that_dies_ends_the_program_and_leaves_whole_files() {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn a_signal_in_the_middle_of_a_screenshot_leaves_whole_files() {
-    // Not INT: what is started in the background, as these tests may be, ignores it.
+fn a_signal_during_a_screenshot_leaves_complete_files() {
+    // Not INT: background processes, as these tests may be, ignore it.
     for signal in ["KILL", "TERM"] {
         let mut program = Program::open(&["--size", "3840x2160"], &[]);
         program.xdotool(&["key", "--repeat", "6", "--delay", "5", "F12"]);
         let folder = program.folder.path().to_owned();
-        // A hidden file is one that is being written.
+        // A hidden file is being written.
         until("a screenshot is being written", || {
             fs::read_dir(&folder).expect("listed").count() > 1
         });
@@ -76,14 +77,14 @@ fn a_signal_in_the_middle_of_a_screenshot_leaves_whole_files() {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn a_key_held_as_the_focus_goes_is_up_when_it_comes_back() {
+fn a_key_held_when_the_focus_leaves_is_released() {
     let program = Program::open(&[], &[]);
     let start = program.picture();
     program.xdotool(&["keydown", "Left"]);
     program.next_while_moving(&start);
     program.focus_elsewhere();
     let rests = program.next_picture(&start, "the camera comes to rest");
-    // The panel tells the error as soon as it is known.
+    // The panel shows the error as soon as it is known.
     let is_at_rest = || picture(&program.picture()) == picture(&rests);
     sleep(Duration::from_millis(500));
     assert!(is_at_rest(), "it moves without the focus");
@@ -99,10 +100,11 @@ fn a_key_held_as_the_focus_goes_is_up_when_it_comes_back() {
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn a_storm_of_keys_and_sizes_leaves_a_window_that_answers() {
+fn a_storm_of_keys_and_sizes_leaves_a_responding_window() {
     let mut program = Program::open(&[], &[]);
     let start = program.picture();
-    // Every key an even number of times, or undone by Home. I folds one thing in a narrow window and another in a wide one.
+    // Every key is pressed an even number of times or undone by Home. I is not used: it folds different parts of a narrow
+    // and of a wide window.
     let keys = [
         "1", "1", "3", "3", "o", "o", "c", "c", "h", "h", "space", "Left", "Up", "plus", "space",
         "Home",

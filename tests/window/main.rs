@@ -1,4 +1,4 @@
-//! The real window, opened on an Xvfb of its own and driven from outside: `cargo test --test window -- --ignored`.
+//! The real window on its own Xvfb, controlled from outside: `cargo test --test window -- --ignored`.
 #![cfg(target_os = "linux")]
 
 mod desktop;

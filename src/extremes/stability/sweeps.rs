@@ -1,17 +1,14 @@
-//! A number of a scene in, the scenes of its whole range out.
+//! The numbers that are swept, each over its whole range.
 //!
-//! Rule: one number varies. Where it would take the cuboid out of the picture, the camera follows.
+//! One number varies. Where that would take the cuboid out of the picture, the camera follows.
 
 use glam::DVec3;
 
-use crate::extremes::crowd::{spread, under_many_lights};
-use crate::extremes::scene_spec::{SceneSpec, lights_at, scene};
-use crate::extremes::{shape, strength};
+use crate::components::LightKind;
+use crate::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
 /// Decades above which there is one value a decade instead of three.
 const MANY_DECADES: f64 = 24.0;
-
-const SIZE: [usize; 2] = [64, 48];
 
 /// A number and its range.
 pub struct Sweep {
@@ -21,77 +18,97 @@ pub struct Sweep {
     pub range: [f64; 2],
     /// Whether only whole numbers make sense.
     pub is_whole: bool,
-    pub(super) scene: fn(f64) -> SceneSpec,
+    set: fn(&mut SceneRecord, f64),
 }
 
 const fn sweep(
     number: &'static str,
     unit: &'static str,
     range: [f64; 2],
-    scene: fn(f64) -> SceneSpec,
+    set: fn(&mut SceneRecord, f64),
 ) -> Sweep {
     Sweep {
         number,
         unit,
         range,
         is_whole: false,
-        scene,
+        set,
     }
 }
 
 /// Every number that is swept.
 pub const SWEEPS: &[Sweep] = &[
-    // A highlight is as wide as 1 / sqrt(shininess).
-    sweep("shininess", "", [1e-3, 1e6], |shininess| {
-        let fov = scene().camera.fov / shininess.sqrt().max(1.0);
-        let scene = strength::mirroring(shininess, 255.0).size(SIZE);
-        scene.target(strength::MIRRORING).fov(fov)
-    }),
+    sweep("shininess", "", [1e-3, 1e6], set_shininess),
     // Lights and eye follow; the longest edge is 4 units long.
-    sweep("edge length", "units", [1e-97, 1e97], |edge| {
-        scene().size(SIZE).scaled(edge / 4.0)
+    sweep("edge length", "units", [1e-97, 1e97], |scene, edge| {
+        scene.cuboid[0].size *= edge / 4.0;
+        scene.camera[0].height *= edge / 4.0;
+        change_places(scene, |place| place * (edge / 4.0));
     }),
     sweep(
         "aspect of a face",
         "times as long as wide",
         [1.0, 1e100],
-        |aspect| shape::long(aspect)[0].clone().size(SIZE),
+        |scene, aspect| scene.cuboid[0].size = DVec3::new(aspect, 1.0, 1.0),
     ),
-    sweep("distance from the origin", "units", [1.0, 1e15], |far| {
-        let shift = DVec3::new(far, -0.5 * far, 0.25 * far);
-        scene().size(SIZE).moved(shift)
-    }),
+    sweep(
+        "distance from the origin",
+        "units",
+        [1.0, 1e15],
+        |scene, far| {
+            change_places(scene, |place| {
+                place + DVec3::new(far, -0.5 * far, 0.25 * far)
+            });
+        },
+    ),
     // From above and aside, the lens as narrow as keeps the cuboid in the picture.
-    sweep("distance of the eye", "units", [1e-9, 1e15], |distance| {
-        let target = DVec3::new(0.1, 0.2, 1.0);
-        let eye = target + DVec3::new(0.48, 0.36, 0.8) * distance;
-        let fov = 2.0 * (3.0 / distance).atan().to_degrees().min(30.0);
-        scene().size(SIZE).target(target).eye(eye).fov(fov)
-    }),
+    sweep(
+        "distance of the eye",
+        "units",
+        [1e-9, 1e15],
+        |scene, distance| {
+            let camera = &mut scene.camera[0];
+            camera.target = DVec3::new(0.1, 0.2, 1.0);
+            camera.position = camera.target + DVec3::new(0.48, 0.36, 0.8) * distance;
+            camera.fov = 2.0 * (3.0 / distance).atan().to_degrees().min(30.0);
+        },
+    ),
     // From near by.
     sweep(
         "height of a light over a face",
         "units",
         [f64::EPSILON, 1e6],
-        |height| {
+        |scene, height| {
             let target = DVec3::new(0.3, 0.4, 1.0);
-            let eye = target + DVec3::new(1.0, 0.9, 2.0);
-            let lights = lights_at(target + DVec3::Z * height);
-            scene().size(SIZE).target(target).eye(eye).lights(lights)
+            scene.camera[0].target = target;
+            scene.camera[0].position = target + DVec3::new(1.0, 0.9, 2.0);
+            scene.light = lights_at(target + DVec3::Z * height);
         },
     ),
-    sweep("field of view", "degrees", [1e-9, 179.0], |fov| {
-        let scene = scene().size(SIZE).eye([0.1, 0.2, 1.01]);
-        scene.target([0.4, 0.3, 0.0]).fov(fov)
-    }),
-    sweep("intensity", "levels", [1e-30, 1e30], |intensity| {
-        strength::with_intensity(intensity).size(SIZE)
+    sweep(
+        "field of view",
+        "degrees",
+        [1e-9, 179.0],
+        |scene, degrees| {
+            let camera = &mut scene.camera[0];
+            camera.position = DVec3::new(0.1, 0.2, 1.01);
+            camera.target = DVec3::new(0.4, 0.3, 0.0);
+            camera.fov = degrees;
+        },
+    ),
+    sweep("intensity", "levels", [1e-30, 1e30], |scene, intensity| {
+        for light in &mut scene.light[..2] {
+            light.intensity = intensity;
+        }
     }),
     Sweep {
         is_whole: true,
-        ..sweep("number of lights", "of each kind", [1.0, 1e3], |count| {
-            under_many_lights(count as u32, spread)
-        })
+        ..sweep(
+            "number of lights",
+            "of each kind",
+            [1.0, 1e3],
+            set_number_of_lights,
+        )
     },
 ];
 
@@ -113,4 +130,74 @@ impl Sweep {
         });
         values.collect()
     }
+
+    /// An emerald under a white light of each kind, with the number set.
+    pub(super) fn scene(&self, value: f64) -> SceneRecord {
+        let mut scene = SceneRecord {
+            cuboid: vec![CuboidRecord::new("cuboid", [4.0, 3.0, 2.0], DVec3::ZERO)],
+            light: lights_at(DVec3::splat(10.0)),
+            camera: vec![CameraRecord::new(
+                "camera",
+                [7.0, 5.0, 8.0],
+                DVec3::ZERO,
+                [30.0, 6.3],
+            )],
+            ..SceneRecord::default()
+        };
+        (self.set)(&mut scene, value);
+        scene
+    }
+}
+
+/// A light of every kind at one place, the ambient one last.
+fn lights_at(place: DVec3) -> Vec<LightRecord> {
+    vec![
+        LightRecord::new("diffuse", LightKind::Diffuse, 170.0, place),
+        LightRecord::new("specular", LightKind::Specular, 255.0, place),
+        LightRecord::new("ambient", LightKind::Ambient, 100.0, place),
+    ]
+}
+
+/// Moves the cuboid, the lights and the camera.
+fn change_places(scene: &mut SceneRecord, change: impl Fn(DVec3) -> DVec3) {
+    let lights = scene
+        .light
+        .iter_mut()
+        .filter_map(|light| light.position.as_mut());
+    let camera = &mut scene.camera[0];
+    let others = [
+        &mut scene.cuboid[0].position,
+        &mut camera.position,
+        &mut camera.target,
+    ];
+    for place in lights.chain(others) {
+        *place = change(*place);
+    }
+}
+
+/// Adds a light whose mirror image is in the face z = 1, and looks at its highlight, which is as wide as 1 / sqrt(shininess).
+fn set_shininess(scene: &mut SceneRecord, shininess: f64) {
+    scene.cuboid[0].material.shininess = shininess;
+    let camera = &mut scene.camera[0];
+    let point = DVec3::new(1.1, 0.7, 1.0);
+    let normal = (point / DVec3::new(2.0, 1.5, 1.0)).normalize();
+    let to_eye = (camera.position - point).normalize();
+    let place = point + 9.0 * (2.0 * normal.dot(to_eye) * normal - to_eye);
+    let light = LightRecord::new("mirrored", LightKind::Specular, 255.0, place);
+    scene.light.push(light);
+    camera.target = point;
+    camera.fov /= shininess.sqrt().max(1.0);
+}
+
+/// Replaces the diffuse and the specular light by as many of each, around the cuboid and of one sum.
+fn set_number_of_lights(scene: &mut SceneRecord, count: f64) {
+    let lights = (0..count as u32).flat_map(|index| {
+        let step = f64::from(index);
+        let place = DVec3::new(step % 7.0 - 3.0, step % 5.0 + 2.0, step % 11.0 - 1.0) * 1.7;
+        [(LightKind::Diffuse, 200.0), (LightKind::Specular, 500.0)].map(|(kind, levels)| {
+            let name = format!("{} {index}", kind.name());
+            LightRecord::new(name, kind, levels / count, place)
+        })
+    });
+    scene.light.splice(..2, lights);
 }

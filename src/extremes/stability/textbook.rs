@@ -1,22 +1,23 @@
-//! A face and a pixel in, Phong's levels out: the formula as a textbook has it, in f32 from the scene's numbers on.
+//! Phong's levels by the formula as a textbook has it, in f32 from the scene's numbers on.
 //!
 //! ```text
 //! model matrix --> world places and normals of the corners --+-- weights in the pixel --> P, n --> I
 //! view, projection matrix --> clip coordinates --------------'
 //! ```
 //!
-//! Rule: nothing is done for its numerical stability; what is computed is right in exact arithmetic.
+//! Nothing is done for numerical stability. In exact arithmetic every value is right.
 
 use glam::camera::rh::{proj, view};
 use glam::{DVec3, Mat3, Mat4, Vec3};
 
-use crate::components::{LightKind, Material, Mesh, TRIANGLES};
-use crate::extremes::scene_spec::SceneSpec;
-use crate::scene::CuboidRecord;
+use crate::components::{LightKind, Mesh, TRIANGLES};
+use crate::scene::{CuboidRecord, SceneRecord};
 
 /// A perspective picture.
 pub struct Textbook<'a> {
-    spec: &'a SceneSpec,
+    scene: &'a SceneRecord,
+    /// Width and height in pixels.
+    size: [f32; 2],
     cuboids: Vec<Cuboid>,
     eye: Vec3,
 }
@@ -29,11 +30,11 @@ struct Cuboid {
 }
 
 impl<'a> Textbook<'a> {
-    pub fn new(spec: &'a SceneSpec) -> Self {
-        let lens = spec.camera.camera();
-        let places = [spec.camera.position, lens.target, lens.up];
-        let [eye, target, up] = places.map(DVec3::as_vec3);
-        let [width, height] = spec.size.map(|pixels| pixels as f32);
+    /// What the first camera sees.
+    pub fn new(scene: &'a SceneRecord, size: [usize; 2]) -> Self {
+        let lens = &scene.camera[0];
+        let [eye, target, up] = [lens.position, lens.target, lens.up].map(DVec3::as_vec3);
+        let size @ [width, height] = size.map(|pixels| pixels as f32);
         let fov = (lens.fov as f32).to_radians();
         // The near plane does not matter: only x, y and w are used.
         let projection = proj::directx::perspective_infinite(fov, width / height, 1.0);
@@ -55,8 +56,9 @@ impl<'a> Textbook<'a> {
             }
         };
         Textbook {
-            spec,
-            cuboids: spec.cuboids.iter().map(cuboid).collect(),
+            scene,
+            size,
+            cuboids: scene.cuboid.iter().map(cuboid).collect(),
             eye,
         }
     }
@@ -64,7 +66,7 @@ impl<'a> Textbook<'a> {
     /// The levels of a face, cuboid * 6 + face, at pixel (`x`, `y`).
     pub fn levels(&self, face: usize, [x, y]: [usize; 2]) -> [f32; 3] {
         let cuboid = &self.cuboids[face / 6];
-        let [width, height] = self.spec.size.map(|pixels| pixels as f32);
+        let [width, height] = self.size;
         let pixel = Vec3::new(
             2.0 * (x as f32 + 0.5) / width - 1.0,
             1.0 - 2.0 * (y as f32 + 0.5) / height,
@@ -88,12 +90,12 @@ impl<'a> Textbook<'a> {
             a * weights.x + b * weights.y + c * weights.z
         };
         let (position, normal) = (blend(&cuboid.corners), blend(&cuboid.normals).normalize());
-        let material = Material::from(self.spec.cuboids[face / 6].material);
+        let material = self.scene.cuboid[face / 6].material;
         let to_eye = (self.eye - position).normalize();
-        let terms = self.spec.lights.iter().map(|record| {
-            let light = record.light();
+        let terms = self.scene.light.iter().map(|light| {
             let sent = light.color.as_vec3() * light.intensity as f32 * light.gain as f32;
-            let to_light = (record.place().as_vec3() - position).normalize();
+            let place = light.position.unwrap_or_default().as_vec3();
+            let to_light = (place - position).normalize();
             let facing = normal.dot(to_light);
             match light.kind {
                 LightKind::Ambient => material.ambient.as_vec3() * sent,

@@ -1,6 +1,6 @@
-//! A cuboid in; the columns and rows of the picture that it can be seen in out.
+//! The columns and rows of the picture in which a cuboid may be visible.
 //!
-//! Rule: its corners are projected in intervals, so no pixel that may show it is left out.
+//! Its corners are projected in intervals, so the bounds hold every pixel that may show it.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -12,7 +12,8 @@ use super::{Sight, own_axes};
 use crate::components::{Mesh, Projection, Transform};
 
 impl Sight<Interval> {
-    /// The columns and rows that a cuboid can be seen in.
+    /// The columns and rows in which a cuboid may be visible; all of them if a corner may be behind the eye in
+    /// perspective.
     pub fn bounds(&self, transform: &Transform, mesh: &Mesh) -> [Range<usize>; 2] {
         let axes = own_axes(transform);
         let centre = Vector::exact(transform.position) - Vector::exact(self.eye);
@@ -40,7 +41,7 @@ impl Sight<Interval> {
             let places = seen.map(place).into_iter().reduce(Interval::either);
             let [least, largest] = places.unwrap_or(Interval::ALL).endpoints();
             let middle = self.size[axis] as f64 / 2.0;
-            // One pixel more for edges; the conversion to integers saturates.
+            // One more pixel on each side, for edges. The conversion to integers saturates.
             let end = ((middle + largest + 2.0) as usize).min(self.size[axis]);
             ((middle + least - 1.0) as usize).min(end)..end
         })

@@ -1,28 +1,29 @@
-//! A line on the screen and a pixel in; the side of it that the pixel's centre is on out.
+//! The side of an edge on the screen that a pixel centre is on.
 //!
-//! Rule: in f64 a centre exactly on the line is on the side of what lies to the right of it, or below it if it is level
-//! (the top-left rule); an interval near the line is undecided.
+//! In f64 a centre exactly on the edge belongs to the side on the right, or below if the edge is horizontal (the
+//! top-left rule). An interval near the edge is undecided.
 
 use std::cmp::Ordering;
 
 use super::super::real::Real;
 use super::super::vector::Vector;
 
-/// How near to an edge, in pixels, a pixel's centre may show either side: snapping moves corners by up to 0.003 pixel.
+/// A pixel centre within this distance of an edge, in pixels, may show either side: snapping moves corners by up to
+/// 0.003 pixel.
 pub const EDGE: f64 = 0.01;
 
-/// An affine function of the pixel, from the picture's centre rightwards and downwards: 0 on a line.
+/// An edge function: affine in the pixel's offset from the picture's centre, right and down, and 0 on the edge.
 pub struct Edge<R> {
     at_centre: R,
     right: R,
     down: R,
-    /// What a pixel away from the line adds. It is not divided by: a face that is parallel to the picture has one
-    /// distance from the near plane, infinitely many pixels from it.
+    /// Length of the gradient, per pixel. Nothing is divided by it, because it may be 0: a face parallel to the picture
+    /// has the same distance from the near plane at every pixel.
     pixel: R,
 }
 
 impl<R: Real> Edge<R> {
-    /// A function of the pixel by its value at the picture's centre and what a pixel right and down add to it.
+    /// The function with this value at the picture's centre and these changes per pixel right and down.
     pub fn new(at_centre: R, [right, down]: [R; 2]) -> Self {
         Edge {
             at_centre,
@@ -32,9 +33,9 @@ impl<R: Real> Edge<R> {
         }
     }
 
-    /// Whether a pixel's centre is on the positive side; an interval is undecided within `margin` pixels of the line.
+    /// Whether a pixel centre is on the positive side; an interval is undecided within `margin` pixels of the edge.
     ///
-    /// A centre on the line is on the side of what lies to the right, or below if the line is level.
+    /// A centre on the edge belongs to the side on the right, or below if the edge is horizontal.
     pub fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
         let distance = self.at_centre + self.right * R::of(right) + self.down * R::of(down);
         let is_equal = |sign| sign == Some(Ordering::Equal);
@@ -50,7 +51,7 @@ impl<R: Real> Edge<R> {
     }
 }
 
-/// Whether a pixel's centre is on the positive side of all edges; an interval is undecided within [`EDGE`] pixels of one.
+/// Whether a pixel centre is on the positive side of all edges; an interval is undecided within [`EDGE`] pixels of one.
 pub fn inside<'a, R: Real + 'a>(
     edges: impl Iterator<Item = &'a Edge<R>>,
     pixel: [f64; 2],

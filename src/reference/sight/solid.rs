@@ -1,21 +1,21 @@
-//! A cuboid and lines of sight in; which of its faces a line meets, where and how far away out.
+//! The intersection of lines of sight with the faces of a cuboid.
 //!
 //! ```text
 //!              eye O                 d(x, y) = forward + right x + down y, along the cuboid's axes     (perspective)
 //!               .                    H = distance of the eye from the face's plane, w = -m.d           m: the face's normal
 //!              /|  H                 P - O = d H / w
 //!             d |                    side of an edge: the sign of d_k to_i - d_i to_k,
-//!            /  |                    where `to` goes from the eye to the edge, which lies across the axes i and k
+//!            /  |                    `to`: from the eye to the edge, which is perpendicular to the axes i and k
 //!       ----P---+---- face
 //! ```
 //!
-//! In orthographic projection d is the view direction, and O moves with the pixel. Either way a side of an edge is an
-//! affine function of the pixel.
+//! In orthographic projection d is the view direction, and O moves with the pixel. In both projections the side of an
+//! edge is an affine function of the pixel.
 //!
-//! Rule: places are relative to the eye, so a corner of a cuboid of any size is as sure as any other. Two faces compute
-//! the side of their common edge from the same numbers with opposite sign, so in f64 a line of sight passes between them
-//! nowhere and never enters both: one exactly on the edge belongs to what is to the right of it, or below it if the edge
-//! is level (the top-left rule). An interval within [`edge::EDGE`] of an edge is undecided.
+//! Points are relative to the eye, so precision does not depend on the size of the cuboid. Two faces compute the side of
+//! their common edge from the same numbers with opposite signs. In f64 a line of sight therefore never passes between
+//! them and never hits both: a line exactly on the edge hits the face on the right of it, or below it if the edge is
+//! horizontal (the top-left rule). An interval within [`edge::EDGE`] pixels of an edge is undecided.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -28,7 +28,7 @@ use super::edge::{self, Edge};
 use super::{Line, Sight, own_axes};
 use crate::components::{Mesh, Projection, TRIANGLES, Transform};
 
-/// A cuboid before these lines of sight; everything along the cuboid's axes, in world units.
+/// The geometry of a cuboid for the lines of sight, in its own axes and world units.
 pub struct Solid<R> {
     /// The cuboid's axes in world space.
     pub axes: [Vector<R>; 3],
@@ -36,25 +36,25 @@ pub struct Solid<R> {
     half: [f64; 3],
     /// The reciprocals of the lengths of its edges.
     per_edge: [R; 3],
-    /// The eye from the centre.
+    /// The eye relative to the cuboid's centre.
     pub eye: Vector<R>,
-    /// What one pixel right and one pixel down add to the line's direction in perspective, to its start if orthographic.
+    /// Change per pixel right and down of the line's direction in perspective, of its start in orthographic projection.
     step: [Vector<R>; 2],
     forward: Vector<R>,
     projection: Projection,
     near: R,
-    /// The faces that look towards the eye, or may do so, in the order of [`crate::components::FACES`].
+    /// The faces that may be front-facing, in the order of [`crate::components::FACES`].
     faces: [Option<Face<R>>; 6],
-    /// The only columns and rows of the picture it can be seen in.
+    /// The columns and rows of the picture in which it may be visible.
     pub columns: Range<usize>,
     pub rows: Range<usize>,
 }
 
-/// A face and what bounds it on the screen.
+/// The edge functions of a face on the screen.
 struct Face<R> {
-    /// Positive inside: the edges at either end of the next axis, and of the one after it.
+    /// Positive inside: the edges at both ends of the next axis, then at both ends of the axis after it.
     edges: [Edge<R>; 4],
-    /// Whether what lies beyond the edge is certainly another face in sight.
+    /// Whether the face beyond each edge is certainly front-facing.
     is_shared: [bool; 4],
     /// Positive beyond the near plane.
     near: Edge<R>,
@@ -62,35 +62,35 @@ struct Face<R> {
     diagonal: Edge<R>,
 }
 
-/// Where a line of sight meets a cuboid.
+/// The faces of a cuboid that a line of sight may hit.
 #[derive(Clone, Copy)]
 pub struct Meeting {
-    /// The faces it may meet, one bit each; one face, unless an edge is near.
+    /// One bit per face; a single face unless an edge is near.
     faces: u8,
-    /// Whether it certainly meets one of them.
+    /// Whether the line certainly hits one of them.
     pub is_certain: bool,
 }
 
-/// The point of a face that a line of sight meets.
+/// The intersection of a line of sight with a face.
 #[derive(Clone, Copy)]
 pub struct Place<R> {
-    /// The point from the eye.
+    /// The point relative to the eye.
     pub point: Vector<R>,
-    /// The coordinates from the cuboid's centre over the lengths of its edges: -1/2..=1/2 within the face.
+    /// The coordinates relative to the cuboid's centre, divided by the lengths of its edges: -1/2..=1/2 within the face.
     pub share: Vector<R>,
-    /// o.
+    /// o, a unit vector.
     pub to_eye: Vector<R>,
-    /// Whether it is on the first triangle of the face, not on the second; an interval that holds the diagonal is undecided.
+    /// Whether the point is on the first triangle of the face; undecided if an interval holds the diagonal.
     pub is_on_first: Option<bool>,
 }
 
 impl Meeting {
-    /// Whether no edge is near.
+    /// Whether exactly one face is hit, for certain, so that no edge is near.
     pub fn well_conditioned(self) -> bool {
         self.is_certain && self.faces.is_power_of_two()
     }
 
-    /// The faces that may be met, by their place in [`crate::components::FACES`].
+    /// The indices of the faces in [`crate::components::FACES`].
     pub fn faces(&self) -> impl Iterator<Item = usize> {
         let faces = self.faces;
         (0..6).filter(move |face| faces >> face & 1 == 1)
@@ -102,24 +102,24 @@ fn signed<R: Real>(sign: f64, x: R) -> R {
     if sign < 0.0 { -x } else { x }
 }
 
-/// The axes along the face across `axis`.
+/// The two axes within a face perpendicular to `axis`.
 fn along(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }
 
-/// The axis across a face, and the sign of its outer side.
+/// The axis perpendicular to a face, and the sign of its outward normal.
 fn across(face: usize) -> (usize, f64) {
     (face / 2, if face.is_multiple_of(2) { 1.0 } else { -1.0 })
 }
 
-/// w: how fast the line approaches the plane of a face, which it never meets unless this is positive.
+/// w: the speed at which the line approaches the plane of a face. The line hits the plane only if it is positive.
 fn descent<R: Real>(face: usize, line: &Line<R>) -> R {
     let (axis, outwards) = across(face);
     signed(-outwards, line.along.0[axis])
 }
 
 impl<R: Real> Solid<R> {
-    /// The cuboid of this place and shape, to be looked for in these columns and rows.
+    /// The cuboid of this transform and mesh, which may be visible in these columns and rows.
     pub fn new(
         sight: &Sight<R>,
         transform: &Transform,
@@ -151,12 +151,12 @@ impl<R: Real> Solid<R> {
         solid
     }
 
-    /// A world vector along the cuboid's axes.
+    /// A world vector in the cuboid's axes.
     pub fn own(&self, v: Vector<R>) -> Vector<R> {
         Vector(self.axes.map(|axis| axis.dot(v)))
     }
 
-    /// o at a place from the eye.
+    /// o at a point given relative to the eye.
     pub fn to_eye(&self, place: Vector<R>) -> Vector<R> {
         match self.projection {
             Projection::Perspective => -place.unit(),
@@ -170,7 +170,7 @@ impl<R: Real> Solid<R> {
         signed(outwards, self.eye.0[axis]) - R::of(self.half[axis])
     }
 
-    /// Greater: a face looks towards the eye.
+    /// `Greater` if a face is front-facing.
     fn front(&self, face: usize) -> Option<Ordering> {
         let (axis, outwards) = across(face);
         match self.projection {
@@ -182,14 +182,14 @@ impl<R: Real> Solid<R> {
     fn face(&self, number: usize, fronts: [Option<Ordering>; 6]) -> Face<R> {
         let (k, outwards) = across(number);
         let [i, j] = along(k);
-        // The way from the eye to a place on the face: where an edge across `axis` is, or the middle.
+        // From the eye to a point of the face: on the edge at this end of `axis`, or in the middle of the face for 0.
         let to = |axis: usize, end: f64| {
             let mut way = -self.eye;
             way.0[k] = self.end(k, outwards);
             way.0[axis] = self.end(axis, end);
             way
         };
-        // How far a line passes that place along `axis`, times its pace towards the face.
+        // The distance along `axis` at which a line passes that point, times the line's speed towards the face.
         let passing = |axis: usize, to: Vector<R>, along: Vector<R>| {
             along.0[k] * to.0[axis] - along.0[axis] * to.0[k]
         };
@@ -202,14 +202,14 @@ impl<R: Real> Solid<R> {
             fronts[2 * axis + usize::from(end < 0.0)] == Some(Ordering::Greater)
         });
         let sign = R::of(outwards);
-        // Proportions, because products of lengths leave the range of f64.
+        // Ratios, because products of lengths may overflow f64.
         let [half_i, half_j] = [i, j].map(|axis| R::of(self.half[axis]));
         let longer = half_i.max(half_j);
         let diagonal = self.edge(to(i, 0.0), |to, along| {
             let [of_i, of_j] = [i, j].map(|axis| passing(axis, to, along));
             of_i * (half_j / longer) - of_j * (half_i / longer)
         });
-        // The height over the face, less what the line loses of it up to the near plane.
+        // The eye's height above the face, minus the line's descent up to the near plane.
         let pace = match self.projection {
             Projection::Perspective => self.near,
             Projection::Orthographic => R::of(1.0),
@@ -226,7 +226,7 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// The edge at a place `to` from the eye; `of` is linear both in the way to that place and in the line's direction.
+    /// The edge function of the edge at `to` relative to the eye; `of` is linear in `to` and in the line's direction.
     fn edge(&self, to: Vector<R>, of: impl Fn(Vector<R>, Vector<R>) -> R) -> Edge<R> {
         let steps = self.step.map(|step| match self.projection {
             Projection::Perspective => of(to, step),
@@ -235,7 +235,7 @@ impl<R: Real> Solid<R> {
         Edge::new(of(to, self.forward), steps)
     }
 
-    /// The line of sight through the centre of pixel (`x`, `y`).
+    /// The line of sight through the centre of pixel (`x`, `y`), in the cuboid's axes.
     pub fn line(&self, sight: &Sight<R>, x: usize, y: usize) -> Line<R> {
         let [width, height] = sight.size.map(|pixels| pixels as f64 / 2.0);
         let pixel = [x as f64 + 0.5 - width, y as f64 + 0.5 - height];
@@ -251,7 +251,7 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// Where the line meets the cuboid beyond the near plane; `None`: certainly nowhere.
+    /// The faces that the line may hit beyond the near plane; `None` if it certainly hits none.
     pub fn meet(&self, line: &Line<R>) -> Option<Meeting> {
         let mut faces = 0;
         let mut is_certain = false;
@@ -265,7 +265,7 @@ impl<R: Real> Solid<R> {
         }
         let mut meeting = Meeting { faces, is_certain };
         if faces > 0 && !is_certain {
-            // Near an edge between two faces one of them is met if the line passes within the outline of both.
+            // Near a common edge of two faces one of them is hit if the line passes inside the outline of both.
             let outline = self.faces().flat_map(|(_, face)| {
                 let edges = face.edges.iter().zip(face.is_shared);
                 edges.filter_map(|(edge, is_shared)| (!is_shared).then_some(edge))
@@ -280,31 +280,31 @@ impl<R: Real> Solid<R> {
         (faces > 0).then_some(meeting)
     }
 
-    /// How far away the line meets the cuboid, along the view direction, in world units.
+    /// The depth of the intersection along the view direction, in world units.
     pub fn depth(&self, meeting: Meeting, line: &Line<R>) -> Option<R> {
         let depths = meeting.faces().map(|face| self.depth_of_face(face, line));
         depths.reduce(R::either)
     }
 
-    /// The faces that may be seen.
+    /// The faces that may be front-facing, with their indices.
     fn faces(&self) -> impl Iterator<Item = (usize, &Face<R>)> {
         let faces = self.faces.iter().enumerate();
         faces.filter_map(|(number, face)| Some((number, face.as_ref()?)))
     }
 
-    /// How far away the line meets the plane of a face, along the view direction: H / w.
+    /// The depth along the view direction at which the line hits the plane of a face: H / w.
     fn depth_of_face(&self, face: usize, line: &Line<R>) -> R {
         let (axis, outwards) = across(face);
         let height = self.height(face) + signed(outwards, line.offset.0[axis]);
         height / descent(face, line)
     }
 
-    /// From the eye to where the cuboid ends along an axis, on the side of this sign.
+    /// The coordinate of the cuboid's end along an axis, on the side of this sign, relative to the eye.
     fn end(&self, axis: usize, sign: f64) -> R {
         R::of(sign * self.half[axis]) - self.eye.0[axis]
     }
 
-    /// Where the line meets the plane of a face.
+    /// The intersection of the line with the plane of a face.
     pub fn place(&self, number: usize, line: &Line<R>) -> Place<R> {
         let (axis, outwards) = across(number);
         let mut point = line.offset + line.along * self.depth_of_face(number, line);
@@ -318,8 +318,8 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// Where a line that passes beside a face may see it: on its plane, and where that is held inside the face. A line beyond
-    /// the plane's horizon sees the end of the face that is turned into it.
+    /// The points that a line just outside a face may show: its intersection with the plane, and that point clamped to
+    /// the face. A line beyond the plane's horizon may show the far end of the face, or else any point of it.
     pub fn beside(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
         let turned = self.turned(face, line);
         let mut places = match descent(face, line).sign(0.0) {
@@ -337,10 +337,10 @@ impl<R: Real> Solid<R> {
         places
     }
 
-    /// Where the line sees the far end of the face if it is turned towards the plane, by no more pixels than edges are near.
+    /// The far end of the face, if the line reaches it when turned towards the plane by at most [`edge::EDGE`] pixels.
     ///
-    /// It then moves over the plane from afar towards the point under the eye; of the two ends that it reaches, the first is
-    /// the face's.
+    /// A line that turns towards the plane first hits it at infinity, then ever nearer. It reaches the face at the
+    /// nearer of the two ends ahead.
     fn turned(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
         if self.projection == Projection::Orthographic {
             return Vec::new();
@@ -361,7 +361,7 @@ impl<R: Real> Solid<R> {
                     1.0
                 },
             );
-            // One over how far it is to the end, times the length of the line's direction.
+            // 1 / t, where `along * t` reaches the end.
             let pace = ahead / end;
             let turn = self.height(face) * pace - descent;
             let is_ahead = pace.sign(0.0)? == Ordering::Greater;
@@ -383,12 +383,12 @@ impl<R: Real> Solid<R> {
         ends.iter().filter(is_first).map(place).collect()
     }
 
-    /// From the eye to where the cuboid ends, along all axes.
+    /// The coordinates of the cuboid's lower and upper ends along all axes, relative to the eye.
     fn ends(&self) -> [Vector<R>; 2] {
         [-1.0, 1.0].map(|sign| Vector([0, 1, 2].map(|axis| self.end(axis, sign))))
     }
 
-    /// A point held inside the face: each coordinate along it stops at the edge.
+    /// A point clamped to the face.
     fn held(&self, face: usize, point: Vector<R>) -> Place<R> {
         let (axis, outwards) = across(face);
         let [from, to] = self.ends();
@@ -404,7 +404,7 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// The coordinates of a point of a face, given from the eye, as shares of the edges.
+    /// [`Place::share`] of a point of a face, which is given relative to the eye.
     fn share(&self, face: usize, point: Vector<R>) -> Vector<R> {
         let (axis, outwards) = across(face);
         let mut share = (self.eye + point).zip(Vector(self.per_edge), R::mul);
@@ -412,7 +412,8 @@ impl<R: Real> Solid<R> {
         share
     }
 
-    /// The corners of one of a face's two triangles, and their weights at a place: together 1, each 0..=1 within it.
+    /// The corners of one triangle of a face and their barycentric weights at a place: their sum is 1, and inside the
+    /// triangle each is in 0..=1.
     ///
     /// ```text
     ///     d (-, +)-----------c (+, +)      u, v: the share along the two axes of the face
@@ -442,7 +443,7 @@ impl<R: Real> Solid<R> {
         )
     }
 
-    /// Distances of corners along the view direction, where they matter: in perspective.
+    /// The depths of corners along the view direction; `None` in orthographic projection, which does not use them.
     pub fn depths(&self, corners: [usize; 3], mesh: &Mesh) -> Option<[R; 3]> {
         let depth =
             |corner: usize| (Vector::exact(mesh.corners[corner]) - self.eye).dot(self.forward);

@@ -1,4 +1,4 @@
-//! Where a cuboid is looked for, against looking everywhere; and faces that are all but parallel to the picture.
+//! The bounds of a cuboid against a search of the whole picture, and faces nearly parallel to the picture.
 
 use glam::DVec3;
 
@@ -44,7 +44,7 @@ fn view(position: DVec3, target: DVec3, projection: Projection) -> View {
 }
 
 #[test]
-fn every_pixel_that_may_meet_a_cuboid_is_within_its_bounds_and_these_are_not_the_whole_picture() {
+fn the_bounds_of_a_cuboid_hold_every_pixel_that_may_hit_it_and_few_others() {
     let mut numbers = Numbers(0.5);
     let (mut met, mut within, mut without) = (0, 0, 0);
     for case in 0..400 {
@@ -76,10 +76,10 @@ fn every_pixel_that_may_meet_a_cuboid_is_within_its_bounds_and_these_are_not_the
 }
 
 #[test]
-fn a_face_turned_with_the_camera_is_certainly_met() {
+fn a_face_parallel_to_the_picture_up_to_rounding_is_certainly_hit() {
     for projection in Projection::ALL {
         for degrees in [0.0, 10.0, 30.0, 45.0, 77.0] {
-            // The camera looks straight at a face that no number of the scene says is parallel to the picture.
+            // The camera looks straight at a rotated face, so the face is parallel to the picture up to rounding.
             let transform = Transform {
                 position: DVec3::ZERO,
                 rotation: DVec3::Y * degrees,

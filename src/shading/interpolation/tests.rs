@@ -168,47 +168,6 @@ fn a_colour_with_any_term_that_is_not_a_number_is_not_drawn() {
 }
 
 #[test]
-fn a_colour_is_the_same_on_the_quarters_of_its_square() {
-    let simd = token();
-    let terms: [Nine<Baseline>; 4] = [0, 1, 2, 3].map(|channel| {
-        [0, 1, 2].map(|j| {
-            [0, 1, 2].map(|i| Lanes::splat(simd, f64::from(channel * 9 + j * 3 + i) - 7.5))
-        })
-    });
-    let interpolant = Interpolant::new(Colors {
-        terms,
-        crossing: [Lanes::splat(simd, 3.0); 3],
-        crosses: mask64x4::splat(simd, true),
-        budget: Lanes::splat(simd, 0.25),
-    });
-    let square = Square::whole([32, 64], 32);
-    let quarter = |right: usize, down: usize| Square::whole([32 + 16 * right, 64 + 16 * down], 16);
-    let quarters = [quarter(0, 0), quarter(1, 0), quarter(0, 1), quarter(1, 1)];
-    let parts = interpolant.on_quarters(1, &square, &quarters);
-    let value = |color: &Color, channel: usize, [x, y]: [f64; 2]| {
-        let [x, y] = [x, y].map(|x| [1.0, x, x * x]);
-        (0..9)
-            .map(|term| color[channel][term / 3][term % 3] * y[term / 3] * x[term % 3])
-            .sum::<f64>()
-    };
-    for (index, quarter) in quarters.iter().enumerate() {
-        for (column, row) in [(0.0, 0.0), (15.0, 3.0), (7.0, 11.0)] {
-            let pixel = [0, 1].map(|axis| quarter.place[axis] as f64 + [column, row][axis] + 0.5);
-            let on = |square: &Square| {
-                [0, 1].map(|axis| (pixel[axis] - square.middle()[axis]) / square.half()[axis])
-            };
-            for channel in 0..4 {
-                let whole = value(&interpolant.color(1, [1.0; 2]), channel, on(&square));
-                let part = value(&parts.color(index, [1.0; 2]), channel, on(quarter));
-                assert!((whole - part).abs() < 1e-11, "{whole}, not {part}");
-            }
-        }
-    }
-    assert!(parts.colors.crosses.all_true());
-    assert_eq!(parts.colors.budget.as_array(), &[0.25; 4]);
-}
-
-#[test]
 fn the_count_of_roundings_is_what_a_running_error_analysis_finds() {
     // x^2 y^2 alone, at the corner, through the rows of a terminator.
     let [zero, one] = [0.0, 1.0].map(Rounded::exact);

@@ -4,30 +4,63 @@
 
 use std::ops::Range;
 
-use fearless_simd::Simd;
+use fearless_simd::{Level, Simd};
 use glam::DVec3;
+use hecs::World;
 
 use crate::components::{
-    FACES, Illumination, Lens, Polygon, Projected, Projection, ShadingMode, View,
+    FACES, FileOrder, Illumination, Lens, Material, Mesh, Normals, Polygon, Projected, Projection,
+    ShadingMode, VertexColors, View, WorldTransform,
 };
 use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
-use crate::shading::face::{Plane, Rays};
+use crate::shading::face::{Plane, Rays, Solid};
 use crate::shading::gloss::Gloss;
-use crate::simd::{outlined, two};
+use crate::simd::{dispatch, outlined, two};
 use crate::systems::coverage::{SMALL, Scan, covered};
 
-/// What is listed alike for all cuboids.
-pub struct Listing<'a> {
+/// What is the same for all cuboids of a frame.
+pub struct Context<'a> {
     pub illumination: &'a Illumination,
     pub view: &'a View,
     pub lens: &'a Lens,
     pub rays: &'a Rays,
 }
 
-impl Listing<'_> {
+impl Context<'_> {
+    /// Lists the faces of every cuboid that are seen.
+    pub fn list(&self, level: Level, world: &mut World, list: &mut DrawList) {
+        list.clear();
+        for (order, place, mesh, material, own, normals, colors, projected) in world.query_mut::<(
+            &FileOrder,
+            &WorldTransform,
+            &Mesh,
+            &Material,
+            &ShadingMode,
+            &Normals,
+            &VertexColors,
+            &Projected,
+        )>() {
+            let object = Object {
+                id: 12 * order.0,
+                material: *material,
+                centre: place.position,
+                mode: self.view.mode(*own),
+                gloss: 0,
+                solid: Solid {
+                    centre: place.position - self.lens.eye,
+                    axes: place.axes,
+                    half: mesh.corners[7],
+                    normals: normals.0,
+                    colors: colors.0,
+                },
+            };
+            dispatch!(level, simd => self.add(simd, list, object, projected));
+        }
+    }
+
     /// Adds the faces of a cuboid that are seen.
-    pub fn add<S: Simd>(
+    fn add<S: Simd>(
         &self,
         simd: S,
         list: &mut DrawList,
@@ -51,7 +84,7 @@ impl Listing<'_> {
             }
         }
         if list.pieces.len() > pieces {
-            if object.mode != ShadingMode::Gouraud {
+            if object.mode == ShadingMode::Phong {
                 object.gloss = self.gloss(list, &object);
             }
             list.objects.push(object);
@@ -71,11 +104,7 @@ impl Listing<'_> {
 
     /// Which of the list's highlights an object has.
     fn gloss(&self, list: &mut DrawList, object: &Object) -> usize {
-        // The shortcut has no tolerance to keep.
-        let tolerance = match object.mode {
-            ShadingMode::UnitVectors => 0.0,
-            _ => self.view.tolerance,
-        };
+        let tolerance = self.view.tolerance;
         let fits =
             |gloss: &Gloss| gloss.material == object.material && gloss.tolerance == tolerance;
         if !list.glosses.last().is_some_and(fits) {

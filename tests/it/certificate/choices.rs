@@ -1,11 +1,11 @@
-//! More ways to choose at random.
+//! More random choices.
 
 use glam::DVec3;
 
 use crate::support::random::Random;
 
 impl Random {
-    /// Between two powers of ten, alike in every decade.
+    /// A number between two powers of ten, evenly distributed in the logarithm.
     pub fn decade(&mut self, from: f64, to: f64) -> f64 {
         10.0_f64.powf(self.within(from, to))
     }

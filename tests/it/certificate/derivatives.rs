@@ -3,7 +3,7 @@
 //! ```text
 //!   f(x + t) = f0 + f1 t + f2 t^2 + f3 t^3 + ...   each coefficient an interval that holds the exact one; f''' = 6 f3
 //! ```
-//! Rule: nothing of the bound's derivation is used here; a bound below what an interval proves is wrong.
+//! The test uses nothing of the derivation of a bound. A bound below a proven derivative is wrong.
 
 use std::ops::{Add, Mul};
 
@@ -65,8 +65,8 @@ impl Taylor {
         Taylor([r0, r1, r2, r3])
     }
 
-    /// s^rho for s > 0, from p' s = rho s' p coefficient by coefficient. What the first one lacks in rigour is nothing to the
-    /// bound.
+    /// s^rho for s > 0, from p' s = rho s' p coefficient by coefficient. The first coefficient is not rigorous, but its
+    /// error is negligible against the bound.
     fn power(self, shininess: f64) -> Taylor {
         let [s0, ..] = self.0;
         let [least, largest] = s0.endpoints();
@@ -82,7 +82,7 @@ impl Taylor {
         Taylor(p)
     }
 
-    /// The third derivative is at least this large.
+    /// A lower bound of the third derivative's magnitude.
     fn third(self) -> f64 {
         let [least, largest] = self.0[3].endpoints();
         6.0 * least.max(-largest).max(0.0)
@@ -93,7 +93,7 @@ fn dot(a: &[Taylor; 3], b: &[Taylor; 3]) -> Taylor {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The unit vector along an affine one, from a point on to the right (`axis` 0) or down (1).
+/// The unit vector along an affine one, from a point to the right (`axis` 0) or down (1).
 fn unit(vector: &Affine, [x, y]: [f64; 2], axis: usize) -> [Taylor; 3] {
     let exact = |number: f64| Interval::of(number);
     let slope = [vector.dx, vector.dy][axis];
@@ -107,7 +107,7 @@ fn unit(vector: &Affine, [x, y]: [f64; 2], axis: usize) -> [Taylor; 3] {
     components.map(|component| component * inverse)
 }
 
-/// What interpolation errs by at least as far as the third derivatives tell that occur at places of a square.
+/// A lower bound of the interpolation error of a square, from third derivatives at some of its points.
 fn proven(f: impl Fn([f64; 2], usize) -> Taylor) -> f64 {
     let [mut x, mut y] = [0.0_f64; 2];
     for place in places() {
@@ -117,8 +117,8 @@ fn proven(f: impl Fn([f64; 2], usize) -> Taylor) -> f64 {
     (x + y + x.min(y) * (2.0 / 3.0)) / 24.0
 }
 
-/// N, L and O of length about one on the square from -1 to 1; often with a highlight, and often in one plane, where all that
-/// turns adds up.
+/// N, L and O of length about one on the square from -1 to 1. They often have a highlight, and often lie in one plane,
+/// where all rotations add up.
 fn vectors(random: &mut Random) -> [Affine; 3] {
     let flat = random.one_of(&[DVec3::ONE, DVec3::new(1.0, 1.0, 0.0)]);
     let within =
@@ -139,12 +139,12 @@ fn vectors(random: &mut Random) -> [Affine; 3] {
     })
 }
 
-/// Derivatives are compared at these places of a square.
+/// Derivatives are compared at these points of a square.
 fn places() -> impl Iterator<Item = [f64; 2]> {
     (-2..=2).flat_map(|row| (-2..=2).map(move |column| [column, row].map(|x| f64::from(x) / 2.0)))
 }
 
-/// The lengths of the first three derivatives of a vector, as they are proven.
+/// Lower bounds of the lengths of the first three derivatives of a vector.
 fn lengths(vector: &[Taylor; 3]) -> [f64; 3] {
     [(1, 1.0), (2, 2.0), (3, 6.0)].map(|(order, factor)| {
         let squares = vector.iter().map(|component| {
@@ -155,13 +155,14 @@ fn lengths(vector: &[Taylor; 3]) -> [f64; 3] {
     })
 }
 
-/// Holds the derivatives of a direction and of the half-turn about it to their bounds; the largest shares, by order.
+/// Compares the derivatives of a direction and of the half-turn about it with their bounds; returns the largest shares,
+/// by order.
 fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
     let mut shares = [[0.0_f64; 3]; 2];
     let mut random = Random(17);
     for _ in 0..cases {
         let mut vector = vectors(&mut random)[0];
-        // Towards its own origin or from there: then it is the length that moves most.
+        // Towards its own origin or away from it: then its length changes fastest.
         let along = random.one_of(&[0.0, 0.0, 0.2, -0.4]);
         vector.dx += vector.centre * along;
         vector.dy += vector.centre * random.one_of(&[0.0, 0.4, -0.4]);
@@ -177,7 +178,7 @@ fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
             assert!(moved.length() >= shortest * (1.0 - 1e-9));
             for axis in [0, 1] {
                 let direction = unit(&vector, place, axis);
-                // In the plane in which the vector turns, the half-turn turns every other one alike.
+                // In the plane in which the vector rotates, the half-turn rotates all other vectors equally.
                 let still = direction.map(|component| {
                     let zero = Interval::of(0.0);
                     Taylor([component.0[0], zero, zero, zero])
@@ -207,10 +208,10 @@ fn shares_of_directions<S: Simd>(simd: S, cases: u64) -> [[f64; 3]; 2] {
     shares
 }
 
-/// The exponents that are tried: where factors vanish or change their signs, between, and beyond.
+/// The exponents: values at which factors vanish or change their signs, values between them, and values beyond.
 const SHININESS: [f64; 9] = [0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.5, 10.0, 76.8];
 
-/// Largest shares that are proven of the bounds of n.l and of s^rho for each exponent.
+/// The largest proven shares of the bounds of n.l, and of s^rho for each exponent.
 fn largest_shares<S: Simd>(simd: S, cases: u64) -> (f64, [f64; SHININESS.len()]) {
     let (mut lit, mut shares) = (0.0_f64, [0.0_f64; SHININESS.len()]);
     let mut random = Random(16);
@@ -251,18 +252,18 @@ fn largest_shares<S: Simd>(simd: S, cases: u64) -> (f64, [f64; SHININESS.len()])
 }
 
 #[test]
-fn no_derivative_of_a_direction_or_a_half_turn_is_above_its_bound() {
+fn no_derivative_of_a_direction_or_a_half_turn_exceeds_its_bound() {
     let simd = baseline().expect("every machine has these lanes");
     let shares = shares_of_directions(simd, 20 * cases(SCENES) as u64);
-    println!("of the bounds on directions and half-turns are proven at most {shares:.3?}");
+    println!("largest proven share of the bounds on directions and half-turns: {shares:.3?}");
     assert!(
         shares.as_flattened().iter().all(|share| *share > 0.9),
-        "so loose a bound would hide a mistake: {shares:?}"
+        "the bound is too loose to show a mistake: {shares:?}"
     );
 }
 
 #[test]
-fn no_third_derivative_of_a_quotient_is_above_its_bound() {
+fn no_third_derivative_of_a_quotient_exceeds_its_bound() {
     let simd = baseline().expect("every machine has these lanes");
     let mut random = Random(18);
     let mut largest = 0.0_f64;
@@ -284,11 +285,11 @@ fn no_third_derivative_of_a_quotient_is_above_its_bound() {
         assert!(share <= 1.0 + 1e-9, "{share}");
         largest = largest.max(share);
     }
-    assert!(largest > 0.9, "so loose a bound would hide a mistake");
+    assert!(largest > 0.9, "the bound is too loose to show a mistake");
 }
 
 #[test]
-fn a_scalar_is_least_at_a_corner() {
+fn an_affine_scalar_is_least_at_a_corner() {
     let simd = baseline().expect("every machine has these lanes");
     let mut random = Random(19);
     for _ in 0..100 {
@@ -309,7 +310,7 @@ fn a_scalar_is_least_at_a_corner() {
 }
 
 #[test]
-fn the_product_of_two_turns_is_one_turn() {
+fn the_product_of_two_rotations_is_a_rotation_by_their_sum() {
     let simd = baseline().expect("every machine has these lanes");
     // (cos(a t), sin(a t)) . (cos(b t), -sin(b t)) = cos((a + b) t).
     let turn = |speed: f64| [1, 2, 3].map(|order| f64x4::splat(simd, speed.powi(order)));
@@ -321,12 +322,12 @@ fn the_product_of_two_turns_is_one_turn() {
 }
 
 #[test]
-fn no_third_derivative_that_intervals_prove_is_above_its_bound() {
+fn no_proven_third_derivative_exceeds_its_bound() {
     let simd = baseline().expect("every machine has these lanes");
     let (cosine, highlights) = largest_shares(simd, 20 * cases(SCENES) as u64);
-    println!("of the bounds are proven at most {cosine:.3} for n.l, {highlights:.3?} for s^rho");
+    println!("largest proven share of the bounds: {cosine:.3} for n.l, {highlights:.3?} for s^rho");
     assert!(
         cosine > 0.5 && highlights.iter().all(|share| *share > 0.5),
-        "so loose a bound would hide a mistake: {cosine}, {highlights:?}"
+        "the bound is too loose to show a mistake: {cosine}, {highlights:?}"
     );
 }

@@ -1,16 +1,16 @@
-//! Pixels that snapping adds beyond an edge: how far beyond the face they lie where the face is said to be steady.
+//! Pixels that snapping adds beyond an edge: their distance from a face that is not a sliver.
 
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use shadetrade::components::{Lens, Projection};
 use shadetrade::shading::face::{Face, OVERSHOOT, Rays, Solid};
 
-/// Numbers of every size from one power of ten to another.
+/// A number of any magnitude between two powers of ten.
 fn sized(from: i32, to: i32) -> impl Strategy<Value = f64> {
     (f64::from(from)..f64::from(to)).prop_map(|exponent| 10_f64.powf(exponent))
 }
 
-/// A cuboid whose upper face lies `below` the eye, which looks along the face, tilted a little.
+/// A cuboid with its upper face at a depth `below` the eye, which looks along the face with a slight tilt.
 fn solid() -> impl Strategy<Value = Solid> {
     let half = [sized(-2, 6), sized(-2, 6), sized(-2, 6)].prop_map(DVec3::from_array);
     let place = [-2.0..2.0, -2.0..2.0_f64];
@@ -27,7 +27,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_pixel_next_to_a_steady_face_overshoots_it_by_no_more_than_lights_are_culled_for(
+    fn a_pixel_beside_a_steady_face_overshoots_it_by_at_most_the_limit_of_light_culling(
         solid in solid(),
         orthographic in any::<bool>(),
         tilt in -0.2..0.2_f64,
@@ -49,7 +49,7 @@ proptest! {
         let edge = [[along, 1.0], [along, -1.0], [1.0, along], [-1.0, along]][side];
         let seen = lens.seen(face.from_eye(edge));
         let [x, y] = lens.pixel(lens.homogeneous(seen));
-        // Snapping moves a vertex, and so an edge, by at most half of 1/256 pixel.
+        // Snapping moves a vertex, and so an edge, by at most 1/512 pixel.
         let place = face.place.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
         if seen.z > lens.near && face.is_steady(place.z) {
             let beyond = (place.x.abs().max(place.y.abs()) / place.z) - 1.0;

@@ -1,4 +1,4 @@
-//! Whole pictures, certified against exact.
+//! Whole pictures within a tolerance against exact ones.
 
 use glam::DVec3;
 use hecs::World;
@@ -10,7 +10,7 @@ use crate::support::cases::cases;
 use crate::support::random::Random;
 use crate::support::scene::{draw, empty, spawn_cuboid, spawn_light, view};
 
-/// A cuboid, up to five lights (some of them close to a face, some at one place) and a camera (some of them close).
+/// A cuboid, up to five lights (some close to a face, some at one position) and a camera (some close).
 fn scene(random: &mut Random) -> (World, View) {
     let mut world = empty();
     let size = DVec3::new(
@@ -33,7 +33,7 @@ fn scene(random: &mut Random) -> (World, View) {
     for index in 0..=random.one_of(&[0, 1, 2, 3, 4]) {
         if index == 0 || random.one_of(&[true, true, false]) {
             position = if random.one_of(&[true, false, false]) {
-                // A tenth above a face, anywhere over it or just beside it.
+                // A tenth above a face, anywhere over it or just outside it.
                 let axis = random.one_of(&[0, 1, 2]);
                 let mut local = random.vector(-0.6, 0.6) * size;
                 local[axis] = (0.5 * size[axis] + 0.1) * random.one_of(&[-1.0, 1.0]);
@@ -98,7 +98,7 @@ fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
             assert_eq!(
                 exact.triangles()[pixel],
                 certified.triangles()[pixel],
-                "the tolerance moves no edge"
+                "the tolerance does not move edges"
             );
             if exact.triangles()[pixel] == NO_TRIANGLE {
                 continue;
@@ -121,6 +121,6 @@ fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
     );
     assert!(
         covered > 0 && cheap > 0,
-        "the scenes show something, and something of it is certified"
+        "cuboids are visible and some of their tiles are interpolated"
     );
 }

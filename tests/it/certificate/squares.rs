@@ -1,4 +1,4 @@
-//! Single squares of every size and slant, shaded within a tolerance against the definition at every pixel in f64.
+//! Single squares of every size and slant, drawn within a tolerance, against the definition at every pixel in f64.
 
 use fearless_simd::Simd;
 use glam::DVec3;
@@ -11,16 +11,17 @@ use shadetrade::shading::field::Places;
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::interpolation;
-use shadetrade::shading::phong::{FaceLight, Phong};
+use shadetrade::shading::phong::Phong;
 use shadetrade::shading::square::{Region, Spans, Square};
-use shadetrade::shading::{EXACT, Scratch, Shader, Sink, Surface, TileKind};
+use shadetrade::shading::unit_vectors::UnitVectors;
+use shadetrade::shading::{EXACT, Effort, Scratch, Shader, Sink, Surface, TileKind};
 use shadetrade::simd::baseline;
 
 use super::SCENES;
 use crate::support::cases::cases;
 use crate::support::random::Random;
 
-/// The first pixel of the square: the picture's middle is somewhere near.
+/// The first pixel of the square, near the middle of the picture.
 const PLACE: [usize; 2] = [64, 96];
 
 /// The levels of a square's pixels, row by row.
@@ -45,7 +46,7 @@ impl<S: Simd> Sink<S> for Shown {
     }
 }
 
-/// A face of a random cuboid, seen so that a square is anything from a thousandth of it to more than all of it.
+/// A face of a random cuboid, with a square between a thousandth of the face and more than all of it.
 struct Subject {
     solid: Solid,
     rays: Rays,
@@ -55,7 +56,7 @@ struct Subject {
     /// The picture's middle, in pixels.
     picture: [f64; 2],
     side: usize,
-    /// Whether its pixels are evaluated one by one where they are not interpolated.
+    /// Whether pixels that are not interpolated are evaluated one by one.
     listed: bool,
 }
 
@@ -68,12 +69,12 @@ impl Subject {
         }
     }
 
-    /// Its face +z.
+    /// The face +z.
     fn face(&self) -> Face<'_> {
         Face::new(4, &self.solid, &self.rays)
     }
 
-    /// A pixel's centre from the picture's middle.
+    /// The centre of a pixel relative to the picture's middle.
     fn place(&self, column: usize, row: usize) -> [f64; 2] {
         let [left, top] = PLACE;
         [
@@ -82,7 +83,7 @@ impl Subject {
         ]
     }
 
-    /// Whether all of the square shows the face, which alone may be asked of a shader.
+    /// Whether the whole square shows the face; a shader draws only such squares.
     fn is_inside(&self) -> bool {
         let face = self.face();
         let last = self.side - 1;
@@ -148,7 +149,7 @@ fn subject(random: &mut Random) -> Subject {
     };
     let count = random.one_of(&[1, 1, 1, 2, 3]);
     let points = (0..count).map(|_| {
-        // From grazing, even behind the face, to far above it; and where its highlight may be on the square.
+        // From grazing, even behind the face, to far above it; or where its highlight may lie on the square.
         let height = random.decade(-2.0, 2.0) * random.one_of(&[1.0, 1.0, 1.0, -1.0]);
         let mirrored = target + (target - eye) * random.decade(-1.0, 1.0);
         let position = match random.one_of(&[0, 1, 2]) {
@@ -183,7 +184,7 @@ fn subject(random: &mut Random) -> Subject {
     }
 }
 
-/// Shades the square; how that was done, and what is displayed of it.
+/// Draws the square; returns its kind of tile and the displayed levels.
 fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
     let simd = baseline().expect("every machine has them");
     let Subject { picture, side, .. } = *subject;
@@ -195,7 +196,9 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
         levels: Vec::new(),
     };
     let mut scratch = Scratch::default();
-    if let Some(interpolant) = shader.interpolate(simd, &places, &mut scratch)
+    let effort = shader.effort(side);
+    let prepared = shader.prepare(simd, &places, effort, &mut scratch);
+    if let Some(interpolant) = prepared.interpolant
         && let Some(form) = interpolant.forms[2]
     {
         interpolation::draw(simd, &interpolant, 2, form, &square, &mut shown);
@@ -226,7 +229,7 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
             listed.extend([left, top + row as f32], indices, |_| true);
         }
     }
-    match shader.evaluate(simd, &region, &mut scratch) {
+    match shader.evaluate(simd, &region, 2, &mut scratch) {
         Some(evaluations) if subject.listed => {
             let listed = scratch.levels.listed.levels();
             let levels = listed.map(|(_, levels)| levels.map(f64::from));
@@ -250,7 +253,7 @@ fn defined(shader: &Shader, subject: &Subject) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// In levels, over all pixels and channels, as they are displayed.
+/// The largest difference of displayed levels over all pixels and channels.
 fn largest_error(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
     let pairs = found.as_flattened().iter().zip(expected.as_flattened());
     pairs
@@ -258,19 +261,16 @@ fn largest_error(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// How a square is shaded at a tolerance, its largest error, and how large that may be, both in levels.
+/// The kind of tile of a square at a tolerance, its largest error, and the permitted error, both in levels.
 fn shaded(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f64, f64) {
     let (surface, face, eye) = (subject.surface(), &subject.face(), subject.eye);
     let normals = face.linear(&subject.solid.normals, 0);
     let gloss = Gloss::new(&surface, tolerance);
-    let points = subject.illumination.points.iter();
-    let lights: Vec<_> = points
-        .filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye))
-        .collect();
+    let lights = &mut Vec::new();
     let shader = if mode == ShadingMode::Gouraud {
         Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance))
     } else {
-        let phong = Phong::new(face, normals, surface, eye, &gloss, &lights, tolerance);
+        let phong = Phong::new(face, normals, surface, eye, &gloss, lights, tolerance);
         Shader::Phong(phong)
     };
     let (kind, found) = shade(&shader, subject);
@@ -281,7 +281,7 @@ fn shaded(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f6
 
 #[test]
 fn no_square_exceeds_its_tolerance() {
-    // By kind: the share of the tolerance that was used up.
+    // The used share of the tolerance by kind of tile.
     let mut used: [Vec<f64>; TileKind::ALL.len()] = Default::default();
     for seed in 0..80 * cases(SCENES) as u64 {
         let random = &mut Random(seed.wrapping_mul(0x1000_0000_01b3));
@@ -303,11 +303,11 @@ fn no_square_exceeds_its_tolerance() {
         used.sort_by(f64::total_cmp);
         let most = used.last().copied().unwrap_or_default();
         println!("{}: {} squares, {most:.3} at most", kind.name(), used.len());
-        assert!(used.len() > 20, "{kind:?} was hardly ever chosen");
+        assert!(used.len() > 20, "{kind:?} was chosen too rarely");
         let tight = !matches!(kind, TileKind::Exact | TileKind::Double);
         assert!(
             !tight || most > 0.2,
-            "{kind:?}: bounds so loose hide mistakes"
+            "{kind:?}: the bounds are too loose to show a mistake"
         );
     }
 }
@@ -329,14 +329,15 @@ fn a_sliver_is_never_interpolated() {
         let places = Places::single(simd, middle, square.half());
         let shader = Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, 8.0));
         let form = shader
-            .interpolate(simd, &places, &mut Scratch::default())
+            .prepare(simd, &places, Effort::Squares, &mut Scratch::default())
+            .interpolant
             .and_then(|interpolant| interpolant.forms[2]);
         assert_eq!(form, None, "seed {seed}");
     }
     assert!(slivers > 20, "{slivers} slivers");
 }
 
-/// An unturned cuboid whose face +z is seen so; unlit.
+/// A cuboid without rotation or lights, whose face +z is seen at this angle.
 fn seen(half: DVec3, eye: DVec3, lens: Lens) -> Subject {
     let mesh = Mesh::cuboid(half * 2.0);
     Subject {
@@ -367,7 +368,7 @@ fn seen(half: DVec3, eye: DVec3, lens: Lens) -> Subject {
 
 #[test]
 fn no_square_exceeds_its_tolerance_where_the_bound_is_tight() {
-    // The normal turns along x alone, towards a light that is far away and almost in the face.
+    // The normal rotates along x alone, towards a light that is far away and nearly in the plane of the face.
     let lens = Lens {
         axes: [DVec3::X, DVec3::Y, DVec3::NEG_Z],
         pitch: 0.1 / 7.5,
@@ -389,14 +390,17 @@ fn no_square_exceeds_its_tolerance_where_the_bound_is_tight() {
             most = most.max(error / limit);
         }
     }
-    assert!(most > 0.6, "{most}: bounds so loose hide mistakes");
+    assert!(
+        most > 0.6,
+        "{most}: the bounds are too loose to show a mistake"
+    );
 }
 
 #[test]
-fn no_square_exceeds_its_tolerance_where_it_all_but_reaches_the_horizon() {
+fn no_square_exceeds_its_tolerance_where_it_nearly_reaches_the_horizon() {
     for seed in 0..200 {
         let random = &mut Random(seed);
-        // Low over the whole length of the face, which ends in the square's first row.
+        // Low over the whole length of the face, whose end is in the first row of the square.
         let height = random.decade(-5.0, -4.0);
         let eye = DVec3::new(0.0, -1.001, 1.0 + height);
         let below = random.within(0.128, 0.16);
@@ -407,7 +411,7 @@ fn no_square_exceeds_its_tolerance_where_it_all_but_reaches_the_horizon() {
             ..Lens::default()
         };
         let mut subject = seen(DVec3::ONE, eye, lens);
-        // Bright where it is near; its far end is in the display's range.
+        // Bright nearby; the far end is within the displayed range.
         let bright = random.decade(1.0, 4.0);
         for (corner, color) in subject.solid.colors.iter_mut().enumerate() {
             let size = if corner & 2 == 0 { bright } else { 10.0 };
@@ -430,9 +434,9 @@ fn no_square_exceeds_its_tolerance_where_it_all_but_reaches_the_horizon() {
 }
 
 #[test]
-fn what_the_samples_err_by_is_taken_off_the_tolerance() {
-    // Of a highlight that is the same all over: sixteen roundings of its power and three of its sum, each up to 25/9 times
-    // as large in between, are 53. Its rows cost fourteen.
+fn the_error_of_samples_is_subtracted_from_the_tolerance() {
+    // For a constant highlight, its power has sixteen roundings and its sum three. Interpolation enlarges each up to
+    // 25/9 times, which makes 53. Its rows have fourteen.
     let lens = Lens {
         axes: [DVec3::X, DVec3::Y, DVec3::NEG_Z],
         pitch: 1e-8,
@@ -450,5 +454,37 @@ fn what_the_samples_err_by_is_taken_off_the_tolerance() {
         let (kind, error, limit) = shaded(&subject, ShadingMode::Phong, tolerance);
         assert!(error <= limit, "{kind:?} errs {error} of {limit}");
         assert_eq!(kind == TileKind::Constant, expected, "{kind:?}");
+    }
+}
+
+#[test]
+fn the_shortcut_shows_the_far_end_of_a_face_where_snapping_covers_pixels_beyond_the_horizon() {
+    // The eye looks along the face, whose far end lies 0.003 pixels below the horizon.
+    let (height, below) = (1e-4, 0.003);
+    let eye = DVec3::new(0.0, -1.001, 1.0 + height);
+    let lens = Lens {
+        axes: [DVec3::X, DVec3::Z, DVec3::Y],
+        eye,
+        pitch: height / 2.001 / below,
+        projection: Projection::Perspective,
+        near: 1e-6,
+        ..Lens::default()
+    };
+    let mut subject = seen(DVec3::ONE, eye, lens);
+    subject.illumination.points.push(PointLight {
+        position: DVec3::new(0.5, 3.0, 2.0),
+        diffuse: DVec3::splat(200.0),
+        specular: DVec3::ZERO,
+    });
+    let face = subject.face();
+    let normals = face.linear(&subject.solid.normals, 0);
+    let to_lights = &mut Vec::new();
+    let shortcut = UnitVectors::new(&face, &normals, subject.surface(), &lens, to_lights);
+    for step in -4..=4 {
+        let x = 0.2 * f64::from(step) / 2.001 / lens.pitch;
+        assert!(face.plane.w.at(x, -0.0005) < 0.0);
+        let [beyond, end] = [-0.0005, below * 1.001].map(|y| shortcut.define(x, y));
+        assert!((beyond - end).length() < 0.5, "{beyond}, not {end}");
+        assert!(end.x > 1.0, "{end} is lit");
     }
 }

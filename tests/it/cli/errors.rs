@@ -1,4 +1,4 @@
-//! Every wrong command line and every wrong scene: status 2 and one paragraph that says what would be right.
+//! Wrong command lines and scenes: exit status 2 and one paragraph with what is allowed.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use shadetrade::scene::BUILT_IN;
 use super::{assert_fails, assert_works, folder, listing};
 
 #[test]
-fn a_wrong_command_line_ends_with_status_2_and_says_what_is_wrong() {
+fn a_wrong_command_line_ends_with_status_2_and_a_message() {
     let folder = folder();
     for (line, words) in [
         ("render", &["--output <FILE>"][..]),
@@ -45,6 +45,10 @@ fn a_wrong_command_line_ends_with_status_2_and_says_what_is_wrong() {
             "render -o a.png --lights all,white",
             &["`all` stands by itself"],
         ),
+        (
+            "extremes nowhere",
+            &["\"nowhere\"", "`shadetrade extremes`"],
+        ),
         ("figures --size 5x5", &["unexpected argument '--size'"]),
         ("figures -o -", &["folder", "standard output"]),
         ("completions dos", &["bash, elvish, fish, powershell, zsh"]),
@@ -55,17 +59,17 @@ fn a_wrong_command_line_ends_with_status_2_and_says_what_is_wrong() {
 }
 
 #[test]
-fn a_scene_called_like_a_command_is_reached_by_its_path() {
+fn a_scene_named_like_a_command_is_reached_by_its_path() {
     let folder = folder();
     let scene = include_str!("../../../assets/scenes/cuboid.toml");
     fs::write(folder.path().join("render"), scene).unwrap();
-    // Without a display, a scene that is not built in is found, read, and then not shown.
+    // Without a display the scene is found and read, but not shown.
     assert_fails(folder.path(), "./render", 1, &["display"]);
     assert_fails(folder.path(), "render", 2, &["--output <FILE>"]);
 }
 
 #[test]
-fn a_built_in_scene_wins_over_a_file_of_its_name() {
+fn a_built_in_scene_has_precedence_over_a_file_of_its_name() {
     let folder = folder();
     fs::write(folder.path().join("cuboid"), "this is no scene").unwrap();
     assert_works(folder.path(), "render cuboid -o a.png --size 9x9");
@@ -98,7 +102,7 @@ fn a_wrong_scene_ends_with_status_2_and_is_located() {
 }
 
 #[test]
-fn a_simd_level_is_either_drawn_with_or_refused() {
+fn a_simd_level_is_either_used_or_refused() {
     let folder = folder();
     for level in shadetrade::simd::NAMES {
         let line = format!("render -o {level}.png --size 9x9 --simd {level}");
@@ -117,7 +121,7 @@ fn a_simd_level_is_either_drawn_with_or_refused() {
 }
 
 #[test]
-fn a_colour_in_levels_is_drawn_and_warned_of_with_its_place() {
+fn a_colour_in_levels_is_drawn_with_a_warning_and_its_place() {
     let folder = folder();
     let (_, built_in) = BUILT_IN[0];
     let line = built_in.lines().position(|line| line.starts_with("color"));

@@ -1,5 +1,5 @@
-//! What goes wrong around the program: readers that leave, disks that fill up, signals.
-//! In every case a file under its own name is whole.
+//! External faults: readers that close the output, full disks, signals. In every case a file under its final name is
+//! complete.
 
 use std::fs;
 use std::path::Path;
@@ -7,18 +7,18 @@ use std::process::{Output, Stdio};
 
 use super::{decode, folder, in_shell, listing, said, shadetrade, stop};
 
-/// Commands that write files, shortened to a second; the folder is `out`.
+/// Commands that write files, limited to a second; the folder is `out`.
 const WRITERS: [&str; 2] = [
     "trade --size 160x120 --seconds 0.05 -o out",
     "figures -o out",
 ];
 
-/// Runs the program with the words of `line` in a shell that has done `first`.
+/// Runs the program with the arguments in `line` in a shell after the commands `first`.
 fn run_after(first: &str, folder: &Path, line: &str) -> Output {
     in_shell(folder, &format!("{first}; exec $0 {line}"))
 }
 
-/// Asserts that every file of `folder` is whole or, where that is allowed, hidden; gives the names of the whole ones.
+/// Asserts that every file of `folder` is complete or, if allowed, hidden. Returns the names of the complete ones.
 #[track_caller]
 fn whole_files(folder: &Path, hidden_allowed: bool) -> Vec<String> {
     let mut names = listing(folder);
@@ -33,16 +33,16 @@ fn whole_files(folder: &Path, hidden_allowed: bool) -> Vec<String> {
         match name.rsplit_once('.').map(|(_, extension)| extension) {
             Some("png") => drop(decode(&bytes)),
             Some("json") => drop(serde_json::from_str::<serde_json::Value>(text()).expect(name)),
-            Some("md") => assert!(text().ends_with(".\n"), "{name} ends with a sentence"),
+            Some("md") => assert!(text().ends_with(".\n"), "{name} must end with a sentence"),
             Some("svg") => assert!(text().trim_end().ends_with("</svg>"), "{name}"),
-            _ => panic!("{name} is none of ours"),
+            _ => panic!("{name} is not a known file"),
         }
     }
     names
 }
 
 #[test]
-fn a_reader_that_leaves_early_is_no_error_of_any_command() {
+fn a_reader_that_closes_early_is_no_error_of_any_command() {
     for line in [
         "render -o -",
         "render --size 64x48 --reference -o -",
@@ -86,8 +86,8 @@ fn a_closed_standard_output_or_error_breaks_nothing() {
 }
 
 #[test]
-fn a_disk_that_fills_up_is_an_error_and_every_file_is_whole() {
-    // A limit on the size of a file stands in for a full disk; the signal that comes with it is ignored.
+fn a_full_disk_is_an_error_and_every_file_is_complete() {
+    // A limit on the file size stands for a full disk. Its signal is ignored.
     for (limit, line) in [(8, WRITERS[0]), (64, WRITERS[1])] {
         let folder = folder();
         let full = format!("trap '' XFSZ; ulimit -f {limit}");
@@ -103,7 +103,7 @@ fn a_disk_that_fills_up_is_an_error_and_every_file_is_whole() {
 }
 
 #[test]
-fn a_signal_at_any_time_leaves_whole_files() {
+fn a_signal_at_any_time_leaves_complete_files() {
     for line in WRITERS {
         for (signal, files) in [
             ("KILL", 1),
@@ -120,7 +120,7 @@ fn a_signal_at_any_time_leaves_whole_files() {
                 .stderr(Stdio::null())
                 .spawn()
                 .expect("the program starts");
-            // Hidden ones count: then one is being written.
+            // A hidden file shows that one is being written.
             let has_files = || out.exists() && listing(&out).len() >= files;
             let ended = stop(child, signal, has_files);
             whole_files(&out, !ended.success());

@@ -1,10 +1,10 @@
-//! Files are written whole or not at all, and nothing else is touched.
+//! Files are written completely or not at all, and no other file changes.
 
 use std::fs;
 
 use super::{assert_fails, assert_works, decode, folder, listing, run};
 
-/// A small picture quickly, into the file whose name follows.
+/// The arguments for a small picture; the name of the file follows.
 const SMALL: &str = "render --size 16x12 --threads 1 -o";
 
 #[test]
@@ -18,7 +18,7 @@ fn a_file_is_replaced_and_nothing_is_left_beside_it() {
 }
 
 #[test]
-fn the_name_may_be_any_path() {
+fn the_name_may_be_any_relative_or_absolute_path() {
     let folder = folder();
     fs::create_dir(folder.path().join("sub")).unwrap();
     let absolute = folder.path().join("absolute.png");
@@ -39,7 +39,7 @@ fn the_name_may_be_any_path() {
 }
 
 #[test]
-fn a_path_that_cannot_be_a_file_is_an_error_that_says_so() {
+fn a_path_that_cannot_be_a_file_is_an_error_with_the_reason() {
     let folder = folder();
     fs::create_dir(folder.path().join("sub")).unwrap();
     fs::write(folder.path().join("file"), "mine").unwrap();
@@ -59,7 +59,7 @@ fn a_path_that_cannot_be_a_file_is_an_error_that_says_so() {
 }
 
 #[test]
-fn a_picture_on_standard_output_is_all_there_is_on_it() {
+fn standard_output_holds_the_picture_alone() {
     let folder = folder();
     let output = run(folder.path(), &format!("{SMALL} -"));
     let (width, height, _) = decode(&output.stdout);
@@ -73,7 +73,7 @@ fn a_picture_on_standard_output_is_all_there_is_on_it() {
 }
 
 #[test]
-fn a_name_that_promises_another_format_than_png_is_refused() {
+fn a_name_with_the_extension_of_another_format_is_refused() {
     let folder = folder();
     for name in ["a.jpg", "a.JPEG", "a.gif", "a.bmp", "a.webp", "a.tif"] {
         let words = [name, "PNG"];
@@ -105,7 +105,7 @@ fn a_scene_is_not_replaced_by_its_picture() {
     }
     let kept = fs::read_to_string(folder.path().join("a.toml")).unwrap();
     assert_eq!(kept, scene);
-    // The scene of that name is built in; the file is another.
+    // The scene of that name is built in, so the file is not the scene.
     fs::write(folder.path().join("cuboid"), "mine").unwrap();
     assert_works(folder.path(), &format!("{SMALL} cuboid cuboid"));
 }
@@ -129,13 +129,13 @@ mod unix {
         fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
     }
 
-    /// Whether permissions do not bind whoever runs the tests.
+    /// Whether the user that runs the tests ignores permissions.
     fn is_root() -> bool {
         fs::metadata(folder().path()).unwrap().uid() == 0
     }
 
     #[test]
-    fn a_new_file_has_the_permissions_of_any_new_file() {
+    fn a_new_file_has_the_default_permissions() {
         let folder = folder();
         for umask in ["022", "077", "002"] {
             let script = format!("umask {umask}; : > plain; exec $0 {SMALL} a.png");
@@ -164,7 +164,7 @@ mod unix {
     }
 
     #[test]
-    fn a_standard_output_that_cannot_be_written_is_an_error() {
+    fn a_closed_standard_output_is_an_error() {
         let folder = folder();
         fs::write(folder.path().join("a"), "mine").unwrap();
         for line in [
@@ -208,7 +208,7 @@ mod unix {
     }
 
     #[test]
-    fn a_link_that_leads_nowhere_is_an_error() {
+    fn a_looping_or_dangling_link_is_an_error() {
         let folder = folder();
         symlink("loop.png", folder.path().join("loop.png")).unwrap();
         symlink("absent/a.png", folder.path().join("astray.png")).unwrap();
@@ -287,11 +287,11 @@ mod unix {
     }
 
     #[test]
-    fn a_write_that_fails_leaves_the_old_file_and_no_other() {
+    fn a_failed_write_leaves_the_old_file_and_no_other() {
         let folder = folder();
         let file = folder.path().join("a.png");
         fs::write(&file, "old").unwrap();
-        // A limit on the size of a file stands in for a full disk; the signal that comes with it is ignored.
+        // A limit on the file size stands for a full disk. Its signal is ignored.
         let script = "trap '' XFSZ; ulimit -f 8; exec $0 render --size 960x720 -o a.png";
         let output = in_shell(folder.path(), script);
         assert_eq!(output.status.code(), Some(1), "{}", said(&output));
@@ -305,7 +305,7 @@ mod unix {
     }
 
     #[test]
-    fn an_interrupt_leaves_the_old_file_or_the_whole_new_one() {
+    fn an_interrupt_leaves_the_old_file_or_the_complete_new_one() {
         let folder = folder();
         let file = folder.path().join("a.png");
         fs::write(&file, "old").unwrap();
@@ -314,7 +314,7 @@ mod unix {
             .stderr(std::process::Stdio::null())
             .spawn()
             .unwrap();
-        // Once the temporary file is there, the picture is being written.
+        // The temporary file shows that the picture is being written.
         let ended = stop(child, "INT", || listing(folder.path()) != ["a.png"]);
         if ended.success() {
             assert_eq!(listing(folder.path()), ["a.png"]);
@@ -333,7 +333,7 @@ mod unix {
     }
 
     #[test]
-    fn a_folder_or_file_that_may_not_be_written_is_an_error() {
+    fn a_folder_or_file_without_write_permission_is_an_error() {
         if is_root() {
             return;
         }

@@ -1,4 +1,4 @@
-//! Help: its examples are what the parser takes.
+//! Help: its examples are accepted by the parser.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -31,7 +31,7 @@ fn every_command_has_a_description_and_examples_that_parse() {
         let text = help(&page);
         assert!(
             text.lines().next().is_some_and(|line| line.len() > 20),
-            "{page} begins with what the command does"
+            "{page} must begin with a description"
         );
         let examples: Vec<&str> = text
             .lines()
@@ -39,7 +39,7 @@ fn every_command_has_a_description_and_examples_that_parse() {
             .collect();
         assert!(!examples.is_empty(), "{page} has no example");
         for example in examples {
-            // Behind two spaces the example is explained, behind > the shell sends its output somewhere.
+            // Two spaces separate an example from its explanation; the shell redirects output after >.
             let line = example
                 .split("  ")
                 .next()
@@ -58,7 +58,7 @@ fn every_command_has_a_description_and_examples_that_parse() {
 }
 
 #[test]
-fn the_options_of_view_need_not_its_name() {
+fn the_options_of_view_work_without_its_name() {
     for line in [
         "bench-far --size 800x600",
         "--size 800x600 bench-far",
@@ -81,7 +81,7 @@ fn the_options_of_view_need_not_its_name() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn help_that_cannot_be_written_is_an_error_and_a_reader_that_left_is_none() {
+fn help_that_cannot_be_written_is_an_error_unless_the_reader_closed_it() {
     use std::fs::OpenOptions;
     use std::process::Stdio;
 
@@ -120,7 +120,7 @@ fn help_that_cannot_be_written_is_an_error_and_a_reader_that_left_is_none() {
         assert_eq!(
             status.code(),
             Some(2),
-            "an error that cannot be told is the same error"
+            "the status does not depend on standard error"
         );
     }
 }

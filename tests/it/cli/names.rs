@@ -1,4 +1,4 @@
-//! Names and paths that a shell, a script or a stranger can bring: none reaches the terminal as anything but text.
+//! Unusual and hostile names and paths: none reaches the terminal as anything but text.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -9,7 +9,7 @@ use super::{assert_fails, assert_works, decode, folder, said, shadetrade};
 const SCENE: &str = include_str!("../../../assets/scenes/cuboid.toml");
 
 #[test]
-fn a_scene_s_path_need_not_be_utf_8() {
+fn the_path_of_a_scene_need_not_be_utf_8() {
     let folder = folder();
     let name = OsStr::from_bytes(b"caf\xe9.toml");
     fs::write(folder.path().join(name), SCENE).unwrap();
@@ -62,7 +62,7 @@ fn no_name_or_path_moves_the_cursor() {
 }
 
 #[test]
-fn a_name_that_is_not_there_is_answered_with_no_more_names_than_a_person_reads() {
+fn a_missing_name_is_answered_with_a_short_list_of_names() {
     let folder = folder();
     let more = |index: usize| {
         format!(

@@ -1,4 +1,4 @@
-//! What `render`, `figures` and `view` without a display leave behind.
+//! The output of `render`, `figures`, and `view` without a display.
 
 use std::fs;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn render_writes_a_picture_of_the_size_asked_for() {
 }
 
 #[test]
-fn a_scene_is_drawn_as_its_view_says_and_options_win() {
+fn a_scene_is_drawn_with_its_own_view_and_options_override_it() {
     let folder = folder();
     let scene = |name: &str, view: &str| {
         let path = folder.path().join(name);
@@ -100,7 +100,7 @@ fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
 }
 
 #[test]
-fn render_says_what_it_wrote_what_was_shaded_and_what_a_frame_takes() {
+fn render_reports_the_file_the_shaded_pixels_and_the_time_of_a_frame() {
     let folder = folder();
     let said = assert_works(
         folder.path(),
@@ -119,7 +119,7 @@ fn render_says_what_it_wrote_what_was_shaded_and_what_a_frame_takes() {
     }
     let threads = assert_works(folder.path(), "render -o b.png --size 64x48 --threads 3");
     assert!(threads.contains("3 threads,"), "{threads}");
-    // The picture is black where the cuboid is and of the scene's background elsewhere.
+    // The picture is black at the cuboid and shows the scene's background elsewhere.
     let (_, _, bytes) = decode(&fs::read(folder.path().join("a.png")).unwrap());
     let black = bytes
         .chunks_exact(3)
@@ -137,7 +137,7 @@ fn render_says_what_it_wrote_what_was_shaded_and_what_a_frame_takes() {
 }
 
 #[test]
-fn the_options_of_render_change_the_picture_and_speed_does_not() {
+fn options_of_the_scene_change_the_picture_and_options_of_speed_do_not() {
     let picture = |options: &str| render(&format!("--size 96x72 {options}"));
     let plain = picture("");
     for options in [
@@ -179,7 +179,25 @@ fn every_built_in_scene_can_be_drawn() {
 }
 
 #[test]
-fn figures_are_all_there_of_the_right_size_and_the_same_every_time() {
+fn an_extreme_is_proven_and_drawn_by_its_name() {
+    let folder = folder();
+    let output = run(folder.path(), "extremes picture-1x1 speck --json");
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let outcomes: Vec<serde_json::Value> = serde_json::from_slice(&output.stdout).expect("JSON");
+    let names: Vec<_> = outcomes.iter().map(|outcome| &outcome["name"]).collect();
+    assert_eq!(names, ["picture-1x1", "speck"]);
+    assert!(outcomes.iter().all(|outcome| outcome["pass"] == true));
+
+    let proof = run(
+        folder.path(),
+        "prove extremes/horizon-1e12 --camera askew --size 65x65",
+    );
+    assert_eq!(proof.status.code(), Some(0), "{}", said(&proof));
+    render("extremes/eye-on-an-edge --size 64x48");
+}
+
+#[test]
+fn all_figures_are_written_at_the_right_size_with_the_same_bytes_every_time() {
     let folder = folder();
     let output = run(folder.path(), "figures");
     assert_eq!(output.status.code(), Some(0), "{}", said(&output));
@@ -204,12 +222,12 @@ fn figures_are_all_there_of_the_right_size_and_the_same_every_time() {
     assert_eq!(
         fs::read(made.join("mine.txt")).unwrap(),
         b"mine",
-        "what is not a figure is left alone"
+        "other files are not changed"
     );
 }
 
 #[test]
-fn figures_are_what_render_draws() {
+fn figures_equal_the_pictures_of_render() {
     let folder = folder();
     assert_works(folder.path(), "figures -o f");
     for (name, options) in [
@@ -230,7 +248,7 @@ fn figures_are_what_render_draws() {
 }
 
 #[test]
-fn without_a_display_the_built_in_scene_becomes_figures() {
+fn without_a_display_plain_view_draws_the_figures() {
     for line in ["", "view"] {
         let folder = folder();
         let said = assert_works(folder.path(), line);
@@ -246,7 +264,7 @@ fn without_a_display_the_built_in_scene_becomes_figures() {
 }
 
 #[test]
-fn without_a_display_a_scene_or_a_view_that_is_named_is_for_render() {
+fn without_a_display_a_named_scene_or_view_is_an_error_that_advises_render() {
     let folder = folder();
     for (line, scene) in [
         ("bench-far", "bench-far"),
@@ -260,7 +278,7 @@ fn without_a_display_a_scene_or_a_view_that_is_named_is_for_render() {
 }
 
 #[test]
-fn a_folder_for_figures_is_made_but_not_its_parent() {
+fn a_folder_for_figures_is_created_but_its_parent_is_not() {
     let folder = folder();
     assert_fails(folder.path(), "figures -o a/b", 1, &["a/b", "no folder a"]);
     fs::write(folder.path().join("file"), "mine").unwrap();

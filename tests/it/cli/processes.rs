@@ -1,4 +1,4 @@
-//! `trade` has its batches measured by processes of their own, which get the scene from it.
+//! The batches of `trade` run in separate processes, which read the scene from standard input.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use shadetrade::scene::BUILT_IN;
 use super::{folder, in_shell, said};
 
 #[test]
-fn a_scene_that_can_be_read_once_is_measured_in_every_batch() {
+fn a_scene_from_a_pipe_is_measured_in_every_batch() {
     let folder = folder();
     let (_, scene) = BUILT_IN[0];
     fs::write(folder.path().join("my.toml"), scene).expect("it is written");
@@ -23,7 +23,7 @@ fn a_scene_that_can_be_read_once_is_measured_in_every_batch() {
 }
 
 #[test]
-fn a_batch_is_measured_of_the_scene_on_standard_input_alone() {
+fn a_batch_measures_only_the_scene_on_standard_input() {
     let folder = folder();
     let (_, scene) = BUILT_IN[0];
     fs::write(folder.path().join("my.toml"), scene).expect("it is written");

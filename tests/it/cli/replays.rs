@@ -1,4 +1,4 @@
-//! Recordings that are replayed by the program.
+//! Replays of recordings by the program.
 
 use std::collections::HashSet;
 use std::fs;
@@ -9,7 +9,7 @@ use shadetrade::scene::{Scene, SceneRecord};
 
 use super::{assert_fails, assert_works, decode, folder, listing, run, said};
 
-/// Writes a log with these lines after its first ones.
+/// Writes a log: its header and scene, followed by these lines.
 fn record(folder: &Path, lines: &str) {
     let scene = Scene::load(Some("bench-far")).expect("it is built in");
     let scene = json!({ "name": "bench-far", "scene": SceneRecord::of(&scene.world) });
@@ -24,7 +24,7 @@ const LINES: &str = r#"0.500 patch [{"op":"replace","path":"/cuboid/0/shading","
 2.500 patch [{"op":"repl"#;
 
 #[test]
-fn hashes_are_a_line_a_frame_and_the_same_for_every_way_to_draw() {
+fn hashes_are_one_line_per_frame_and_the_same_for_every_level_and_thread_count() {
     let folder = folder();
     record(folder.path(), LINES);
     let hashes = |options: &str| {
@@ -60,7 +60,7 @@ fn the_last_frame_is_a_picture_of_the_window_at_its_size() {
 }
 
 #[test]
-fn a_recording_that_cannot_be_replayed_is_kept_and_the_reason_told() {
+fn a_recording_that_cannot_be_replayed_is_kept_and_the_reason_printed() {
     let folder = folder();
     record(folder.path(), "1 quit\n");
     let text = fs::read(folder.path().join("a.log")).expect("it was written");
@@ -81,7 +81,7 @@ fn a_recording_that_cannot_be_replayed_is_kept_and_the_reason_told() {
 }
 
 #[test]
-fn without_a_display_a_window_for_a_recording_is_refused_with_another_way() {
+fn without_a_display_a_replay_in_a_window_is_an_error_that_advises_a_file() {
     let folder = folder();
     record(folder.path(), "");
     assert_fails(folder.path(), "replay a.log", 1, &["replay a.log -o"]);

@@ -1,4 +1,4 @@
-//! `requires` as people and scripts meet it.
+//! The command `requires`.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use shadetrade::scene::Scene;
 
 use super::{assert_fails, assert_works, folder, listing, run, said};
 
-/// What `line` prints as JSON.
+/// The JSON that `line` prints.
 #[track_caller]
 fn json(folder: &std::path::Path, line: &str) -> Value {
     let output = run(folder, line);
@@ -25,7 +25,7 @@ fn part_names(found: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
+fn a_wrong_command_line_ends_with_status_2_and_a_message() {
     let folder = folder();
     fs::copy(
         concat!(env!("CARGO_MANIFEST_DIR"), "/tests/it/support/least.toml"),
@@ -33,10 +33,7 @@ fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
     )
     .unwrap();
     for (line, words) in [
-        (
-            "requires -o -",
-            &["standard output takes what is found"][..],
-        ),
+        ("requires -o -", &["'-'", "standard output"][..]),
         (
             "requires --camera 3",
             &["no camera is named \"3\"", "\"1\", \"2\""],
@@ -58,7 +55,7 @@ fn a_wrong_line_ends_with_status_2_and_says_what_would_be_right() {
 }
 
 #[test]
-fn json_names_every_part_in_order_and_requires_what_is_not_proven() {
+fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
     let folder = folder();
     let found = json(
         folder.path(),
@@ -93,7 +90,7 @@ fn json_names_every_part_in_order_and_requires_what_is_not_proven() {
 }
 
 #[test]
-fn the_table_has_a_row_for_every_part_and_the_largest_error_first() {
+fn the_table_has_a_row_for_every_part_with_the_largest_error_first() {
     let folder = folder();
     let output = run(folder.path(), "requires --size 48x36");
     assert!(output.stderr.is_empty(), "{}", said(&output));
@@ -113,7 +110,7 @@ fn the_table_has_a_row_for_every_part_and_the_largest_error_first() {
 }
 
 #[test]
-fn the_least_scene_is_a_scene_that_says_what_was_left_out_and_draws_the_same() {
+fn the_least_scene_lists_the_parts_left_out_and_draws_the_same_picture() {
     let folder = folder();
     let text = fs::read_to_string(concat!(
         env!("CARGO_MANIFEST_DIR"),

@@ -1,4 +1,4 @@
-//! `trade --methods`: what it measures, and what does not go with `trade`.
+//! `trade --methods`, and options that `trade` refuses.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{assert_fails, folder, listing, said, shadetrade};
 
 #[test]
-fn only_the_methods_named_are_measured_and_the_command_can_be_repeated() {
+fn only_the_named_methods_are_measured_and_the_command_can_be_repeated() {
     let folder = folder();
     let output = shadetrade(folder.path())
         .args(["trade", "--quick", "--size", "24x18", "-o", "my report"])
@@ -42,7 +42,7 @@ fn only_the_methods_named_are_measured_and_the_command_can_be_repeated() {
 }
 
 #[test]
-fn what_does_not_go_with_it_is_refused_before_anything_is_drawn() {
+fn options_of_other_commands_are_refused_before_anything_is_drawn() {
     let folder = folder();
     for (line, status, words) in [
         ("trade --shading phong", 2, &["--shading", "trade"][..]),

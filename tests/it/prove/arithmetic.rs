@@ -1,6 +1,6 @@
-//! The enclosures against a second arithmetic: the textbook's formula with 256 bits.
+//! The enclosures against a second arithmetic: the textbook's formula in floats of 256 bits.
 //!
-//! The value with 256 bits stands for the exact one: it errs by some 1e-70 of it.
+//! The value with 256 bits stands for the exact one: its relative error is some 1e-70.
 
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -20,7 +20,8 @@ fn holds(enclosure: Interval, value: &Big) -> bool {
         && (largest.is_infinite() || *value <= Big::of(largest))
 }
 
-/// Compares every `stride`-th pixel that may show one thing only; also the width of the widest enclosure, and how many there were.
+/// Compares every `stride`-th pixel with a single possible surface; returns the largest width of an enclosure and the
+/// number of pixels.
 fn compare(
     scene: &Scene<Big>,
     width: usize,
@@ -37,7 +38,7 @@ fn compare(
         for (level, exact) in seen.levels.into_iter().zip(&exact) {
             let [least, largest] = level.endpoints();
             assert!(holds(level, exact), "{at:?}: {exact:?} is not in {level:?}");
-            // Beyond what is displayed a width says nothing in levels.
+            // Outside of the displayed range the width is not in levels of 255.
             if largest < 1000.0 {
                 widest = widest.max(largest - least);
             }
@@ -68,7 +69,7 @@ fn enclosures_of_random_scenes_hold_the_value_and_are_narrow() {
 }
 
 #[test]
-fn a_corner_of_a_cuboid_of_2e14_units_is_enclosed_as_narrowly_as_any() {
+fn a_corner_of_a_cuboid_of_2e14_units_has_a_narrow_enclosure() {
     for projection in Projection::ALL {
         for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
             let (world, view) = known::vast_cuboid(projection, mode);
@@ -81,7 +82,7 @@ fn a_corner_of_a_cuboid_of_2e14_units_is_enclosed_as_narrowly_as_any() {
     }
 }
 
-/// Whether an operation holds the value, and is at most a few units in the last place wide.
+/// Whether the result of an operation holds the value and is at most a few units in the last place wide.
 fn assert_sharp(name: &str, at: f64, enclosure: Interval, value: &Big) {
     assert!(
         holds(enclosure, value),
@@ -96,7 +97,7 @@ fn assert_sharp(name: &str, at: f64, enclosure: Interval, value: &Big) {
 }
 
 #[test]
-fn operations_of_intervals_hold_the_value_of_the_second_arithmetic() {
+fn operations_of_intervals_enclose_the_value_of_the_second_arithmetic() {
     let mut random = Random(7);
     for _ in 0..2000 {
         let x = 10.0_f64.powf(random.within(-12.0, 12.0));
@@ -135,9 +136,9 @@ fn operations_of_intervals_hold_the_value_of_the_second_arithmetic() {
 }
 
 #[test]
-fn operations_of_wide_intervals_hold_what_their_members_give() {
+fn operations_of_wide_intervals_enclose_the_results_of_their_members() {
     let mut random = Random(9);
-    // From floats that are exact in every operation to ones whose products are no normal floats.
+    // From floats that are exact in every operation to floats with subnormal products.
     let member = |random: &mut Random, reach: f64| match random.within(0.0, 4.0) as u8 {
         0 => random.within(-8.0, 8.0).round(),
         _ => random.within(-1.0, 1.0) * 10.0_f64.powf(random.within(-reach, reach)),

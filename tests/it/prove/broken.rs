@@ -1,4 +1,4 @@
-//! Pictures that are wrong on purpose: each is refuted, and the right one is proven.
+//! Deliberately wrong pictures are refuted, and the right one is proven.
 
 use shadetrade::components::{LightKind, Projection, ShadingMode, View};
 use shadetrade::prove::{Shown, Verdict, judge};
@@ -12,10 +12,10 @@ use super::naive::{self, Model, RIGHT};
 
 const SIZE: [usize; 2] = [64, 48];
 
-/// What the contract allows a picture at tolerance 0, in levels.
+/// The permitted error at tolerance 0, in levels of 255.
 const EXACT: f64 = 0.05;
 
-/// The built-in scene in both modes and projections, and what its pixels may show.
+/// The built-in scene in both modes and projections, and the surfaces that its pixels may show.
 fn check(each: impl Fn(&naive::Scene<f64>, ShadingMode, Projection, &[Vec<Seen<Interval>>])) {
     let scene = Scene::load(None).expect("the built-in scene is right");
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
@@ -31,7 +31,7 @@ fn check(each: impl Fn(&naive::Scene<f64>, ShadingMode, Projection, &[Vec<Seen<I
     }
 }
 
-/// A pixel as a wrong model shows it.
+/// A pixel as a wrong model draws it.
 fn shown(scene: &naive::Scene<f64>, pixel: usize, face: Option<usize>, model: Model) -> Shown {
     let at = [pixel % SIZE[0], pixel / SIZE[0]];
     Shown {
@@ -41,7 +41,7 @@ fn shown(scene: &naive::Scene<f64>, pixel: usize, face: Option<usize>, model: Mo
     }
 }
 
-/// How many pixels of a picture are proven, undecided and refuted.
+/// The numbers of proven, undecided and refuted pixels of a picture.
 fn count(
     pixels: impl Iterator<Item = Shown>,
     seen: &[Vec<Seen<Interval>>],
@@ -54,7 +54,7 @@ fn count(
     counts
 }
 
-/// How many pixels that `model` evaluates are proven, undecided and refuted.
+/// The numbers of proven, undecided and refuted pixels that `model` draws.
 fn evaluated(scene: &naive::Scene<f64>, seen: &[Vec<Seen<Interval>>], model: Model) -> [usize; 3] {
     let faces = seen.iter().map(|seen| seen[0].face()).enumerate();
     let pixels = faces.map(|(pixel, face)| shown(scene, pixel, face, model));
@@ -77,7 +77,7 @@ fn the_model_is_proven_and_every_wrong_one_is_refuted() {
             (true, without(LightKind::Diffuse)),
             // No corner is in a highlight.
             (is_phong, without(LightKind::Specular)),
-            // Without perspective both are one.
+            // In orthographic projection both are equal.
             (
                 is_perspective,
                 Model {
@@ -110,7 +110,7 @@ fn the_model_is_proven_and_every_wrong_one_is_refuted() {
 }
 
 #[test]
-fn a_level_a_little_beyond_the_limit_is_refuted_and_one_a_little_within_it_is_proven() {
+fn a_level_slightly_beyond_the_limit_is_refuted_and_one_slightly_within_it_is_proven() {
     check(|scene, mode, projection, seen| {
         for limit in [1e-4, 0.05, 0.5, 4.0] {
             for (share, expected) in [(0.9999, Verdict::Proven), (1.0001, Verdict::Refuted)] {
@@ -121,7 +121,7 @@ fn a_level_a_little_beyond_the_limit_is_refuted_and_one_a_little_within_it_is_pr
                     };
                     for channel in 0..3 {
                         let mut shown = shown(scene, pixel, one.face(), RIGHT);
-                        // Away from where the display clamps.
+                        // Levels away from the limits of the display.
                         if !(8.0..247.0).contains(&shown.levels[channel]) {
                             continue;
                         }
@@ -142,7 +142,7 @@ fn a_level_a_little_beyond_the_limit_is_refuted_and_one_a_little_within_it_is_pr
 }
 
 #[test]
-fn a_picture_moved_by_a_pixel_is_refuted_along_every_edge_it_leaves() {
+fn a_picture_moved_by_a_pixel_is_refuted_along_every_edge_that_it_leaves() {
     check(|scene, mode, projection, seen| {
         let width = SIZE[0] as isize;
         for moved in [1, -1, width, -width] {
@@ -150,7 +150,7 @@ fn a_picture_moved_by_a_pixel_is_refuted_along_every_edge_it_leaves() {
             let faces: Vec<_> = (0..seen.len())
                 .map(|pixel| seen[from(pixel) as usize][0].face())
                 .collect();
-            // Coverage alone is moved; the levels are those of the plane that is seen.
+            // Only coverage is moved; the levels are those of the visible plane.
             let pixels = (0..seen.len()).map(|pixel| shown(scene, pixel, faces[pixel], RIGHT));
             let [_, _, refuted] = count(pixels, seen, EXACT);
             let left = (seen.iter().zip(&faces))

@@ -1,4 +1,4 @@
-//! One pixel and what it may show in, a verdict out; and the decisions below it, of which there are three.
+//! Verdicts on one pixel from the surfaces that it may show, and the three-valued decisions of intervals.
 
 use std::cmp::Ordering;
 
@@ -9,7 +9,7 @@ fn interval(least: f64, largest: f64) -> Interval {
     Interval::of(least).either(Interval::of(largest))
 }
 
-/// A face, or the background, of which every channel is enclosed alike.
+/// A face or the background with the same enclosure in every channel.
 fn seen(face: Option<usize>, [least, largest]: [f64; 2]) -> Seen<Interval> {
     Seen {
         triangle: face.map(|face| 2 * face),
@@ -30,7 +30,7 @@ fn verdict(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> Verdict {
 }
 
 #[test]
-fn every_some_or_no_value_of_the_enclosure_is_within_the_limit() {
+fn the_verdict_depends_on_whether_all_some_or_no_values_are_within_the_limit() {
     let seen = [seen(Some(3), [100.0, 101.0])];
     for (level, expected, largest) in [
         (98.0, Verdict::Refuted, 3.0),
@@ -55,7 +55,7 @@ fn every_some_or_no_value_of_the_enclosure_is_within_the_limit() {
 }
 
 #[test]
-fn one_channel_decides() {
+fn one_wrong_channel_refutes_a_pixel() {
     let seen = [seen(Some(0), [100.0, 100.0])];
     for channel in 0..3 {
         let mut shown = shown(Some(0), 100.0);
@@ -79,7 +79,7 @@ fn the_display_clamps_both_sides() {
 }
 
 #[test]
-fn what_is_no_number_is_displayed_as_0_and_judged_as_that() {
+fn nan_is_displayed_and_judged_as_0() {
     let [dark, bright] = [[0.0, 0.01], [5.0, 5.0]].map(|enclosure| [seen(Some(0), enclosure)]);
     assert_eq!(
         verdict(shown(Some(0), f64::NAN), &dark, 0.5),
@@ -92,7 +92,7 @@ fn what_is_no_number_is_displayed_as_0_and_judged_as_that() {
 }
 
 #[test]
-fn an_enclosure_that_knows_nothing_proves_nothing_and_refutes_nothing() {
+fn the_enclosure_of_all_numbers_proves_and_refutes_nothing() {
     for levels in [Interval::of(f64::NAN), Interval::ALL] {
         let seen = [Seen {
             triangle: Some(0),
@@ -102,7 +102,7 @@ fn an_enclosure_that_knows_nothing_proves_nothing_and_refutes_nothing() {
             verdict(shown(Some(0), 40.0), &seen, 8.0),
             Verdict::Undecided
         );
-        // Half the display's range is not too far from anything on it.
+        // Half of the displayed range is within reach of every level of it.
         assert_eq!(
             verdict(shown(Some(0), 127.5), &seen, 127.5),
             Verdict::Proven
@@ -111,7 +111,7 @@ fn an_enclosure_that_knows_nothing_proves_nothing_and_refutes_nothing() {
 }
 
 #[test]
-fn another_face_or_none_is_refuted_whatever_its_levels() {
+fn another_face_or_none_is_refuted_with_any_levels() {
     let face = [seen(Some(3), [100.0, 100.0])];
     let background = [seen(None, [100.0, 100.0])];
     assert_eq!(
@@ -147,7 +147,7 @@ fn an_outline_may_show_either_side_but_only_in_its_own_levels() {
 }
 
 #[test]
-fn a_tied_gate_may_fall_either_way_but_not_between() {
+fn a_tied_gate_may_be_open_or_closed_but_not_between() {
     let ways = [seen(Some(3), [100.0, 100.0]), seen(Some(3), [180.0, 180.0])];
     for (level, expected) in [
         (100.0, Verdict::Proven),
@@ -158,7 +158,7 @@ fn a_tied_gate_may_fall_either_way_but_not_between() {
         assert_eq!(mark.verdict, expected, "{level}");
         assert!(!mark.is_outline);
     }
-    // The wide way does not refute what the narrow way does not hold.
+    // The wide enclosure does not refute a level outside of the narrow one.
     let ways = [seen(Some(3), [100.0, 100.0]), seen(Some(3), [0.0, 255.0])];
     assert_eq!(
         verdict(shown(Some(3), 140.0), &ways, 0.5),
@@ -167,7 +167,7 @@ fn a_tied_gate_may_fall_either_way_but_not_between() {
 }
 
 #[test]
-fn bytes_have_half_a_level_more() {
+fn bytes_may_err_by_half_a_level_more() {
     let seen = [seen(Some(0), [100.5, 100.5])];
     for (byte, expected) in [
         (99, Verdict::Refuted),
@@ -184,14 +184,14 @@ fn bytes_have_half_a_level_more() {
 }
 
 #[test]
-fn a_sign_is_known_where_all_of_the_interval_has_it() {
+fn a_sign_is_known_if_all_of_the_interval_has_it() {
     let signs = [
         ([1.0, 2.0], Some(Ordering::Greater)),
         ([-2.0, -1.0], Some(Ordering::Less)),
         ([0.0, 1.0], None),
         ([-1.0, 0.0], None),
         ([-1.0, 1.0], None),
-        // Too near for the margin.
+        // Within the margin.
         ([0.4, 2.0], None),
         ([-2.0, -0.4], None),
         ([0.0, 0.0], None),
@@ -222,7 +222,7 @@ fn a_gate_is_open_closed_tied_or_undecided() {
 }
 
 #[test]
-fn what_may_be_either_of_two_is_unknown_if_one_of_them_is() {
+fn either_of_two_is_unknown_if_one_of_them_is() {
     let [one, two] = [1.0, 2.0].map(Interval::of);
     assert_eq!(one.either(two).endpoints(), [1.0, 2.0]);
     for unknown in [one.either(Interval::ALL), Interval::ALL.either(one)] {

@@ -1,4 +1,4 @@
-//! Scenes whose levels are known on paper, and where f32 or coordinates from a cuboid's centre lose them.
+//! Scenes with levels known on paper, which f32 or coordinates relative to a cuboid's centre get wrong.
 
 use glam::DVec3;
 use hecs::World;
@@ -17,8 +17,8 @@ const WHITE: Material = Material {
     shininess: 20.0,
 };
 
-/// One pixel at the middle of a face under an ambient light of 200 levels and `count` diffuse ones of 7e-6, each straight
-/// above it.
+/// One pixel in the middle of a face under an ambient light of 200 levels and `count` diffuse lights of 7e-6 levels,
+/// each straight above the middle.
 fn faint_lights(count: usize) -> (World, View) {
     let mut world = empty();
     spawn_cuboid(&mut world, DVec3::splat(4.0), at(DVec3::ZERO), WHITE);
@@ -42,7 +42,7 @@ fn faint_lights(count: usize) -> (World, View) {
 }
 
 #[test]
-fn a_sum_that_loses_twenty_thousand_faint_lights_is_refuted() {
+fn a_sum_that_drops_twenty_thousand_faint_lights_is_refuted() {
     let (world, view) = faint_lights(20_000);
     let seen = &enclosures(&world, &view)[0];
     let judged = |level: f64| {
@@ -53,7 +53,7 @@ fn a_sum_that_loses_twenty_thousand_faint_lights_is_refuted() {
         };
         judge(shown, seen, 0.05)
     };
-    // 200 + 20,000 * 7e-6, and what is left where each is too small to change a float of 32 bits.
+    // 200 + 20,000 * 7e-6, and the sum in f32, which no single light changes.
     assert_eq!(judged(200.14).0.verdict, Verdict::Proven);
     let (mark, error) = judged(200.0);
     assert_eq!(mark.verdict, Verdict::Refuted);
@@ -69,8 +69,8 @@ fn twenty_thousand_faint_lights_are_summed_within_the_tolerance() {
     }
 }
 
-/// Snapping puts pixels of one triangle beyond the face's diagonal, where the other one may be brighter by hundreds of
-/// thousands of levels in a pixel.
+/// Snapping puts pixels of one triangle beyond the diagonal of the face, where the other triangle may be brighter by
+/// hundreds of thousands of levels per pixel.
 #[test]
 fn every_pixel_beside_a_diagonal_is_proven() {
     let modes = [
@@ -97,7 +97,7 @@ fn every_pixel_beside_a_diagonal_is_proven() {
     }
 }
 
-/// A cuboid of 2e14 units, lit and seen from a few units before its corner.
+/// A cuboid of 2e14 units, lit and seen from a few units in front of its corner.
 pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
     const HALF: f64 = 1e14;
     let corner = DVec3::splat(HALF);
@@ -125,7 +125,7 @@ pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
 }
 
 #[test]
-fn every_pixel_at_a_corner_of_a_vast_cuboid_has_a_narrow_enclosure() {
+fn every_pixel_at_a_corner_of_a_huge_cuboid_has_a_narrow_enclosure() {
     for projection in Projection::ALL {
         let (world, view) = vast_cuboid(projection, ShadingMode::Phong);
         for seen in enclosures(&world, &view).iter().flatten() {

@@ -1,5 +1,5 @@
-//! Scenes whose numbers are as 1 to a million and more: horizons, lines of sight through edges, corners far brighter than
-//! others, and eyes far nearer to a face than to its middle. No pixel is refuted, and where f64 suffices all are proven.
+//! Scenes with ratios of a million and more: horizons, lines of sight through edges, corners much brighter than others,
+//! and eyes much nearer to a face than to its middle. No pixel is refuted, and all are proven if f64 suffices.
 
 use glam::{DMat3, DVec3};
 use hecs::World;
@@ -29,7 +29,10 @@ fn assert_proven(world: &mut World, view: &View, modes: &[ShadingMode], what: &s
         };
         let proof = proof(world, &view);
         let covered = proof.covered;
-        assert!(covered > 100, "{what}, {mode:?}: {covered} pixels are seen");
+        assert!(
+            covered > 100,
+            "{what}, {mode:?}: {covered} pixels are covered"
+        );
         assert_eq!(
             (proof.refuted, proof.undecided),
             (0, 0),
@@ -40,7 +43,7 @@ fn assert_proven(world: &mut World, view: &View, modes: &[ShadingMode], what: &s
     }
 }
 
-/// A floor of this length whose top is 1 below the eye, which looks level; all of it turned about x.
+/// A floor of this length with its top 1 below the eye, which looks horizontally. The whole scene is rotated about x.
 fn floor(length: f64, light: DVec3, ahead: DVec3, degrees: f64) -> (World, View) {
     let turn = DMat3::from_rotation_x(degrees.to_radians());
     let mut world = empty();
@@ -85,7 +88,7 @@ fn the_row_at_the_horizon_of_a_floor_shows_its_far_end_or_the_background() {
 }
 
 #[test]
-fn a_floor_that_is_turned_with_its_eye_has_the_same_horizon() {
+fn a_floor_rotated_with_its_eye_has_the_same_horizon() {
     let light = DVec3::new(0.0, 1e12, -3e12);
     let rows = [0.0, 7.0].map(|degrees| {
         let (mut world, view) = floor(1e12, light, DVec3::new(0.2, 0.0, -1.0), degrees);
@@ -102,7 +105,7 @@ fn a_floor_that_is_turned_with_its_eye_has_the_same_horizon() {
 }
 
 #[test]
-fn an_eye_just_above_a_face_sees_its_far_edge() {
+fn an_eye_just_above_a_face_shows_its_far_edge() {
     for gap in [4e-5, 4e-8, 4e-12] {
         let mut world = empty();
         spawn_cuboid(
@@ -137,8 +140,9 @@ fn an_eye_just_above_a_face_sees_its_far_edge() {
 }
 
 #[test]
-fn a_line_of_sight_exactly_through_an_edge_may_see_either_side() {
-    // In an odd picture the line of sight in its middle is exact: in the plane of the face x = 1, and through its edge.
+fn a_line_of_sight_exactly_through_an_edge_may_show_either_side() {
+    // In a picture with odd sides the middle line of sight is exact: it lies in the plane of the face x = 1 and passes
+    // through its edge.
     for (eye, target) in [
         (DVec3::new(1.0, 0.976, 6.0), DVec3::new(1.0, 0.976, 0.0)),
         (DVec3::new(1.0, 1.5, 6.0), DVec3::new(1.0, 1.5, 2.0)),
@@ -163,8 +167,8 @@ fn a_line_of_sight_exactly_through_an_edge_may_see_either_side() {
 }
 
 #[test]
-fn a_corner_of_any_brightness_leaves_the_triangles_without_it_alone() {
-    // Beside each corner of the face z = 1 in turn.
+fn a_corner_of_any_brightness_does_not_affect_the_triangles_without_it() {
+    // Beside each corner of the face z = 1.
     for (x, y) in [(2.1, 1.6), (2.1, -1.6), (-2.1, 1.6), (-2.1, -1.6)] {
         for levels in [1e12, 1e16, 1e18, 1e29] {
             let mut world = empty();
@@ -191,7 +195,7 @@ fn a_corner_of_any_brightness_leaves_the_triangles_without_it_alone() {
 }
 
 #[test]
-fn a_face_is_seen_however_far_its_middle_is() {
+fn a_face_is_visible_at_any_distance_of_its_middle() {
     let mut random = Random(29);
     let mut undecided = 0;
     for number in 0..120 {
@@ -240,7 +244,7 @@ fn a_face_is_seen_however_far_its_middle_is() {
             "scene {number}, {gap}: {:?}",
             proof.examples
         );
-        // From 1e-7 the rounding of f64 at 2e5 is a thousandth.
+        // The rounding of f64 at 2e5 is about a thousandth of a gap of 1e-7.
         assert!(
             proof.undecided == 0 || gap < 1e-4,
             "scene {number}: {:?}",

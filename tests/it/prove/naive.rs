@@ -1,7 +1,8 @@
-//! The model as a textbook has it, in f64 or with 256 bits; right, or wrong on purpose.
+//! A textbook's implementation of the model, in f64 or with 256 bits, right or deliberately wrong.
 //!
-//! Everything is in world coordinates: a line of sight meets the plane of a face, the areas of three triangles are the
-//! weights of its corners, and the model is evaluated term by term. Nothing of it is the reference's.
+//! All coordinates are in world space. A line of sight is intersected with the plane of a face, the areas of three
+//! triangles are the weights of the corners, and the model is evaluated term by term. No code is shared with the
+//! reference.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -30,7 +31,7 @@ pub trait Number:
 {
     fn of(x: f64) -> Self;
     fn root(self) -> Self;
-    /// To the power of an exponent >= 0; of a number >= 0.
+    /// A number >= 0 to the power of an exponent >= 0.
     fn power(self, exponent: f64) -> Self;
     /// Sine and cosine of an angle in degrees.
     fn sine_and_cosine(degrees: f64) -> [Self; 2];
@@ -120,20 +121,20 @@ fn unit<N: Number>(v: &Vector<N>) -> Vector<N> {
     v.clone().map(|x| x / length.clone())
 }
 
-/// What is evaluated: the model, or what someone might have made of it.
+/// The model, and faults that can be switched on.
 #[derive(Clone, Copy, Debug)]
 pub struct Model {
-    /// Which kind of light is left out.
+    /// A kind of light that is left out.
     pub without: Option<LightKind>,
-    /// Attributes are linear on the screen.
+    /// Attributes are interpolated linearly on the screen.
     pub is_affine: bool,
-    /// The interpolated normal is left as short as it is.
+    /// The interpolated normal is not normalised.
     pub is_short: bool,
-    /// By how much the exponent is too large.
+    /// A factor of the exponent.
     pub exponent: f64,
 }
 
-/// The exact model.
+/// The right model.
 pub const RIGHT: Model = Model {
     without: None,
     is_affine: false,
@@ -141,18 +142,19 @@ pub const RIGHT: Model = Model {
     exponent: 1.0,
 };
 
-/// A scene and how it is looked at.
+/// A scene and a view of it.
 pub struct Scene<'a, N> {
     view: &'a View,
     cuboids: Vec<([Corner<N>; 8], Material, ShadingMode)>,
     lights: Vec<(Vector<N>, Light)>,
-    /// The view direction, and what one pixel right and one pixel up add to a direction or to a place.
+    /// The view direction, and the change per pixel right and up of a direction (perspective) or a position
+    /// (orthographic).
     forward: Vector<N>,
     right: Vector<N>,
     up: Vector<N>,
 }
 
-/// A cuboid's corner in the world.
+/// The position of a cuboid's corner in the world.
 #[derive(Clone)]
 struct Corner<N> {
     place: Vector<N>,
@@ -198,7 +200,7 @@ impl<'a, N: Number> Scene<'a, N> {
         }
     }
 
-    /// The levels of a face (cuboid * 6 + face) where the line of sight of a pixel meets its plane.
+    /// The levels of a face (cuboid * 6 + face) where the line of sight of a pixel intersects its plane.
     pub fn levels(&self, face: usize, [x, y]: [usize; 2], model: Model) -> Vector<N> {
         let (corners, material, mode) = &self.cuboids[face / 6];
         let [from, along] = self.sight(x, y);
@@ -261,7 +263,7 @@ impl<'a, N: Number> Scene<'a, N> {
         )
     }
 
-    /// Where the line of sight of a pixel starts and goes.
+    /// The start and direction of the line of sight of a pixel.
     fn sight(&self, x: usize, y: usize) -> [Vector<N>; 2] {
         let eye = exact(self.view.viewpoint.position);
         let [width, height] = self.view.size.map(|pixels| pixels as f64);
@@ -314,7 +316,7 @@ impl<'a, N: Number> Scene<'a, N> {
 }
 
 impl<N: Number> Corner<N> {
-    /// A corner of a cuboid by its place before rotation, from the centre.
+    /// A corner of a cuboid relative to its centre, before rotation.
     fn new(transform: &Transform, own: DVec3) -> Self {
         let turned = |v: DVec3| {
             let mut v: Vector<N> = exact(v);

@@ -1,6 +1,6 @@
-//! Random scenes at random tolerances: every pixel is proven; and with numbers of any size none is refuted.
+//! Random scenes at random tolerances: every pixel is proven. With numbers of any magnitude no pixel is refuted.
 //!
-//! `SHADETRADE_CASES` sets how many scenes; the first n are always the same.
+//! `SHADETRADE_CASES` sets the number of scenes; the first n are always the same.
 
 use glam::DVec3;
 use hecs::World;
@@ -68,14 +68,14 @@ fn every_pixel_of_random_scenes_is_proven() {
         sum.proven, sum.covered, sum.outline, sum.widest_enclosure, sum.reference_error
     );
     assert!(unproven.is_empty(), "{}", unproven.join("\n\n"));
-    assert!(sum.covered * 10 > sum.proven, "cuboids are seen");
+    assert!(sum.covered * 10 > sum.proven, "cuboids are visible");
     assert!(
         sum.outline * 10 < sum.covered,
-        "most of what is seen is proven to be seen"
+        "most covered pixels are proven to be covered"
     );
 }
 
-/// Whether f64 may not suffice to say where on some cuboid a pixel looks, which is the one reason to leave it undecided.
+/// Whether f64 may not suffice to tell where a pixel lies on some cuboid, the only reason to leave the pixel undecided.
 fn is_far(world: &mut World, eye: DVec3) -> bool {
     let mut cuboids = world.query_mut::<(&Transform, &Mesh)>().into_iter();
     cuboids.any(|(transform, mesh)| {
@@ -84,7 +84,7 @@ fn is_far(world: &mut World, eye: DVec3) -> bool {
 }
 
 #[test]
-fn no_pixel_of_random_scenes_with_numbers_of_any_size_is_refuted() {
+fn no_pixel_of_random_scenes_with_numbers_of_any_magnitude_is_refuted() {
     let mut runner = TestRunner::new_with_rng(
         Config::default(),
         TestRng::deterministic_rng(RngAlgorithm::ChaCha),
@@ -97,7 +97,7 @@ fn no_pixel_of_random_scenes_with_numbers_of_any_size_is_refuted() {
         let tree = strategy.new_tree(&mut runner).expect("a scene is found");
         let ((case, tolerance), mut extremes) = tree.current();
         extremes.sort_by_key(|extreme| extreme.number == Number::Gap);
-        // In an odd picture the line of sight in its middle is exact.
+        // In a picture with odd sides the middle line of sight is exact.
         let (mut world, mut view) = case.build([49, 37], tolerance);
         for extreme in &extremes {
             extreme.apply(&mut world, &mut view);
@@ -124,7 +124,7 @@ fn no_pixel_of_random_scenes_with_numbers_of_any_size_is_refuted() {
         sum.proven, sum.covered, sum.undecided
     );
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
-    assert!(sum.covered * 10 > sum.proven, "cuboids are seen");
+    assert!(sum.covered * 10 > sum.proven, "cuboids are visible");
     assert!(
         sum.undecided * 100 < sum.proven,
         "hardly any pixel is undecided"

@@ -1,8 +1,8 @@
-//! A search for the worst: it climbs from random small scenes towards the largest share of the tolerance that is used.
+//! A search for the worst scene: it climbs from random small scenes towards the largest used share of the tolerance.
 //!
-//! A scene is a list of numbers in 0..=1. A step changes some of them and is kept if the share does not shrink. What was
-//! found is kept in [`FOUND`], where the next search starts. `SHADETRADE_SEARCH` sets for how many minutes to search in
-//! all; unset, it takes a few steps from each.
+//! A scene is a list of numbers in 0..=1. A step changes some of them and is kept unless the share shrinks. The results
+//! are stored in [`FOUND`], where the next search starts. `SHADETRADE_SEARCH` sets the minutes of search in all;
+//! without it the search takes a few steps from each stored scene.
 
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
@@ -20,16 +20,16 @@ use crate::support::scene::{self, empty, spawn_cuboid, spawn_light};
 
 const SIZE: [usize; 2] = [48, 36];
 
-/// What was found so far, a scene a line: tolerance, mode, numbers.
+/// The stored scenes, one per line: tolerance, mode, numbers.
 const FOUND: &str = include_str!("search/found.txt");
 
-/// Steps without a gain after which a climb starts anew.
+/// Steps without a gain after which a climb restarts.
 const PATIENCE: usize = 150;
 
-/// Steps from each scene of [`FOUND`] where no time is given.
+/// Steps from each scene of [`FOUND`] without a given time.
 const STEPS: usize = 20;
 
-/// Random scenes of which the best is climbed from.
+/// Random scenes, of which the best starts a climb.
 const STARTS: usize = 20;
 
 /// A scene's numbers, each 0..=1.
@@ -38,7 +38,7 @@ type Numbers = [f64; 21];
 /// A tolerance in levels, and a mode.
 type Asked = (f64, ShadingMode);
 
-/// A number from `least` to `largest`, evenly in the logarithm.
+/// A number from `least` to `largest`, evenly distributed in the logarithm.
 fn scaled(share: f64, [least, largest]: [f64; 2]) -> f64 {
     least * (largest / least).powf(share)
 }
@@ -100,7 +100,7 @@ fn build(numbers: &Numbers, (tolerance, mode): Asked) -> (World, View) {
     (world, view)
 }
 
-/// The largest share of the tolerance that the f64 reference sees used.
+/// The largest share of the tolerance that is used according to the f64 reference.
 fn estimate(world: &mut World, view: &View) -> f64 {
     let frame = scene::draw(world, view, Keep::Levels);
     let truth = reference::picture(world, view, 0..SIZE[1], &|| false, &|_| ());
@@ -113,7 +113,7 @@ fn estimate(world: &mut World, view: &View) -> f64 {
     errors.fold(0.0, f64::max) / view.tolerance
 }
 
-/// The largest share that the proof leaves possible; infinite if a pixel is not proven.
+/// The largest share of the tolerance that the proof leaves possible; infinite if a pixel is not proven.
 fn proven(numbers: &Numbers, asked: Asked) -> f64 {
     let (mut world, view) = build(numbers, asked);
     let proof = proof(&mut world, &view);
@@ -125,7 +125,7 @@ fn proven(numbers: &Numbers, asked: Asked) -> f64 {
     proof.worst / view.tolerance
 }
 
-/// A climb: where it is, and how often it has not gained since.
+/// The state of a climb, and the number of steps since its last gain.
 #[derive(Clone)]
 struct Climb {
     asked: Asked,
@@ -180,7 +180,7 @@ impl Climb {
     }
 }
 
-/// Climbs as long as there is `more` to do; the best of what was found that is proven, and whether all of it is.
+/// Climbs while `more` returns true. Returns the best proven scene, and whether all pictures were proven.
 fn search(climb: Climb, mut more: impl FnMut() -> bool, random: &mut Random) -> (Climb, bool) {
     let asked = climb.asked;
     let (mut best, mut climb, mut is_proven) = (climb.clone(), climb, true);
@@ -215,7 +215,7 @@ fn parse(line: &str) -> Climb {
 }
 
 #[test]
-fn the_search_for_the_worst_comes_near_the_tolerance_and_never_beyond_it() {
+fn the_search_for_the_worst_comes_near_the_tolerance_and_never_exceeds_it() {
     let minutes = std::env::var("SHADETRADE_SEARCH").ok().map(|minutes| {
         let minutes: f64 = minutes.parse().expect("SHADETRADE_SEARCH is a number");
         minutes
@@ -241,7 +241,7 @@ fn the_search_for_the_worst_comes_near_the_tolerance_and_never_beyond_it() {
         .collect();
     for (Climb { asked, share, .. }, is_proven) in &found {
         assert!(is_proven, "a picture is not proven at {asked:?}");
-        // At the least tolerance f32 rows leave little to interpolation.
+        // At the least tolerance rows in f32 leave little to interpolation.
         let least = if asked.0 < 0.001 { 0.3 } else { 0.5 };
         assert!(*share > least, "at {asked:?} only {share} of it was found");
     }

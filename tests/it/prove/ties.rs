@@ -1,4 +1,4 @@
-//! Gates that may fall either way: a picture is proven whichever way each of them falls.
+//! Tied gates: a picture is proven with each of them open or closed.
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform};
@@ -14,10 +14,11 @@ const SHINY: Material = Material {
     shininess: 1.0,
 };
 
-/// The corners of the cube's face z = 1 have n = (+-1, +-1, 1) / sqrt(3) and, of a light 2 above its middle, l = (-+1, -+1,
-/// 2) / sqrt(6): n.l is 0 at all four, on paper. From below the light r = -l shines at the eye if the gate is open.
+/// The corners of the cube's face z = 1 have n = (±1, ±1, 1) / sqrt(3) and, for a light 2 above its middle, l = (∓1,
+/// ∓1, 2) / sqrt(6), so n.l is 0 at all four on paper. The light is reflected to r = -l, which meets the eye from below
+/// if the gate is open.
 #[test]
-fn corners_of_one_face_may_decide_a_tie_each_for_itself() {
+fn corners_of_one_face_may_decide_a_tie_independently() {
     let mut random = Random(3);
     let mut covered = 0;
     for _ in 0..40 {

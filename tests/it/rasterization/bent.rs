@@ -1,13 +1,13 @@
-//! What is covered of a polygon that is not convex.
+//! Coverage of polygons that are not convex.
 
 use shadetrade::systems::coverage::Scan;
 
 use super::counting::polygon;
 
 #[test]
-fn where_a_polygon_is_not_convex_only_what_is_inside_all_its_edges_is_covered() {
-    // Down at x = 2, up again to (6, 4), down at x = 6, and back: in rows 4 to 9 the edge that comes up ends the span
-    // before the second one that goes down begins it. The last edge is at x = 12 - 3/7 y.
+fn a_concave_polygon_covers_only_pixels_inside_all_its_edges() {
+    // The edges go down at x = 2, up again to (6, 4), down at x = 6, and back. In rows 4 to 9 the span ends at the edge
+    // that goes up, before the second edge that goes down begins it. The last edge is at x = 12 - 3/7 y.
     let notched = polygon([
         [2.0, 0.0],
         [2.0, 10.0],

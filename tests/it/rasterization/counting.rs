@@ -1,4 +1,4 @@
-//! Drawings and assertions of how many polygons cover each pixel.
+//! Drawings, and assertions of how many polygons cover each pixel.
 
 use shadetrade::components::Polygon;
 use shadetrade::simd::baseline;
@@ -14,9 +14,9 @@ pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
     polygon
 }
 
-/// How many of the polygons cover each pixel of a picture.
+/// The number of polygons that cover each pixel of a picture.
 ///
-/// Small triangles are counted both ways.
+/// Small triangles are counted in two ways.
 pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
     for polygon in polygons {
         assert_small(polygon, [width, height]);
@@ -33,7 +33,7 @@ pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
     counts
 }
 
-/// Asserts that a triangle which fits into a small square round the first pixels covers the same, asked at every pixel.
+/// Asserts that a triangle within a small square at the first pixels covers the same pixels if each is tested alone.
 fn assert_small(polygon: &Polygon, [width, height]: [usize; 2]) {
     let small = |coordinate: &i32| (-128..16 * 256).contains(coordinate);
     let (&[a, b, c], true) = (
@@ -61,14 +61,14 @@ fn assert_small(polygon: &Polygon, [width, height]: [usize; 2]) {
     }
 }
 
-/// How many pixels a polygon covers of a picture.
+/// The number of pixels of a picture that a polygon covers.
 pub fn pixels(polygon: &Polygon, size: [usize; 2]) -> u32 {
     count(&[*polygon], size).iter().sum()
 }
 
-/// Whether a ring of vertices in 1/256 pixel, convex or not, encloses the centre of pixel (`x`, `y`) moved right by next to
-/// nothing and down by still less, which is what the top-left rule comes to: the number of edges to the left of that point
-/// is odd.
+/// Whether a ring of vertices in 1/256 pixel, convex or not, encloses the centre of pixel (`x`, `y`). The centre is
+/// moved right by an infinitesimal and down by a smaller one, which is equivalent to the top-left rule. It is enclosed
+/// if the number of edges to its left is odd.
 pub fn encloses(ring: &[[i32; 2]], x: usize, y: usize) -> bool {
     let [x, y] = [x, y].map(|pixels| 256 * pixels as i128 + 128);
     let crossed = (0..ring.len()).filter(|&index| {
@@ -88,7 +88,7 @@ pub fn turn([a, b, c]: [[i32; 2]; 3]) -> i128 {
     (cx - ax) * (by - ay) - (bx - ax) * (cy - ay)
 }
 
-/// A triangle, turned over if it must be to face the eye.
+/// A triangle, with its vertices reversed if it is back-facing.
 pub fn facing([a, b, c]: [[i32; 2]; 3]) -> Polygon {
     let is_facing = turn([a, b, c]) > 0;
     snapped(&if is_facing { [a, b, c] } else { [a, c, b] })
@@ -99,7 +99,7 @@ pub fn polygon<const LEN: usize>(vertices: [[f64; 2]; LEN]) -> Polygon {
     snapped(&vertices.map(|vertex| vertex.map(|pixels| (pixels * 256.0) as i32)))
 }
 
-/// Compares the counts with a drawing, whose size is the picture's.
+/// Compares the counts with a drawing of the whole picture.
 #[track_caller]
 pub fn assert_counts(polygons: &[Polygon], expected: &str) {
     let rows: Vec<&str> = expected.split_whitespace().collect();
@@ -113,7 +113,7 @@ pub fn assert_counts(polygons: &[Polygon], expected: &str) {
     assert!(drawn == expected, "covered\n{drawn}\n\nnot\n{expected}");
 }
 
-/// Compares every pixel's count with what a twin says of it; returns how many are covered.
+/// Compares the count of every pixel with that of an independent implementation; returns the number of covered pixels.
 #[track_caller]
 pub fn assert_twin(
     polygons: &[Polygon],
@@ -128,8 +128,8 @@ pub fn assert_twin(
     counts.iter().sum()
 }
 
-/// The definition: a convex polygon covers what lies on the inner side of each edge, and of what lies on an edge that on a
-/// left one (which goes down) or a top one (level, to the left). In 128 bits nothing overflows.
+/// The definition: a convex polygon covers the inner side of each edge. It covers an edge itself if that is a left edge
+/// (which goes down) or a top edge (horizontal, to the left). 128 bits cannot overflow.
 pub fn covers(polygon: &Polygon, x: usize, y: usize) -> bool {
     let [x, y] = [x, y].map(|pixels| 256 * pixels as i128 + 128);
     let ring = polygon.vertices();

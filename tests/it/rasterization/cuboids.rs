@@ -1,4 +1,4 @@
-//! The faces of one cuboid together.
+//! Coverage of all faces of a cuboid together.
 
 use glam::DVec3;
 use shadetrade::components::{
@@ -19,7 +19,7 @@ fn screen_polygons(transform: Transform, view: &View) -> Vec<Polygon> {
     projected.polygons.to_vec()
 }
 
-/// From the origin along -z, 60 degrees or 8 units high.
+/// A view from the origin along -z, 60 degrees or 8 units high.
 fn forwards(projection: Projection) -> View {
     let camera = Camera {
         target: DVec3::NEG_Z,
@@ -61,8 +61,8 @@ fn a_cuboid_behind_the_eye_covers_nothing() {
     }
 }
 
-// Snapping moves corners by up to 1/512 pixel: about once in a million cuboids it turns one half of a face seen edge-on
-// over the neighbouring face, and a pixel there is drawn twice. No such cuboid is among these.
+// Snapping moves corners by up to 1/512 pixel. For about one cuboid in a million it turns one triangle of an edge-on
+// face over the neighbouring face, and a pixel is drawn twice. No such cuboid is among these.
 
 #[test]
 fn the_faces_of_a_cuboid_in_front_meet_without_gap_or_overlap() {
@@ -74,7 +74,7 @@ fn the_faces_of_a_cuboid_in_front_meet_without_gap_or_overlap() {
             let counts = count(&polygons, [48, 48]);
             assert!(counts.iter().sum::<u32>() > 50, "{transform:?} is in sight");
             for row in counts.chunks(48) {
-                // A convex body: from the first pixel to the last, each is covered, and once.
+                // A convex body covers each pixel from the first to the last once.
                 let mut runs = row.chunk_by(|a, b| a == b).filter(|run| run[0] > 0);
                 let (first, second) = (runs.next(), runs.next());
                 assert!(

@@ -1,4 +1,4 @@
-//! Known pictures.
+//! Coverage against known pictures.
 //!
 //! ```text
 //!   . 1 1      a pixel is counted once for every polygon that covers its centre:
@@ -48,7 +48,7 @@ fn polygons_that_overlap_are_both_drawn() {
 }
 
 #[test]
-fn a_rectangle_of_five_by_five_is_fifteen_pixels_and_ten() {
+fn a_rectangle_of_five_by_five_is_split_into_fifteen_and_ten_pixels() {
     // The example of Microsoft's "Rasterization rules": the diagonal is a left edge of the upper triangle.
     let upper = polygon([[0.0, 0.0], [5.0, 5.0], [5.0, 0.0]]);
     let lower = polygon([[0.0, 0.0], [0.0, 5.0], [5.0, 5.0]]);
@@ -58,13 +58,13 @@ fn a_rectangle_of_five_by_five_is_fifteen_pixels_and_ten() {
 }
 
 #[test]
-fn of_a_square_with_corners_on_pixel_centres_the_top_and_the_left_are_covered() {
+fn a_square_with_corners_on_pixel_centres_covers_its_top_and_left_edges() {
     let square = polygon([[0.5, 0.5], [0.5, 4.5], [4.5, 4.5], [4.5, 0.5]]);
     assert_counts(&[square], "1111.. 1111.. 1111.. 1111.. ...... ......");
 }
 
 #[test]
-fn of_a_diamond_with_corners_on_pixel_centres_no_corner_but_the_left_is_covered() {
+fn a_diamond_with_corners_on_pixel_centres_covers_only_its_left_corner() {
     let diamond = polygon([[3.5, 0.5], [0.5, 3.5], [3.5, 6.5], [6.5, 3.5]]);
     assert_counts(
         &[diamond],
@@ -80,8 +80,8 @@ fn of_a_diamond_with_corners_on_pixel_centres_no_corner_but_the_left_is_covered(
 }
 
 #[test]
-fn a_sliver_covers_the_centres_it_meets_and_no_others() {
-    // 1/256 pixel wide and 4000 long, at 45 degrees: through every centre of the diagonal, or past all of them.
+fn a_sliver_covers_exactly_the_centres_it_contains() {
+    // 1/256 pixel wide and 4000 pixels long at 45 degrees: through every centre of the diagonal, or beside all of them.
     let sliver = |x: i32| {
         let end = 4000 * 256;
         snapped(&[[x, 0], [x + end, end], [x + end + 1, end], [x + 1, 0]])
@@ -92,7 +92,7 @@ fn a_sliver_covers_the_centres_it_meets_and_no_others() {
 }
 
 #[test]
-fn a_polygon_is_cut_at_the_pictures_sides_and_not_drawn_beyond_them() {
+fn a_polygon_is_clipped_to_the_picture() {
     let square = |x: f64, y: f64| polygon([[x, y], [x, y + 4.0], [x + 4.0, y + 4.0], [x + 4.0, y]]);
     assert_counts(&[square(-2.0, -2.0)], "11.... 11.... ...... ......");
     assert_counts(&[square(4.0, 2.0)], "...... ...... ....11 ....11");

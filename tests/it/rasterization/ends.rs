@@ -1,4 +1,4 @@
-//! Coverage at the ends of what it is asked for, against the twin in 128 bits.
+//! Coverage at the limits of its coordinates, against the implementation in 128 bits.
 
 use std::array::from_fn;
 
@@ -7,19 +7,19 @@ use shadetrade::components::Polygon;
 use super::counting::{assert_twin, encloses, facing, pixels, snapped, turn};
 
 #[test]
-fn slivers_a_256th_of_a_pixel_wide_and_4000_long_cover_the_centres_they_meet() {
+fn slivers_a_256th_of_a_pixel_wide_and_4000_long_cover_the_centres_they_contain() {
     assert_long_triangles(4000.0 * 256.0, 1.0);
 }
 
 #[test]
-fn triangles_as_far_as_2_to_the_22_pixels_from_the_picture_cover_the_pixels_they_ought_to() {
+fn triangles_up_to_2_to_the_22_pixels_from_the_picture_cover_the_right_pixels() {
     let limit = f64::from(1 << 30) - 4096.0;
     assert_long_triangles(limit, 1000.0);
     assert_long_triangles(limit, 1e9);
 }
 
 #[test]
-fn polygons_without_area_and_those_turned_over_cover_nothing() {
+fn degenerate_and_back_facing_polygons_cover_nothing() {
     let [a, b, c, d] = [[0, 0], [0, 2048], [2048, 2048], [2048, 0]];
     let on_centres = [128, 128 + 256, 128 + 512].map(|place| [place, place]);
     let polygons: [&[[i32; 2]]; 8] = [
@@ -37,9 +37,9 @@ fn polygons_without_area_and_those_turned_over_cover_nothing() {
     assert_eq!(pixels(&snapped(&[a, b, c, d]), [8, 8]), 64);
 }
 
-/// All of four corners among 5 x 5 that are half a pixel apart, from a pixel's centre on.
+/// All choices of four corners on a grid of 5 x 5 points half a pixel apart, which starts at a pixel centre.
 #[test]
-fn all_quadrilaterals_of_corners_on_a_grid_of_half_pixels_count_their_pixels_once() {
+fn all_quadrilaterals_on_a_grid_of_half_pixels_cover_their_pixels_once() {
     let grid = |index: usize| [index % 5, index / 5].map(|step| 128 * step as i32);
     let mut rings = 0;
     for number in 0..25_usize.pow(4) {
@@ -67,12 +67,12 @@ fn a_fan_of_360_triangles_round_a_pixel_s_centre_counts_every_pixel_once() {
     assert!(covered > 200, "{covered} pixels");
 }
 
-/// Triangles round a small picture in all directions: up to `reach` long to both sides of it and up to twice `aside`
+/// Triangles around a small picture in all directions: up to `reach` long on both sides of it and up to twice `aside`
 /// wide, in 1/256 pixel.
 fn assert_long_triangles(reach: f64, aside: f64) {
     let mut covered = 0;
     for step in 0..4000 {
-        // Multiples of irrational numbers spread evenly.
+        // Multiples of irrational numbers are evenly distributed.
         let spread = |ratio: f64| (ratio * f64::from(step)).fract();
         let (sin, cos) = (std::f64::consts::TAU * spread(0.618_033_989)).sin_cos();
         let middle = [spread(0.754_877_666), spread(0.569_840_291)].map(|share| 4096.0 * share);
@@ -92,5 +92,5 @@ fn assert_long_triangles(reach: f64, aside: f64) {
         let triangle = facing(ends);
         covered += assert_twin(&[triangle], [16, 16], |x, y| encloses(&ends, x, y));
     }
-    assert!(covered > 0, "some are seen");
+    assert!(covered > 0, "some pixels are covered");
 }

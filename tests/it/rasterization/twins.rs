@@ -1,4 +1,4 @@
-//! Random polygons against the twins.
+//! Coverage of random polygons against independent implementations.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -9,7 +9,7 @@ use super::counting::{assert_twin, covers, encloses, facing, snapped, turn};
 use crate::support::random::Random;
 
 #[test]
-fn two_halves_of_any_quadrilateral_count_its_pixels_once_and_no_others() {
+fn two_halves_of_any_quadrilateral_cover_exactly_its_pixels_once() {
     let mut random = Random(1);
     let mut covered = 0;
     let mut left = 100_000;
@@ -30,14 +30,14 @@ fn two_halves_of_any_quadrilateral_count_its_pixels_once_and_no_others() {
 }
 
 #[test]
-fn an_edge_that_meets_a_centre_or_misses_it_by_the_least_there_is_agrees_with_the_twin() {
+fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {
     let mut random = Random(3);
     for reach in [1000.0, 1e5, 1e8] {
         let mut covered = 0;
         for _ in 0..1000 {
             let mut component = || random.within(-reach, reach) as i64;
             let (across, down) = (component(), component());
-            // The least there is: `down` u - `across` v = 1.
+            // The least distance: `down` u - `across` v = 1.
             let (divisor, u, v) = bezout(down, -across);
             if divisor != 1 {
                 continue;
@@ -47,7 +47,7 @@ fn an_edge_that_meets_a_centre_or_misses_it_by_the_least_there_is_agrees_with_th
                     [miss * u + right, miss * v + below].map(|c| (8 * 256 + 128 + c) as i32)
                 };
                 let sides = [at(-down, across), at(down, -across)];
-                // One step up or down and no more, or the edge would miss by several times the least.
+                // At most one step up or down, or the edge would miss by a multiple of the least distance.
                 for end in [at(-across, -down), at(across, down)] {
                     for side in sides {
                         let triangle = facing([at(0, 0), end, side]);
@@ -61,7 +61,7 @@ fn an_edge_that_meets_a_centre_or_misses_it_by_the_least_there_is_agrees_with_th
     }
 }
 
-/// The greatest common divisor of two integers, and the factors that make it of them (Euclid's algorithm, extended).
+/// The greatest common divisor g of two integers, and the factors of g = x a + y b (extended Euclidean algorithm).
 fn bezout(a: i64, b: i64) -> (i64, i64, i64) {
     if b == 0 {
         (a.abs(), a.signum(), 0)
@@ -71,7 +71,7 @@ fn bezout(a: i64, b: i64) -> (i64, i64, i64) {
     }
 }
 
-/// The convex hull, counter-clockwise as seen (Andrew 1979).
+/// The convex hull, counter-clockwise on the screen (Andrew 1979).
 fn hull(mut points: Vec<[i32; 2]>) -> Vec<[i32; 2]> {
     points.sort_unstable();
     points.dedup();
@@ -93,7 +93,7 @@ fn hull(mut points: Vec<[i32; 2]>) -> Vec<[i32; 2]> {
     ring
 }
 
-/// Convex polygons in and around a small picture; with `unit` 128, of vertices on pixel centres and pixel corners.
+/// Convex polygons in and around a small picture; for a `unit` of 128 the vertices are pixel centres and pixel corners.
 fn convex() -> impl Strategy<Value = Polygon> {
     prop_oneof![Just(1), Just(128)].prop_flat_map(|unit| {
         let coordinate = (-512 / unit..=40 * 256 / unit).prop_map(move |step| step * unit);
@@ -111,12 +111,12 @@ proptest! {
     })]
 
     #[test]
-    fn any_convex_polygon_covers_what_its_twin_does(polygon in convex()) {
+    fn any_convex_polygon_covers_the_pixels_of_the_definition(polygon in convex()) {
         assert_twin(&[polygon], [36, 36], |x, y| covers(&polygon, x, y));
     }
 
     #[test]
-    fn some_rows_of_a_polygon_are_those_rows(polygon in convex(), from in 0..36_usize, rows in 0..36_usize) {
+    fn some_rows_of_a_polygon_equal_those_of_the_whole(polygon in convex(), from in 0..36_usize, rows in 0..36_usize) {
         let spans = |rows| {
             let mut scan = Scan::new(&polygon, rows, 36);
             std::iter::from_fn(move || scan.next_span()).collect::<Vec<_>>()
@@ -124,6 +124,6 @@ proptest! {
         let to = (from + rows).min(36);
         let expected: Vec<_> = spans(0..36).into_iter().filter(|span| (from..to).contains(&span.0)).collect();
         prop_assert_eq!(spans(from..to), expected);
-        prop_assert!(spans(from..to).iter().all(|(_, from, to)| from < to), "a row that is not covered is none");
+        prop_assert!(spans(from..to).iter().all(|(_, from, to)| from < to), "an empty row has no span");
     }
 }

@@ -1,6 +1,6 @@
 //! The renderer against the reference, on random scenes.
 //!
-//! `SHADETRADE_CASES` sets how many scenes (64 if unset); the first n are always the same.
+//! `SHADETRADE_CASES` sets the number of scenes (default 64); the first n are always the same.
 
 use std::cell::RefCell;
 
@@ -21,16 +21,17 @@ use crate::support::random_scene::case;
 
 const SIZE: [usize; 2] = [64, 48];
 
-/// What the contract calls exact: the largest error at tolerance 0, in levels.
+/// The largest error at tolerance 0, in levels of 255.
 const EXACT: f64 = 0.05;
 
-/// Tolerances below that, from the least that is allowed, in levels.
+/// Tolerances below [`EXACT`], from the least permitted one, in levels.
 const FINE: [f64; 5] = [1e-4, 3e-4, 1e-3, 5e-3, 0.02];
 
-/// Pixels whose centre the snapping of vertices to 1/256 pixel may move over an edge: a few on each of some 30 edges.
+/// The number of pixels whose centre may change sides when snapping moves vertices by up to 1/512 pixel: a few on each
+/// of some 30 edges.
 const SNAPPED: u64 = 60;
 
-/// Whether a light grazes what this pixel sees, so that the highlight's gate may fall either way.
+/// Whether a light grazes the surface at this pixel, so that the gate of its highlight is ambiguous.
 fn is_exact_tie(world: &World, view: &View, x: usize, y: usize) -> bool {
     at_pixel(world, view, x, y).is_some_and(|seen| {
         seen.lights
@@ -41,7 +42,7 @@ fn is_exact_tie(world: &World, view: &View, x: usize, y: usize) -> bool {
 }
 
 #[test]
-fn gouraud_keeps_its_promise_wherever_both_see_one_face() {
+fn gouraud_keeps_its_tolerance_where_both_show_one_face() {
     check(ShadingMode::Gouraud, 0.0);
     for tolerance in FINE.into_iter().chain([0.5]) {
         check(ShadingMode::Gouraud, tolerance);
@@ -49,7 +50,7 @@ fn gouraud_keeps_its_promise_wherever_both_see_one_face() {
 }
 
 #[test]
-fn phong_keeps_its_promise_wherever_both_see_one_face() {
+fn phong_keeps_its_tolerance_where_both_show_one_face() {
     check(ShadingMode::Phong, 0.0);
     for tolerance in FINE.into_iter().chain([0.5, 4.0]) {
         check(ShadingMode::Phong, tolerance);
@@ -57,12 +58,12 @@ fn phong_keeps_its_promise_wherever_both_see_one_face() {
 }
 
 #[test]
-fn unit_vectors_keep_their_promise_wherever_both_see_one_face() {
+fn unit_vectors_keep_their_tolerance_where_both_show_one_face() {
     check(ShadingMode::UnitVectors, 0.0);
 }
 
 #[test]
-fn scenes_far_from_the_origin_or_at_the_ends_of_the_allowed_lengths_keep_the_promise() {
+fn scenes_far_from_the_origin_or_at_the_limits_of_length_keep_the_tolerance() {
     let workers = Workers::new(1, Level::new()).expect("one thread is always there");
     let mut frame = Frame::new(Keep::Levels, workers);
     for projection in [Projection::Perspective, Projection::Orthographic] {
@@ -84,8 +85,8 @@ fn scenes_far_from_the_origin_or_at_the_ends_of_the_allowed_lengths_keep_the_pro
     }
 }
 
-/// Draws random scenes both ways. No pixel may err by more than the tolerance, or at 0 by more than what the contract calls
-/// exact, and no byte by more than half a level besides.
+/// Compares random scenes of the renderer with the reference. No pixel may err by more than the tolerance, or by 0.05
+/// level at tolerance 0, and no byte by more than half a level more.
 fn check(mode: ShadingMode, tolerance: f64) {
     let promise = if tolerance > 0.0 { tolerance } else { EXACT };
     let config = Config {

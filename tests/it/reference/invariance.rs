@@ -1,4 +1,4 @@
-//! What must not matter.
+//! Changes of a scene that must not change the picture.
 
 use hecs::{Entity, World};
 use shadetrade::components::{FileOrder, LightKind, Projection, ShadingMode, View};
@@ -7,7 +7,7 @@ use shadetrade::reference::{at_pixel, picture};
 
 use super::scenes::{MATERIAL, close, draw, spawn_cuboid, spawn_light, spawn_turned_cuboid, view};
 
-/// Two cuboids and a light of each kind; every place moved by `offset`, every length multiplied by `scale`.
+/// Two cuboids and a light of each kind. Every position is moved by `offset`, every length multiplied by `scale`.
 pub fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View) {
     let place = |p: [f64; 3]| p.map(|x| x * scale + offset);
     let size = |s: [f64; 3]| s.map(|x| x * scale);
@@ -31,7 +31,7 @@ pub fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, V
 }
 
 #[test]
-fn a_scene_a_billion_units_away_or_scaled_by_a_power_of_two_is_the_same_picture_bit_for_bit() {
+fn a_scene_a_billion_units_away_or_scaled_by_a_power_of_two_has_the_same_bits() {
     for projection in [Projection::Perspective, Projection::Orthographic] {
         let (world, view) = mixed_scene(0.0, 1.0, projection);
         let expected = draw(&world, &view);
@@ -52,12 +52,12 @@ fn a_scene_a_billion_units_away_or_scaled_by_a_power_of_two_is_the_same_picture_
 }
 
 #[test]
-fn a_world_s_own_order_says_nothing_about_the_file_s() {
+fn the_order_of_hecs_does_not_replace_that_of_the_file() {
     struct Marked;
     let (mut world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
     let (expected, seen) = (draw(&world, &view), at_pixel(&world, &view, 20, 15));
     assert_eq!(seen.as_ref().map(|sample| sample.lights.len()), Some(3));
-    // An entity with one more component is moved behind those without it.
+    // An entity with one more component moves behind those without it.
     for first in [FileOrder(0), FileOrder(1)] {
         let mut entities = world.query::<(Entity, &FileOrder)>();
         let moved = entities.iter().filter(|(_, order)| **order == first);
@@ -72,7 +72,7 @@ fn a_world_s_own_order_says_nothing_about_the_file_s() {
 }
 
 #[test]
-fn a_scene_at_the_ends_of_the_allowed_lengths_is_the_same_picture() {
+fn a_scene_at_the_limits_of_length_is_the_same_picture() {
     for projection in [Projection::Perspective, Projection::Orthographic] {
         let (world, view) = mixed_scene(0.0, 1.0, projection);
         let expected = draw(&world, &view);
@@ -91,7 +91,7 @@ fn a_scene_at_the_ends_of_the_allowed_lengths_is_the_same_picture() {
 }
 
 #[test]
-fn a_part_of_the_rows_is_that_part_of_the_picture() {
+fn some_rows_equal_those_of_the_whole_picture() {
     let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
     let [whole, part] =
         [0..30, 7..19].map(|rows| picture(&world, &view, rows, &|| false, &|_| ()).expect("whole"));
@@ -101,7 +101,7 @@ fn a_part_of_the_rows_is_that_part_of_the_picture() {
 }
 
 #[test]
-fn a_pixel_asked_for_alone_is_that_pixel_of_the_picture_and_its_terms_add_up() {
+fn a_single_pixel_equals_that_of_the_picture_and_its_terms_add_up() {
     let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
     let [gouraud, phong] =
         [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| draw(&world, &view.shaded(mode)));
@@ -137,14 +137,14 @@ fn a_pixel_asked_for_alone_is_that_pixel_of_the_picture_and_its_terms_add_up() {
         }
         assert!(
             seen.lights[0].to_light.is_none(),
-            "ambient light comes from nowhere"
+            "ambient light has no direction"
         );
     }
     assert_eq!(at_pixel(&world, &view, 40, 5), None);
 }
 
 #[test]
-fn a_cancelled_picture_is_none_and_a_finished_one_has_told_every_row() {
+fn a_cancelled_picture_is_none_and_a_finished_one_has_reported_every_row() {
     let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
     assert_eq!(picture(&world, &view, 0..30, &|| true, &|_| ()), None);
     let told = std::sync::Mutex::new(Vec::new());

@@ -1,4 +1,4 @@
-//! How light answers.
+//! The illumination model of the reference.
 
 use glam::DVec3;
 use shadetrade::components::{Light, LightKind, Material, ShadingMode};
@@ -9,7 +9,7 @@ use super::scenes::{
 };
 
 #[test]
-fn straight_under_the_light_the_diffuse_term_is_whole_in_phong_and_a_mean_of_corners_in_gouraud() {
+fn under_a_light_the_diffuse_term_is_full_in_phong_and_a_mean_of_corners_in_gouraud() {
     // At the middle of the face l = n. At a corner (1, 1, 1) / sqrt(3) . (-1, -1, 3) / sqrt(11) = 1 / sqrt(33).
     let world = cube_under(LightKind::Diffuse, [0.0, 0.0, 4.0]);
     let view = view([11, 11], [0.0, 0.0, 5.0], [0.0; 3]);
@@ -34,7 +34,7 @@ fn highlight(eye: [f64; 3], shininess: f64) -> f64 {
 }
 
 #[test]
-fn the_highlight_is_whole_where_the_eye_is_the_mirrored_light_for_every_exponent() {
+fn the_highlight_is_full_in_the_mirror_direction_for_every_exponent() {
     // r = 2 * 0.8 (0, 0, 1) - (0.6, 0, 0.8) = (-0.6, 0, 0.8) points to the eye: kE * 100.
     for shininess in [0.0, 1.0, 76.8, 1e6] {
         close(highlight([-3.0, 0.0, 5.0], shininess), 50.0);
@@ -42,7 +42,7 @@ fn the_highlight_is_whole_where_the_eye_is_the_mirrored_light_for_every_exponent
 }
 
 #[test]
-fn beside_the_mirrored_light_the_highlight_falls_with_the_power_of_the_cosine() {
+fn beside_the_mirror_direction_the_highlight_is_the_power_of_the_cosine() {
     // o = (0.6, 0, 0.8), so o.r = -0.36 + 0.64 = 0.28.
     close(highlight([3.0, 0.0, 5.0], 2.0), 50.0 * 0.28 * 0.28);
     close(highlight([3.0, 0.0, 5.0], 0.5), 50.0 * 0.28_f64.sqrt());
@@ -54,7 +54,7 @@ fn beside_the_mirrored_light_the_highlight_falls_with_the_power_of_the_cosine() 
 }
 
 #[test]
-fn a_narrow_highlight_is_right_where_its_cosine_rounds_to_nearly_one() {
+fn a_narrow_highlight_is_right_where_its_cosine_is_nearly_one() {
     // An eye turned from r by the angle a sees cos(a)^rho = exp(-rho (a^2 / 2 + a^4 / 12)): a = 1e-3, rho = 1e6.
     let (sin, cos) = 1e-3_f64.sin_cos();
     let eye = [-3.0 * cos + 4.0 * sin, 0.0, 1.0 + 4.0 * cos + 3.0 * sin];
@@ -63,14 +63,14 @@ fn a_narrow_highlight_is_right_where_its_cosine_rounds_to_nearly_one() {
 }
 
 #[test]
-fn facing_away_from_the_mirrored_light_there_is_no_highlight_unless_the_exponent_is_zero() {
+fn away_from_the_mirror_direction_there_is_no_highlight_unless_the_exponent_is_zero() {
     // o = (0.96, 0, 0.28), so o.r = -0.352; 0^0 = 1.
     close(highlight([9.6, 0.0, 3.8], 2.0), 0.0);
     close(highlight([9.6, 0.0, 3.8], 0.0), 50.0);
 }
 
 #[test]
-fn a_light_behind_the_surface_gives_neither_term() {
+fn a_light_behind_the_surface_adds_neither_term() {
     for kind in [LightKind::Diffuse, LightKind::Specular] {
         let world = cube_of(
             Material {
@@ -88,7 +88,7 @@ fn a_light_behind_the_surface_gives_neither_term() {
 }
 
 #[test]
-fn a_light_at_the_very_point_has_no_direction_and_adds_nothing() {
+fn a_light_exactly_at_the_point_has_no_direction_and_adds_nothing() {
     let mut world = cube_under(LightKind::Diffuse, [0.0, 0.0, 1.0]);
     spawn_light(&mut world, LightKind::Specular, [0.0, 0.0, 1.0]);
     let seen = sample(&world, &orthographic([11, 11]), 5, 5);
@@ -101,7 +101,7 @@ fn a_light_at_the_very_point_has_no_direction_and_adds_nothing() {
 }
 
 #[test]
-fn ambient_light_is_flat_and_background_is_where_nothing_is() {
+fn ambient_light_is_constant_and_the_background_fills_the_rest() {
     let world = cube_under(LightKind::Ambient, [0.0; 3]);
     for mode in [
         ShadingMode::Gouraud,
@@ -127,7 +127,7 @@ fn ambient_light_is_flat_and_background_is_where_nothing_is() {
 }
 
 #[test]
-fn a_light_that_is_off_appears_nowhere() {
+fn a_light_that_is_off_is_left_out() {
     let mut world = cube_under(LightKind::Diffuse, [0.0, 0.0, 4.0]);
     world
         .query_mut::<&mut Light>()

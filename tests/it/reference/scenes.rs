@@ -1,4 +1,4 @@
-//! Scenes small enough for paper, and how the tests look at them.
+//! Scenes with results from paper, and views of them.
 
 use glam::DVec3;
 use hecs::World;
@@ -54,7 +54,7 @@ pub fn cube_under(kind: LightKind, position: [f64; 3]) -> World {
     cube_of(MATERIAL, kind, position)
 }
 
-/// The same cube of another material.
+/// The same cube with another material.
 pub fn cube_of(material: Material, kind: LightKind, position: [f64; 3]) -> World {
     let mut world = World::new();
     spawn_turned_cuboid(&mut world, [2.0; 3], [0.0; 3], [0.0; 3], material);
@@ -62,7 +62,8 @@ pub fn cube_of(material: Material, kind: LightKind, position: [f64; 3]) -> World
     world
 }
 
-/// From `eye` towards `target`, 90 degrees high: a point at distance d is seen d high at the picture's upper edge.
+/// A view from `eye` towards `target`, 90 degrees high: at distance d the upper edge of the picture is d above the
+/// axis.
 pub fn view(size: [usize; 2], eye: [f64; 3], target: [f64; 3]) -> View {
     let camera = Camera {
         target: target.into(),
@@ -85,7 +86,7 @@ pub fn view(size: [usize; 2], eye: [f64; 3], target: [f64; 3]) -> View {
     }
 }
 
-/// Along -z from z = 5, seeing 10 units of height.
+/// A view along -z from z = 5, 10 units high.
 pub fn orthographic(size: [usize; 2]) -> View {
     View {
         projection: Projection::Orthographic,

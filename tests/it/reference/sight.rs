@@ -1,4 +1,4 @@
-//! Where things are seen.
+//! Visibility in the reference.
 
 use glam::DVec3;
 use hecs::World;
@@ -12,9 +12,9 @@ use super::scenes::{
 };
 
 #[test]
-fn a_pixel_sees_the_point_its_line_of_sight_meets() {
-    // Column 60 of 100 lies (2 * 60 + 1 - 100) / 100 = 0.21 right of the axis per unit of depth, row 44 0.11 above; the
-    // face is 4 away. The normal of a cube at (x, y, 1) goes as (x, y, 1).
+fn a_pixel_shows_the_point_that_its_line_of_sight_hits() {
+    // Column 60 of 100 is (2 * 60 + 1 - 100) / 100 = 0.21 right of the axis per unit of depth, row 44 is 0.11 above.
+    // The face is at distance 4. The normal of a cube at (x, y, 1) is proportional to (x, y, 1).
     let world = cube_under(LightKind::Ambient, [0.0; 3]);
     let seen = sample(&world, &view([100, 100], [0.0, 0.0, 5.0], [0.0; 3]), 60, 44);
     same_place(seen.position, [0.84, 0.44, 1.0]);
@@ -34,7 +34,7 @@ fn a_pixel_sees_the_point_its_line_of_sight_meets() {
 }
 
 #[test]
-fn the_vertical_field_of_view_fixes_the_scale_of_wide_pictures_too() {
+fn the_vertical_field_of_view_sets_the_scale_of_wide_pictures_too() {
     // As above, 50 pixels of margin on each side.
     let world = cube_under(LightKind::Ambient, [0.0; 3]);
     same_place(
@@ -50,7 +50,7 @@ fn the_vertical_field_of_view_fixes_the_scale_of_wide_pictures_too() {
 }
 
 #[test]
-fn an_orthographic_pixel_sees_its_own_column_of_space() {
+fn an_orthographic_pixel_shows_its_own_column_of_space() {
     // 10 units on 10 rows: column 5 sees x = 5 + 0.5 - 10 / 2 = 0.5, row 3 sees y = 1.5.
     let mut world = World::new();
     spawn_cuboid(&mut world, [4.0, 4.0, 2.0], [0.0; 3]);
@@ -64,10 +64,10 @@ fn an_orthographic_pixel_sees_its_own_column_of_space() {
 }
 
 #[test]
-fn every_pixel_centre_on_an_edge_belongs_to_the_triangle_right_of_it_or_below() {
-    // A 3 x 3 face whose border and diagonal run through pixel centres: left and upper border are in, right and lower
-    // are out, the diagonal belongs to the triangle on its right.
-    // Turned by quarters in the plane of the picture, it is the same face with another corner on top.
+fn a_pixel_centre_on_an_edge_belongs_to_the_triangle_right_of_it_or_below() {
+    // A face of 3 x 3 pixels with border and diagonal through pixel centres: the left and upper border are covered, the
+    // right and lower border are not, and the diagonal belongs to the triangle on its right. Rotated by quarter turns
+    // in the plane of the picture it is the same face with another corner on top.
     for (degrees, rows) in [
         (0.0, ["999", "998", "988"]),
         (90.0, ["888", "988", "998"]),
@@ -88,13 +88,14 @@ fn every_pixel_centre_on_an_edge_belongs_to_the_triangle_right_of_it_or_below() 
         let [top, middle, bottom] = rows.map(|row| format!("...{row}....\n"));
         let nothing = "..........\n";
         let expected = nothing.repeat(3) + &top + &middle + &bottom + &nothing.repeat(4);
-        assert_eq!(grid, expected, "turned by {degrees} degrees\n{grid}");
+        assert_eq!(grid, expected, "rotated by {degrees} degrees\n{grid}");
     }
 }
 
 #[test]
-fn angles_turn_about_the_fixed_x_axis_first_then_y_then_z() {
-    // 2 x 4 x 6 turned about x is 2 x 6 x 4, then about y 4 x 6 x 2: 4 columns and 6 rows. The other order gives 6 x 2.
+fn angles_rotate_about_the_fixed_x_axis_first_then_y_then_z() {
+    // 2 x 4 x 6 rotated about x is 2 x 6 x 4, then about y 4 x 6 x 2: 4 columns and 6 rows. The other order gives 6 x
+    // 2.
     let mut world = World::new();
     spawn_turned_cuboid(
         &mut world,
@@ -114,8 +115,8 @@ fn angles_turn_about_the_fixed_x_axis_first_then_y_then_z() {
 }
 
 #[test]
-fn a_corner_turned_to_the_viewer_is_seen_where_the_angles_put_it() {
-    // Turned by 45 degrees about y, the cube's edge x = z = 1 lies at (0, y, sqrt(2)).
+fn a_corner_rotated_to_the_viewer_is_at_the_expected_place() {
+    // Rotated by 45 degrees about y, the cube's edge x = z = 1 lies at (0, y, sqrt(2)).
     let mut world = World::new();
     spawn_turned_cuboid(&mut world, [2.0; 3], [0.0; 3], [0.0, -45.0, 0.0], MATERIAL);
     let seen = sample(&world, &orthographic([11, 11]), 5, 5);
@@ -124,8 +125,8 @@ fn a_corner_turned_to_the_viewer_is_seen_where_the_angles_put_it() {
 }
 
 #[test]
-fn what_is_nearer_than_the_near_plane_is_not_there() {
-    // The face is 4 away, and behind it there are only back faces.
+fn surfaces_nearer_than_the_near_plane_are_invisible() {
+    // The face is at distance 4, and behind it are only back faces.
     let world = cube_under(LightKind::Ambient, [0.0; 3]);
     for projection in [Projection::Perspective, Projection::Orthographic] {
         let mut view = View {
@@ -141,9 +142,9 @@ fn what_is_nearer_than_the_near_plane_is_not_there() {
 }
 
 #[test]
-fn a_clipped_face_shows_what_is_left_of_it() {
-    // The eye is 1 above a floor 20 deep that reaches behind it: row 7 of 10 looks 0.5 down per unit of depth and sees
-    // the floor 2 ahead; with the near plane at 2.5 only rows that look less steeply see any.
+fn a_clipped_face_shows_its_remaining_part() {
+    // The eye is 1 above a floor of length 20 that reaches behind it. Row 7 of 10 looks 0.5 down per unit of depth and
+    // shows the floor at distance 2. With the near plane at 2.5 only less steep rows show it.
     let mut world = World::new();
     spawn_cuboid(&mut world, [20.0, 2.0, 20.0], [0.0, -2.0, 0.0]);
     let mut view = view([10, 10], [0.0; 3], [0.0, 0.0, -1.0]);
@@ -157,14 +158,14 @@ fn a_clipped_face_shows_what_is_left_of_it() {
 }
 
 #[test]
-fn from_inside_a_cuboid_nothing_of_it_is_seen() {
+fn from_inside_a_cuboid_is_invisible() {
     let world = cube_under(LightKind::Ambient, [0.0; 3]);
     let truth = draw(&world, &view([8, 8], [0.2, 0.1, 0.3], [0.0, 0.0, -5.0]));
     assert!(truth.triangles.iter().all(|id| *id == NO_TRIANGLE));
 }
 
 #[test]
-fn the_nearer_cuboid_hides_the_other_whatever_their_order() {
+fn the_nearer_cuboid_hides_the_other_in_any_order() {
     for [first, second] in [[0.0, -3.0], [-3.0, 0.0]] {
         let mut world = World::new();
         spawn_cuboid(&mut world, [2.0; 3], [0.0, 0.0, first]);
@@ -179,8 +180,8 @@ fn the_nearer_cuboid_hides_the_other_whatever_their_order() {
 }
 
 #[test]
-fn faces_in_one_plane_belong_to_the_cuboid_earlier_in_the_file() {
-    // Different sizes, so that rounding differs, and 1e-12 nearer is the same plane still.
+fn coplanar_faces_belong_to_the_cuboid_earlier_in_the_file() {
+    // The sizes differ, so that rounding differs, and a difference of 1e-12 is still the same plane.
     for positions in [[0.0, 0.25], [0.25, 0.0], [0.0, 0.25 + 1e-12]] {
         let mut world = World::new();
         for position in positions {
@@ -200,9 +201,9 @@ fn faces_in_one_plane_belong_to_the_cuboid_earlier_in_the_file() {
 }
 
 #[test]
-fn a_cuboid_a_trillion_times_longer_than_wide_is_seen_as_exactly_as_a_cube() {
-    // Turned by 30 degrees about z, its long axis is (cos 30, sin 30, 0). From 4 above the face z = 1 row 3 of 11 sees
-    // y = 4 * 2 * (5.5 - 3.5) / 11 = 16 / 11 up along the picture if it is turned likewise.
+fn a_cuboid_a_trillion_times_longer_than_wide_is_as_exact_as_a_cube() {
+    // Rotated by 30 degrees about z, its long axis is (cos 30, sin 30, 0). From 4 above the face z = 1, row 3 of 11
+    // shows the point y = 4 * 2 * (5.5 - 3.5) / 11 = 16 / 11 up in the picture if that is rotated likewise.
     let (sin, cos) = 30_f64.to_radians().sin_cos();
     for length in [2e6, 2e9, 2e12] {
         let mut world = World::new();
@@ -224,7 +225,7 @@ fn a_cuboid_a_trillion_times_longer_than_wide_is_seen_as_exactly_as_a_cube() {
             "{}",
             seen.position
         );
-        // The light is right above, and the normal leans over by nothing: kD * 100.
+        // The light is straight above, and the normal has no tilt: kD * 100.
         assert!((seen.phong.x - 100.0).abs() < 1e-9, "{}", seen.phong);
     }
 }

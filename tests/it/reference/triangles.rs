@@ -1,4 +1,4 @@
-//! How corners spread over a triangle.
+//! Interpolation over a triangle in the reference.
 
 use hecs::World;
 use shadetrade::components::{LightKind, Material, ShadingMode};
@@ -7,11 +7,13 @@ use super::scenes::{
     MATERIAL, close, cube_of, cube_under, level, orthographic, spawn_cuboid, spawn_light, view,
 };
 
-/// The top of a cube 1 below the eye and 2 to 4 ahead, a diffuse light infinitely far along +z; `near` in world units.
+/// The top face of a cube, 1 below the eye and at distance 2 to 4, under a diffuse light infinitely far along +z;
+/// `near` is in world units.
 ///
-/// Pixel (13, 17) of 25 x 25 looks 0.08 right and 0.4 down per unit of depth: it sees the point 2.5 ahead that lies at
+/// Pixel (13, 17) of 25 x 25 looks 0.08 right and 0.4 down per unit of depth. It shows the point at depth 2.5 that is
 /// (0.2, 1, 0.5) from the cube's centre, on the triangle of the corners (-1, 1, -1), (-1, 1, 1), (1, 1, 1) with weights
-/// 0.25, 0.15, 0.6. The corners are 4, 2 and 2 deep: on the screen their weights go as 1, 0.3, 1.2, so 0.4, 0.12, 0.48.
+/// 0.25, 0.15, 0.6. The corners are at depths 4, 2 and 2, so their weights on the screen are as 1, 0.3, 1.2, or 0.4,
+/// 0.12, 0.48.
 fn receding_top(mode: ShadingMode, near: f64) -> f64 {
     let mut world = World::new();
     spawn_cuboid(&mut world, [2.0; 3], [0.0, -2.0, -3.0]);
@@ -23,7 +25,7 @@ fn receding_top(mode: ShadingMode, near: f64) -> f64 {
 
 #[test]
 fn gouraud_interpolates_levels_perspective_correctly() {
-    // n.l at the corners: -1 / sqrt(3), which is dark, and twice 1 / sqrt(3).
+    // n.l at the corners: -1 / sqrt(3), which is clamped to 0, and twice 1 / sqrt(3).
     close(
         receding_top(ShadingMode::Gouraud, 0.1),
         75.0 / 3.0_f64.sqrt(),
@@ -39,7 +41,7 @@ fn phong_interpolates_normals_perspective_correctly_and_normalises_them() {
 }
 
 #[test]
-fn unit_vectors_are_interpolated_on_the_screen_and_left_short() {
+fn unit_vectors_are_interpolated_on_the_screen_and_not_normalised() {
     // n_z = (-0.4 + 0.12 + 0.48) / sqrt(3).
     close(
         receding_top(ShadingMode::UnitVectors, 0.1),
@@ -49,7 +51,8 @@ fn unit_vectors_are_interpolated_on_the_screen_and_left_short() {
 
 #[test]
 fn unit_vectors_of_a_clipped_triangle_are_interpolated_perspective_correctly() {
-    // The nearest corners are 2 deep and have no place on the screen: n_z = (-0.25 + 0.15 + 0.6) / sqrt(3).
+    // The nearest corners are at depth 2, nearer than the near plane, so the weights are those on the triangle: n_z =
+    // (-0.25 + 0.15 + 0.6) / sqrt(3).
     close(
         receding_top(ShadingMode::UnitVectors, 2.2),
         50.0 / 3.0_f64.sqrt(),
@@ -61,7 +64,7 @@ fn unit_vectors_of_a_clipped_triangle_are_interpolated_perspective_correctly() {
 }
 
 #[test]
-fn a_clipped_triangle_keeps_the_colours_of_the_whole_one() {
+fn a_clipped_triangle_keeps_the_colours_of_the_whole_triangle() {
     close(
         receding_top(ShadingMode::Gouraud, 2.2),
         75.0 / 3.0_f64.sqrt(),
@@ -73,7 +76,7 @@ fn a_clipped_triangle_keeps_the_colours_of_the_whole_one() {
 }
 
 #[test]
-fn unit_vectors_lose_the_highlight_and_two_thirds_of_the_light_at_the_middle_of_a_face() {
+fn unit_vectors_lose_the_highlight_and_two_thirds_of_the_diffuse_light_in_the_middle() {
     // The corners on the diagonal have n = (-+1, -+1, 1) / sqrt(3) and, under a light 1 above the face, l = (+-1, +-1, 1)
     // / sqrt(3): both shrink to (0, 0, 1 / sqrt(3)). n.l = 1 / 3, and r = 2/3 n - l points down.
     for (kind, expected) in [
@@ -94,7 +97,7 @@ fn unit_vectors_lose_the_highlight_and_two_thirds_of_the_light_at_the_middle_of_
 }
 
 #[test]
-fn unit_vectors_shorten_the_eye_and_with_it_the_highlight() {
+fn unit_vectors_shorten_o_and_so_reduce_the_highlight() {
     // Half-way down the left edge of face z = 1 n = (-1, 0, 1) / sqrt(3), and the eye 4 above it has o = (0, +-1, 4) /
     // sqrt(17) at the corners, (0, 0, 4 / sqrt(17)) between. A light infinitely far has l = (-1, 0, 1) / sqrt(2), so
     // r = (2/3 - 1/2) sqrt(2) (-1, 0, 1) and o.r = sqrt(2) / 6 * 4 / sqrt(17).

@@ -1,4 +1,4 @@
-//! Scenes of which it is known on paper what they require, and what it costs to do without.
+//! Scenes with required parts and errors known on paper.
 
 use glam::DVec3;
 use hecs::World;
@@ -12,10 +12,10 @@ use shadetrade::scene::Scene;
 use super::{WHITE, change, required, scene_of};
 use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view};
 
-/// Odd sides: the middle of the picture is a pixel's centre.
+/// Odd sides, so that the middle of the picture is a pixel centre.
 const SIZE: [usize; 2] = [49, 37];
 
-/// From +z on the origin, in perspective, at half a level.
+/// A view from +z towards the origin, in perspective, at half a level.
 fn from_z(distance: f64) -> View {
     View {
         tolerance: 0.5,
@@ -39,7 +39,7 @@ fn lit(world: &mut World, kind: LightKind, levels: f64, position: DVec3) {
     spawn_light(world, kind, DVec3::splat(levels), position);
 }
 
-/// The largest error is known to lie where it is said to lie, and that is said narrowly.
+/// Asserts that the largest error encloses the known one, narrowly.
 #[track_caller]
 fn assert_error(change: Change, known: f64) {
     let [least, most] = change.largest_error;
@@ -50,7 +50,7 @@ fn assert_error(change: Change, known: f64) {
     assert!(most - least < 1e-6, "{change:?}");
 }
 
-/// One mode, whatever the world says.
+/// Sets the shading mode of all cuboids.
 fn shaded(mode: ShadingMode, mut scene: Scene) -> Scene {
     overwrite(&mut scene.world, &mode);
     scene
@@ -89,14 +89,14 @@ fn a_faint_light_is_required_where_the_tolerance_is_less_than_it_adds() {
 }
 
 #[test]
-fn a_depth_test_is_required_where_the_order_of_the_file_is_not_that_of_depth() {
+fn a_depth_test_is_required_where_the_order_of_the_file_differs_from_that_of_depth() {
     let turned = |position: DVec3, degrees: f64| Transform {
         position,
         rotation: DVec3::Y * degrees,
     };
     let [left, right] = [DVec3::X * -1.5, DVec3::X * 1.5].map(at);
     let [near, far] = [DVec3::Z * 2.0, DVec3::new(0.5, 0.0, -2.0)].map(at);
-    // The edge of the turned one stands out of the other's face, and is painted over it or not at all.
+    // The edge of the rotated cuboid sticks out of the other's face; it is painted over the face or not at all.
     let [straight, through] = [0.0, 45.0].map(|degrees| turned(DVec3::ZERO, degrees));
     for projection in Projection::ALL {
         for (cuboids, is_required) in [
@@ -140,7 +140,8 @@ fn a_cuboid_behind_another_is_not_required() {
         let scene = scene_of(world, &view);
         [0, 1].map(|cuboid| !change(&scene, &view, Part::Cuboid(cuboid)).keeps(0.5))
     };
-    // Of one colour: the far one cannot be told from the near one before it, but is smaller on the screen.
+    // Both have one colour, so the far one cannot be told from the near one in front of it, but it is smaller on the
+    // screen.
     assert_eq!(required(&[near, far]), [true, false]);
     assert_eq!(required(&[far, near]), [false, true]);
 }
@@ -178,16 +179,16 @@ fn parallel_rays_do_not_require_perspective_correct_interpolation() {
     }
 }
 
-/// The affine error of a square is the larger, the more its depth varies: with depths z and q z at two opposite edges, and
-/// levels that differ by d between them, it is d (sqrt(q) - 1) / (sqrt(q) + 1) where it is largest.
+/// The error of affine interpolation on a square grows with the range of depth. With depths z and q z at two opposite
+/// edges and levels that differ by d between them, its maximum is d (sqrt(q) - 1) / (sqrt(q) + 1).
 #[test]
-fn affine_interpolation_is_enough_from_the_distance_worked_out_on_paper() {
+fn affine_interpolation_suffices_from_the_distance_computed_on_paper() {
     const TURN: f64 = 40.0;
     let turned = Transform {
         position: DVec3::ZERO,
         rotation: DVec3::X * TURN,
     };
-    // Far away along the square's own y axis: n.l is 1 / sqrt(3) at two corners, and negative at the others.
+    // Far away along the square's own y axis: n.l is 1 / sqrt(3) at two corners and negative at the others.
     let light = turned.axes() * DVec3::Y * 1e9;
     let levels = 100.0;
     let differ = levels / 3.0_f64.sqrt();
@@ -216,7 +217,7 @@ fn affine_interpolation_is_enough_from_the_distance_worked_out_on_paper() {
 }
 
 #[test]
-fn a_shininess_of_zero_leaves_the_gate_alone_to_make_a_highlight_end() {
+fn with_a_shininess_of_zero_only_the_gate_ends_a_highlight() {
     let mut world = empty();
     let material = Material {
         shininess: 0.0,
@@ -227,7 +228,7 @@ fn a_shininess_of_zero_leaves_the_gate_alone_to_make_a_highlight_end() {
     let view = from_z(8.0);
     let scene = scene_of(world, &view);
     assert_error(change(&scene, &view, Part::Light(0)), 0.0);
-    // Half of 300, which the background's 20 levels do not hide.
+    // Half of 300, which the background of 20 levels does not hide.
     let gate = change(&scene, &view, Part::Rule(Rule::SpecularGate));
     assert_error(gate, 150.0);
     let face = change(&scene, &view, Part::Cuboid(0));
@@ -235,7 +236,7 @@ fn a_shininess_of_zero_leaves_the_gate_alone_to_make_a_highlight_end() {
 }
 
 #[test]
-fn normals_that_are_not_normalised_are_a_root_of_three_short_in_the_middle_of_a_face() {
+fn without_normalisation_normals_are_shorter_by_sqrt_3_in_the_middle_of_a_face() {
     let mut world = cube();
     lit(&mut world, LightKind::Diffuse, 200.0, DVec3::Z * 1e13);
     let view = from_z(8.0);
@@ -249,7 +250,7 @@ fn normals_that_are_not_normalised_are_a_root_of_three_short_in_the_middle_of_a_
 }
 
 #[test]
-fn a_near_plane_is_required_where_it_cuts() {
+fn a_near_plane_is_required_where_it_clips() {
     for projection in Projection::ALL {
         let mut world = cube();
         lit(&mut world, LightKind::Ambient, 100.0, DVec3::ZERO);
@@ -258,12 +259,12 @@ fn a_near_plane_is_required_where_it_cuts() {
             ..from_z(4.0)
         };
         let scene = scene_of(world, &view);
-        // The face is 3 away.
+        // The face is at distance 3.
         for (near, known) in [(2.9, 0.0), (3.1, 80.0)] {
             view.viewpoint.camera.near = Some(near);
             assert_error(change(&scene, &view, Part::Rule(Rule::NearPlane)), known);
         }
-        // Behind the eye, where parallel rays alone get to.
+        // Behind the eye, where only parallel lines of sight reach.
         view.viewpoint.position = DVec3::Z * -4.0;
         view.viewpoint.camera.target = DVec3::Z * -5.0;
         view.viewpoint.camera.near = Some(0.1);
@@ -276,9 +277,9 @@ fn a_near_plane_is_required_where_it_cuts() {
     }
 }
 
-/// Two cuboids that pass through one another, cut by the near plane, lit from beside and behind, far from the origin.
+/// Two intersecting cuboids, clipped by the near plane, lit from the side and from behind, far from the origin.
 #[test]
-fn a_scene_that_needs_everything() {
+fn a_scene_that_requires_every_part() {
     let origin = DVec3::splat(3e6);
     let mut world = empty();
     let material = Material {
@@ -293,7 +294,7 @@ fn a_scene_that_needs_everything() {
         spawn_cuboid(&mut world, DVec3::splat(2.0), turned, material);
     }
     let eye = DVec3::new(2.0, 2.2, 1.8);
-    // Nearly opposite to the eye a light grazes faces, before and behind them.
+    // A light nearly opposite to the eye grazes faces from the front and from behind.
     let [side, behind] = [DVec3::new(4.0, 2.0, 1.0), DVec3::new(-4.0, -1.5, -3.6)];
     lit(&mut world, LightKind::Diffuse, 200.0, origin + side);
     lit(&mut world, LightKind::Specular, 400.0, origin + behind);
@@ -309,9 +310,9 @@ fn a_scene_that_needs_everything() {
     assert_eq!(required, all);
 }
 
-/// From so far away f64 does not say where on a cuboid a pixel looks, or whether it looks at it at all.
+/// From this distance f64 cannot tell where on a cuboid a pixel lies, or whether it lies on it at all.
 #[test]
-fn what_cannot_be_decided_is_required() {
+fn an_undecided_part_is_required() {
     let mut world = cube();
     lit(&mut world, LightKind::Ambient, 100.0, DVec3::ZERO);
     lit(&mut world, LightKind::Diffuse, 100.0, DVec3::Z * 8.0);

@@ -1,4 +1,4 @@
-//! The least scene: what is left out together, and that what remains keeps the tolerance.
+//! The least scene: the parts left out together, and the tolerance that the remaining scene keeps.
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Projection, View};
@@ -7,7 +7,7 @@ use shadetrade::requires::{self, Part, changes, without};
 use super::{WHITE, scene_of};
 use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view};
 
-/// Ambient lights of these levels on a cuboid, and one more cuboid behind it.
+/// A cuboid under ambient lights of these levels, and another cuboid behind it.
 fn least(levels: &[f64], candidates: &[Part]) -> Vec<Part> {
     let mut world = empty();
     for place in [DVec3::ZERO, DVec3::Z * -4.0] {
@@ -35,7 +35,7 @@ fn least(levels: &[f64], candidates: &[Part]) -> Vec<Part> {
     let found = requires::least(&scene, &view, candidates, &|| false, &|_| ());
     let (left_out, change) = found.expect("nobody cancels it");
     assert!(change.keeps(0.5), "{change:?}");
-    // What remains is itself the full scene less what was left out.
+    // The remaining parts are those of the full scene minus those left out.
     let remains = without(&scene, &left_out);
     let change = |scene, left_out| {
         let changes = changes(scene, &view, &[left_out], &|| false, &|_| ());
@@ -47,7 +47,7 @@ fn least(levels: &[f64], candidates: &[Part]) -> Vec<Part> {
 }
 
 #[test]
-fn of_two_lights_that_only_together_matter_one_stays() {
+fn of_two_lights_that_matter_only_together_one_stays() {
     let lights = [Part::Light(1), Part::Light(2)];
     assert_eq!(least(&[100.0, 0.3, 0.4], &lights), [Part::Light(1)]);
     assert_eq!(least(&[100.0, 0.2, 0.2], &lights), lights);
@@ -55,7 +55,7 @@ fn of_two_lights_that_only_together_matter_one_stays() {
 }
 
 #[test]
-fn of_many_lights_as_many_go_as_the_tolerance_allows() {
+fn as_many_lights_are_left_out_as_the_tolerance_allows() {
     let lights: Vec<Part> = (1..8).map(Part::Light).collect();
     assert_eq!(
         least(&[100.0, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12], &lights).len(),
@@ -64,14 +64,14 @@ fn of_many_lights_as_many_go_as_the_tolerance_allows() {
 }
 
 #[test]
-fn a_cuboid_that_is_hidden_goes() {
+fn a_hidden_cuboid_is_left_out() {
     let cuboids = [Part::Cuboid(1)];
     assert_eq!(least(&[100.0], &cuboids), cuboids);
 }
 
 #[test]
-fn one_cuboid_stays_though_none_is_seen() {
-    // Hardly another colour than the background's.
+fn one_cuboid_stays_even_if_it_is_invisible() {
+    // Nearly the colour of the background.
     let cuboids = [Part::Cuboid(0), Part::Cuboid(1)];
     assert_eq!(least(&[20.3], &cuboids).len(), 1);
 }

@@ -1,6 +1,6 @@
-//! Random scenes: what is said to be proven of a picture without a part is true of the pictures evaluated in f64.
+//! Random scenes: bounds proven for the picture without a part hold for the pictures in f64.
 //!
-//! `SHADETRADE_CASES` sets how many scenes; the first n are always the same.
+//! `SHADETRADE_CASES` sets the number of scenes; the first n are always the same.
 
 use hecs::World;
 use proptest::prelude::*;
@@ -29,7 +29,7 @@ fn levels<R: Real>(world: &World, view: &View, rule: Option<Rule>) -> Vec<[f64; 
     pixels::<R, _>(world, view, rule, of)
 }
 
-/// Whether every pixel certainly shows one thing: no edge is near, and no gate may fall either way.
+/// Whether every pixel certainly shows one surface: no edge is near, and no gate is tied.
 fn is_certain(world: &World, view: &View, rule: Option<Rule>) -> Vec<bool> {
     pixels::<Interval, _>(world, view, rule, |seen| seen.len() == 1)
 }
@@ -57,8 +57,8 @@ fn error(left: [f64; 3], right: [f64; 3]) -> f64 {
 }
 
 #[test]
-fn nothing_that_is_proven_of_random_scenes_is_contradicted_in_f64() {
-    /// What f64 itself may be off by, in levels.
+fn no_proven_bound_of_random_scenes_is_contradicted_by_f64() {
+    /// The error of f64 itself, in levels.
     const ROUNDING: f64 = 1e-6;
     let mut runner = TestRunner::new_with_rng(
         Config::default(),

@@ -9,7 +9,7 @@ use crate::support::scene::view_from;
 
 const PAGE: &str = include_str!("../../../docs/sixteen-cases.md");
 
-/// The cells of every row of the page's tables that has so many.
+/// The cells of every row with this number of cells in the tables of the page.
 fn rows(columns: usize) -> Vec<Vec<&'static str>> {
     let rows = PAGE.lines().filter(|line| line.starts_with('|'));
     let cells = rows.map(|row| row.trim_matches('|').split('|').map(str::trim).collect());
@@ -44,7 +44,7 @@ fn scene(case: &[&str]) -> Scene {
 }
 
 #[test]
-fn every_answer_of_the_page_is_found_again() {
+fn every_answer_of_the_page_is_confirmed() {
     let cases = rows(7);
     assert_eq!(cases.len(), 16);
     for case in cases {

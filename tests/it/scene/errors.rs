@@ -1,11 +1,11 @@
-//! What a scene file may not say: every refusal is one message with its place, what was found and what is allowed.
+//! Mistakes in scene files: each gives one message with its place, the text found and what is allowed.
 
 use proptest::prelude::*;
 use shadetrade::scene::{BUILT_IN, Scene, SceneError};
 
 use super::LEAST;
 
-/// A line of [`LEAST`], what is written there instead (`⏎` breaks the line), where the complaint is, and what is in it.
+/// A line of [`LEAST`], its replacement (`⏎` breaks the line), the place of the error, and parts of its message.
 const REFUSED: &str = r#"
 Keys that do not exist.
  1 ¦ backgrund = [1, 2, 3]             ¦ 1:1   ¦ unknown field `backgrund` ¦ `background`, `cuboid`, `light`, `camera`, `view` ¦ ^^^^^^^^^
@@ -136,7 +136,7 @@ What is no TOML.
 21 ¦ height = [1, 2                    ¦ 21:15 ¦ unclosed array, expected `]`
 "#;
 
-/// [`LEAST`] with its line of that number, counted from 1, written differently.
+/// [`LEAST`] with the line of this number, counted from 1, replaced.
 fn with_line(number: usize, line: &str) -> String {
     let mut lines: Vec<&str> = LEAST.split('\n').collect();
     lines[number - 1] = line;
@@ -169,7 +169,7 @@ fn assert_accepted(text: &str) {
 }
 
 #[test]
-fn every_refusal_has_its_place_what_was_found_and_what_is_allowed() {
+fn every_mistake_has_its_place_what_was_found_and_what_is_allowed() {
     assert_accepted(LEAST);
     for row in REFUSED.lines().filter(|row| row.contains('¦')) {
         let cells: Vec<&str> = row.split('¦').map(str::trim).collect();
@@ -223,13 +223,13 @@ fn a_name_is_unique_within_its_kind() {
 }
 
 #[test]
-fn every_range_holds_its_ends_and_nothing_beyond() {
+fn every_range_contains_its_ends_and_nothing_beyond() {
     /// The next number away from 0.
     fn beyond(number: f64) -> f64 {
         f64::from_bits(number.to_bits() + 1)
     }
     let below_length = f64::from_bits(1e-100_f64.to_bits() - 1);
-    // A line, the key with `@` for the number, the number below the range, its two ends.
+    // A line, the key with `@` for the number, a number below the range, and both ends of the range.
     let keys = [
         (1, "background = [0, @, 0]", -5e-324, 0.0, 255.0),
         (4, "size = [1, 1, @]", below_length, 1e-100, 1e100),
@@ -273,15 +273,15 @@ fn every_range_holds_its_ends_and_nothing_beyond() {
 }
 
 #[test]
-fn up_is_parallel_to_the_view_where_the_sine_between_them_is_below_1e_9() {
-    // Along z the sine is how far `up` leaves the axis.
+fn up_is_parallel_to_the_view_if_the_sine_between_them_is_below_1e_9() {
+    // Along z the sine is the distance of `up` from the axis.
     let along_z = |across: &str| {
         let up = format!("position = [0, 0, 8]\nup = [{across}, 0, 1]");
         with_line(18, &up)
     };
     assert_complaint(&along_z("0.999e-9"), "19:6", &["nor parallel"]);
     assert_accepted(&along_z("1.001e-9"));
-    // Neither overflow nor underflow makes anything parallel.
+    // Overflow or underflow does not make vectors parallel.
     assert_accepted(&with_line(18, "position = [0, 0, 8]\nup = [5e-324, 0, 0]"));
     assert_accepted(&with_line(
         18,
@@ -290,14 +290,14 @@ fn up_is_parallel_to_the_view_where_the_sine_between_them_is_below_1e_9() {
 }
 
 #[test]
-fn a_target_is_no_nearer_than_the_shortest_length() {
+fn a_target_nearer_than_the_shortest_length_is_refused() {
     let at = |x: &str| with_line(18, &format!("position = [{x}, 0, 0]"));
     assert_accepted(&at("1e-100"));
     assert_complaint(&at("0.999e-100"), "19:10", &["at least 1e-100 away"]);
 }
 
 #[test]
-fn the_line_is_shown_with_carets_below_what_is_wrong() {
+fn the_line_is_shown_with_carets_below_the_mistake() {
     let shown = |text: &str| complaint(text).split_once('\n').unwrap().1.to_owned();
     assert_eq!(
         complaint(&with_line(4, "size = [-4.0, 3.0, 2.0]")),
@@ -306,7 +306,7 @@ fn the_line_is_shown_with_carets_below_what_is_wrong() {
          4 | size = [-4.0, 3.0, 2.0]\n\
          \x20 |         ^^^^"
     );
-    // A tab, a letter of two bytes and a line end of two are one column or none.
+    // A tab, a letter of two bytes and a line end of two bytes count as one column or none.
     assert_eq!(
         shown(&with_line(12, "\tkind\t=\t'é'\r")),
         "   |\n12 |  kind = 'é'\n   |         ^^^"
@@ -322,7 +322,7 @@ fn the_line_is_shown_with_carets_below_what_is_wrong() {
 }
 
 #[test]
-fn a_long_line_is_shown_around_what_is_wrong_and_a_long_value_is_cut() {
+fn a_long_line_is_shown_around_the_mistake_and_a_long_value_is_cut() {
     let space = " ".repeat(1000);
     let text = with_line(9, &format!("shininess {space}= -1{space}"));
     assert_complaint(&text, "9:1013", &["value: -1.0,"]);
@@ -342,7 +342,7 @@ fn a_long_line_is_shown_around_what_is_wrong_and_a_long_value_is_cut() {
 }
 
 #[test]
-fn nothing_of_the_file_moves_the_cursor() {
+fn no_text_of_the_file_moves_the_cursor() {
     let text = with_line(11, "name = \"\u{1b}[31mred\u{7}\"");
     assert_complaint(&text, "11:9", &["\u{fffd}[31mred\u{fffd}"]);
     let kept = |character: char| character == '\n' || !character.is_control();
@@ -350,10 +350,10 @@ fn nothing_of_the_file_moves_the_cursor() {
 }
 
 #[test]
-fn nesting_without_end_is_refused() {
+fn unlimited_nesting_is_refused() {
     let nested = format!("background = {}", "[".repeat(100_000));
     assert_complaint(&nested, "1:94", &["max recursion depth"]);
-    // Dots in a comment and in a text are no parts of a key.
+    // Dots in a comment and in a string are not parts of a key.
     let dots = "a.".repeat(100);
     let dotted = format!("# {dots}\nx = \"{dots}\"\n{dots}x = 1\ny = 2\n");
     assert_complaint(&dotted, "1:1", &["recursion limit"]);
@@ -361,7 +361,7 @@ fn nesting_without_end_is_refused() {
     assert_complaint(&dotted, "1:1", &["recursion limit"]);
 }
 
-/// Pieces that a hand at the keyboard, or a hostile one, puts in the wrong place.
+/// Pieces for damaging a scene at random.
 const PIECES: [&str; 16] = [
     "",
     "\n",

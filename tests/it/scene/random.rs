@@ -1,4 +1,4 @@
-//! Random records: every number near the ends of its range as often as near 0, and every optional key.
+//! Random records, with every optional key. Numbers are as often near the ends of their ranges as near 0.
 
 use std::ops::RangeInclusive;
 
@@ -8,16 +8,15 @@ use proptest::option::of;
 use proptest::prelude::*;
 use proptest::sample::select;
 use shadetrade::components::{
-    Budget, LightKind, Magnifier, Orbit, Projection, ShadingMode, Side, Tab, Tolerance, ViewMode,
+    Budget, LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance,
+    ViewMode,
 };
 use shadetrade::scene::range::{
     ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
 };
-use shadetrade::scene::{
-    CameraRecord, CuboidRecord, LightRecord, MaterialRecord, SceneRecord, ViewRecord,
-};
+use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
-/// As often near 0 as far from it, and sometimes an end.
+/// A number as often near 0 as far from it, and sometimes an end of its range.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
     let (least, most) = range.into_inner();
     let smallest = if least > 0.0 { least } else { 1e-320 };
@@ -33,7 +32,7 @@ fn three(range: &RangeInclusive<f64>) -> impl Strategy<Value = DVec3> {
         .prop_map(DVec3::from)
 }
 
-/// A text of any characters, or a usual name; a comma is none of a light's.
+/// A text of any characters, or an ordinary name. The name of a light holds no comma.
 fn name() -> impl Strategy<Value = String> {
     prop_oneof![any::<String>(), Just("white".to_owned())].prop_map(|name| name.replace(',', ""))
 }
@@ -46,7 +45,7 @@ pub fn cuboid() -> impl Strategy<Value = CuboidRecord> {
     (name(), places, modes, material).prop_map(
         |(name, (size, position, rotation), shading, (coefficients, shininess))| {
             let [ambient, diffuse, specular] = coefficients;
-            let material = MaterialRecord {
+            let material = Material {
                 ambient,
                 diffuse,
                 specular,
@@ -118,7 +117,7 @@ fn side() -> impl Strategy<Value = Side> {
     ]
 }
 
-/// A view; its camera is left to who has some.
+/// A view. Its camera is chosen where the cameras are known.
 pub fn view() -> impl Strategy<Value = ViewRecord> {
     let pixel = || [0..16_384_usize, 0..16_384_usize];
     let magnifier = (0..7, pixel()).prop_map(|(power, corner)| Magnifier {
@@ -161,7 +160,7 @@ pub fn view() -> impl Strategy<Value = ViewRecord> {
     prop_oneof![Just(ViewRecord::default()), changed]
 }
 
-/// The same name twice, or none, becomes another one.
+/// Renames duplicate and empty names.
 pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
     fn tell_apart<'a>(names: impl Iterator<Item = &'a mut String>) {
         let mut known = Vec::new();
@@ -178,7 +177,7 @@ pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
     record
 }
 
-/// A record as a file may have it. A random view is hardly ever along `up`.
+/// A legal record. A random view is almost never parallel to `up`.
 pub fn record() -> impl Strategy<Value = SceneRecord> {
     let all = (
         three(&LEVEL),
@@ -200,7 +199,7 @@ pub fn record() -> impl Strategy<Value = SceneRecord> {
             record.view.camera = (active > 0).then(|| record.camera[active].name.clone());
             record
         })
-        .prop_filter("a camera's numbers go together", |record| {
+        .prop_filter("the numbers of a camera fit together", |record| {
             record.check().is_ok()
         })
 }

@@ -1,4 +1,4 @@
-//! A record and its world say the same.
+//! Records and worlds have the same content.
 
 use std::fmt::{Debug, Write};
 
@@ -13,8 +13,8 @@ use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 
 use super::random;
 
-/// Every component of the world that a scene says, entities in file order. Debug writes different floats differently, 0 and
-/// -0 too.
+/// Every component of the world that comes from a scene, with entities in file order. Debug prints different floats
+/// differently, also 0 and -0.
 fn said(world: &World) -> String {
     let mut text = String::new();
     let kinds = [
@@ -53,21 +53,21 @@ fn said(world: &World) -> String {
 
 proptest! {
     #[test]
-    fn a_record_is_that_of_the_world_it_is_spawned_as(record in random::record()) {
+    fn a_record_equals_that_of_the_world_it_is_spawned_as(record in random::record()) {
         let world = record.spawn();
         prop_assert_eq!(&SceneRecord::of(&world), &record);
         prop_assert_eq!(said(&SceneRecord::of(&world).spawn()), said(&world));
     }
 
     #[test]
-    fn a_record_is_the_same_in_json(record in random::record()) {
+    fn a_record_survives_json(record in random::record()) {
         let text = serde_json::to_string(&record).unwrap();
         prop_assert_eq!(serde_json::from_str::<SceneRecord>(&text).unwrap(), record);
     }
 
-    /// Worlds as they are once entities were removed: the order of the file has gaps.
+    /// Worlds with removed entities: the order of the file has gaps.
     #[test]
-    fn a_world_with_gaps_is_written_down_without_them(record in random::record(), gone in any::<prop::sample::Index>()) {
+    fn a_world_with_gaps_becomes_a_record_without_them(record in random::record(), gone in any::<prop::sample::Index>()) {
         let mut world = record.spawn();
         let mut expected = record.clone();
         if record.light.is_empty() {
@@ -81,7 +81,7 @@ proptest! {
 }
 
 #[test]
-fn the_built_in_scenes_are_written_down_as_they_are() {
+fn the_built_in_scenes_become_their_records() {
     for (name, _) in BUILT_IN {
         let scene = Scene::load(Some(name)).unwrap_or_else(|error| panic!("{error}"));
         let again = SceneRecord::of(&scene.world).spawn();
@@ -90,7 +90,7 @@ fn the_built_in_scenes_are_written_down_as_they_are() {
 }
 
 #[test]
-fn whether_cuboids_go_on_turning_is_not_written_down() {
+fn whether_cuboids_turn_is_not_part_of_the_record() {
     let mut scene = Scene::load(None).unwrap_or_else(|error| panic!("{error}"));
     let before = SceneRecord::of(&scene.world);
     for spin in scene.world.query_mut::<&mut Spin>() {

@@ -1,4 +1,4 @@
-//! A record is saved into the text that it came from: it is read again as it was, and all else stays.
+//! Saving a record into the text of its file: it is read again unchanged, and the rest of the text stays.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ fn read(text: &str) -> SceneRecord {
     SceneRecord::of(&scene.world)
 }
 
-/// The text once `change` has been made to what it says; it is read again as that.
+/// The text after `change` was made to its record. It must be read again as the changed record.
 fn edited(text: &str, change: impl FnOnce(&mut SceneRecord)) -> String {
     let mut record = read(text);
     change(&mut record);
@@ -24,13 +24,13 @@ fn edited(text: &str, change: impl FnOnce(&mut SceneRecord)) -> String {
     text
 }
 
-/// Texts that say something in an unusual way, and all built-in ones.
+/// Texts in unusual notations, and all built-in scenes.
 fn texts() -> Vec<&'static str> {
     let texts = BUILT_IN.iter().map(|(_, text)| *text);
     texts.chain([LEAST, MOST, LOOKED_AT]).collect()
 }
 
-/// Comments everywhere, no order, defaults said.
+/// Comments everywhere, mixed order, explicit defaults.
 const LOOKED_AT: &str = r#"# The head.
 
 [view]  # How it is looked at.
@@ -70,13 +70,13 @@ height = 6
 "#;
 
 #[test]
-fn what_has_not_changed_is_not_touched() {
+fn an_unchanged_text_stays_byte_for_byte() {
     for text in texts() {
         assert_eq!(updated(text, &read(text)), text);
     }
 }
 
-/// One change to a record: which, where, and to what.
+/// One change to a record: its kind, the entity and the new values.
 #[derive(Clone, Debug)]
 struct Change {
     what: usize,
@@ -121,7 +121,7 @@ impl Change {
 
 proptest! {
     #[test]
-    fn whatever_is_changed_is_read_again(text in 0..texts().len(), changes in vec(vec(change(), 1..4), 1..3)) {
+    fn a_changed_record_is_read_again(text in 0..texts().len(), changes in vec(vec(change(), 1..4), 1..3)) {
         let mut text = texts()[text].to_owned();
         for changes in changes {
             let mut record = read(&text);
@@ -137,7 +137,7 @@ proptest! {
     }
 
     #[test]
-    fn any_record_is_saved_into_any_text(text in 0..texts().len(), record in random::record()) {
+    fn any_record_can_be_saved_into_any_text(text in 0..texts().len(), record in random::record()) {
         for text in [texts()[text], ""] {
             let text = updated(text, &record);
             prop_assert_eq!(&read(&text), &record, "{}", text);
@@ -145,7 +145,7 @@ proptest! {
     }
 }
 
-/// The lines of `after` that are not in `before`, and the other way round.
+/// The lines of `after` that are not in `before`, and the lines of `before` that are not in `after`.
 fn differing<'a>(before: &'a str, after: &'a str) -> [Vec<&'a str>; 2] {
     let without = |text: &'a str, other: &str| {
         let lines = text.lines();
@@ -157,7 +157,7 @@ fn differing<'a>(before: &'a str, after: &'a str) -> [Vec<&'a str>; 2] {
 }
 
 #[test]
-fn one_number_is_one_line_and_its_comment_stays() {
+fn one_number_changes_one_line_and_its_comment_stays() {
     let (_, text) = BUILT_IN[0];
     let after = edited(text, |record| record.light[0].gain = 1e100_f64.min(1e30));
     assert_eq!(
@@ -175,7 +175,7 @@ fn one_number_is_one_line_and_its_comment_stays() {
 }
 
 #[test]
-fn a_default_that_is_said_stays_said_and_one_that_is_not_stays_unsaid() {
+fn explicit_defaults_stay_and_implicit_ones_are_not_added() {
     let (_, text) = BUILT_IN[0];
     let there = edited(text, |record| {
         record.cuboid[0].shading = ShadingMode::Phong;
@@ -186,13 +186,13 @@ fn a_default_that_is_said_stays_said_and_one_that_is_not_stays_unsaid() {
     let back = edited(&there, |record| *record = read(text));
     let line = "shading = \"gouraud\"             # or \"phong\" (optional: \"gouraud\")";
     assert!(back.contains(line), "{back}");
-    // The light's and the camera's keys are said now.
+    // The keys of the light and of the camera are explicit now.
     assert_eq!(differing(text, &back)[1].len(), 2, "{back}");
     assert!(!updated("", &read(text)).contains("orbit"));
 }
 
 #[test]
-fn a_view_is_added_only_where_it_is_not_the_usual_one() {
+fn a_view_is_added_only_if_it_differs_from_the_default() {
     let (_, text) = BUILT_IN[0];
     let view = |change: fn(&mut SceneRecord)| {
         let after = edited(text, change);
@@ -225,7 +225,7 @@ fn a_view_is_added_only_where_it_is_not_the_usual_one() {
 }
 
 #[test]
-fn a_camera_that_is_named_in_the_view_is_followed() {
+fn the_camera_named_in_the_view_follows_renaming_and_removal() {
     let renamed = edited(LOOKED_AT, |record| record.camera[0].name = "a".to_owned());
     assert!(renamed.contains("camera = \"a\"  # the first"), "{renamed}");
     let other = edited(LOOKED_AT, |record| {
@@ -237,7 +237,7 @@ fn a_camera_that_is_named_in_the_view_is_followed() {
 }
 
 #[test]
-fn what_is_added_comes_last_of_its_kind_and_what_is_removed_takes_its_comments_along() {
+fn added_tables_come_last_of_their_kind_and_removed_ones_take_their_comments_along() {
     let (_, text) = BUILT_IN[0];
     let added = edited(text, |record| {
         let light = LightRecord::new("new", LightKind::Ambient, 5.0, [0.0; 3]);
@@ -271,7 +271,7 @@ fn what_is_added_comes_last_of_its_kind_and_what_is_removed_takes_its_comments_a
 }
 
 #[test]
-fn lines_end_as_they_did() {
+fn line_ends_stay_as_they_were() {
     let text = LOOKED_AT.replace('\n', "\r\n");
     let after = edited(&text, |record| record.camera[0].fov = 31.0);
     assert_eq!(
@@ -284,7 +284,7 @@ fn lines_end_as_they_did() {
 }
 
 #[test]
-fn a_text_that_is_no_scene_is_replaced() {
+fn a_text_that_is_not_a_scene_is_replaced() {
     let record = read(LEAST);
     for text in ["", "# nothing", "[[cuboid]", "cuboid = 3"] {
         assert_eq!(read(&updated(text, &record)), record);

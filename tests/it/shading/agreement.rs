@@ -1,4 +1,4 @@
-//! The renderer against the truth, pixel by pixel.
+//! The renderer against an independent f64 evaluation, pixel by pixel.
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
@@ -9,7 +9,7 @@ use shadetrade::shading::{EXACT, TileKind};
 use super::truth::{Seen, Setting};
 use crate::support::scene::{draw, view_from};
 
-/// The pixels of which both say that they show the same triangle; no more than a few on the edges may be left out.
+/// The pixels with the same triangle in both pictures. At most a few pixels on edges may be left out.
 fn shared(frame: &Frame, truth: &[Seen]) -> Vec<(usize, DVec3)> {
     let pairs = || frame.triangles().iter().zip(truth);
     let edges = pairs().filter(|(id, seen)| seen.map_or(NO_TRIANGLE, |(id, _)| id) != **id);
@@ -24,7 +24,7 @@ fn shared(frame: &Frame, truth: &[Seen]) -> Vec<(usize, DVec3)> {
         .collect()
 }
 
-/// Compares unclamped levels with the truth; returns the worst error.
+/// Asserts that unclamped levels equal the truth; returns the largest error.
 #[track_caller]
 fn assert_close(frame: &Frame, setting: &Setting) -> f64 {
     let shared = shared(frame, &setting.truth());
@@ -42,7 +42,7 @@ fn assert_close(frame: &Frame, setting: &Setting) -> f64 {
     worst
 }
 
-/// Draws a setting and compares it with the truth; returns the worst error.
+/// Draws a setting and compares it with the truth; returns the largest error.
 #[track_caller]
 fn assert_exact(setting: &Setting) -> f64 {
     assert_close(
@@ -51,7 +51,7 @@ fn assert_exact(setting: &Setting) -> f64 {
     )
 }
 
-/// The default scene in all eight ways, each with its camera.
+/// The eight pictures of the default scene, each with its camera.
 fn default_settings() -> Vec<(usize, Setting)> {
     let mut settings = Vec::new();
     for camera in 0..2 {
@@ -77,7 +77,7 @@ fn view_of_default_scene(scene: &Scene, camera: usize, setting: &Setting) -> Vie
 }
 
 #[test]
-fn the_default_scene_is_within_a_twentieth_of_a_level_of_the_truth_from_both_cameras() {
+fn the_default_scene_is_within_a_twentieth_of_a_level_of_the_truth() {
     let mut scene = Scene::load(None).expect("it is built in");
     for (camera, setting) in default_settings() {
         let view = view_of_default_scene(&scene, camera, &setting);
@@ -90,13 +90,13 @@ fn the_default_scene_is_within_a_twentieth_of_a_level_of_the_truth_from_both_cam
         let tiles = frame.counts().tiles;
         assert!(
             tiles[TileKind::Exact as usize] > 10 * tiles[TileKind::Double as usize],
-            "what was judged is the path in f32"
+            "the path in f32 is tested"
         );
     }
 }
 
 #[test]
-fn the_default_scenes_bytes_are_within_one_of_the_truth_at_any_tolerance_below_one() {
+fn the_default_scenes_bytes_are_within_one_of_the_truth_below_tolerance_one() {
     let mut scene = Scene::load(None).expect("it is built in");
     for (camera, setting) in default_settings() {
         let truth = setting.truth();
@@ -120,7 +120,7 @@ fn the_default_scenes_bytes_are_within_one_of_the_truth_at_any_tolerance_below_o
     }
 }
 
-/// The default scene, small, in all eight ways.
+/// The default scene, small, in all eight settings.
 fn small_settings() -> impl Iterator<Item = Setting> {
     default_settings().into_iter().map(|(_, setting)| Setting {
         size: [128, 96],
@@ -133,7 +133,7 @@ fn every_shininess_the_format_allows_is_exact() {
     for shininess in [0.0, 1e-3, 0.5, 1.0, 2.0, 76.8, 1000.0, 1e6] {
         for mut setting in small_settings() {
             setting.material.shininess = shininess;
-            // In the mirror direction of a point on the face, so that the sharpest highlight is in the picture.
+            // In the mirror direction of a point on the face, so that the sharpest highlight is visible.
             let point = DVec3::new(1.1, 0.7, setting.half.z.copysign(setting.eye.z));
             let n = (point / setting.half).normalize();
             let o = match setting.projection {
@@ -151,7 +151,7 @@ fn every_shininess_the_format_allows_is_exact() {
 fn lights_at_different_places_are_exact() {
     let place = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
     for mut setting in small_settings() {
-        // They share two coordinates with the first, and one of them all three.
+        // One light shares two coordinates with the first light, another all three.
         setting.lights = vec![
             (
                 LightKind::Specular,

@@ -1,8 +1,8 @@
 //! Values computed on paper.
 //!
-//! A cube from -2 to 2 is seen straight from above: its face z = 2 fills a picture of 5 x 5 pixels whose centres are
-//! one unit apart, so that the middle one shows (0, 0, 2) and the first one shows the corner (-2, 2, 2). The last column
-//! and the last row lie on right and bottom edges and show the background.
+//! A cube from -2 to 2 is seen from straight above. Its face z = 2 fills a picture of 5 x 5 pixels with centres one
+//! unit apart: the middle pixel shows (0, 0, 2), the first one the corner (-2, 2, 2). The last column and row lie on
+//! right and bottom edges and show the background.
 //!
 //! ```text
 //!            x = -2 -1  0  1  2
@@ -28,7 +28,7 @@ const MATERIAL: Material = Material {
     shininess: 2.0,
 };
 
-/// What every light here sends, in levels.
+/// The levels that every light here sends.
 const SENT: DVec3 = DVec3::new(200.0, 100.0, 40.0);
 
 const MODES: [ShadingMode; 3] = [
@@ -37,7 +37,7 @@ const MODES: [ShadingMode; 3] = [
     ShadingMode::UnitVectors,
 ];
 
-/// A light: its kind and its place.
+/// A light: its kind and position.
 type Lamp = (LightKind, [f64; 3]);
 
 /// The face in orthographic projection.
@@ -78,12 +78,12 @@ fn picture(material: Material, lamps: &[Lamp], view: &View, mode: ShadingMode) -
         .collect()
 }
 
-/// Where (x, y, 2) stands in a picture.
+/// The index of the pixel that shows (x, y, 2).
 fn pixel(x: i32, y: i32) -> usize {
     ((2 - y) * 5 + x + 2) as usize
 }
 
-/// What one light does at some points of the face: a share of the coefficient times what the light sends.
+/// The factor of one light at some points of the face.
 #[track_caller]
 fn assert_shares(lamp: Lamp, view: &View, mode: ShadingMode, shares: &[([i32; 2], f64)]) {
     let coefficient = match lamp.0 {
@@ -102,7 +102,7 @@ fn assert_shares(lamp: Lamp, view: &View, mode: ShadingMode, shares: &[([i32; 2]
 }
 
 #[test]
-fn ambient_light_is_the_same_wherever_the_cube_is_seen() {
+fn ambient_light_is_equal_everywhere() {
     for mode in MODES {
         for view in [from_above(), from_an_eye()] {
             let picture = picture(MATERIAL, &[(LightKind::Ambient, [0.0; 3])], &view, mode);
@@ -120,9 +120,9 @@ fn ambient_light_is_the_same_wherever_the_cube_is_seen() {
 }
 
 #[test]
-fn diffuse_light_goes_with_the_cosine_between_normal_and_light() {
-    // 2 above the middle. At (1, 0): n = (1, 0, 2) / sqrt 5, l = (-1, 0, 2) / sqrt 5, n.l = 3/5.
-    // At (1, 1): n = (1, 1, 2) / sqrt 6, l = (-1, -1, 2) / sqrt 6, n.l = 1/3. At (-2, 2): (-4 - 4 + 4) < 0.
+fn diffuse_light_is_proportional_to_the_cosine_between_normal_and_light() {
+    // 2 above the middle. At (1, 0): n = (1, 0, 2) / sqrt 5, l = (-1, 0, 2) / sqrt 5, n.l = 3/5. At (1, 1): n = (1, 1,
+    // 2) / sqrt 6, l = (-1, -1, 2) / sqrt 6, n.l = 1/3. At (-2, 2): n.l < 0, because -4 - 4 + 4 < 0.
     let shares = [
         ([0, 0], 1.0),
         ([1, 0], 0.6),
@@ -133,14 +133,14 @@ fn diffuse_light_goes_with_the_cosine_between_normal_and_light() {
     let lamp = (LightKind::Diffuse, [0.0, 0.0, 4.0]);
     assert_shares(lamp, &from_above(), ShadingMode::Phong, &shares);
     assert_shares(lamp, &from_an_eye(), ShadingMode::Phong, &shares);
-    // 1/4 above the middle: at (1, 0) n.l goes with -1 + 1/2 and is dark.
+    // 1/4 above the middle: at (1, 0) n.l is negative, because -1 + 1/2 < 0.
     let shares = [([0, 0], 1.0), ([1, 0], 0.0), ([-1, -1], 0.0)];
     let lamp = (LightKind::Diffuse, [0.0, 0.0, 2.25]);
     assert_shares(lamp, &from_above(), ShadingMode::Phong, &shares);
 }
 
 #[test]
-fn specular_light_goes_with_the_power_of_the_cosine_between_eye_and_mirrored_light() {
+fn specular_light_is_the_power_of_the_cosine_between_eye_and_reflected_light() {
     // 2 above the middle, o = (0, 0, 1). At (1, 0): r = 2 (3/5) n - l = (11, 0, 2) / (5 sqrt 5), (o.r)^2 = 4/125.
     let lamp = (LightKind::Specular, [0.0, 0.0, 4.0]);
     let shares = [([0, 0], 1.0), ([1, 0], 4.0 / 125.0), ([-2, 2], 0.0)];
@@ -157,8 +157,8 @@ fn specular_light_goes_with_the_power_of_the_cosine_between_eye_and_mirrored_lig
 }
 
 #[test]
-fn the_middle_of_a_highlight_has_its_full_strength_whatever_the_shininess() {
-    // At (1, 0) the eye above is mirrored to (4, 0, 3) / 5.
+fn the_middle_of_a_highlight_has_full_strength_for_any_shininess() {
+    // At (1, 0) the eye above is reflected to (4, 0, 3) / 5.
     for shininess in [0.0, 1e-3, 0.5, 1.0, 76.8, 1e3, 1e6] {
         let material = Material {
             shininess,
@@ -175,7 +175,7 @@ fn the_middle_of_a_highlight_has_its_full_strength_whatever_the_shininess() {
 }
 
 #[test]
-fn a_highlight_of_shininess_zero_covers_all_that_its_light_reaches() {
+fn a_highlight_of_shininess_zero_covers_everything_in_front_of_its_light() {
     let material = Material {
         shininess: 0.0,
         ..MATERIAL
@@ -187,7 +187,7 @@ fn a_highlight_of_shininess_zero_covers_all_that_its_light_reaches() {
 }
 
 #[test]
-fn a_light_behind_the_surface_makes_no_highlight_even_where_its_mirror_image_meets_the_eye() {
+fn a_light_behind_the_surface_makes_no_highlight_even_if_its_reflection_meets_the_eye() {
     // At the corner (-2, 2): l = (-3, 0, -4) / 5, n.l = -1 / (5 sqrt 3), yet o.r = 2 (n.l) / sqrt 3 + 4/5 = 2/3.
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
         let lamp = (LightKind::Specular, [-5.0, 2.0, -2.0]);
@@ -196,9 +196,9 @@ fn a_light_behind_the_surface_makes_no_highlight_even_where_its_mirror_image_mee
 }
 
 #[test]
-fn gouraud_interpolates_what_the_corners_got() {
-    // 3 sqrt 3 out of the corner (2, 2): lit in full there, and the other three corners turn away. What that corner
-    // weighs: on either side of the diagonal through it and (-2, -2), a quarter more with every unit of x or y.
+fn gouraud_interpolates_the_levels_at_the_corners() {
+    // 3 sqrt 3 away from the corner (2, 2), which it lights fully; the other three corners face away. The weight of
+    // that corner grows by a quarter per unit of x or y, on both sides of the diagonal through it and (-2, -2).
     let quarters = |x: i32, y: i32| f64::from(x.min(y) + 2) / 4.0;
     let shares: Vec<_> = (-2..2)
         .flat_map(|x| (-1..3).map(move |y| ([x, y], quarters(x, y))))
@@ -238,7 +238,7 @@ fn at_a_vertex_all_modes_are_equal() {
 }
 
 #[test]
-fn a_light_that_a_vertex_mirrors_to_the_eye_has_its_full_strength_there_whatever_the_mode() {
+fn a_light_that_a_vertex_reflects_to_the_eye_has_full_strength_there_in_every_mode() {
     let vertex = DVec3::new(-2.0, 2.0, 2.0);
     let (n, o) = (vertex.normalize(), (DVec3::Z * 12.0 - vertex).normalize());
     let mirrored = 2.0 * n.dot(o) * n - o;

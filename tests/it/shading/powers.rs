@@ -1,4 +1,4 @@
-//! The specular power in f32 against the same in f64.
+//! The specular power in f32 against f64.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x16, f64x4};
@@ -8,13 +8,14 @@ use shadetrade::shading::specular::{power, power_exact};
 use shadetrade::simd::baseline;
 
 #[test]
-fn the_power_errs_by_what_its_series_and_floats_do_and_no_more() {
-    // The logarithm is 9e-8 off, which y 2^-y makes 5e-8 at most, the exponential 1.2e-7, and a float three times 6e-8.
+fn the_power_errs_by_no_more_than_its_series_and_its_roundings() {
+    // The error of the logarithm is 9e-8, which y 2^-y reduces to at most 5e-8; that of the exponential is 1.2e-7;
+    // three roundings of a float have 6e-8 each.
     let simd = baseline().expect("every machine has them");
     let most = 5e-8 + 1.2e-7 + 3.0 * 6e-8;
     for shininess in [0.1_f32, 0.5, 1.0, 2.0, 5.0, 10.0, 76.8, 1e3, 1e4, 1e6] {
         for step in 0..=50_000 {
-            // Denser towards lambda = 0, where a large rho has its highlight.
+            // Denser near lambda = 0, where a large rho has its highlight.
             let lambda = (2.0 * (f64::from(step) / 50_000.0).powi(4)) as f32;
             let expected = power_exact(f64::from(shininess), f64::from(lambda));
             let found = power(shininess, f32x16::splat(simd, lambda)).as_array()[0];
@@ -25,8 +26,8 @@ fn the_power_errs_by_what_its_series_and_floats_do_and_no_more() {
 }
 
 #[test]
-fn in_f64_no_power_is_that_of_a_neighbouring_float() {
-    // Below a shininess of 1 the power is steepest at s = 0: 1 - s must not pass through f32 there.
+fn a_power_in_f64_is_not_that_of_a_rounded_base() {
+    // Below a shininess of 1 the power is steepest at s = 0, so 1 - s must not be rounded to f32 there.
     let simd = baseline().expect("every machine has these lanes");
     for shininess in [0.1, 0.3, 0.5, 0.9] {
         let power = Power::new(shininess, 0.0, 0.0);

@@ -1,8 +1,9 @@
-//! The picture of one unturned cuboid round the origin, evaluated in f64 and without any rasterizer: a ray through every
-//! pixel's centre meets the box between its slabs (Kay and Kajiya 1986), and the model is taken as the definition has it.
+//! The picture of one cuboid without rotation at the origin, evaluated in f64 without a rasterizer. A ray through every
+//! pixel centre is intersected with the slabs of the box (Kay and Kajiya 1986), and the model is evaluated by its
+//! definition.
 //!
-//! On a face, corner normals and corner colours are simple functions of the place: the normal goes with (x / half x,
-//! y / half y, z / half z), and the colours are linear on both sides of the diagonal from (-, -) to (+, +).
+//! On a face, corner normals and corner colours are simple functions of the position. The normal is proportional to (x
+//! / half x, y / half y, z / half z). The colours are linear on each side of the diagonal from (-, -) to (+, +).
 
 use glam::DVec3;
 use hecs::World;
@@ -10,12 +11,12 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View}
 
 use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view};
 
-/// A cuboid from -`half` to `half`, its lights, and an eye that looks at its middle.
+/// A cuboid from -`half` to `half`, its lights, and an eye that looks at its centre.
 #[derive(Clone, Debug)]
 pub struct Setting {
     pub half: DVec3,
     pub material: Material,
-    /// Kind, levels sent, place.
+    /// Kind, levels sent, position.
     pub lights: Vec<(LightKind, DVec3, DVec3)>,
     pub eye: DVec3,
     /// In degrees.
@@ -26,11 +27,11 @@ pub struct Setting {
     pub mode: ShadingMode,
 }
 
-/// What a pixel shows: the triangle, two to a face in the order +x, -x, +y, -y, +z, -z, and the levels.
+/// The visible triangle of a pixel, two per face in the order +x, -x, +y, -y, +z, -z, and its levels.
 pub type Seen = Option<(u32, DVec3)>;
 
 impl Setting {
-    /// The default scene from one of its cameras: the assignment's numbers.
+    /// The default scene from one of its cameras, with the numbers of the assignment.
     pub fn default_scene(camera: usize) -> Self {
         let position = DVec3::splat(10.0);
         Setting {
@@ -56,7 +57,7 @@ impl Setting {
         }
     }
 
-    /// The same as entities.
+    /// The scene as entities.
     pub fn world(&self) -> World {
         let mut world = empty();
         spawn_cuboid(&mut world, 2.0 * self.half, at(DVec3::ZERO), self.material);
@@ -66,7 +67,7 @@ impl Setting {
         world
     }
 
-    /// The same as a view, at tolerance 0.
+    /// The scene as a view, at tolerance 0.
     pub fn view(&self) -> View {
         let mut view = view(self.size, self.eye, DVec3::ZERO, self.projection);
         view.viewpoint.camera.fov = self.fov;
@@ -112,7 +113,7 @@ impl Setting {
             .collect()
     }
 
-    /// Where a ray enters the box, and through the slab of which axis.
+    /// The distance at which a ray enters the box, and the axis of the slab.
     fn meet(&self, start: DVec3, along: DVec3) -> Option<(usize, DVec3)> {
         let [one, other] = [-self.half, self.half].map(|side| (side - start) / along);
         let (enter, leave) = (one.min(other), one.max(other));
@@ -154,8 +155,8 @@ impl Setting {
     }
 }
 
-/// Corner colours, linear on each half of a face; `place` is within -1..1 along both of its axes. Also whether that half
-/// is the second triangle of the face: the first is the one to the right of the diagonal, seen from outside.
+/// Corner colours, linear on each half of a face, and whether the half is the second triangle. `place` is in -1..1
+/// along both axes of the face. Seen from outside, the first triangle is to the right of the diagonal.
 fn on_face(colors: &[DVec3; 8], axis: usize, place: DVec3) -> (bool, DVec3) {
     let (across, along) = ((axis + 1) % 3, (axis + 2) % 3);
     let (u, v) = (place[across], place[along]);

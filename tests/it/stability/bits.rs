@@ -1,16 +1,16 @@
-//! The same picture has the same bits on any number of threads, in any parts, after any other picture.
+//! A picture has the same bits with any number of threads, in any parts, and after any other picture.
 
 use std::ops::Range;
 
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Light, ShadingMode, View};
+use shadetrade::components::{Light, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::{simd, systems};
 
 use super::life::{Bits, still_life, views};
-use crate::support::scene::draw;
+use crate::support::scene::{at, draw, spawn_cuboid, view};
 
 const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
 
@@ -32,7 +32,7 @@ fn rows_of(world: &mut World, view: &View, rows: Range<usize>, frame: &mut Frame
 }
 
 #[test]
-fn any_number_of_threads_draws_the_same_bits_and_counts_the_same_work() {
+fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
     for cuboids in [1, 3] {
         let mut world = still_life(cuboids);
         for keep in KEEPS {
@@ -41,7 +41,7 @@ fn any_number_of_threads_draws_the_same_bits_and_counts_the_same_work() {
                 .map(|threads| frame(keep, threads, Level::new()))
                 .into();
             for mut view in views([400, 320]).into_iter().step_by(2) {
-                // Near enough that the picture is worth sharing.
+                // So near that the frame is drawn on several threads.
                 view.viewpoint.camera.fov = 10.0;
                 view.viewpoint.camera.height = 2.0;
                 let view = &view;
@@ -53,6 +53,43 @@ fn any_number_of_threads_draws_the_same_bits_and_counts_the_same_work() {
                     assert_eq!(frame.counts(), alone.counts());
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
+    // 26 x 21 cuboids of about 15 pixels: many cross rows at which the picture may be cut.
+    let mut world = still_life(1);
+    for index in 0..26 * 21 {
+        let place = DVec3::new(
+            f64::from(index % 26) - 12.5,
+            f64::from(index / 26) - 10.0,
+            3.0,
+        );
+        let material = Material {
+            ambient: DVec3::ONE,
+            diffuse: DVec3::ONE,
+            specular: DVec3::ONE,
+            shininess: 20.0,
+        };
+        let transform = Transform {
+            rotation: DVec3::splat(7.0 * f64::from(index)),
+            ..at(place)
+        };
+        spawn_cuboid(&mut world, DVec3::splat(0.7), transform, material);
+    }
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        let eye = DVec3::new(0.0, 0.0, 30.0);
+        let mut view = view([400, 320], eye, DVec3::ZERO, Projection::Orthographic).shaded(mode);
+        view.viewpoint.camera.height = 20.0;
+        let mut alone = frame(Keep::Display, 1, Level::new());
+        let expected = bits(&mut world, &view, &mut alone);
+        assert!(alone.counts().covered_pixels > 60_000);
+        for threads in [2, 5] {
+            let mut together = frame(Keep::Display, threads, Level::new());
+            assert!(bits(&mut world, &view, &mut together) == expected);
+            assert_eq!(together.counts(), alone.counts(), "{threads} threads");
         }
     }
 }
@@ -76,7 +113,7 @@ fn every_simd_level_of_this_machine_draws_the_same_bits() {
 }
 
 #[test]
-fn some_rows_of_a_picture_are_the_same_bits_as_in_the_whole() {
+fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
     for cuboids in [1, 3] {
         let mut world = still_life(cuboids);
         for keep in KEEPS {
@@ -110,7 +147,7 @@ fn some_rows_of_a_picture_are_the_same_bits_as_in_the_whole() {
 }
 
 #[test]
-fn a_frame_that_held_other_pictures_before_holds_the_same_bits() {
+fn a_frame_that_held_other_pictures_has_the_same_bits() {
     let views = views([90, 70]);
     let closer = |view: &View| {
         let mut view = view.clone();
@@ -170,7 +207,7 @@ fn a_light_switched_off_and_on_again_leaves_the_same_bits() {
         }
         assert!(
             matter >= 4,
-            "all but a highlight that the vertices miss: {matter}"
+            "every light changes the picture except a highlight that the vertices miss: {matter}"
         );
     }
 }

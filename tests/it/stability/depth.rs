@@ -1,9 +1,9 @@
-//! Which of two cuboids is seen, drawn so that it can be seen.
+//! Visibility of intersecting cuboids, as drawings.
 //!
 //! ```text
 //!   . a a b    each letter is the colour of one cuboid, in the order of the file; `.` is the background
 //! ```
-//! Seen straight from above, a unit a pixel; every drawing is 12 x 4.
+//! Seen from straight above, one unit per pixel. Every drawing has 12 x 4 pixels.
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Material, Projection, Transform, View};
@@ -11,7 +11,7 @@ use shadetrade::frame::{Keep, NO_TRIANGLE};
 
 use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
 
-/// A cuboid: its size, its place, its rotation.
+/// A cuboid: its size, position and rotation.
 type Body = ([f64; 3], [f64; 3], [f64; 3]);
 
 const UNTURNED: [f64; 3] = [0.0; 3];
@@ -27,7 +27,7 @@ fn from_above() -> View {
     view
 }
 
-/// The picture in letters: the first cuboid is red, the second green, the third blue.
+/// The picture in letters. The first cuboid is red, the second green, the third blue.
 fn drawing(bodies: &[Body], view: &View) -> String {
     let mut world = empty();
     for (index, &(size, place, rotation)) in bodies.iter().enumerate() {
@@ -74,7 +74,7 @@ fn assert_seen(bodies: &[Body], expected: &str) {
 }
 
 #[test]
-fn the_nearer_cuboid_hides_the_farther_in_whatever_order_they_come() {
+fn the_nearer_cuboid_hides_the_farther_in_any_order() {
     let low = ([6.0, 4.0, 2.0], [-2.0, 0.0, 0.0], UNTURNED);
     let high = ([6.0, 2.0, 2.0], [2.0, 0.0, 3.0], UNTURNED);
     assert_seen(
@@ -88,7 +88,7 @@ fn the_nearer_cuboid_hides_the_farther_in_whatever_order_they_come() {
 }
 
 #[test]
-fn of_cuboids_that_cross_each_other_the_nearer_is_seen_at_every_pixel() {
+fn of_intersecting_cuboids_the_nearer_is_visible_at_every_pixel() {
     // Two plates at right angles, like the letter X seen from above; 8 cos 45 degrees are 5.7 pixels.
     let falling = ([8.0, 4.0, 0.1], [0.0; 3], [0.0, 45.0, 0.0]);
     let rising = ([8.0, 4.0, 0.1], [0.0; 3], [0.0, -45.0, 0.0]);
@@ -102,7 +102,7 @@ fn of_cuboids_that_cross_each_other_the_nearer_is_seen_at_every_pixel() {
 }
 
 #[test]
-fn of_cuboids_that_touch_each_has_its_own_pixels() {
+fn cuboids_that_touch_each_cover_their_own_pixels() {
     let left = ([4.0, 2.0, 2.0], [-2.0, 0.0, 0.0], UNTURNED);
     let right = ([4.0, 2.0, 2.0], [2.0, 0.0, 0.0], UNTURNED);
     let expected = "............ ..aaaabbbb.. ..aaaabbbb.. ............";
@@ -113,7 +113,7 @@ fn of_cuboids_that_touch_each_has_its_own_pixels() {
 }
 
 #[test]
-fn where_faces_coincide_the_earlier_cuboid_is_seen() {
+fn where_faces_coincide_the_earlier_cuboid_is_visible() {
     let left = ([6.0, 2.0, 2.0], [-2.0, 0.0, 0.0], UNTURNED);
     let right = ([6.0, 2.0, 4.0], [2.0, 0.0, -1.0], UNTURNED);
     let expected = "............ .aaaaaabbbb. .aaaaaabbbb. ............";

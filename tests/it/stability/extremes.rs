@@ -1,4 +1,4 @@
-//! The ends of what a scene may hold: the picture stays defined.
+//! Numbers at the limits of the scene format: the picture stays defined.
 
 use glam::DVec3;
 use hecs::World;
@@ -14,7 +14,7 @@ const MODES: [ShadingMode; 3] = [
     ShadingMode::UnitVectors,
 ];
 
-/// Every term at most 100 levels, each in its own channel.
+/// Every term has at most 100 levels, each in its own channel.
 fn one_term_a_channel(size: DVec3, transform: Transform, light: DVec3) -> World {
     let mut world = empty();
     let material = Material {
@@ -36,7 +36,7 @@ fn vector(random: &mut Random, reach: f64) -> DVec3 {
 }
 
 #[test]
-fn the_near_plane_takes_pixels_away_and_changes_none() {
+fn the_near_plane_removes_pixels_and_changes_none() {
     let mut random = Random(9);
     let mut taken = 0;
     for _ in 0..60 {
@@ -80,11 +80,11 @@ fn the_near_plane_takes_pixels_away_and_changes_none() {
             }
         }
     }
-    assert!(taken > 10_000, "{taken} pixels were taken away");
+    assert!(taken > 10_000, "{taken} pixels were removed");
 }
 
 #[test]
-fn needles_and_sheets_have_colours_that_their_lights_can_make() {
+fn needles_and_sheets_have_colours_within_the_range_of_their_lights() {
     let mut random = Random(10);
     let mut covered = 0;
     for _ in 0..1000 {
@@ -105,7 +105,7 @@ fn needles_and_sheets_have_colours_that_their_lights_can_make() {
                 covered += frame.counts().covered_pixels;
                 let drawn = frame.levels().iter().zip(frame.triangles());
                 for (levels, _) in drawn.filter(|(_, id)| **id != NO_TRIANGLE) {
-                    // A pixel's centre may lie outside the face by what snapping moved it: a 128th of it at most.
+                    // Snapping may put a pixel centre outside the face, by at most a 128th of the face.
                     let within = levels.iter().all(|level| (-0.8..=100.8).contains(level));
                     assert!(
                         within,
@@ -136,8 +136,8 @@ fn no_level_is_ever_undefined() {
     }
 }
 
-/// One to three cuboids and up to four lights: sizes, places, materials, lights and cameras from the ends of what the
-/// scene format allows.
+/// One to three cuboids and up to four lights, with sizes, positions, materials, lights and cameras from the limits of
+/// the scene format.
 fn extreme_scene(random: &mut Random) -> (World, View) {
     fn pick<T: Copy>(random: &mut Random, choices: &[T]) -> T {
         choices[random.within(0.0, choices.len() as f64) as usize]

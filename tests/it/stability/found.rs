@@ -1,4 +1,4 @@
-//! What fuzzing found.
+//! Faults found by fuzzing.
 
 use glam::DVec3;
 use shadetrade::components::{
@@ -8,10 +8,10 @@ use shadetrade::frame::Keep;
 
 use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
 
-/// A slope that is infinite in f32 times a reach of zero: a tile of one pixel, on the corner where the bright one's share
-/// is nothing.
+/// An infinite slope in f32 times a reach of zero gave NaN: a tile of one pixel, on a corner where the weight of the
+/// bright corner is 0.
 #[test]
-fn on_a_corner_that_no_other_reaches_every_level_is_defined() {
+fn on_a_corner_without_weight_of_others_every_level_is_defined() {
     for bright in [1e30, 1e60, 1e90] {
         let mut world = empty();
         let material = Material {
@@ -48,10 +48,10 @@ fn on_a_corner_that_no_other_reaches_every_level_is_defined() {
     }
 }
 
-/// Between a corner brighter than f32 can hold and a dark one the colour is some multiple of the former; where a tile has
-/// a single pixel, that multiple is zero and the slope beside it infinite.
+/// Between a corner brighter than f32 can hold and a dark one, the colour is a multiple of the former. In a tile of one
+/// pixel that multiple is 0 and the slope is infinite.
 #[test]
-fn beside_a_corner_brighter_than_floats_can_hold_every_level_is_defined() {
+fn beside_a_corner_beyond_f32_every_level_is_defined() {
     for bright in [1e37, 1e39, 1e60] {
         let material = Material {
             ambient: DVec3::ONE,
@@ -72,7 +72,7 @@ fn beside_a_corner_brighter_than_floats_can_hold_every_level_is_defined() {
     }
 }
 
-/// A floor so large that cutting it leaves f64 nothing of where the guard band was: no vertex may leave it again.
+/// On a floor this large, clipping in f64 loses the bounds of the guard band. No vertex may leave it.
 #[test]
 fn the_largest_floors_stay_in_the_guard_band() {
     for thickness in [1e-9, 0.5, 1e9] {
@@ -107,10 +107,10 @@ fn the_largest_floors_stay_in_the_guard_band() {
     }
 }
 
-/// Ever so many cuboids away rounding moves a silhouette by its own size: the shortcut's vectors, carried on beyond their
-/// triangle, are longer than one, and a large exponent makes infinity of the excess.
+/// At this distance rounding moves a silhouette by its own size. Outside their triangle the vectors of the shortcut are
+/// longer than one, and a large exponent overflows.
 #[test]
-fn the_shortcut_is_defined_beside_its_triangles() {
+fn the_shortcut_is_defined_outside_its_triangles() {
     let mut world = empty();
     let material = Material {
         ambient: DVec3::ZERO,

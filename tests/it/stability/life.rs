@@ -1,4 +1,4 @@
-//! A still life of three cuboids that cross each other, under five lights, and all ways to look at it.
+//! A scene of three intersecting cuboids under five lights, and all ways to draw it.
 
 use glam::DVec3;
 use hecs::World;
@@ -7,7 +7,7 @@ use shadetrade::frame::Frame;
 
 use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view};
 
-/// As many of the cuboids as are asked for, one to three, and the lights.
+/// The first `count` of the three cuboids, and the lights.
 pub fn still_life(cuboids: usize) -> World {
     let mut world = empty();
     let material = |shininess: f64| Material {
@@ -78,7 +78,7 @@ pub fn still_life(cuboids: usize) -> World {
     world
 }
 
-/// The whole of it in every projection and mode, exactly and within half a level and four.
+/// Views of it in every projection and mode, at tolerances 0, 0.5 and 4.
 pub fn views(size: [usize; 2]) -> Vec<View> {
     let mut views = Vec::new();
     for projection in [Projection::Perspective, Projection::Orthographic] {
@@ -100,7 +100,7 @@ pub fn views(size: [usize; 2]) -> Vec<View> {
     views
 }
 
-/// Everything a frame holds, floats as their bits.
+/// All buffers of a frame, floats as their bits.
 #[derive(PartialEq, Eq)]
 pub struct Bits {
     pub pixels: Vec<u32>,

@@ -1,5 +1,5 @@
-//! A frame that has been drawn once takes no more memory, whatever is drawn next at that size; and saving it takes little
-//! more than its bytes.
+//! A frame that has been drawn once allocates no more memory for further pictures of that size. Saving it allocates
+//! little more than its bytes.
 
 use allocation_counter::measure;
 use fearless_simd::Level;
@@ -18,7 +18,7 @@ fn a_warm_frame_on_one_thread_allocates_nothing() {
             let workers = Workers::new(1, Level::new()).expect("one thread is always there");
             let mut frame = Frame::new(keep, workers);
             let views = views([160, 120]);
-            // What a way of drawing keeps for its next frame, it takes for its first one.
+            // The first frame of each mode allocates the memory that is kept for later ones.
             for view in &views {
                 systems::draw(&mut world, view, &mut frame).expect("a small picture fits");
             }
@@ -42,11 +42,30 @@ fn a_warm_frame_on_one_thread_allocates_nothing() {
 }
 
 #[test]
-fn saving_a_picture_takes_its_bytes_and_what_becomes_of_them() {
+fn a_warm_frame_on_several_threads_allocates_nothing() {
+    let mut world = still_life(1);
+    let workers = Workers::new(2, Level::new()).expect("the system gives threads");
+    let mut frame = Frame::new(Keep::Display, workers);
+    let mut view = views([400, 320]).swap_remove(0);
+    // The cuboid is so large on the screen that several threads draw it.
+    view.viewpoint.camera.fov = 10.0;
+    systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
+    assert!(frame.counts().covered_pixels > 100_000);
+    let taken = measure(|| {
+        for _ in 0..20 {
+            systems::draw(&mut world, &view, &mut frame).expect("it fitted before");
+        }
+    });
+    // One block of rayon's queue of work, which holds some dozens of entries.
+    assert!(taken.count_total <= 1, "{taken:?}");
+}
+
+#[test]
+fn saving_a_picture_allocates_its_bytes_and_the_file() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let output = Output::File(folder.path().join("a.png"));
     let size = [1000, 2000];
-    // Noise: what is compressed is as large as the picture.
+    // Noise, which cannot be compressed.
     let pixels: Vec<u32> = (0..2_000_000_u32)
         .map(|pixel| pixel.wrapping_mul(0x9e37_79b9) >> 8)
         .collect();

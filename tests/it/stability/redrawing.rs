@@ -1,4 +1,4 @@
-//! A frame that is drawn over another one is the one that would have been drawn afresh: nothing of the old picture stays.
+//! A frame drawn over another picture equals a fresh one: nothing of the old picture stays.
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -13,7 +13,8 @@ fn vector(random: &mut Random, size: f64) -> DVec3 {
     DVec3::from_array([0; 3].map(|_| random.within(-size, size)))
 }
 
-/// Afar, close by, with the near plane through the cuboid or the eye in it, along a face, past everything.
+/// Views from afar, from nearby, with the near plane through the cuboid, with the eye inside it, along a face, and past
+/// everything.
 fn view_from_anywhere(random: &mut Random) -> View {
     let eye = vector(random, 1.0) * 10.0_f64.powf(random.within(-0.5, 1.0));
     let target = vector(random, 1.5);
@@ -47,7 +48,7 @@ fn nothing_of_an_old_picture_stays() {
             let workers = Workers::new(threads, Level::new()).expect("threads are there");
             let mut frame = Frame::new(keep, workers);
             for _ in 0..400 {
-                // Thin ones too: what snapping turns over must not leave a gap either.
+                // Thin cuboids, too, whose faces snapping may turn over.
                 let thickness = 10.0_f64.powf(random.within(-5.0, 0.5));
                 let mut world = empty();
                 let place = Transform {

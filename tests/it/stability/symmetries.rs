@@ -1,7 +1,7 @@
-//! What may be exchanged without the picture changing, on random scenes: the order of cuboids and of lights, a light for
-//! its two halves, a scene and picture for their mirror images, a cuboid for the same one written another way.
+//! Symmetries of random scenes: the order of cuboids and of lights, a light and its two halves, a scene and its mirror
+//! image, and a cuboid written in another way.
 //!
-//! `SHADETRADE_CASES` sets how many scenes each test draws (64 if unset).
+//! `SHADETRADE_CASES` sets the number of scenes of each test (default 64).
 
 use std::ops::Range;
 
@@ -17,10 +17,10 @@ use crate::support::scene::{draw, empty, spawn_cuboid, spawn_light, view};
 
 const SIZE: [usize; 2] = [65, 48];
 
-/// What two exact pictures may differ by: either errs by 0.05 level at most.
+/// The largest difference of two exact pictures: each errs by at most 0.05 level.
 const TWICE_EXACT: f64 = 0.1;
 
-/// Pixels on outlines that rounding of the snapped corners may give to the neighbour: a few of some 400.
+/// The number of outline pixels that rounding of the snapped corners may move: a few of some 400.
 const SNAPPED: usize = 12;
 
 #[derive(Clone, Debug)]
@@ -125,12 +125,12 @@ fn config() -> ProptestConfig {
     }
 }
 
-/// Nothing is exchanged.
+/// The identity.
 fn same<T>(what: T) -> T {
     what
 }
 
-/// The largest difference of two pixels as displayed, in levels.
+/// The largest difference of two pixels in displayed levels.
 fn difference(a: [f32; 3], b: [f32; 3]) -> f64 {
     let shown = |level: f32| f64::from(level).clamp(0.0, 255.0);
     let channels = a.into_iter().zip(b);
@@ -139,16 +139,16 @@ fn difference(a: [f32; 3], b: [f32; 3]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// What a scene looks like, and the triangles that lines of sight through the pixels' centres meet.
+/// The picture of a scene, and the triangles that the lines of sight through pixel centres hit.
 fn drawn(scene: &Scene) -> (Frame, Vec<u32>) {
     let rows = 0..SIZE[1];
     let truth = picture(&scene.world(), &scene.view, rows, &|| false, &|_| ());
     (scene.draw(), truth.expect("it is not cancelled").triangles)
 }
 
-/// Asserts that two scenes show the same faces but for a few pixels of edges, and levels within [`TWICE_EXACT`] wherever
-/// both pixels' centres lie in the triangle shown. `pixel` gives the second picture's pixel for one of the first, `face`
-/// the first's face for one of the second.
+/// Asserts that two scenes show the same faces except at a few pixels of edges, and levels within [`TWICE_EXACT`] where
+/// both pixel centres lie in the visible triangle. `pixel` maps a pixel of the first picture to the second, `face` a
+/// face of the second to the first.
 fn alike(
     first: &Scene,
     second: &Scene,
@@ -169,7 +169,7 @@ fn alike(
             compared += 1;
         }
     }
-    prop_assert!(astray <= SNAPPED, "{astray} pixels see something else");
+    prop_assert!(astray <= SNAPPED, "{astray} pixels show another face");
     prop_assert!(compared >= 10 * astray, "{compared} pixels are compared");
     Ok(())
 }
@@ -192,7 +192,7 @@ proptest! {
             let cuboids = order.iter().map(|&from| scene.cuboids[from].clone()).collect();
             let second = Scene { cuboids, ..scene.clone() }.draw();
             for (pixel, id) in second.triangles().iter().enumerate() {
-                // Random cuboids tie in no pixel's depth.
+                // The depths of random cuboids do not tie.
                 let expected = match *id {
                     NO_TRIANGLE => NO_TRIANGLE,
                     id => order[id as usize / 12] as u32 * 12 + id % 12,
@@ -205,7 +205,7 @@ proptest! {
     }
 
     #[test]
-    fn the_order_of_lights_changes_nothing_beyond_rounding(
+    fn the_order_of_lights_changes_only_rounding(
         (scene, lamps) in scene().prop_flat_map(|scene| {
             let lamps = Just(scene.lamps.clone()).prop_shuffle();
             (Just(scene), lamps)
@@ -238,7 +238,7 @@ proptest! {
         let mut mirrored = scene.clone();
         for cuboid in &mut mirrored.cuboids {
             cuboid.transform.position = mirror(cuboid.transform.position);
-            // Turning about the mirror's normal stays, about the axes in the mirror it is reversed.
+            // A rotation about the mirror's normal stays, a rotation about an axis in the mirror is reversed.
             cuboid.transform.rotation = -mirror(cuboid.transform.rotation);
         }
         for lamp in &mut mirrored.lamps {
@@ -247,7 +247,7 @@ proptest! {
         let viewpoint = &mut mirrored.view.viewpoint;
         viewpoint.position = mirror(viewpoint.position);
         viewpoint.camera.target = mirror(viewpoint.camera.target);
-        // +x and -x change places.
+        // Swaps +x and -x.
         let exchanged = |face: u32| if face < 2 { 1 - face } else { face };
         let [width, _] = SIZE;
         let across = |pixel: usize| pixel - pixel % width + (width - 1 - pixel % width);
@@ -256,7 +256,8 @@ proptest! {
 
     #[test]
     fn a_cuboid_written_another_way_is_the_same_picture(scene in scene(), quarters in 1..4_u8) {
-        // Turned about its own x axis, which its rotation does first; its corners and triangles come in another order.
+        // Rotated about its own x axis, which its rotation applies first. Its corners and triangles then have another
+        // order.
         let scene = scene.in_mode(ShadingMode::Phong);
         let mut rewritten = scene.clone();
         for cuboid in &mut rewritten.cuboids {
@@ -266,13 +267,13 @@ proptest! {
                 cuboid.size = DVec3::new(x, z, y);
             }
         }
-        // A quarter puts what was +y, +z, -y, -z where +z, -y, -z, +y are: faces 2, 4, 3, 5 in a ring.
+        // A quarter turn moves +y, +z, -y, -z to +z, -y, -z, +y: faces 2, 4, 3, 5 in a ring.
         let turned = |face: u32| (0..quarters).fold(face, |face, _| [0, 1, 4, 5, 3, 2][face as usize]);
         alike(&scene, &rewritten, same, turned)?;
     }
 
     #[test]
-    fn any_rows_of_a_picture_are_those_of_the_whole(
+    fn some_rows_of_a_picture_equal_those_of_the_whole(
         scene in scene(),
         mode in prop::sample::select(vec![ShadingMode::Gouraud, ShadingMode::Phong]),
         [start, end] in [0..SIZE[1], 0..SIZE[1]],

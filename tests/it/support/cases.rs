@@ -1,6 +1,6 @@
-//! How many random cases a test tries.
+//! The number of random cases of a test.
 
-/// `SHADETRADE_CASES`, or so many where it is not set.
+/// `SHADETRADE_CASES`, or `unset` if it is not set.
 pub fn cases(unset: usize) -> usize {
     std::env::var("SHADETRADE_CASES").map_or(unset, |cases| {
         cases.parse().expect("SHADETRADE_CASES is a number")

@@ -1,6 +1,6 @@
-//! Random numbers that are the same on every machine (splitmix64; Steele, Lea and Flood 2014).
+//! Random numbers that are equal on every machine (splitmix64; Steele, Lea and Flood 2014).
 
-/// A stream of them, named by its seed.
+/// A stream of random numbers, given by its seed.
 pub struct Random(pub u64);
 
 impl Random {
@@ -12,7 +12,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Evenly from `from` up to, but not including, `to`.
+    /// A number in `from..to`, evenly distributed.
     pub fn within(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
     }

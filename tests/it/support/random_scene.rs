@@ -1,4 +1,4 @@
-//! Random scenes: a few cuboids, lights anywhere, just over faces and where highlights are, and a look at them.
+//! Random scenes of a few cuboids, with lights anywhere, just above faces and at highlights, and a view of them.
 
 use glam::DVec3;
 use hecs::World;
@@ -8,7 +8,7 @@ use shadetrade::components::{
     View, Viewpoint, cuboid as components_of, length, unit,
 };
 
-/// Lengths in all but `cuboids` are in multiples of the first cuboid's radius, places from its centre.
+/// Lengths are in multiples of the first cuboid's radius and positions relative to its centre, except in `cuboids`.
 #[derive(Clone, Debug)]
 pub struct Case {
     offset: DVec3,
@@ -42,12 +42,12 @@ struct Lamp {
 
 #[derive(Clone, Debug)]
 enum Place {
-    /// In multiples of the radius, from the centre.
+    /// Relative to the centre, in multiples of the radius.
     Anywhere(DVec3),
-    /// Over a face of the first cuboid: the axis it crosses, where on it (-1..1), and how high in multiples of the
-    /// radius.
+    /// Above a face of the first cuboid: the axis perpendicular to it, the position on it (-1..1), and the height in
+    /// multiples of the radius.
     OverFace(usize, DVec3, f64),
-    /// Where a place like that, on the face, mirrors it to the eye, and how far from it.
+    /// Where a point of the face, given likewise, reflects it to the eye, at this distance from the point.
     InMirror(usize, DVec3, f64),
 }
 
@@ -106,7 +106,7 @@ fn lamp() -> impl Strategy<Value = Lamp> {
     })
 }
 
-/// A random scene in one mode.
+/// A random scene in one shading mode.
 pub fn case(mode: ShadingMode) -> impl Strategy<Value = Case> {
     let offset = prop_oneof![3 => Just(DVec3::ZERO), 1 => vector(1e6)];
     let things = (
@@ -151,7 +151,7 @@ pub fn case(mode: ShadingMode) -> impl Strategy<Value = Case> {
 }
 
 impl Case {
-    /// The scene and how it is looked at.
+    /// The scene and a view of it.
     pub fn build(&self, size: [usize; 2], tolerance: f64) -> (World, View) {
         let first = &self.cuboids[0];
         let radius = first.size.length() / 2.0;
@@ -267,12 +267,12 @@ pub enum Number {
     Height,
     Near,
     Background,
-    /// How high the eye is over a face, which it looks along or down at: of no key, but what several make together.
+    /// The height of the eye above a face, which it looks along or down at: not a key, but a combination of several.
     Gap,
 }
 
 impl Number {
-    /// The last one as often as five others.
+    /// Chooses the last one as often as five others.
     const ALL: [Number; 23] = [
         Number::Size,
         Number::Position,
@@ -299,7 +299,7 @@ impl Number {
         Number::Gap,
     ];
 
-    /// The least size above 0 and the largest that the scene format allows.
+    /// The least length above 0 and the largest that the scene format allows.
     fn sizes(self) -> [f64; 2] {
         match self {
             Number::Size | Number::Height | Number::Near => [1e-100, 1e100],
@@ -338,17 +338,18 @@ impl Number {
     }
 }
 
-/// A number of a scene, of any size that the scene format allows.
+/// A number of a scene, of any magnitude that the scene format allows.
 #[derive(Clone, Debug)]
 pub struct Extreme {
     pub number: Number,
-    /// Of which cuboid or light, counted round, and which of three.
+    /// The index of the cuboid or light, modulo their number, and of the channel or axis.
     index: usize,
     axis: usize,
     pub value: f64,
 }
 
-/// A number drawn by magnitude: nothing, the least, the largest, or evenly in the logarithm over all sizes or the usual ones.
+/// A number by magnitude: 0, the least, the largest, or evenly distributed in the logarithm over all or the usual
+/// magnitudes.
 pub fn extreme() -> impl Strategy<Value = Extreme> {
     let value = (0..10_u32, 0.0..=1.0, any::<bool>());
     let place = (0..Number::ALL.len(), 0..6_usize, 0..3_usize);
@@ -381,7 +382,7 @@ pub fn extreme() -> impl Strategy<Value = Extreme> {
 }
 
 impl Extreme {
-    /// Sets the number, where the scene has it.
+    /// Sets the number if the scene has it.
     pub fn apply(&self, world: &mut World, view: &mut View) {
         let Extreme {
             number,

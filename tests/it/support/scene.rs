@@ -1,4 +1,4 @@
-//! Worlds built by hand, as a scene file would have them, and pictures of them.
+//! Worlds built by hand with the components of a scene file, and pictures of them.
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -11,12 +11,12 @@ use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
 use shadetrade::systems;
 
-/// A world without anything in it.
+/// An empty world.
 pub fn empty() -> World {
     World::new()
 }
 
-/// Adds a cuboid, shaded as the view says.
+/// Adds a cuboid, which is shaded as the view says.
 pub fn spawn_cuboid(world: &mut World, size: DVec3, transform: Transform, material: Material) {
     let order = world.query_mut::<&Mesh>().into_iter().count();
     let (name, mesh) = (Name("cuboid".into()), Mesh::cuboid(size));
@@ -30,7 +30,7 @@ pub fn spawn_cuboid(world: &mut World, size: DVec3, transform: Transform, materi
     ));
 }
 
-/// Adds a light that sends `levels` a channel.
+/// Adds a light of `levels` per channel.
 pub fn spawn_light(world: &mut World, kind: LightKind, levels: DVec3, position: DVec3) {
     let light = Light {
         kind,
@@ -43,12 +43,12 @@ pub fn spawn_light(world: &mut World, kind: LightKind, levels: DVec3, position: 
     world.spawn((Name(format!("{kind:?}")), order, at(position), light));
 }
 
-/// An unturned place.
+/// A position without rotation.
 pub fn at(position: DVec3) -> Transform {
     Transform::at(position)
 }
 
-/// From `eye` towards `target`, 30 degrees or 6 units high, at tolerance 0.
+/// A view from `eye` towards `target`, 30 degrees or 6 units high, at tolerance 0.
 pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection) -> View {
     let camera = Camera {
         target,
@@ -71,7 +71,7 @@ pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection)
     }
 }
 
-/// What a camera of the scene sees, counted from 0 in file order, at tolerance 0.
+/// The view of the camera with this index in the file, at tolerance 0.
 pub fn view_from(scene: &Scene, camera: usize, size: [usize; 2]) -> View {
     View {
         viewpoint: Viewpoint::of(&scene.world, ordered::<Camera>(&scene.world)[camera]),
@@ -79,7 +79,7 @@ pub fn view_from(scene: &Scene, camera: usize, size: [usize; 2]) -> View {
     }
 }
 
-/// A picture drawn by the calling thread alone, with the best SIMD level there is.
+/// A picture drawn by the calling thread at the best SIMD level.
 pub fn draw(world: &mut World, view: &View, keep: Keep) -> Frame {
     let workers = Workers::new(1, Level::new()).expect("one thread is always there");
     let mut frame = Frame::new(keep, workers);

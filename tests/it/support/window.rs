@@ -1,4 +1,4 @@
-//! The window without a display, and the places of its widgets by their labels.
+//! The window without a display, and the positions of its widgets by label.
 
 use egui::accesskit::Role;
 use egui::{Pos2, UiBuilder};
@@ -14,7 +14,7 @@ pub fn default_scene() -> Scene {
     Scene::load(None).expect("the built-in scene is valid")
 }
 
-/// The window on `scene`; questions about its picture are answered at once.
+/// A window on `scene`. Its questions about the picture are answered at once.
 pub fn app(scene: Scene, size: [usize; 2], level: Level) -> App {
     let drawing = Drawing {
         scene,
@@ -27,7 +27,7 @@ pub fn app(scene: Scene, size: [usize; 2], level: Level) -> App {
     app
 }
 
-/// The widgets of a window of `size`, laid out as in the window itself.
+/// The widgets of a window of `size` pixels, with the layout of the real window.
 pub fn widgets(app: App, size: [usize; 2]) -> Harness<'static, App> {
     let builder = Harness::builder().with_size(size.map(|side| side as f32));
     let mut harness = builder.build_ui_state(
@@ -42,7 +42,7 @@ pub fn widgets(app: App, size: [usize; 2]) -> Harness<'static, App> {
     harness
 }
 
-/// The middle of each widget of this label, without the key beside it.
+/// The centre of each widget with this label, without the key beside it.
 pub fn places(harness: &Harness<App>, label: &str) -> Vec<Pos2> {
     let is_named = |own: &str| {
         own.strip_prefix(label)

@@ -1,4 +1,4 @@
-//! The stages together.
+//! All stages together.
 
 use allocation_counter::measure;
 use glam::{DVec3, dvec3};
@@ -37,7 +37,7 @@ fn two_lit_cuboids() -> World {
 }
 
 #[test]
-fn every_stage_is_told_of_once_and_in_order_and_draws_the_same_picture() {
+fn every_stage_is_reported_once_in_order_and_draws_the_same_picture() {
     let view = ahead(Projection::Perspective, [60, 40]);
     let (mut plain, mut staged) = (empty_frame(), empty_frame());
     systems::draw(&mut two_lit_cuboids(), &view, &mut plain).expect("a small picture fits");
@@ -65,7 +65,7 @@ fn a_second_frame_is_the_same_and_takes_no_memory() {
 }
 
 #[test]
-fn a_spun_and_orbited_scene_is_the_scene_of_its_snapshot_for_the_renderer_and_the_reference() {
+fn renderer_and_reference_draw_a_spun_and_orbited_scene_like_its_snapshot() {
     let mut scene = Scene::load(None).expect("the built-in scene is valid");
     let spin = Spin {
         degrees: 77,

@@ -1,4 +1,4 @@
-//! Lights in, the frame's illumination and the model at the vertices out.
+//! Lighting: the illumination of a frame, and the model at the vertices.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
@@ -20,7 +20,7 @@ fn run(world: &mut World, view: &View) -> Frame {
     frame
 }
 
-/// The colours of the corners of an upright cube of two units about the origin, lit by these lights; and the frame.
+/// The colours at the corners of an upright cube of two units at the origin under these lights, and the frame.
 fn cube(lights: &[(DVec3, Light)], mode: ShadingMode, view: &View) -> ([DVec3; 8], Frame) {
     let mut world = World::new();
     let size = DVec3::splat(2.0);
@@ -37,7 +37,7 @@ fn cube(lights: &[(DVec3, Light)], mode: ShadingMode, view: &View) -> ([DVec3; 8
 }
 
 #[test]
-fn a_light_that_is_off_appears_nowhere_and_lights_at_one_place_are_one() {
+fn a_light_that_is_off_is_left_out_and_lights_at_one_place_are_one() {
     let off = |kind| Light {
         on: false,
         ..light(kind, 1e3)
@@ -68,7 +68,7 @@ fn a_light_that_is_off_appears_nowhere_and_lights_at_one_place_are_one() {
 }
 
 #[test]
-fn what_was_lit_before_a_light_went_off_is_forgotten() {
+fn vertex_colours_are_computed_anew_after_a_light_went_off() {
     let view = ahead(Projection::Perspective, [8, 8]);
     let mut world = World::new();
     world.spawn((at(DVec3::X), light(LightKind::Diffuse, 10.0)));
@@ -113,9 +113,9 @@ fn gouraud_s_vertex_colours_are_the_model_at_the_vertices() {
     // At - + +: l = (2, 0, 4) / sqrt 20, n.l = 2 / sqrt 60, r = (-10, 4, -8) / (3 sqrt 20): o.r < 0.
     let expected = DVec3::splat(50.0 * 2.0 / 60.0_f64.sqrt());
     assert!(orthographic[6].abs_diff_eq(expected, 1e-12));
-    // The lower four corners look away.
+    // The lower four corners face away from the lights.
     assert_eq!(perspective[..4], [DVec3::ZERO; 4]);
-    // Eight corners, and at each one light that has a highlight.
+    // Eight corners with one highlight each.
     let counts = frame.counts();
     assert_eq!(
         (counts.model_evaluations, counts.specular_evaluations),
@@ -124,7 +124,7 @@ fn gouraud_s_vertex_colours_are_the_model_at_the_vertices() {
 }
 
 #[test]
-fn a_vertex_in_the_mirror_of_the_light_shows_the_highlight_from_where_the_eye_is() {
+fn a_vertex_that_reflects_the_light_to_the_eye_shows_the_highlight() {
     // At + + + r = (2, 2, -1) / 3: see above.
     let over = dvec3(1.0, 1.0, 5.0);
     let lights = [(over, light(LightKind::Specular, 100.0))];
@@ -140,13 +140,13 @@ fn a_vertex_in_the_mirror_of_the_light_shows_the_highlight_from_where_the_eye_is
 }
 
 #[test]
-fn what_phong_draws_has_no_vertex_colours() {
+fn a_cuboid_under_phong_has_no_vertex_colours() {
     let lights = [(DVec3::ZERO, light(LightKind::Ambient, 200.0))];
     let view = ahead(Projection::Perspective, [8, 8]);
     let (colors, frame) = cube(&lights, ShadingMode::Phong, &view);
     assert_eq!(colors, [DVec3::ZERO; 8]);
     assert_eq!(frame.counts().model_evaluations, 0);
-    // Unless a measurement asks for Gouraud.
+    // Except if the view overrides the mode with Gouraud.
     let asked = View {
         shading: Some(ShadingMode::Gouraud),
         ..view

@@ -1,4 +1,4 @@
-//! Meshes and places in, vertex normals out.
+//! Normals: vertex normals in world space from mesh and placement.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
@@ -23,7 +23,7 @@ fn run<const N: usize>(cuboids: [(Transform, DVec3); N]) -> [[DVec3; 8]; N] {
 }
 
 #[test]
-fn a_corner_of_an_upright_cuboid_points_along_its_signs_whatever_its_proportions() {
+fn a_corner_normal_of_an_upright_cuboid_has_its_signs_for_any_proportions() {
     let third = 1.0 / 3.0_f64.sqrt();
     for size in [
         DVec3::ONE,
@@ -56,7 +56,7 @@ fn normals_turn_with_their_own_cuboid() {
 }
 
 #[test]
-fn normals_are_of_length_one_however_a_cuboid_is_turned() {
+fn normals_of_a_rotated_cuboid_have_length_one() {
     let mut random = Random(2);
     for _ in 0..100 {
         let rotation = [(); 3].map(|()| random.within(-720.0, 720.0)).into();

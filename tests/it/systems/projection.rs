@@ -1,4 +1,4 @@
-//! Places and meshes in, screen polygons out.
+//! Projection: screen polygons from mesh and placement.
 
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
@@ -9,7 +9,7 @@ use shadetrade::systems::{self, projection};
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, spawn_cuboid};
 
-/// Of the two triangles of face +z, the first: corners 4, 5 and 7.
+/// The first triangle of face +z: corners 4, 5 and 7.
 const FRONT: usize = 8;
 
 fn spawn(world: &mut World, position: DVec3, size: DVec3) -> Entity {
@@ -23,7 +23,7 @@ fn run(world: &mut World, view: &View) {
     projection::run(world, view, &mut frame);
 }
 
-/// What is seen of one cuboid.
+/// The screen polygons of one cuboid.
 fn seen(position: DVec3, size: DVec3, view: &View) -> Projected {
     let mut world = World::new();
     let cuboid = spawn(&mut world, position, size);
@@ -32,7 +32,7 @@ fn seen(position: DVec3, size: DVec3, view: &View) -> Projected {
 }
 
 #[test]
-fn a_corner_on_the_optical_axis_is_the_middle_of_the_picture() {
+fn a_corner_on_the_optical_axis_is_projected_to_the_middle_of_the_picture() {
     for projection in PROJECTIONS {
         // Corner 4 of face +z, at -x and -y, is the origin.
         let position = dvec3(1.0, 1.0, -1.0);
@@ -44,7 +44,7 @@ fn a_corner_on_the_optical_axis_is_the_middle_of_the_picture() {
 }
 
 #[test]
-fn half_of_what_is_seen_vertically_is_the_edge_of_the_picture() {
+fn half_the_vertical_field_of_view_is_the_edge_of_the_picture() {
     for fov in [1.0, 30.0, 90.0, 126.87, 170.0] {
         let mut perspective = ahead(Projection::Perspective, [300, 200]);
         perspective.viewpoint.camera.fov = fov;
@@ -75,8 +75,8 @@ fn a_cuboid_behind_the_near_plane_leaves_no_polygon() {
             seen.polygons.iter().any(|polygon| polygon.len > 0)
         };
         // The eye is at z = 10, the near plane at z = 9.
-        assert!(drawn(DVec3::Z * 7.9), "before the near plane");
-        // Cut by it, of the four other faces one is seen, if it is not edge-on.
+        assert!(drawn(DVec3::Z * 7.9), "nearer than the near plane");
+        // Clipped by it, one of the four other faces is visible, unless it is edge-on.
         let perspective = projection == Projection::Perspective;
         assert_eq!(drawn(dvec3(2.0, 0.0, 9.0)), perspective);
         for beyond in [10.1, 15.0, 1e9] {
@@ -86,7 +86,7 @@ fn a_cuboid_behind_the_near_plane_leaves_no_polygon() {
 }
 
 #[test]
-fn what_was_seen_before_a_cuboid_moved_is_forgotten() {
+fn polygons_are_computed_anew_after_a_cuboid_moved() {
     let view = ahead(Projection::Perspective, [300, 200]);
     let mut world = World::new();
     let cuboids = [DVec3::ZERO, DVec3::X].map(|at| spawn(&mut world, at, DVec3::ONE));
@@ -104,8 +104,8 @@ fn what_was_seen_before_a_cuboid_moved_is_forgotten() {
 }
 
 #[test]
-fn a_face_is_seen_everywhere_however_little_of_it_is() {
-    // What is seen is smaller than the rounding of the places that are looked at.
+fn a_face_is_drawn_everywhere_even_if_its_visible_part_is_tiny() {
+    // The visible part is smaller than the rounding of its position.
     for least in [1e-10, 1e-15, 1e-17, 1e-20, 1e-22, 1e-25, 1e-50, 1e-100] {
         for projection in PROJECTIONS {
             for (rotation, target) in [

@@ -1,4 +1,4 @@
-//! Screen polygons in, shaded pixels out.
+//! Rasterization: shaded pixels from screen polygons.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
@@ -14,7 +14,7 @@ use shadetrade::{reference, systems};
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, spawn_cuboid};
 
-/// A cube of two units that is so many levels in red under an ambient light of one level.
+/// A cube of two units with this many levels of red under an ambient light of one level.
 fn flat_cube(world: &mut World, order: usize, position: DVec3, levels: f64) {
     let material = Material {
         ambient: DVec3::X * levels,
@@ -37,7 +37,7 @@ fn draw(world: &mut World, view: &View) -> Frame {
     frame
 }
 
-/// The level in red and the cuboid seen in the middle of a picture of 9 x 9 pixels.
+/// The red level and the visible cuboid in the middle of a picture of 9 x 9 pixels.
 fn middle(world: &mut World, projection: Projection) -> (f32, u32) {
     world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 1.0)));
     let frame = draw(world, &ahead(projection, [9, 9]));
@@ -45,7 +45,7 @@ fn middle(world: &mut World, projection: Projection) -> (f32, u32) {
 }
 
 #[test]
-fn a_face_of_so_many_pixels_covers_so_many_pixels() {
+fn a_face_of_60_x_40_pixels_covers_2400() {
     // 20 units over 200 rows are ten pixels a unit: the face of 6 x 4 units is 60 x 40 pixels.
     let mut world = World::new();
     let size = dvec3(6.0, 4.0, 2.0);
@@ -63,7 +63,7 @@ fn a_face_of_so_many_pixels_covers_so_many_pixels() {
 }
 
 #[test]
-fn the_nearer_cuboid_is_seen_whichever_is_earlier_in_the_file() {
+fn the_nearer_cuboid_is_visible_in_any_order_of_the_file() {
     for projection in PROJECTIONS {
         for (near, far) in [(0, 1), (1, 0)] {
             let mut world = World::new();
@@ -75,7 +75,7 @@ fn the_nearer_cuboid_is_seen_whichever_is_earlier_in_the_file() {
 }
 
 #[test]
-fn at_one_depth_the_cuboid_earlier_in_the_file_is_seen_whichever_was_spawned_first() {
+fn at_equal_depth_the_cuboid_earlier_in_the_file_is_visible_in_any_order_of_spawning() {
     for projection in PROJECTIONS {
         for spawned in [[0, 1], [1, 0]] {
             let mut world = World::new();
@@ -87,7 +87,7 @@ fn at_one_depth_the_cuboid_earlier_in_the_file_is_seen_whichever_was_spawned_fir
     }
 }
 
-/// Of a crowd in which cuboids reach into one another and two share a face.
+/// A group of cuboids, some of which intersect, and two of which share a face.
 fn crowd(spawned: [usize; 4]) -> World {
     let places = [
         [0.0; 3],
@@ -119,11 +119,11 @@ fn crowd(spawned: [usize; 4]) -> World {
     world
 }
 
-/// A component that nothing draws: to have one moves an entity to the end of another table of hecs.
+/// A component that no system reads. Adding it moves an entity to another archetype of hecs.
 struct Selected;
 
 #[test]
-fn neither_spawning_nor_inserted_components_change_a_picture_or_its_triangles() {
+fn order_of_spawning_and_extra_components_do_not_change_a_picture() {
     for projection in PROJECTIONS {
         let mut view = ahead(projection, [90, 60]);
         view.viewpoint.camera.fov = 40.0;
@@ -154,14 +154,14 @@ fn neither_spawning_nor_inserted_components_change_a_picture_or_its_triangles() 
 }
 
 #[test]
-fn what_is_drawn_of_gouraud_are_the_vertex_colours() {
+fn gouraud_draws_the_vertex_colours() {
     for projection in PROJECTIONS {
         let view = ahead(projection, [300, 200]);
         let mut world = World::new();
         flat_cube(&mut world, 0, DVec3::ZERO, 50.0);
         let mut frame = draw(&mut world, &view);
         assert!(frame.levels().iter().all(|levels| levels[0] == 0.0), "dark");
-        // The bottom is at 0 levels, the top at 100.
+        // The bottom has 0 levels, the top 100.
         for colors in world.query_mut::<&mut VertexColors>() {
             colors.0 = std::array::from_fn(|corner| DVec3::X * [0.0, 100.0][corner >> 1 & 1]);
         }
@@ -186,7 +186,7 @@ fn what_is_drawn_of_gouraud_are_the_vertex_colours() {
     }
 }
 
-/// Whether any pixel, and whether every pixel that shows a triangle, is evaluated in f64.
+/// Whether any pixel, and whether every pixel with a triangle, is evaluated in f64.
 fn doubles(frame: &Frame) -> [bool; 2] {
     let seen = frame.triangles().iter().zip(frame.kinds());
     let kinds = seen.filter(|(id, _)| **id != NO_TRIANGLE);
@@ -196,9 +196,9 @@ fn doubles(frame: &Frame) -> [bool; 2] {
 }
 
 #[test]
-fn levels_are_evaluated_in_f64_where_the_roundings_of_f32_reach_a_twentieth_of_one() {
-    // A round-off is 2^-24: 50 of them are counted in Gouraud, and six of ambient light in Phong: two of the sum, one of its
-    // term and three of its display.
+fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_level() {
+    // A rounding error is 2^-24. Gouraud counts 50 of them. Ambient light under Phong counts six: two of the sum, one
+    // of its term and three of the display step.
     for (mode, roundings) in [(ShadingMode::Gouraud, 50.0), (ShadingMode::Phong, 6.0)] {
         let edge = 0.05 * 2.0_f64.powi(24) / roundings;
         for (size, share, expected) in [
@@ -219,8 +219,9 @@ fn levels_are_evaluated_in_f64_where_the_roundings_of_f32_reach_a_twentieth_of_o
 }
 
 #[test]
-fn a_grazing_light_takes_f64_only_where_its_highlight_is_cut_off() {
-    // n.l changes its sign on the front face. A light behind it shines along the face into the eye; one before it does not.
+fn a_grazing_light_needs_f64_only_where_its_highlight_ends_at_the_gate() {
+    // n.l changes its sign on the front face. A light behind the face has a highlight in the eye along it, a light in
+    // front has none.
     for (depth, expected) in [(-5.0, true), (5.0, false)] {
         for size in [[300, 200], [24, 16]] {
             let mut world = World::new();
@@ -236,7 +237,7 @@ fn a_grazing_light_takes_f64_only_where_its_highlight_is_cut_off() {
 }
 
 #[test]
-fn what_is_hidden_of_a_small_face_is_not_evaluated() {
+fn hidden_pixels_of_a_small_face_are_not_evaluated() {
     let counts = |cuboids: usize| {
         let mut world = World::new();
         for order in 0..cuboids {
@@ -254,8 +255,8 @@ fn what_is_hidden_of_a_small_face_is_not_evaluated() {
 }
 
 #[test]
-fn small_faces_of_every_size_cover_all_of_their_pixels() {
-    // About what is drawn as one square of 16 x 16 pixels.
+fn small_faces_of_every_size_cover_all_their_pixels() {
+    // About the size that is drawn as one square of 16 x 16 pixels.
     for width in 14..=20_u32 {
         for height in 14..=20_u32 {
             let mut world = World::new();
@@ -272,7 +273,7 @@ fn small_faces_of_every_size_cover_all_of_their_pixels() {
 }
 
 #[test]
-fn of_faces_in_one_plane_the_cuboid_earlier_in_the_file_is_seen_whatever_rounding_makes_of_them() {
+fn of_coplanar_faces_the_cuboid_earlier_in_the_file_is_visible_despite_rounding() {
     let turned = Transform {
         rotation: dvec3(20.0, 30.0, 40.0),
         ..at(DVec3::ZERO)
@@ -303,8 +304,8 @@ fn of_faces_in_one_plane_the_cuboid_earlier_in_the_file_is_seen_whatever_roundin
 }
 
 #[test]
-fn of_a_bent_face_the_pixels_of_both_its_triangles_are_drawn_and_no_others() {
-    // The first corner is the notch between the second and the last: the upper rows have two spans.
+fn a_face_that_snapping_made_concave_covers_exactly_its_two_triangles() {
+    // The first corner is a notch between the second and the last, so the upper rows have two spans.
     let corners = [[6, 6], [1, 1], [6, 14], [11, 1]];
     for scale in [1, 3] {
         let view = ahead(Projection::Orthographic, [48, 48]);
@@ -337,7 +338,7 @@ fn of_a_bent_face_the_pixels_of_both_its_triangles_are_drawn_and_no_others() {
 }
 
 #[test]
-fn beyond_its_corners_a_face_is_no_farther_than_the_farthest_of_them() {
+fn beyond_its_corners_a_face_is_not_farther_than_its_farthest_corner() {
     // Two faces, from an edge at z = 1.4 to the sides at z = 0; behind them a wall whose front is at z = -0.05.
     let seen = |walls: usize| {
         let view = ahead(Projection::Orthographic, [200, 200]);
@@ -360,7 +361,7 @@ fn beyond_its_corners_a_face_is_no_farther_than_the_farthest_of_them() {
             );
         }
         let mut frame = draw(&mut world, &view);
-        // A fifth wider than they are: as planes they would go on behind the wall.
+        // A fifth wider than they are: the planes of the faces would continue behind the wall.
         for (order, projected) in world.query_mut::<(&FileOrder, &mut Projected)>() {
             if order.0 == 0 {
                 let vertices = projected

@@ -1,4 +1,4 @@
-//! Where cuboids stand once they have turned.
+//! Spin: the placement of cuboids after they have turned.
 
 use glam::{DMat3, DQuat, DVec3, dvec3};
 use hecs::World;
@@ -8,7 +8,7 @@ use shadetrade::systems::spin;
 use super::{ahead, at, empty_frame, place, read};
 use crate::support::random::Random;
 
-/// The place of a cuboid that has turned by so many degrees, and the transform that is left.
+/// The placement of a cuboid that has turned by this many degrees, and its transform after that.
 fn run(transform: Transform, degrees: u32) -> (WorldTransform, Transform) {
     let mut world = World::new();
     let cuboid = world.spawn((transform, WorldTransform::default()));
@@ -21,7 +21,7 @@ fn run(transform: Transform, degrees: u32) -> (WorldTransform, Transform) {
 }
 
 #[test]
-fn a_cuboid_that_has_not_turned_stands_as_the_scene_says() {
+fn a_cuboid_without_turn_has_the_placement_of_the_scene() {
     let transform = Transform {
         position: dvec3(1.0, 2.0, 3.0),
         rotation: dvec3(10.5, 20.0, 30.0),
@@ -69,7 +69,7 @@ fn a_spin_is_a_rotation_about_x_before_the_scene_s_own() {
 }
 
 #[test]
-fn what_lacks_a_transform_or_a_place_is_left_alone() {
+fn an_entity_without_transform_or_placement_is_not_changed() {
     let mut world = World::new();
     let placed = place(at(DVec3::ONE));
     let without_transform = world.spawn((placed,));

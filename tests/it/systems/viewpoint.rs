@@ -1,4 +1,4 @@
-//! What the viewer asks for, cameras and their orbits, and the lens that a frame is seen through.
+//! Viewpoint: the view of the viewer, cameras and their orbits, and the lens of a frame.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
@@ -17,7 +17,7 @@ fn run(view: &View) -> Lens {
     frame.lens
 }
 
-/// Two cameras: the first ten units before the origin, the second ten to the right of it.
+/// Two cameras at a distance of ten from the origin: one in front of it, one to the right of it.
 const CAMERAS: &str = r#"
 [[cuboid]]
 name = "cube"
@@ -41,7 +41,7 @@ fov = 90.0
 height = 20.0
 "#;
 
-/// The lens of the scene's active camera once it was moved.
+/// The lens of the active camera with this orbit.
 fn moved(scene: &Scene, orbit: Orbit) -> Lens {
     let camera = active_camera(&scene.world);
     *scene
@@ -64,7 +64,7 @@ fn a_camera_that_looks_along_minus_z_has_x_to_the_right_and_y_up() {
 }
 
 #[test]
-fn the_field_of_view_or_the_height_is_shared_out_among_the_rows() {
+fn the_field_of_view_or_the_height_is_divided_by_the_rows() {
     // 90 degrees are two units at distance one; 20 units are 20 units.
     for (projection, seen) in PROJECTIONS.into_iter().zip([2.0, 20.0]) {
         for rows in [1, 200, 16384] {
@@ -105,7 +105,7 @@ fn zoom_is_a_factor_of_the_distance() {
 }
 
 #[test]
-fn one_camera_is_active_and_only_its_orbit_counts() {
+fn only_the_orbit_of_the_active_camera_counts() {
     let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
     let orbit = Orbit {
         elevation: 45.0,
@@ -123,7 +123,7 @@ fn one_camera_is_active_and_only_its_orbit_counts() {
 }
 
 #[test]
-fn where_the_active_camera_is_gone_the_first_is_looked_through() {
+fn without_its_active_camera_a_scene_uses_the_first() {
     let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
     scene.look_from("right").expect("it is there");
     let active = active_camera(&scene.world);
@@ -134,7 +134,7 @@ fn where_the_active_camera_is_gone_the_first_is_looked_through() {
 }
 
 #[test]
-fn a_view_is_what_the_viewer_asks_for() {
+fn a_view_has_the_components_of_the_viewer() {
     let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
     let view = View::of(&scene.world, [3, 2]);
     assert_eq!(
@@ -163,7 +163,7 @@ fn a_view_is_what_the_viewer_asks_for() {
 }
 
 #[test]
-fn a_view_s_mode_stands_in_for_every_cuboid_s_own() {
+fn the_mode_of_a_view_overrides_that_of_every_cuboid() {
     let view = ahead(Projection::Perspective, [3, 2]);
     for own in [ShadingMode::Gouraud, ShadingMode::Phong] {
         assert_eq!(view.mode(own), own);
@@ -174,9 +174,10 @@ fn a_view_s_mode_stands_in_for_every_cuboid_s_own() {
     assert_eq!(view.with_tolerance(3.0).tolerance, 3.0);
 }
 
-/// Ten units from a cube of one: the reach of its corner, and thirty times its size.
+/// At a distance of ten from a cube of size one: the nearest zoom is at its corner, the farthest at thirty times its
+/// size.
 #[test]
-fn steps_of_zoom_are_tenths_stop_at_the_limits_and_are_undone_exactly() {
+fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
     let scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
     let limits = Limits::of(&scene.world);
     let own = Orbit::default();
@@ -191,12 +192,12 @@ fn steps_of_zoom_are_tenths_stop_at_the_limits_and_are_undone_exactly() {
     let ends = [1000, -1000].map(|steps| own.zoomed(steps, &limits).zoom * 10.0);
     let closest = root / 2.0 * 1.001_002;
     assert!((closest..closest * 1.1).contains(&ends[0]), "{ends:?}");
-    // The height, twice the distance, ends it.
+    // The height at twice the distance is the limit.
     assert!(
         (15.0 * root / 1.1..=15.0 * root).contains(&ends[1]),
         "{ends:?}"
     );
-    // A file may put a camera where keys would not.
+    // A file may place a camera beyond the limits of the keys.
     let outside = Orbit { zoom: 50.0, ..own };
     assert!(outside.zoomed(1, &limits).zoom < 50.0);
     assert_eq!(outside.zoomed(-1, &limits).zoom, 50.0);

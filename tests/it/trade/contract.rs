@@ -1,11 +1,11 @@
-//! `trade.json` as the contract gives it: the keys and types of [`Report`], and the range of each figure.
+//! The format of `trade.json`: the keys and types of [`Report`], and the range of each figure.
 
 use std::collections::HashMap;
 
 use serde::Deserialize;
 use shadetrade::components::{Projection, ShadingMode};
 
-/// What is measured at least.
+/// The methods that every full measurement contains.
 pub const LADDER: [&str; 9] = [
     "gouraud-0",
     "gouraud-0.5",
@@ -95,7 +95,7 @@ pub struct Error {
     over_1_level: Figure,
 }
 
-/// A quantity, or `null` where it does not exist; its key is always there, which serde does not ask of an `Option`.
+/// A quantity, or `null` if it does not exist. The key must be present, which serde does not require of an `Option`.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(untagged)]
 pub enum Figure<T = f64> {
@@ -112,7 +112,7 @@ impl<T> Figure<T> {
     }
 }
 
-/// The report that `text` holds; panics where it departs from the contract.
+/// Reads the report in `text`; panics if it violates the format.
 pub fn read(text: &str) -> Report {
     let report: Report = serde_json::from_str(text).expect("it has the keys of the contract");
     let Machine {

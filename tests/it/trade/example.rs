@@ -1,4 +1,4 @@
-//! Measurements that nobody made, with numbers that are easy to follow.
+//! Invented measurements with simple numbers.
 
 use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::frame::Counts;
@@ -11,7 +11,7 @@ use shadetrade::trade::record::Subject;
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Measurement, MethodReport, Report};
 
-/// A timing whose interval is half a percent of its median to either side.
+/// A timing with an interval of half a percent of its median on both sides.
 pub fn timing(median: f64) -> Timing {
     Timing {
         samples: 3,
@@ -22,7 +22,7 @@ pub fn timing(median: f64) -> Timing {
     }
 }
 
-/// Errors of which `max` is the largest.
+/// Errors with the largest error `max`.
 pub fn error(max: f64) -> Error {
     Error {
         max,
@@ -34,7 +34,7 @@ pub fn error(max: f64) -> Error {
     }
 }
 
-/// Of a thousand covered pixels.
+/// The measurement of a method with a thousand covered pixels.
 pub fn measurement(
     (id, mode, tolerance): (&'static str, ShadingMode, f64),
     median: f64,
@@ -84,7 +84,7 @@ pub fn measurement(
     }
 }
 
-/// What a window measures of a method.
+/// A measurement of a method in the window.
 pub fn live(method: Method, median: f64, error: f64) -> Measurement {
     Measurement {
         method,
@@ -96,7 +96,7 @@ pub fn live(method: Method, median: f64, error: f64) -> Measurement {
     }
 }
 
-/// The view and the machine that `command` did not measure.
+/// A view and a machine for a measurement that did not take place.
 pub fn subject(command: &str) -> Subject {
     Subject {
         machine: Machine {
@@ -148,7 +148,7 @@ pub fn report() -> Report {
     }
 }
 
-/// The same view with nothing in it.
+/// The same view without any cuboid in the picture.
 pub fn empty_report() -> Report {
     let mut report = report();
     report.covered_pixels = 0;

@@ -1,4 +1,4 @@
-//! The texts and pictures made of a made-up measurement: they hold its figures.
+//! The texts and pictures of an invented measurement show its figures.
 
 use serde::Deserialize;
 use shadetrade::components::{Projection, ShadingMode};
@@ -34,7 +34,7 @@ fn the_markdown_has_the_cells_of_the_terminal() {
 }
 
 #[test]
-fn the_json_of_the_example_says_what_was_measured() {
+fn the_json_of_the_example_holds_its_figures() {
     let report = json(&example::report());
     assert_eq!(report.command, "shadetrade trade");
     assert_eq!(report.size, [40, 30]);
@@ -57,13 +57,13 @@ fn the_json_of_the_example_says_what_was_measured() {
 }
 
 #[test]
-fn the_json_of_nothing_keeps_every_key() {
+fn the_json_of_an_empty_picture_keeps_every_key() {
     let report = json(&example::empty_report());
     assert_eq!(report.covered_pixels, 0);
     assert_eq!(report.methods.len(), 4);
 }
 
-/// A plot: what its tests look at.
+/// The parts of a plot that the tests check.
 #[derive(Deserialize)]
 struct Svg {
     #[serde(default)]
@@ -96,16 +96,19 @@ struct Text {
 }
 
 impl Svg {
-    /// Panics where the plot is no XML.
+    /// Panics if the plot is not XML.
     fn of(report: &Report) -> Svg {
         let text = plot::svg(report).expect("it is drawn");
         let forbidden = |c: char| (c.is_control() && c != '\n') || "\u{fffe}\u{ffff}".contains(c);
-        assert!(!text.contains(forbidden), "characters that XML has not");
+        assert!(
+            !text.contains(forbidden),
+            "characters that XML does not allow"
+        );
         assert!(!text.contains("NaN") && !text.contains("inf"));
         quick_xml::de::from_str(&text).expect("it is XML")
     }
 
-    /// The rows of the texts that hold `part`.
+    /// The rows of the texts that contain `part`.
     fn rows(&self, part: &str) -> Vec<f64> {
         let texts = self.text.iter().filter(|text| text.text.contains(part));
         texts.map(|text| text.y).collect()
@@ -126,7 +129,7 @@ fn the_plot_names_every_method_and_the_scene() {
 }
 
 #[test]
-fn every_point_lies_in_the_plot_however_small_its_error() {
+fn every_point_lies_in_the_plot_for_any_error() {
     let mut report = example::report();
     report.methods[2].accuracy.error.levels = Some(example::error(1e-30));
     let plot = Svg::of(&report);
@@ -134,12 +137,12 @@ fn every_point_lies_in_the_plot_however_small_its_error() {
         let is_within = (0.0..960.0).contains(&point.x) && (0.0..600.0).contains(&point.y);
         assert!(is_within, "{point:?}");
     }
-    // A disc and a rim for each of four methods and of five words of the key.
+    // A disc and a rim for each of four methods and five entries of the legend.
     assert_eq!(plot.circle.len(), 2 * (4 + 5));
 }
 
 #[test]
-fn labels_stay_apart_where_points_are_in_one_place() {
+fn labels_do_not_overlap_where_points_coincide() {
     let mut report = example::report();
     let one = report.methods[0].clone();
     report.methods = vec![one; 9];
@@ -153,13 +156,13 @@ fn labels_stay_apart_where_points_are_in_one_place() {
 }
 
 #[test]
-fn the_plot_of_nothing_has_no_points() {
+fn the_plot_of_an_empty_picture_has_no_points() {
     let plot = Svg::of(&example::empty_report());
     assert!(plot.circle.is_empty() && !plot.text.is_empty());
 }
 
 #[test]
-fn the_front_goes_down_in_steps_from_the_fastest() {
+fn the_front_descends_in_steps_from_the_fastest() {
     let plot = Svg::of(&example::report());
     let corners = |line: &Polyline| -> Vec<[f64; 2]> {
         let corner = |pair: &str| {

@@ -1,4 +1,4 @@
-//! Real measurements of small pictures: ordinary views, and those of which little or nothing can be measured.
+//! Real measurements of small pictures: ordinary views, and views with little or nothing to measure.
 
 use std::fs;
 use std::sync::Mutex;
@@ -19,7 +19,7 @@ use shadetrade::trade::{self, Measurement, Report, Request, export, live, plot};
 use super::contract::{self, LADDER};
 use super::requests::{CENTRE, GREEN, request, scene};
 
-/// Measures, and holds every report against what holds for all.
+/// Measures, and checks the properties of all reports.
 fn measured(request: Request) -> Report {
     let methods = request.methods.clone();
     let report = trade::measure(request, &|| false, &|_, _| ()).expect("it is measured");
@@ -75,11 +75,11 @@ fn an_ordinary_view_gives_a_report_within_the_contract() {
     assert_eq!(exact.counts.model_evaluations, report.covered_pixels);
 }
 
-/// 100 rows are more than one band.
+/// 300 rows are several bands, and the worst pixels are not in the first.
 #[test]
-fn a_view_that_is_looked_at_has_the_errors_and_the_front_of_its_report() {
+fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
     let asked = || {
-        let mut asked = request(scene(GREEN, CENTRE, true), [130, 100], 1);
+        let mut asked = request(scene(GREEN, CENTRE, true), [100, 300], 1);
         asked.methods.push(Method::of(ShadingMode::Phong, 3.0));
         asked
     };
@@ -104,7 +104,7 @@ fn a_view_that_is_looked_at_has_the_errors_and_the_front_of_its_report() {
 }
 
 #[test]
-fn known_errors_are_kept_and_of_two_timings_the_one_of_more_samples() {
+fn known_errors_are_kept_and_the_timing_with_more_samples_is_kept() {
     let mut asked = request(scene(GREEN, CENTRE, true), [64, 48], 1);
     asked.methods.truncate(3);
     let mut known = live::measure(&asked, &[], &|| false, &|_| ()).expect("it is measured");
@@ -117,7 +117,7 @@ fn known_errors_are_kept_and_of_two_timings_the_one_of_more_samples() {
         median: -1.0,
         ..known[1].timing.clone()
     };
-    // Errors that no picture has.
+    // Errors that no picture can have.
     known[0].error = Some(1e3);
     known[1].error = Some(2e3);
     known.remove(2);
@@ -138,13 +138,13 @@ fn only_the_methods_asked_for_are_measured() {
         .retain(|method| ["phong-0.5", "gouraud-0"].contains(&method.id));
     let report = measured(few);
     assert_eq!(report.methods.len(), 2);
-    // Errors are against exact Phong, whether it is measured or not.
+    // Errors are against exact Phong, even if that is not measured.
     assert!(report.methods[0].max_error() > Some(5.0));
     assert!(report.methods[1].max_error() <= Some(0.5));
 }
 
 #[test]
-fn more_threads_change_nothing_but_times() {
+fn more_threads_change_only_times() {
     let [one, two] =
         [1, 2].map(|threads| measured(request(scene(GREEN, CENTRE, true), [64, 48], threads)));
     for (one, two) in one.methods.iter().zip(&two.methods) {
@@ -157,7 +157,7 @@ fn more_threads_change_nothing_but_times() {
 }
 
 #[test]
-fn the_share_of_the_highlight_depends_neither_on_the_background_nor_on_the_views_tolerance() {
+fn the_share_of_the_highlight_does_not_depend_on_background_or_view_tolerance() {
     let kept = |background: f64, tolerance: f64| {
         let mut scene = scene(GREEN, CENTRE, true);
         overwrite(&mut scene.world, &Background(DVec3::splat(background)));
@@ -175,7 +175,7 @@ fn the_share_of_the_highlight_depends_neither_on_the_background_nor_on_the_views
 }
 
 #[test]
-fn the_share_of_the_highlight_is_judged_by_the_reference() {
+fn the_share_of_the_highlight_is_measured_against_the_reference() {
     let request = || request(scene(GREEN, CENTRE, true), [320, 240], 1);
     let trade::Request {
         scene: mut lit,
@@ -223,7 +223,7 @@ fn a_view_past_everything_has_no_errors_and_no_front() {
 }
 
 #[test]
-fn one_pixel_is_a_picture() {
+fn a_picture_of_one_pixel_is_measured() {
     let report = measured(request(scene(GREEN, CENTRE, true), [1, 1], 1));
     assert_eq!(report.covered_pixels, 1);
 }
@@ -247,7 +247,7 @@ fn without_light_or_colour_all_methods_draw_the_same_black() {
 }
 
 #[test]
-fn progress_goes_from_nothing_to_all_in_two_steps() {
+fn progress_runs_from_0_to_1_in_two_steps() {
     let told: Mutex<Vec<(&str, f64)>> = Mutex::default();
     let on_progress = |step, share| {
         let mut told = told.lock().expect("no thread has panicked");
@@ -265,9 +265,9 @@ fn progress_goes_from_nothing_to_all_in_two_steps() {
 }
 
 #[test]
-fn a_process_that_cannot_measure_is_an_error_that_says_what_it_said() {
+fn a_process_that_cannot_measure_is_an_error_with_its_message() {
     let request = Request {
-        // Calls this program of tests, which has no such option.
+        // Starts this test program, which does not know the option.
         time_batch: trade::process::in_a_process,
         ..request(scene(GREEN, CENTRE, true), [16, 12], 1)
     };
@@ -277,13 +277,13 @@ fn a_process_that_cannot_measure_is_an_error_that_says_what_it_said() {
 }
 
 #[test]
-fn every_file_is_written_and_nothing_else() {
+fn all_files_and_no_others_are_written() {
     let parent = tempfile::tempdir().expect("there is room for a folder");
     let folder = parent.path().join("out");
     fs::create_dir(&folder).expect("a folder can be made in it");
     let report = measured(request(scene(GREEN, CENTRE, true), [24, 18], 1));
     for _ in 0..2 {
-        // What is there the second time is replaced.
+        // Existing files are replaced.
         trade::write_files(&report, &folder).expect("it is written");
     }
     let mut found: Vec<String> = fs::read_dir(&folder)
@@ -311,10 +311,10 @@ fn every_file_is_written_and_nothing_else() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_made_is_told_of_before_anything_is_measured() {
+fn a_folder_that_cannot_be_created_is_reported_before_measuring() {
     let parent = tempfile::tempdir().expect("there is room for a folder");
     let folder = parent.path().join("missing").join("out");
-    // Were it measured first, this size would take long.
+    // Measuring a picture of this size would take long.
     let result = trade::run(
         request(scene(GREEN, CENTRE, true), [4000, 4000], 1),
         Some(&folder),
@@ -324,13 +324,14 @@ fn a_folder_that_cannot_be_made_is_told_of_before_anything_is_measured() {
 }
 
 #[test]
-fn a_picture_beyond_all_memory_is_an_error_and_leaves_an_empty_folder() {
+fn a_picture_too_large_for_memory_is_an_error_and_leaves_an_empty_folder() {
     let parent = tempfile::tempdir().expect("there is room for a folder");
     let folder = parent.path().join("out");
     let huge = request(scene(GREEN, CENTRE, true), [1 << 24, 1 << 24], 1);
     let error = trade::run(huge, Some(&folder)).expect_err("no machine holds it");
     let message = format!("{error:#}");
-    // For every pixel three truths of 28 bytes, a frame of 25, two errors of 16, and a byte of each method's map.
+    // Per pixel: three reference pictures of 28 bytes, a frame of 25, two error maps of 16, and one byte for the map of
+    // each method.
     let bytes = (84 + 25 + 32 + METHODS.len()) as f64 * 2.0_f64.powi(48);
     let expected = format!(
         "the methods cannot be compared: a picture of 16777216x16777216 pixels does not fit in memory: it takes {:.0} MB",

@@ -1,4 +1,4 @@
-//! Distances between pictures: every figure against a value computed by hand or by somebody else's program.
+//! Metrics: every figure against a value computed by hand or by another program.
 
 use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::trade::error_map::ErrorMap;
@@ -7,7 +7,7 @@ use shadetrade::trade::metrics::{Difference, Error, Picture, compare, difference
 
 const GRAY: [f64; 3] = [100.0; 3];
 
-/// A picture of one triangle everywhere.
+/// A picture that shows one triangle everywhere.
 fn whole<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [u32]) -> Picture<'a, T> {
     Picture {
         width,
@@ -16,7 +16,7 @@ fn whole<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [u32]) -> Pic
     }
 }
 
-/// The comparison with a flat gray picture of one row on which all of one triangle is seen.
+/// The comparison with a flat grey picture of one row that shows one triangle.
 fn against_gray(levels: &[[f64; 3]]) -> Difference {
     let triangles = vec![0; levels.len()];
     compare(
@@ -56,7 +56,7 @@ fn the_figures_of_four_pixels_are_those_computed_by_hand() {
 }
 
 #[test]
-fn the_largest_error_is_named_by_column_and_row_and_the_first_wins() {
+fn the_largest_error_has_its_column_and_row_and_the_first_wins() {
     let mut levels = [GRAY; 6];
     levels[4] = [0.0, 100.0, 100.0];
     levels[5] = [100.0, 200.0, 100.0];
@@ -66,8 +66,8 @@ fn the_largest_error_is_named_by_column_and_row_and_the_first_wins() {
 }
 
 #[test]
-fn one_in_a_thousand_is_beyond_the_percentile_and_two_are_not() {
-    // Of 1000 errors in order the 999th is taken.
+fn one_error_in_a_thousand_is_beyond_the_percentile_and_two_are_not() {
+    // Of 1000 errors in ascending order the 999th is the percentile.
     let mut levels = vec![[102.0; 3]; 1000];
     levels[500] = [150.0; 3];
     assert_eq!(
@@ -91,7 +91,7 @@ fn levels_are_clamped_but_not_rounded() {
 }
 
 #[test]
-fn what_is_no_number_or_infinite_is_compared_as_it_is_displayed() {
+fn nan_and_infinity_are_compared_as_they_are_displayed() {
     assert_eq!(
         pixel_error(
             [f64::NAN, f64::INFINITY, f64::NEG_INFINITY],
@@ -141,7 +141,7 @@ fn two_triangles_of_one_face_are_compared() {
 }
 
 #[test]
-fn where_nothing_is_drawn_there_is_no_error_to_speak_of() {
+fn without_a_cuboid_in_the_picture_there_is_no_error() {
     let background = whole(2, &[GRAY; 2], &[NO_TRIANGLE; 2]);
     assert_eq!(
         compare(background, background),
@@ -160,7 +160,7 @@ fn where_nothing_is_drawn_there_is_no_error_to_speak_of() {
 const WIDTH: usize = 64;
 const HEIGHT: usize = 48;
 
-/// A picture of bytes from a formula in column and row.
+/// A picture of bytes from a formula of column and row.
 fn formula(color: impl Fn(i64, i64) -> [i64; 3]) -> Vec<[f64; 3]> {
     (0..WIDTH * HEIGHT)
         .map(|i| color((i % WIDTH) as i64, (i / WIDTH) as i64).map(|level| level as f64))
@@ -251,7 +251,7 @@ fn flip_of_black_against_white_is_the_known_maximum_of_grays() {
 }
 
 #[test]
-fn flip_of_a_picture_against_itself_is_exactly_nothing() {
+fn flip_of_a_picture_against_itself_is_zero() {
     assert_eq!(
         flip_of(&formula(waves), &formula(waves), flip::PIXELS_PER_DEGREE),
         0.0
@@ -259,15 +259,15 @@ fn flip_of_a_picture_against_itself_is_exactly_nothing() {
 }
 
 #[test]
-fn flip_has_no_favourite_side() {
+fn flip_is_symmetric() {
     let [left, right] = [formula(waves), formula(|x, y| waves(y, x))];
     assert_eq!(flip_of(&left, &right, 67.0), flip_of(&right, &left, 67.0));
 }
 
 #[test]
-fn flip_takes_its_mean_where_both_show_one_triangle_and_the_rest_as_surroundings() {
-    // Gray against gray but for a stripe of black against white, which no mean takes in: 16 columns from it there is
-    // nothing, beside it there is what the blur carries over.
+fn flip_averages_where_both_show_one_triangle_and_uses_the_rest_as_surroundings() {
+    // Grey against grey with a stripe of black against white, which is excluded from the mean. 16 columns from it FLIP
+    // is zero, beside it the blur carries the difference over.
     let stripe = |level| formula(move |x, _| [if (24..40).contains(&x) { level } else { 128 }; 3]);
     let [left, right] = [stripe(0), stripe(255)];
     let mean = |counts: fn(usize) -> bool| {
@@ -282,9 +282,9 @@ fn flip_takes_its_mean_where_both_show_one_triangle_and_the_rest_as_surroundings
 }
 
 #[test]
-fn flip_takes_its_mean_row_by_row_where_the_triangle_ends_at_another_column() {
-    // Gray against gray right of the diagonal, black against white left of it; the same triangle is shown 32 columns
-    // right of it and farther, where nothing is carried over.
+fn flip_averages_each_row_up_to_the_end_of_the_triangle() {
+    // Grey against grey to the right of the diagonal, black against white to the left. Both show the same triangle from
+    // 32 columns right of the diagonal on, where the blur carries nothing over.
     let step = |level| formula(move |x, y| [if x < y { level } else { 128 }; 3]);
     let [left, right] = [step(0), step(255)];
     let mean = |first: usize| {
@@ -315,10 +315,10 @@ fn a_difference_is_at_least_the_gap_and_at_most_the_span() {
         let found = difference(&[left; 3], &[right; 3]);
         assert_eq!(found, known, "{left:?} {right:?}");
     }
-    // The channel that differs most decides.
+    // The channel with the largest difference decides.
     let channels = [[1.0, 1.0], [1.0, 1.0], [6.0, 7.0]];
     assert_eq!(difference(&[[1.0; 2]; 3], &channels), [5.0, 6.0]);
-    // 0.1 - 0.7 is no float: the floats on both sides of it are given.
+    // 0.1 - 0.7 is not a float, so the floats on both sides are given.
     let [least, most] = difference(&[[0.1; 2]; 3], &[[0.7; 2]; 3]);
     assert_eq!(least.next_up().next_up(), most);
 }

@@ -1,4 +1,4 @@
-//! What the tests have measured: small pictures of a cuboid, as quickly as can be.
+//! Requests of the tests: small pictures of a cuboid, measured as briefly as possible.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use shadetrade::trade::Request;
 pub const GREEN: &str = "[0.3, 0.9, 0.3]";
 pub const CENTRE: &str = "[0, 0, 0]";
 
-/// A cuboid under three lights, with these lines in place of its material's and lights' own.
+/// A cuboid under three lights. These lines replace those of the material and the lights.
 pub fn scene(diffuse: &str, target: &str, lights: bool) -> Scene {
     let mut text = format!(
         "[[cuboid]]\nname = \"box\"\nsize = [4, 3, 2]\n\
@@ -34,7 +34,7 @@ pub fn scene(diffuse: &str, target: &str, lights: bool) -> Scene {
     Scene::parse("test", &text).expect("it is a valid scene")
 }
 
-/// To measure it as quickly as can be.
+/// A request to measure it as briefly as possible.
 pub fn request(scene: Scene, size: [usize; 2], threads: usize) -> Request {
     let drawing = Drawing {
         scene,

@@ -1,4 +1,4 @@
-//! Times and the front, on numbers whose answers were computed by hand.
+//! Statistics of times and the front, against results computed by hand.
 
 use shadetrade::components::ShadingMode;
 use shadetrade::trade::Measurement;
@@ -10,7 +10,7 @@ use super::example;
 
 #[test]
 fn the_figures_of_eleven_samples_are_those_computed_by_hand() {
-    // In order 1, 31, ..., 40: the sixth is 35.
+    // In ascending order 1, 31, ..., 40: the sixth is 35.
     let samples = [
         40.0, 31.0, 39.0, 32.0, 1.0, 38.0, 33.0, 37.0, 34.0, 36.0, 35.0,
     ];
@@ -27,7 +27,7 @@ fn the_median_is_the_middle_or_the_mean_of_the_middle_two() {
 }
 
 #[test]
-fn one_sample_is_all_there_is() {
+fn the_figures_of_one_sample_are_that_sample() {
     let timing = Timing::of(&[vec![5.0]]);
     assert_eq!([timing.median, timing.min], [5.0, 5.0]);
     assert_eq!(timing.interval, [5.0, 5.0]);
@@ -45,14 +45,14 @@ fn the_interval_spans_the_medians_of_the_batches_not_the_samples() {
 }
 
 #[test]
-fn times_are_told_apart_only_where_intervals_do_not_overlap() {
+fn times_differ_only_if_their_intervals_do_not_overlap() {
     let [ten, nearly, eleven] = [10.0, 10.09, 11.0].map(example::timing);
     assert!(ten.is_measurably_less_than(&eleven));
     assert!(!eleven.is_measurably_less_than(&ten));
     assert!(!ten.is_measurably_less_than(&nearly) && !nearly.is_measurably_less_than(&ten));
 }
 
-/// A method of this largest error and time.
+/// A method with this largest error and this time.
 fn measurement((error, time): (f64, f64)) -> Measurement {
     let method = ("", ShadingMode::Phong, 0.0);
     Measurement::from(&example::measurement(
@@ -64,14 +64,14 @@ fn measurement((error, time): (f64, f64)) -> Measurement {
     ))
 }
 
-/// The front of methods given as (error, time).
+/// The front of methods, given as (error, time).
 fn front(methods: &[(f64, f64)]) -> Vec<bool> {
     let methods: Vec<_> = methods.iter().copied().map(measurement).collect();
     on_front(&methods)
 }
 
 #[test]
-fn what_is_beaten_in_both_ways_or_in_one_is_off_the_front() {
+fn a_method_that_is_worse_in_error_or_time_and_better_in_neither_is_not_on_the_front() {
     let methods = [
         (160.0, 1.0),
         (4.0, 2.0),
@@ -84,12 +84,12 @@ fn what_is_beaten_in_both_ways_or_in_one_is_off_the_front() {
 }
 
 #[test]
-fn noise_takes_nothing_off_the_front() {
-    // Within noise of each other and as true: both stay.
+fn noise_removes_nothing_from_the_front() {
+    // Equal error, and times within noise: both stay.
     assert_eq!(front(&[(1.0, 10.0), (1.0, 10.05)]), [true, true]);
-    // Slower by noise alone but truer: both stay.
+    // Slower within noise but more accurate: both stay.
     assert_eq!(front(&[(1.0, 10.0), (0.5, 10.05)]), [true, true]);
-    // No faster, and less true: nothing to choose it for.
+    // Not faster, and less accurate: it is not on the front.
     assert_eq!(front(&[(1.0, 10.0), (1.5, 10.05)]), [true, false]);
 }
 
@@ -99,7 +99,7 @@ fn rounding_of_the_reference_is_no_error() {
 }
 
 #[test]
-fn where_nothing_is_drawn_there_is_no_front() {
+fn without_a_cuboid_in_the_picture_there_is_no_front() {
     let mut nothing = measurement((0.0, 1.0));
     nothing.error = None;
     assert_eq!(on_front(&[nothing.clone(), nothing]), [false, false]);
@@ -107,12 +107,12 @@ fn where_nothing_is_drawn_there_is_no_front() {
 }
 
 #[test]
-fn a_highlight_is_kept_as_far_as_it_is_where_it_belongs() {
+fn a_highlight_is_kept_by_the_share_that_is_in_its_place() {
     let whole = [[100.0, 50.0, 50.0], [0.0; 3]];
-    // As displayed: rounded, and nothing below black.
+    // In displayed levels: rounded and not negative.
     let shown = [[100.4, 49.6, 50.0], [-9.0; 3]];
     assert_eq!(share_kept(&shown, &whole), Some(1.0));
-    // 40 + 50 + 10 of 200: what is too bright or elsewhere adds nothing.
+    // 40 + 50 + 10 of 200: excess brightness, and light in other places, add nothing.
     assert_eq!(
         share_kept(&[[40.0, 90.0, 10.0], [200.0; 3]], &whole),
         Some(0.5)

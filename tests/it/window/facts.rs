@@ -1,4 +1,4 @@
-//! Answers about the picture: they are those of the picture that is shown, and old ones are known to be old.
+//! Answers about the picture belong to the picture shown, and old ones are marked as old.
 
 use egui::{Key, Pos2};
 use fearless_simd::Level;
@@ -12,10 +12,10 @@ use super::{PAUSE, Window};
 use crate::support::scene::draw;
 use crate::support::window::default_scene;
 
-/// A window so small that everything is computed in no time.
+/// A size so small that everything is computed at once.
 const SMALL: [usize; 2] = [130, 100];
 
-/// What a comparison of the present picture says, computed anew.
+/// A new comparison of the present picture.
 fn compared(window: &Window) -> Comparison {
     let mut world = window.app.state.spawn();
     let view = View::of(&world, window.app.picture_size());
@@ -26,7 +26,7 @@ fn compared(window: &Window) -> Comparison {
 }
 
 #[test]
-fn picture_and_numbers_are_those_of_the_scene_that_is_shown() {
+fn picture_and_numbers_belong_to_the_scene_that_is_shown() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::F5);
     for key in [
@@ -54,10 +54,10 @@ fn picture_and_numbers_are_those_of_the_scene_that_is_shown() {
 }
 
 #[test]
-fn every_answer_is_old_after_a_change_of_the_picture_and_only_then() {
+fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::P);
-    // The inspector lies over the small picture.
+    // The inspector covers the small picture.
     window.click(window.app.place.center());
     window.press(Key::N);
     for key in [Key::F5, Key::Escape] {
@@ -123,7 +123,7 @@ fn every_answer_is_old_after_a_change_of_the_picture_and_only_then() {
 }
 
 #[test]
-fn a_probed_pixel_stays_on_its_point_when_the_window_changes_its_size() {
+fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized() {
     let mut window = Window::of(default_scene(), [300, 200]);
     window.click(Pos2::new(170.0, 120.0));
     let before = window.record().view.pixel.expect("a pixel");
@@ -197,7 +197,7 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 }
 
 #[test]
-fn modes_that_differ_are_mixed_and_a_key_makes_them_one() {
+fn different_modes_are_mixed_and_a_key_makes_them_equal() {
     let mut scene = default_scene();
     let mut record = shadetrade::scene::SceneRecord::of(&scene.world);
     record.cuboid.push(shadetrade::scene::CuboidRecord::new(

@@ -1,4 +1,4 @@
-//! The scene's file: saving, the mark of edits, quitting, and reading again when it changes.
+//! The scene's file: saving, the mark of edits, quitting, and reloading after a change.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use super::{PAUSE, SIZE, Window};
 
 const CONTROL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-/// A window on a file of its own in its folder.
+/// A window on a file in its temporary folder.
 fn on_file() -> (Window, PathBuf) {
     let mut window = Window::open();
     let path = window.folder.path().join("mine.toml");
@@ -24,7 +24,7 @@ fn on_file() -> (Window, PathBuf) {
     (window, path)
 }
 
-/// Makes an edit that a file would have to keep.
+/// Makes an edit that must be saved.
 fn edit(window: &mut Window, intensity: f64) {
     let lights = window.app.scene.world.query_mut::<&mut Light>();
     lights
@@ -44,7 +44,7 @@ fn save(window: &mut Window) {
 }
 
 #[test]
-fn a_file_is_saved_in_place_with_its_comments_and_is_read_as_it_was() {
+fn a_file_is_saved_in_place_with_its_comments_and_read_again() {
     let (mut window, path) = on_file();
     for key in [Key::W, Key::ArrowUp, Key::F3, Key::O, Key::E, Key::Z] {
         window.press(key);
@@ -71,7 +71,7 @@ fn a_file_is_saved_in_place_with_its_comments_and_is_read_as_it_was() {
 }
 
 #[test]
-fn a_new_file_has_the_scenes_name_and_a_number_and_replaces_none() {
+fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
     let mut window = Window::open();
     fs::write(window.folder.path().join("cuboid-2.toml"), "mine").expect("written");
     save(&mut window);
@@ -96,7 +96,7 @@ fn a_new_file_has_the_scenes_name_and_a_number_and_replaces_none() {
 }
 
 #[test]
-fn a_file_that_cannot_be_written_is_told_and_the_edits_stay() {
+fn a_failed_write_is_reported_and_the_edits_stay() {
     let (mut window, path) = on_file();
     edit(&mut window, 3.0);
     fs::remove_file(&path).expect("removed");
@@ -141,7 +141,7 @@ fn the_title_has_a_star_while_edits_are_not_saved() {
 }
 
 #[test]
-fn quitting_asks_where_edits_would_be_lost_and_else_does_not() {
+fn quitting_asks_only_if_edits_would_be_lost() {
     let mut window = Window::open();
     window.press(Key::W);
     window.press(Key::Q);
@@ -160,7 +160,7 @@ fn quitting_asks_where_edits_would_be_lost_and_else_does_not() {
 }
 
 #[test]
-fn edits_that_nobody_saved_are_rescued_into_a_new_file() {
+fn unsaved_edits_are_rescued_into_a_new_file() {
     let (mut window, path) = on_file();
     window.press(Key::W);
     assert!(window.app.rescue().is_none());
@@ -214,7 +214,7 @@ fn a_recording_that_opens_another_scene_writes_no_file() {
 }
 
 #[test]
-fn a_changed_file_is_read_again_and_undo_brings_the_edits_back() {
+fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
     let (mut window, path) = on_file();
     window.press(Key::ArrowLeft);
     window.press(Key::O);
@@ -237,7 +237,7 @@ fn a_changed_file_is_read_again_and_undo_brings_the_edits_back() {
 }
 
 #[test]
-fn the_windows_own_saving_is_no_news() {
+fn the_windows_own_saving_does_not_reload_the_file() {
     let (mut window, _) = on_file();
     window.press(Key::P);
     save(&mut window);
@@ -249,7 +249,7 @@ fn the_windows_own_saving_is_no_news() {
 }
 
 #[test]
-fn a_wrong_file_is_told_with_its_place_and_the_scene_stays_until_it_is_right() {
+fn a_wrong_file_is_reported_with_its_place_and_the_scene_stays_until_it_is_right() {
     let (mut window, path) = on_file();
     let before = window.record();
     fs::write(&path, BUILT_IN[0].1.replace("fov = 30.0", "fov = -30.0")).expect("written");
@@ -282,7 +282,7 @@ fn a_file_that_is_half_written_is_no_error() {
 }
 
 #[test]
-fn a_deleted_file_is_told_and_saving_writes_it_again() {
+fn a_deleted_file_is_reported_and_saving_writes_it_again() {
     let (mut window, path) = on_file();
     let before = window.record();
     fs::remove_file(&path).expect("removed");
@@ -306,7 +306,7 @@ fn a_deleted_file_is_told_and_saving_writes_it_again() {
 fn a_pipe_in_place_of_the_file_does_not_stop_the_window() {
     use std::sync::mpsc;
     let (done, ends) = mpsc::channel();
-    // A window that waits for the pipe would never end the test.
+    // A window that waits for the pipe would block the test.
     std::thread::spawn(move || {
         let (mut window, path) = on_file();
         let before = window.record();

@@ -1,4 +1,4 @@
-//! Undo and redo: everything comes back bit for bit, with a name, and within a bounded memory.
+//! Undo and redo: every state is restored bit for bit, under a name, and within a limit of memory.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -12,7 +12,7 @@ use shadetrade::window::history::History;
 use super::{PAUSE, Window};
 use crate::support::window::default_scene;
 
-/// A key that changes something, and a word of the change's name.
+/// A key that changes something, and a word in the name of the change.
 const CHANGES: [(Key, &str); 10] = [
     (Key::W, "white"),
     (Key::Num2, "red"),
@@ -27,7 +27,7 @@ const CHANGES: [(Key, &str); 10] = [
 ];
 
 #[test]
-fn each_change_is_taken_back_and_made_again_by_name() {
+fn each_change_is_undone_and_redone_by_name() {
     for (key, word) in CHANGES {
         // A second after the change, and at once.
         for pause in [PAUSE, Duration::ZERO] {
@@ -56,7 +56,7 @@ fn each_change_is_taken_back_and_made_again_by_name() {
 }
 
 #[test]
-fn a_chain_of_changes_is_walked_back_and_forth() {
+fn a_chain_of_changes_is_undone_and_redone_in_order() {
     for pause in [PAUSE, Duration::ZERO] {
         let mut window = Window::open();
         let mut records = vec![window.record()];
@@ -67,7 +67,7 @@ fn a_chain_of_changes_is_walked_back_and_forth() {
             records.push(window.record());
         }
         if pause.is_zero() {
-            // The orbit went on within a second: arrow and zoom are one step.
+            // The orbit changes again within a second: arrow and zoom are one step.
             records.remove(6);
         }
         for _ in 0..2 {
@@ -88,7 +88,7 @@ fn a_chain_of_changes_is_walked_back_and_forth() {
 }
 
 #[test]
-fn a_new_change_ends_what_could_be_redone() {
+fn a_new_change_discards_the_redo_history() {
     let mut window = Window::open();
     window.press(Key::W);
     window.wait(PAUSE);
@@ -107,7 +107,7 @@ fn changes_of_one_thing_within_a_second_are_one_step() {
     let start = window.record();
     (0..5).for_each(|_| window.press(Key::ArrowLeft));
     let five = window.record();
-    // Nothing happens in between, so no step is taken either.
+    // No events in between, so no step is made.
     window.now += PAUSE;
     (0..3).for_each(|_| window.press(Key::ArrowLeft));
     window.undo();
@@ -126,7 +126,7 @@ fn changes_of_one_thing_within_a_second_are_one_step() {
 }
 
 #[test]
-fn what_was_switched_twice_long_apart_is_two_steps() {
+fn a_switch_pressed_twice_long_apart_makes_two_steps() {
     let mut window = Window::open();
     let start = window.record();
     window.press(Key::W);
@@ -141,7 +141,7 @@ fn what_was_switched_twice_long_apart_is_two_steps() {
 }
 
 #[test]
-fn undo_leaves_rotation_magnification_and_tab_as_they_are() {
+fn undo_does_not_change_rotation_magnification_and_tab() {
     let mut window = Window::open();
     window.press(Key::W);
     window.wait(PAUSE);
@@ -160,7 +160,7 @@ fn undo_leaves_rotation_magnification_and_tab_as_they_are() {
     assert!(window.app.look::<Spin>().on);
 }
 
-/// How many steps can be undone after so many edits of a scene, two seconds apart.
+/// The number of steps that can be undone after this many edits of a scene, two seconds apart.
 fn steps_after(edits: u32, record: &SceneRecord) -> usize {
     let mut present = Arc::new(record.clone());
     let mut history = History::new(&present);
@@ -182,11 +182,11 @@ fn steps_after(edits: u32, record: &SceneRecord) -> usize {
 }
 
 #[test]
-fn ten_thousand_edits_keep_no_more_states_than_the_memory_allows() {
+fn ten_thousand_edits_keep_no_more_states_than_the_memory_limit_allows() {
     let record = SceneRecord::of(&default_scene().world);
     let steps = steps_after(10_000, &record);
     assert!((400..=500).contains(&steps), "{steps}");
-    // 64 MiB in states of 512 bytes an entity.
+    // 64 MiB in states of 512 bytes per entity.
     let mut large = record;
     let light = LightRecord::new("light", LightKind::Diffuse, 1.0, [0.0; 3]);
     large.light = vec![light; 10_000];

@@ -1,4 +1,4 @@
-//! Every key of the table, by its command.
+//! Every key binding, by its command.
 
 use egui::{Key, Modifiers, Pos2};
 use shadetrade::components::{
@@ -10,7 +10,7 @@ use shadetrade::window::keys::{BINDINGS, Command};
 use super::{PAUSE, SIZE, Window};
 use crate::support::window::{app, default_scene, places, widgets};
 
-/// Brings the window into a state in which the command does something.
+/// Brings the window into a state in which the command has an effect.
 fn prepare(window: &mut Window, command: Command) {
     match command {
         Command::Shading(ShadingMode::Gouraud) | Command::FileShading | Command::Undo => {
@@ -34,7 +34,7 @@ fn prepare(window: &mut Window, command: Command) {
     window.wait(PAUSE);
 }
 
-/// The record after the command, as its words and the format of scenes have it.
+/// The expected record after the command, according to its description and the scene format.
 fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
     let mut record = before.clone();
     let view = &mut record.view;
@@ -100,7 +100,7 @@ fn sides(tolerance: f64) -> [Side; 2] {
 }
 
 #[test]
-fn every_key_does_what_its_words_say() {
+fn every_key_does_what_its_description_says() {
     for binding in BINDINGS {
         for (modifiers, key) in binding.keys {
             let (command, mut window) = (binding.command, Window::open());
@@ -116,7 +116,7 @@ fn every_key_does_what_its_words_say() {
             window.key(*key, false);
             assert!(!window.app.desk.shows_exact, "{key:?}");
             let (mut after, wanted) = (window.record(), expected(command, &before));
-            // The corner follows the middle.
+            // The corner is derived from the centre.
             after.view.magnifier.corner = wanted.view.magnifier.corner;
             assert_eq!(after, wanted, "{key:?}, {}", binding.says);
             let desk = &window.app.desk;
@@ -139,7 +139,7 @@ fn every_key_does_what_its_words_say() {
 }
 
 #[test]
-fn a_key_that_can_do_nothing_says_so() {
+fn a_key_without_effect_shows_a_message() {
     let mut window = Window::open();
     for (key, times) in [
         (Key::Num9, 1),
@@ -163,7 +163,7 @@ fn a_key_that_can_do_nothing_says_so() {
 }
 
 #[test]
-fn keys_write_into_a_field_that_has_the_focus_and_do_nothing_else() {
+fn keys_type_into_a_focused_field_and_do_nothing_else() {
     let places = fields();
     let mut window = Window::open();
     window.click(places);
@@ -176,7 +176,7 @@ fn keys_write_into_a_field_that_has_the_focus_and_do_nothing_else() {
     assert_eq!(window.app.desk.path, "wrsagpfmco=-bzxehniq1 23?[]");
     let desk = &window.app.desk;
     assert!(!desk.help && !desk.panel_folded && !desk.shows_exact && !window.app.quits);
-    // Keys that no field has a use for.
+    // Keys that a text field ignores.
     window.press(Key::F6);
     assert_eq!(window.record().view.show, ViewMode::Tiles);
     window.press_with(Modifiers::COMMAND, Key::S);
@@ -214,7 +214,7 @@ fn the_key_that_opens_the_scenes_tab_closes_it() {
 }
 
 #[test]
-fn escape_closes_one_thing_that_is_seen_at_a_time() {
+fn escape_closes_one_visible_thing_at_a_time() {
     for size in [SIZE, [500, 400]] {
         let mut window = Window::of(default_scene(), size);
         window.click(window.app.place.center());

@@ -1,4 +1,4 @@
-//! Clicks, drags and the wheel over the picture, and what is shown there.
+//! Clicks, drags and the wheel over the picture, and their effect on it.
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, vec2};
 use shadetrade::components::LightKind;
@@ -14,7 +14,7 @@ use super::{PAUSE, SIZE, Window};
 use crate::support::scene::draw;
 use crate::support::window::default_scene;
 
-/// A window on the default scene with a light in sight beside the cuboid.
+/// A window on the default scene with a visible light beside the cuboid.
 fn with_light_in_sight() -> Window {
     let mut record = SceneRecord::of(&default_scene().world);
     let light = LightRecord::new("near", LightKind::Diffuse, 50.0, [0.0, 2.0, 1.0]);
@@ -22,7 +22,7 @@ fn with_light_in_sight() -> Window {
     Window::of(Scene::spawn("lit".to_owned(), &record), SIZE)
 }
 
-/// The middle of the places where a press catches a marker, as an average.
+/// The mean of the positions at which a press catches a marker.
 fn middle(marker: &Marker, area: Rect) -> Pos2 {
     let [mut sum, mut count] = [vec2(0.0, 0.0), vec2(0.0, 0.0)];
     for x in area.min.x as i32..area.max.x as i32 {
@@ -45,7 +45,7 @@ fn place_of(window: &Window, name: &str) -> Pos2 {
 }
 
 #[test]
-fn each_notch_of_the_wheel_is_a_step_and_as_many_back_undo_them_bit_for_bit() {
+fn each_notch_of_the_wheel_is_a_step_and_the_same_number_back_undoes_them_bit_for_bit() {
     let mut window = Window::open();
     let at = window.app.place.center();
     let start = (window.record(), window.seen());
@@ -67,10 +67,10 @@ fn each_notch_of_the_wheel_is_a_step_and_as_many_back_undo_them_bit_for_bit() {
 }
 
 #[test]
-fn a_click_probes_the_pixel_under_the_mouse_and_tells_the_bytes_that_are_shown() {
+fn a_click_probes_the_pixel_under_the_mouse_and_shows_its_bytes() {
     let mut window = Window::open();
     window.press(Key::P);
-    // The first click makes room for the inspector.
+    // The first click opens the inspector, which moves the picture.
     window.click(window.app.place.center());
     for way in [vec2(0.0, 0.0), vec2(31.0, -12.0), vec2(-40.0, 25.0)] {
         let at = window.app.place.center() + way;
@@ -108,7 +108,7 @@ fn a_click_selects_in_the_scenes_tab() {
 }
 
 #[test]
-fn a_drag_turns_the_camera_as_far_in_one_step_as_in_many() {
+fn a_drag_turns_the_camera_equally_far_in_one_step_or_many() {
     let mut turned = Vec::new();
     for steps in [1, 10] {
         let mut window = Window::open();
@@ -132,11 +132,11 @@ fn a_drag_turns_the_camera_as_far_in_one_step_as_in_many() {
 }
 
 #[test]
-fn every_light_with_a_place_has_a_marker_of_its_own_in_the_picture() {
+fn every_visible_light_has_its_own_marker_in_the_picture() {
     let mut window = Window::open();
     window.press(Key::E);
     window.step(Vec::new());
-    // All three stand behind the eye, in one place.
+    // All three are behind the eye, at one position.
     let names = ["white", "red", "specular"];
     let places = names.map(|name| place_of(&window, name));
     for (index, place) in places.iter().enumerate() {
@@ -213,7 +213,7 @@ fn the_magnifier_keeps_the_pixel_under_the_mouse_and_shows_squares() {
 }
 
 #[test]
-fn a_magnified_picture_is_moved_as_far_by_small_steps_as_by_a_large_one() {
+fn a_magnified_picture_moves_equally_far_by_small_steps_or_a_large_one() {
     let corners = [1, 5, 64].map(|steps| {
         let mut window = Window::open();
         (0..4).for_each(|_| window.press(Key::Z));
@@ -240,10 +240,10 @@ impl Window {
 fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
     let mut window = Window::open();
     window.press(Key::F3);
-    window.step(Vec::new());
+    window.press(Key::L);
     let [width, height] = window.app.picture_size();
-    // The lower rows have no words over them.
-    let lower = width * (height - 150)..;
+    // The lower rows are covered by no text and, once folded, by no levels.
+    let lower = width * (height - 150)..width * (height - 30);
     let sides = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| {
         let view = window.app.view().shaded(mode);
         let frame = draw(&mut window.app.state.spawn(), &view, Keep::Display);
@@ -267,7 +267,7 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
         let seen = window.seen()[lower.clone()].to_vec();
         for (index, pixel) in seen.iter().enumerate() {
             let own = index % width;
-            // The line of the divider lies over a few columns.
+            // The line of the divider covers a few columns.
             if own.abs_diff(column) > 3 {
                 assert_eq!(*pixel, sides[usize::from(own >= column)][index]);
             }
@@ -276,7 +276,7 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
 }
 
 #[test]
-fn the_rotation_goes_on_by_the_clock_and_stays_where_it_is_stopped() {
+fn the_rotation_follows_the_clock_and_stops_where_it_is_switched_off() {
     let mut window = Window::open();
     let still = window.seen();
     window.press(Key::Space);
@@ -299,8 +299,8 @@ fn the_rotation_goes_on_by_the_clock_and_stays_where_it_is_stopped() {
 }
 
 #[test]
-fn views_without_an_answer_yet_never_show_something_else() {
-    // Tiles are tinted, the error map and exact Phong are those of the comparison.
+fn a_view_that_waits_for_its_answer_never_shows_another_picture() {
+    // Tiles are tinted; the error map and exact Phong come from the comparison.
     let mut window = Window::open();
     window.press(Key::P);
     let picture = window.seen();
@@ -319,7 +319,7 @@ fn views_without_an_answer_yet_never_show_something_else() {
 }
 
 #[test]
-fn a_light_dragged_beyond_the_range_of_places_stays() {
+fn a_light_dragged_beyond_the_range_of_positions_stays() {
     let mut window = with_light_in_sight();
     let far = 9.99e99;
     let lights = window

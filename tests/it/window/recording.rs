@@ -1,4 +1,4 @@
-//! Recordings are written and replayed without loss, and what is wrong in one is found.
+//! Recordings are written and replayed without loss, and mistakes in them are found.
 
 use std::cell::RefCell;
 use std::io::{self, Write};
@@ -21,7 +21,7 @@ use shadetrade::window::replay::{draw, hash};
 
 use crate::scene::random;
 
-/// A file in memory with a limit on its length.
+/// A file in memory with a limited length.
 #[derive(Clone)]
 struct File(Rc<RefCell<Vec<u8>>>, usize);
 
@@ -99,7 +99,7 @@ fn replayed(log: &Log, threads: usize, level: Level) -> Vec<(Duration, Arc<Scene
     frames
 }
 
-/// A log of a scene and these lines.
+/// A log of a scene, followed by these lines.
 fn log(lines: &str) -> String {
     let scene = Scene::load(None).expect("it is built in");
     let scene = json!({ "name": "cuboid", "scene": SceneRecord::of(&scene.world) });
@@ -110,7 +110,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(4))]
 
     #[test]
-    fn a_window_is_replayed_as_it_was(keys in vec(select(vec![
+    fn a_window_is_replayed_unchanged(keys in vec(select(vec![
         Key::W, Key::R, Key::Num3, Key::A, Key::G, Key::P, Key::OpenBracket, Key::CloseBracket, Key::C, Key::O,
         Key::ArrowLeft, Key::ArrowUp, Key::Plus, Key::Home, Key::F2, Key::F3, Key::F4, Key::F5, Key::F6, Key::Z,
         Key::E, Key::Escape,
@@ -144,7 +144,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(128))]
 
     #[test]
-    fn a_patch_makes_of_one_record_the_other(before in random::record(), mut after in random::record(), is_near: bool) {
+    fn a_patch_turns_one_record_into_the_other(before in random::record(), mut after in random::record(), is_near: bool) {
         if is_near {
             let changed = std::mem::replace(&mut after, before.clone());
             after.view.divider = changed.view.divider;
@@ -164,7 +164,7 @@ proptest! {
     }
 
     #[test]
-    fn no_wrong_byte_and_no_cut_ends_in_a_panic(place: prop::sample::Index, byte: u8, cuts: bool) {
+    fn no_wrong_byte_and_no_cut_causes_a_panic(place: prop::sample::Index, byte: u8, cuts: bool) {
         let text = log(LINES);
         let mut bytes = text.clone().into_bytes();
         let place = place.index(bytes.len());
@@ -173,14 +173,14 @@ proptest! {
         } else {
             bytes[place] = byte;
         }
-        // A mistake is told with its place.
+        // A mistake is reported with its place.
         if let Err(error) = Log::read("a.log", &bytes, Duration::ZERO) {
             prop_assert!(error.to_string().starts_with("a.log:"), "{}", error);
         }
     }
 }
 
-/// What may follow a scene.
+/// Lines that may follow a scene.
 const LINES: &str = r#"0.000 size [320,200]
 0.500 patch [{"op":"replace","path":"/light/0/on","value":false}]
 0.500 patch [{"op":"add","path":"/view/pixel","value":[16383,16383]},{"op":"remove","path":"/light/1"}]
@@ -190,7 +190,7 @@ const LINES: &str = r#"0.000 size [320,200]
 "#;
 
 #[test]
-fn a_change_of_one_number_is_one_operation_that_names_it() {
+fn a_change_of_one_number_is_one_operation_with_its_name() {
     let scene = Scene::load(None).expect("it is built in");
     let before = SceneRecord::of(&scene.world);
     let mut after = before.clone();
@@ -204,7 +204,7 @@ fn a_change_of_one_number_is_one_operation_that_names_it() {
 }
 
 #[test]
-fn every_cut_of_a_log_is_its_whole_lines() {
+fn a_log_cut_anywhere_keeps_its_complete_lines() {
     let text = log(LINES);
     let head = text.find('\n').unwrap() + 1;
     for cut in head..=text.len() {
@@ -219,7 +219,7 @@ fn every_cut_of_a_log_is_its_whole_lines() {
 }
 
 #[test]
-fn the_ends_of_what_a_log_may_say_are_drawn() {
+fn the_limits_of_a_log_are_drawn() {
     let log = read(&log(LINES)).expect("it is valid");
     let frames = replayed(&log, 1, Level::new());
     assert_eq!(frames.len(), 4);
@@ -227,7 +227,7 @@ fn the_ends_of_what_a_log_may_say_are_drawn() {
 }
 
 #[test]
-fn pauses_are_cut_and_shorter_ones_are_not() {
+fn long_pauses_are_shortened_and_short_ones_are_not() {
     let text = log("0.500 say \"a\"\n0.750 say \"b\"\n100.75 say \"c\"\n101.75 say \"d\"\n");
     let log = read(&text).expect("it is valid");
     let (times, played): (Vec<_>, Vec<_>) = log
@@ -240,7 +240,7 @@ fn pauses_are_cut_and_shorter_ones_are_not() {
 }
 
 #[test]
-fn mistakes_are_told_with_their_place() {
+fn mistakes_are_reported_with_their_place() {
     for (line, column, words) in [
         ("", 1, "seconds"),
         ("x say \"a\"", 1, "seconds from 1"),
@@ -307,7 +307,7 @@ fn mistakes_are_told_with_their_place() {
 }
 
 #[test]
-fn a_recording_that_cannot_be_written_ends_and_the_window_says_so() {
+fn a_failed_write_ends_the_recording_and_the_window_reports_it() {
     let file = File::new(4000);
     let mut app = recorded(&file);
     for now in 0..200 {
@@ -320,7 +320,7 @@ fn a_recording_that_cannot_be_written_ends_and_the_window_says_so() {
 }
 
 #[test]
-fn another_scene_is_written_as_a_whole() {
+fn another_scene_is_recorded_completely() {
     let file = File::new(usize::MAX);
     let mut app = recorded(&file);
     press(&mut app, 0, None);

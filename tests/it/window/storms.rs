@@ -1,12 +1,13 @@
-//! Random events in windows of any size: nothing panics, everything is undone, what is saved is read again, and every SIMD
-//! level shows the same pixels.
+//! Random events in windows of any size: nothing panics, everything can be undone, saved files are read again, and
+//! every SIMD level shows the same pixels.
 
+use std::path::Path;
 use std::time::Duration;
 
 use egui::{Key, Modifiers, pos2};
 use fearless_simd::Level;
 use shadetrade::components::{Inspector, Tab, get, overwrite};
-use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::scene::{Scene, SceneRecord, is_built_in};
 use shadetrade::simd;
 use shadetrade::window::keys::{BINDINGS, Command};
 
@@ -17,11 +18,11 @@ use crate::support::window::{app, default_scene};
 
 /// Events of a storm.
 const EVENTS: usize = 40;
-/// The window's sides are below these: the second storm answers every question of its pictures, so they are small.
+/// The window's sides are below these. In the small one all questions about the picture are answered.
 const LARGE: [f64; 2] = [1600.0, 1200.0];
 const SMALL: [f64; 2] = [110.0, 80.0];
 
-/// The states that cannot be undone, each the first of a scene.
+/// A window under random events, with the record and the name of its scene when that was opened.
 struct Storm {
     window: Window,
     first: SceneRecord,
@@ -53,7 +54,7 @@ impl Storm {
         pos2(at[0], at[1])
     }
 
-    /// One event, and what the window shows after it.
+    /// Sends one random event and checks the window after it.
     fn blow(&mut self) {
         match self.choice(12) {
             0..=4 => self.press_any(),
@@ -100,7 +101,7 @@ impl Storm {
             self.fold_slow_answers();
         }
         let name = &self.window.app.scene.name;
-        let is_opened = *name != self.name && BUILT_IN.iter().any(|(built_in, _)| name == built_in);
+        let is_opened = *name != self.name && is_built_in(Path::new(name));
         if is_opened {
             self.first = SceneRecord::of(&Scene::load(Some(name)).expect("built in").world);
         }
@@ -130,7 +131,7 @@ impl Storm {
         }
     }
 
-    /// Proofs of large pictures take long.
+    /// Closes the tabs with proofs, which take long for large pictures.
     fn fold_slow_answers(&mut self) {
         let world = &mut self.window.app.scene.world;
         let viewer = shadetrade::components::viewer(world);
@@ -151,13 +152,13 @@ fn is_slow(command: Command) -> bool {
     )
 }
 
-/// Storms of both kinds.
+/// Storms in small and in large windows.
 fn storms(unset: usize) -> impl Iterator<Item = (u64, [f64; 2])> {
     (0..cases(unset) as u64).flat_map(|seed| [(2 * seed, SMALL), (2 * seed + 1, LARGE)])
 }
 
 #[test]
-fn after_a_storm_everything_is_undone_and_what_is_saved_is_read_again() {
+fn after_a_storm_everything_can_be_undone_and_the_saved_file_is_read_again() {
     for (seed, most) in storms(2) {
         let mut storm = Storm::new(seed, most, Level::new());
         (0..EVENTS).for_each(|_| storm.blow());
@@ -175,7 +176,7 @@ fn after_a_storm_everything_is_undone_and_what_is_saved_is_read_again() {
             window.app.run(Command::Undo);
             window.step(Vec::new());
         }
-        // Undo leaves these as they are.
+        // Undo does not change these.
         let (mut first, present) = (storm.first, window.record());
         first.view.turned = present.view.turned;
         first.view.pixel = present.view.pixel;
@@ -208,7 +209,7 @@ fn a_storm_has_the_same_pixels_at_every_simd_level() {
 }
 
 impl Window {
-    /// Two windows save under the same names.
+    /// Deletes the saved files, because two windows save under the same names.
     fn folder_keeps_nothing(&self) {
         for name in self.files() {
             let _ = std::fs::remove_file(self.folder.path().join(name));

@@ -20,7 +20,7 @@ use crate::trade::example::live;
 
 const SIZE: [usize; 2] = [900, 700];
 
-/// Milliseconds and errors of [`METHODS`]: the more exact, the slower, but for exact Gouraud and the shortcut.
+/// Milliseconds and errors of [`METHODS`]: a smaller error takes longer, except for exact Gouraud and the shortcut.
 fn measured() -> Vec<Measurement> {
     let figures = [
         (0.8, 165.0),
@@ -41,7 +41,7 @@ fn measured() -> Vec<Measurement> {
     measured.collect()
 }
 
-/// A window that has measured that.
+/// A window with this measurement.
 fn app_with_trade() -> App {
     let mut app = app(default_scene(), SIZE, Level::new());
     app.shows_times = true;
@@ -53,7 +53,7 @@ fn open() -> Window {
     Window::with(app_with_trade(), SIZE)
 }
 
-/// The places of the dots in the window, in the order of [`METHODS`].
+/// The positions of the dots in the window, in the order of [`METHODS`].
 fn dots() -> Vec<Pos2> {
     let harness = widgets(app_with_trade(), SIZE);
     let names = [
@@ -115,7 +115,7 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
     }
     let mut window = open();
     for method in METHODS.iter().filter(|it| it.mode != UnitVectors) {
-        // Round the window once at most.
+        // At most one round through the window.
         let mut steps = 0..200;
         while window.app.desk.preview != Some(*method) && steps.next().is_some() {
             window.press(Key::Tab);
@@ -126,7 +126,7 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
 }
 
 #[test]
-fn the_picture_of_a_dot_is_shown_while_the_mouse_is_on_it_and_nothing_changes() {
+fn hovering_a_dot_shows_its_picture_and_changes_nothing() {
     let mut window = open();
     let (before, frame) = (window.record(), window.app.shown().to_vec());
     for (method, at) in METHODS.iter().zip(dots()) {
@@ -155,7 +155,7 @@ fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
     window.point_at(from + egui::vec2(-20.0, 20.0));
     let (mut last, mut between) = (f64::INFINITY, 0);
     for step in 1..=40 {
-        // Beside the staircase.
+        // Outside of the staircase.
         let at = from + (to - from) * (step as f32 / 40.0) + egui::vec2(0.0, 3.0);
         window.point_at(at);
         let Tolerance(tolerance) = window.app.look();
@@ -173,7 +173,7 @@ fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
     window.point_at(dots[1]);
     assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
     window.button(dots[1], false);
-    // A method between two dots is drawn as any other.
+    // A method between two dots is drawn like any other.
     window.app.set_tolerance(0.7);
     window.step(Vec::new());
     let picture = window.app.pictures.frame().to_vec();
@@ -184,7 +184,7 @@ fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
 }
 
 #[test]
-fn a_trade_is_that_of_a_view_whatever_method_is_on_screen() {
+fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
     let mut window = open();
     for key in [
         Key::P,
@@ -268,16 +268,13 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
     window.app.set_budget(Some(0.6));
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
-    window.app.set_budget(Some(0.001));
+    // Measurements of another view say nothing about this one, and nothing moves.
+    window.app.facts.trade.state = State::Idle;
     window.step(Vec::new());
-    window.app.set_budget(Some(0.6));
-    window.step(Vec::new());
-    let before = window.app.method();
+    assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // No frame of this picture takes so little time.
     window.app.set_budget(Some(0.0011));
-    window.app.facts.trade.state = State::Idle;
-    window.press(Key::ArrowLeft);
-    assert_ne!(window.app.method(), before);
+    window.key(Key::ArrowLeft, true);
     assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
     assert_eq!(window.record().view.budget, Some(0.0011));
     // Where nothing is measured, the tolerance is drawn.
@@ -288,7 +285,7 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
     assert_eq!(other.app.view().shading, None);
 }
 
-/// Takes steps until `is_done`.
+/// Steps until `is_done` returns true.
 fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app::Output {
     loop {
         let now = app.now + FRAME;

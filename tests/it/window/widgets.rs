@@ -1,4 +1,6 @@
-//! Widgets by their labels: what is clicked and typed there is in the components.
+//! Widgets by their labels: clicks and typed text change the components.
+
+use std::path::{Path, PathBuf};
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, vec2};
@@ -11,11 +13,12 @@ use shadetrade::components::{
 use shadetrade::scene::{BUILT_IN, SceneRecord};
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Kind;
+use shadetrade::window::recent::Recent;
 
 use super::{PAUSE, Window};
 use crate::support::window::{app, default_scene, places, widgets};
 
-/// A window in which every section and tab is seen.
+/// A size in which every section and tab is visible.
 const SIZE: [usize; 2] = [1400, 1000];
 
 fn open() -> Harness<'static, App> {
@@ -35,7 +38,7 @@ fn click_at(harness: &mut Harness<App>, at: Pos2) {
     harness.run_ok();
 }
 
-/// Clicks the widget of this label.
+/// Clicks the widget with this label.
 #[track_caller]
 fn click(harness: &mut Harness<App>, label: &str) {
     let found = places(harness, label);
@@ -43,7 +46,7 @@ fn click(harness: &mut Harness<App>, label: &str) {
     click_at(harness, found[0]);
 }
 
-/// Clicks the last widget of this label in the inspector.
+/// Clicks the last widget with this label in the inspector.
 #[track_caller]
 fn click_inside(harness: &mut Harness<App>, label: &str) {
     let left = harness.state().place.max.x;
@@ -55,7 +58,7 @@ fn click_inside(harness: &mut Harness<App>, label: &str) {
     click_at(harness, place);
 }
 
-/// Clicks a number right of a label, and types another.
+/// Clicks a number to the right of a label and types another.
 #[track_caller]
 fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
     click_at(harness, number(harness, label, column));
@@ -65,7 +68,7 @@ fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
     harness.run_ok();
 }
 
-/// The place of a number right of the last text of this name.
+/// The position of a number to the right of the last text with this name.
 #[track_caller]
 fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
     let rows = harness.query_all_by(|node| node.role() == Role::Label);
@@ -82,7 +85,7 @@ fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
 }
 
 #[test]
-fn the_panel_switches_what_its_labels_say() {
+fn the_panel_switches_the_things_on_its_labels() {
     let mut harness = open();
     click(&mut harness, "Phong");
     assert_eq!(harness.state().shading(), Some(ShadingMode::Phong));
@@ -212,11 +215,11 @@ fn entities_are_added_copied_renamed_and_deleted() {
         click(&mut harness, "delete");
         assert_eq!(record(&harness), start, "{kind}");
     }
-    // The last cuboid cannot go.
+    // The last cuboid cannot be deleted.
     click(&mut harness, "emerald");
     click(&mut harness, "delete");
     assert_eq!(record(&harness), start);
-    // A name that is taken, or that a list of lights cannot hold, is refused.
+    // A duplicate name, or a name that a list of lights cannot hold, is refused.
     for (name, is_taken) in [
         ("blue", true),
         ("red", false),
@@ -338,7 +341,7 @@ fn the_shininess_beside_the_section_is_the_cuboids_and_undone_like_any_edit() {
 }
 
 #[test]
-fn a_number_that_is_looked_at_keeps_every_digit() {
+fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     let mut scene = default_scene();
     let mut start = SceneRecord::of(&scene.world);
     start.cuboid[0].position.x = 0.123_456_789_012;
@@ -352,7 +355,7 @@ fn a_number_that_is_looked_at_keeps_every_digit() {
     click(&mut harness, "emerald");
     let lights = harness.query_all_by(|node| node.role() == Role::SpinButton);
     let all: Vec<Pos2> = lights.map(|node| node.rect().center()).collect();
-    // The focus leaves a number before it is laid out, and after.
+    // The focus leaves each number once before it is laid out and once after.
     for at in all.iter().rev().chain(&all) {
         click_at(&mut harness, *at);
     }
@@ -360,7 +363,7 @@ fn a_number_that_is_looked_at_keeps_every_digit() {
 }
 
 #[test]
-fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_told() {
+fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("other.toml");
     std::fs::write(&path, BUILT_IN[3].1).expect("written");
@@ -382,11 +385,34 @@ fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_told() {
         assert_eq!(harness.state().scene.path.is_some(), opens);
         assert_eq!(harness.state().desk.file_error.is_some(), !opens, "{text}");
     }
-    assert_eq!(harness.state().desk.recent, [path]);
+    assert_eq!(harness.state().desk.recent.files, [path]);
 }
 
 #[test]
-fn quitting_with_edits_saves_or_not_or_goes_on() {
+fn the_files_opened_last_are_known_in_the_next_session() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let kept = || Recent::kept_in(&folder.path().join("shadetrade"));
+    assert!(kept().files.is_empty());
+    for number in 0..12 {
+        kept().add(Path::new(&format!("/scenes/{number}.toml")));
+    }
+    kept().add(Path::new("/scenes/5.toml"));
+    let expected =
+        [5, 11, 10, 9, 8, 7, 6, 4, 3, 2].map(|it| PathBuf::from(format!("/scenes/{it}.toml")));
+    assert_eq!(kept().files, expected);
+
+    let mut harness = open();
+    harness.state_mut().desk.recent = kept();
+    let combos = harness.query_all_by(|node| node.value().as_deref() == Some("cuboid"));
+    let scenes = combos.map(|node| node.rect().center()).next();
+    click_at(&mut harness, scenes.expect("the list of scenes"));
+    for label in ["bench-far", "/scenes/5.toml", "extremes/eye-inside"] {
+        assert_eq!(places(&harness, label).len(), 1, "{label}");
+    }
+}
+
+#[test]
+fn quitting_with_edits_saves_or_discards_them_or_is_cancelled() {
     for (label, files, quits) in [
         ("save and quit", 1, true),
         ("quit without saving", 0, true),

@@ -1,0 +1,159 @@
+//! A record is spawned as a [`World`] and taken from one; the two are inverse.
+
+use hecs::World;
+
+use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
+use crate::components::{
+    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, Magnifier, Material,
+    Mesh, Name, Orbit, Probed, Projection, ShadingMode, Show, Spin, Tolerance, Transform,
+    active_camera, cuboid, get, in_file_order, ordered,
+};
+
+impl SceneRecord {
+    /// What the components say now, whether the cuboids go on turning apart.
+    ///
+    /// # Panics
+    /// When the world has no viewer or no camera: a scene is spawned with them.
+    pub fn of(world: &World) -> SceneRecord {
+        let mut cuboids = world.query::<(
+            &FileOrder,
+            &Name,
+            &Transform,
+            &Mesh,
+            &Material,
+            &ShadingMode,
+        )>();
+        let cuboid = cuboids
+            .iter()
+            .map(|(order, name, at, mesh, material, shading)| {
+                let cuboid = CuboidRecord {
+                    name: name.0.clone(),
+                    size: mesh.size(),
+                    position: at.position,
+                    rotation: at.rotation,
+                    shading: *shading,
+                    material: *material,
+                };
+                (*order, cuboid)
+            });
+        let mut lights = world.query::<(&FileOrder, &Name, &Transform, &Light)>();
+        let light = lights.iter().map(|(order, name, at, light)| {
+            let light = LightRecord {
+                color: light.color,
+                gain: light.gain,
+                on: light.on,
+                ..LightRecord::new(&name.0, light.kind, light.intensity, at.position)
+            };
+            (*order, light)
+        });
+        let mut cameras = world.query::<(&FileOrder, &Name, &Transform, &Camera, &Orbit)>();
+        let camera = cameras.iter().map(|(order, name, at, camera, orbit)| {
+            let camera = CameraRecord {
+                name: name.0.clone(),
+                position: at.position,
+                target: camera.target,
+                up: camera.up,
+                fov: camera.fov,
+                height: camera.height,
+                near: camera.near,
+                orbit: *orbit,
+            };
+            (*order, camera)
+        });
+        let mut viewers = world.query::<(&Background, &Projection, &Tolerance, &Spin, &Show)>();
+        let viewer = viewers.iter().next().expect("a scene has a viewer");
+        let (background, projection, tolerance, spin, show) = viewer;
+        let mut looks = world.query::<(&Budget, &Magnifier, &Probed, &Inspector)>();
+        let looks = looks.iter().next().expect("a scene has a viewer");
+        let (budget, magnifier, probed, inspector) = looks;
+        let active = active_camera(world);
+        let is_first = ordered::<Camera>(world).first() == Some(&active);
+        let name = get(world, active).map(|Name(name)| name);
+        SceneRecord {
+            background: background.0,
+            cuboid: in_file_order(cuboid),
+            light: in_file_order(light),
+            camera: in_file_order(camera),
+            view: ViewRecord {
+                camera: name.filter(|_| !is_first),
+                projection: *projection,
+                tolerance: tolerance.0,
+                budget: budget.0,
+                show: show.mode,
+                sides: show.sides,
+                divider: show.divider,
+                turned: spin.degrees,
+                pixel: probed.0,
+                magnifier: *magnifier,
+                inspector: inspector.0,
+            },
+        }
+    }
+
+    /// The world that is written down here: its own record is this one again.
+    ///
+    /// # Panics
+    /// When there is no camera.
+    pub fn spawn(&self) -> World {
+        let mut world = World::new();
+        for (order, it) in self.cuboid.iter().enumerate() {
+            let transform = Transform {
+                position: it.position,
+                rotation: it.rotation,
+            };
+            let (mesh, name) = (Mesh::cuboid(it.size), Name(it.name.clone()));
+            world.spawn(cuboid(
+                order,
+                name,
+                transform,
+                mesh,
+                it.material,
+                it.shading,
+            ));
+        }
+        for (order, it) in (0..).map(FileOrder).zip(&self.light) {
+            let light = Light {
+                kind: it.kind,
+                color: it.color,
+                intensity: it.intensity,
+                gain: it.gain,
+                on: it.on,
+            };
+            let place = Transform::at(it.position.unwrap_or_default());
+            world.spawn((Name(it.name.clone()), order, place, light));
+        }
+        let mut cameras = Vec::with_capacity(self.camera.len());
+        for (order, it) in (0..).map(FileOrder).zip(&self.camera) {
+            let camera = Camera {
+                target: it.target,
+                up: it.up,
+                fov: it.fov,
+                height: it.height,
+                near: it.near,
+            };
+            let (name, place) = (Name(it.name.clone()), Transform::at(it.position));
+            cameras.push(world.spawn((name, order, place, camera, it.orbit)));
+        }
+        let view = &self.view;
+        world.spawn((
+            ActiveCamera(cameras[self.active_camera().unwrap_or(0)]),
+            Background(self.background),
+            view.projection,
+            Tolerance(view.tolerance),
+            Budget(view.budget),
+            Spin {
+                degrees: view.turned,
+                on: false,
+            },
+            Show {
+                mode: view.show,
+                sides: view.sides,
+                divider: view.divider,
+            },
+            view.magnifier,
+            Probed(view.pixel),
+            Inspector(view.inspector),
+        ));
+        world
+    }
+}

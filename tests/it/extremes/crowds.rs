@@ -1,0 +1,229 @@
+//! Extremes that need a generator: thousands of lights and cuboids, and the largest picture.
+
+use fearless_simd::Level;
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use shadetrade::prove::nearest;
+use shadetrade::reference::{Interval, Reference, Seen};
+use shadetrade::systems;
+
+use super::is_full;
+use crate::prove::proof;
+use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
+
+const MATERIAL: Material = Material {
+    ambient: DVec3::splat(0.3),
+    diffuse: DVec3::new(0.1, 0.6, 0.1),
+    specular: DVec3::splat(0.7),
+    shininess: 76.8,
+};
+
+const EYE: DVec3 = DVec3::new(7.0, 5.0, 8.0);
+
+/// Views of the origin in both projections and modes, at tolerances 0 and 0.5.
+fn views(size: [usize; 2], eye: DVec3) -> Vec<View> {
+    let mut views = Vec::new();
+    for projection in Projection::ALL {
+        for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+            let view = view(size, eye, DVec3::ZERO, projection).shaded(mode);
+            views.extend([0.0, 0.5].map(|tolerance| view.with_tolerance(tolerance)));
+        }
+    }
+    views
+}
+
+fn one_cuboid() -> World {
+    let mut world = empty();
+    let size = DVec3::new(4.0, 3.0, 2.0);
+    spawn_cuboid(&mut world, size, at(DVec3::ZERO), MATERIAL);
+    world
+}
+
+fn light_all(world: &mut World, place: DVec3) {
+    for (kind, levels) in [
+        (LightKind::Diffuse, 170.0),
+        (LightKind::Specular, 255.0),
+        (LightKind::Ambient, 100.0),
+    ] {
+        spawn_light(world, kind, DVec3::splat(levels), place);
+    }
+}
+
+/// Asserts that every pixel of a view is proven, and that at least this many show a cuboid.
+fn assert_proven(world: &mut World, view: &View, least: u64) {
+    let proof = proof(world, view);
+    assert_eq!(
+        (proof.refuted, proof.undecided),
+        (0, 0),
+        "{view:?}: {:?}",
+        proof.examples
+    );
+    assert!(proof.covered >= least, "{} pixels", proof.covered);
+}
+
+/// A cuboid under `count` lights with a given sum of levels, half diffuse and half specular.
+fn under_many_lights(count: u32, place: impl Fn(f64) -> DVec3) -> World {
+    let mut world = one_cuboid();
+    for index in 0..count {
+        for (kind, levels) in [(LightKind::Diffuse, 200.0), (LightKind::Specular, 500.0)] {
+            let levels = DVec3::splat(levels / f64::from(count));
+            spawn_light(&mut world, kind, levels, place(f64::from(index)));
+        }
+    }
+    world
+}
+
+#[test]
+fn a_thousand_lights_are_proven() {
+    let around =
+        |step: f64| DVec3::new(step % 7.0 - 3.0, step % 5.0 + 2.0, step % 11.0 - 1.0) * 1.7;
+    let mut world = under_many_lights(1000, around);
+    for view in views([32, 24], EYE) {
+        assert_proven(&mut world, &view, 100);
+    }
+}
+
+#[test]
+fn a_thousand_lights_at_one_place_equal_their_sum() {
+    let [mut one, mut many] =
+        [1, 1000].map(|count| under_many_lights(count, |_| DVec3::splat(10.0)));
+    for view in views([32, 24], EYE) {
+        let [one, many] = [&mut one, &mut many].map(|world| draw(world, &view, Keep::Levels));
+        assert_eq!(one.triangles(), many.triangles());
+        for (one, many) in one
+            .levels()
+            .iter()
+            .flatten()
+            .zip(many.levels().iter().flatten())
+        {
+            assert!((one - many).abs() <= 0.05, "{one} {many}, {view:?}");
+        }
+    }
+}
+
+/// A block of 25 x 20 x 20 cuboids, each with its own rotation; its last two layers alone, unless everything is drawn.
+#[test]
+fn ten_thousand_cuboids_are_proven() {
+    let mut world = empty();
+    for index in if is_full() { 0 } else { 9_000 }..10_000 {
+        let [x, y, z] = [index % 25, index / 25 % 20, index / 500].map(f64::from);
+        let transform = Transform {
+            position: DVec3::new(0.3 * x - 3.6, 0.3 * y - 2.85, 0.3 * z - 3.0),
+            rotation: DVec3::new(7.0, 13.0, 29.0) * f64::from(index),
+        };
+        spawn_cuboid(&mut world, DVec3::new(0.3, 0.2, 0.25), transform, MATERIAL);
+    }
+    light_all(&mut world, DVec3::splat(10.0));
+    let step = if is_full() { 1 } else { 3 };
+    for mut view in views([96, 72], EYE).into_iter().step_by(step) {
+        view.viewpoint.camera.fov = 45.0;
+        assert_proven(&mut world, &view, 1000);
+    }
+}
+
+#[test]
+fn a_bar_edge_on_behind_a_sheet_is_invisible() {
+    for step in (0..50).map(f64::from) {
+        let mut world = empty();
+        let bar = Transform {
+            position: DVec3::new(-0.5 - 1e-5 * step, 0.56 + 0.004 * step, -60.0),
+            rotation: DVec3::new(-1.2e-6 * step, 0.7e-6 * step, 0.0),
+        };
+        spawn_cuboid(&mut world, DVec3::new(1.0, 1.0, 100.0), bar, MATERIAL);
+        let sheet = DVec3::new(9.0, 9.0, 0.1);
+        spawn_cuboid(&mut world, sheet, at(DVec3::ZERO), MATERIAL);
+        for view in views([96, 72], DVec3::Z * 30.0).into_iter().step_by(4) {
+            let frame = draw(&mut world, &view, Keep::Levels);
+            let mut seen = frame.triangles().iter().filter(|id| **id != NO_TRIANGLE);
+            assert!(seen.all(|id| id / 12 == 1), "step {step}, {view:?}");
+            assert!(frame.counts().covered_pixels > 100);
+        }
+    }
+}
+
+#[test]
+fn perspective_from_ten_thousand_times_as_far_equals_orthographic() {
+    let mut world = one_cuboid();
+    light_all(&mut world, DVec3::splat(10.0));
+    let eye = EYE * 1e4;
+    let [mut far, flat] =
+        Projection::ALL.map(|projection| view([96, 72], eye, DVec3::ZERO, projection));
+    far.viewpoint.camera.fov = 2.0 * (3.0 / eye.length()).atan().to_degrees();
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        let [far, flat] =
+            [&far, &flat].map(|view| draw(&mut world, &view.shaded(mode), Keep::Levels));
+        let (mut astray, mut compared) = (0, 0);
+        for pixel in 0..96 * 72 {
+            if far.triangles()[pixel] != flat.triangles()[pixel] {
+                astray += 1;
+                continue;
+            }
+            compared += u32::from(far.triangles()[pixel] != NO_TRIANGLE);
+            for (far, flat) in far.levels()[pixel].iter().zip(flat.levels()[pixel]) {
+                assert!(
+                    (far - flat).abs() <= 1.0,
+                    "{far} {flat} at {pixel}, {mode:?}"
+                );
+            }
+        }
+        assert!(compared > 1000 && astray <= 12, "{compared} {astray}");
+    }
+}
+
+/// The bytes of one pixel in a hundred thousand.
+#[test]
+fn the_largest_picture_is_proven_in_samples() {
+    let side = if is_full() { 16_384 } else { 1024 };
+    let mut world = one_cuboid();
+    light_all(&mut world, DVec3::splat(10.0));
+    let view = view([side, side], EYE, DVec3::ZERO, Projection::Perspective);
+    let view = view.shaded(ShadingMode::Phong).with_tolerance(0.5);
+    let workers = Workers::new(2, Level::new()).expect("the system gives threads");
+    let mut frame = Frame::new(Keep::Display, workers);
+    systems::draw(&mut world, &view, &mut frame).expect("there is a gigabyte");
+    let reference = Reference::<Interval>::new(&world, &view);
+    let mut covered = 0;
+    for step in 0..2_000 {
+        // Multiples of the golden ratio and its square are evenly distributed (Roberts 2018).
+        let place @ [x, y] = [0.754_877_666, 0.569_840_291]
+            .map(|share: f64| (share * f64::from(step)).fract() * side as f64)
+            .map(|coordinate| coordinate as usize);
+        let [_, bytes @ ..] = frame.pixels()[y * side + x].to_be_bytes();
+        // The bytes are known, but not the face, so any possible face counts.
+        let all = reference.at(place);
+        let face = all.iter().map(Seen::face).find(|face| {
+            let error = nearest(*face, bytes.map(f64::from), &all);
+            error.is_some_and(|[_, most]| most <= view.tolerance + 0.5)
+        });
+        let face = face.unwrap_or_else(|| panic!("{place:?} is {bytes:?}, not {all:?}"));
+        covered += u64::from(face.is_some());
+    }
+    assert!(covered > 500, "{covered} samples show the cuboid");
+}
+
+#[test]
+fn no_power_is_evaluated_for_a_light_that_sends_nothing() {
+    for strength in [0.0, 1e-300] {
+        let mut world = one_cuboid();
+        let levels = DVec3::splat(strength);
+        spawn_light(&mut world, LightKind::Specular, levels, DVec3::splat(10.0));
+        for view in views([96, 72], EYE) {
+            let frame = draw(&mut world, &view, Keep::Levels);
+            let counts = frame.counts();
+            assert!(counts.covered_pixels > 1000);
+            if strength == 0.0 {
+                assert_eq!(counts.specular_evaluations, 0, "{view:?}");
+            }
+            assert!(
+                frame
+                    .levels()
+                    .iter()
+                    .zip(frame.triangles())
+                    .all(|(levels, id)| *id == NO_TRIANGLE
+                        || levels.iter().all(|level| *level < 1e-4))
+            );
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! The renderer draws the same bits with and without an extreme.
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{Material, Mesh, Projection, ShadingMode, Transform, View};
+use shadetrade::frame::{Keep, NO_TRIANGLE};
+
+use crate::stability::life::{Bits, still_life, views};
+use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
+
+const MATERIAL: Material = Material {
+    ambient: DVec3::splat(0.3),
+    diffuse: DVec3::splat(0.6),
+    specular: DVec3::splat(0.7),
+    shininess: 76.8,
+};
+
+/// Asserts that two worlds have the same picture, bit by bit, and that a cuboid is visible.
+fn assert_same(plain: &mut (World, Vec<View>), extreme: &mut (World, Vec<View>), what: &str) {
+    assert_eq!(plain.1.len(), extreme.1.len());
+    for (view, other) in plain.1.iter().zip(&extreme.1) {
+        let expected = Bits::of(&draw(&mut plain.0, view, Keep::Levels));
+        let seen = expected.triangles.iter().filter(|id| **id != NO_TRIANGLE);
+        assert!(seen.count() > 100, "{what}");
+        let found = Bits::of(&draw(&mut extreme.0, other, Keep::Levels));
+        assert!(found == expected, "{what}, {other:?}");
+    }
+}
+
+/// The scene of three cuboids with all lengths multiplied and all positions moved. The near plane cuts a corner off.
+fn still_life_at(scale: f64, shift: DVec3) -> (World, Vec<View>) {
+    let mut world = still_life(3);
+    for mesh in world.query_mut::<&mut Mesh>() {
+        *mesh = Mesh::cuboid(mesh.size() * scale);
+    }
+    let place = |place: DVec3| place * scale + shift;
+    for transform in world.query_mut::<&mut Transform>() {
+        transform.position = place(transform.position);
+    }
+    let mut views = views([64, 48]);
+    for view in &mut views {
+        let viewpoint = &mut view.viewpoint;
+        viewpoint.position = place(viewpoint.position);
+        viewpoint.camera.target = place(viewpoint.camera.target);
+        viewpoint.camera.height *= scale;
+        viewpoint.camera.near = Some(8.0 * scale);
+    }
+    (world, views)
+}
+
+#[test]
+fn scaling_by_a_power_of_two_changes_no_bit() {
+    let mut plain = still_life_at(1.0, DVec3::ZERO);
+    for power in (-40..=40).step_by(5).chain([-300, 300]) {
+        let mut scaled = still_life_at(2.0_f64.powi(power), DVec3::ZERO);
+        assert_same(&mut plain, &mut scaled, &format!("2^{power}"));
+    }
+}
+
+#[test]
+fn moving_everything_by_an_integer_changes_no_bit() {
+    let mut plain = still_life_at(1.0, DVec3::ZERO);
+    for far in [1e3, -1e6, 1e9, -1e12] {
+        let shift = DVec3::new(far, -0.5 * far, 0.25 * far);
+        assert_same(
+            &mut plain,
+            &mut still_life_at(1.0, shift),
+            &format!("{far:e}"),
+        );
+    }
+}
+
+/// Cuboids with these sizes and rotations at the origin under a light of each kind, from every side and in [`views`].
+fn cuboids(all: &[([f64; 3], [f64; 3])]) -> (World, Vec<View>) {
+    let mut world = still_life(0);
+    for (size, rotation) in all {
+        let transform = Transform {
+            rotation: (*rotation).into(),
+            ..Transform::default()
+        };
+        spawn_cuboid(&mut world, (*size).into(), transform, MATERIAL);
+    }
+    (world, views([64, 48]))
+}
+
+/// 1e9 degrees are 2777777 turns and 280 degrees. The float nearest to 1e100 is an integer with a remainder of 64
+/// modulo 360.
+#[test]
+fn whole_turns_change_no_bit() {
+    let size = [4.0, 3.0, 2.0];
+    for (few, many) in [
+        ([280.0, -280.0, 10.0], [1e9, -1e9, 1e9 + 90.0]),
+        (
+            [280.0, -280.0, 10.0],
+            [280.0 + 360.0 * 7.0, -280.0 - 360.0 * 9.0, 370.0],
+        ),
+        ([64.0, 3.0, 4.0], [1e100, 3.0, 4.0]),
+    ] {
+        let [mut few, mut many] = [few, many].map(|rotation| cuboids(&[(size, rotation)]));
+        assert_same(&mut few, &mut many, "turns");
+    }
+}
+
+#[test]
+fn a_hidden_cuboid_or_a_speck_changes_no_bit() {
+    let size = DVec3::new(4.0, 3.0, 2.0);
+    let mut alone = cuboids(&[(size.to_array(), [0.0; 3])]);
+    for share in [0.1, 0.999_999, 1.0] {
+        let inner = ((size * share).to_array(), [0.0; 3]);
+        let mut both = cuboids(&[(size.to_array(), [0.0; 3]), inner]);
+        assert_same(&mut alone, &mut both, &format!("{share}"));
+    }
+    let mut beside = cuboids(&[(size.to_array(), [0.0; 3])]);
+    let place = at(DVec3::new(0.3, 2.5, 0.1));
+    spawn_cuboid(&mut beside.0, DVec3::splat(1e-100), place, MATERIAL);
+    assert_same(&mut alone, &mut beside, "a speck");
+}
+
+#[test]
+fn a_near_plane_in_the_plane_of_a_face_clips_nothing_of_it() {
+    let frontal = |near: f64| {
+        let mut world = empty();
+        spawn_cuboid(
+            &mut world,
+            DVec3::new(4.0, 3.0, 2.0),
+            at(DVec3::ZERO),
+            MATERIAL,
+        );
+        for kind in shadetrade::components::LightKind::ALL {
+            spawn_light(&mut world, kind, DVec3::splat(90.0), DVec3::splat(10.0));
+        }
+        let views = Projection::ALL.into_iter().flat_map(|projection| {
+            let mut view = view([64, 48], DVec3::Z * 10.0, DVec3::ZERO, projection);
+            view.viewpoint.camera.near = Some(near);
+            [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| view.shaded(mode))
+        });
+        (world, views.collect())
+    };
+    for near in [9.0_f64.next_down(), 9.0] {
+        assert_same(&mut frontal(1.0), &mut frontal(near), &format!("{near}"));
+    }
+}

@@ -1,0 +1,88 @@
+//! Pictures of other programs: their bytes are judged without known faces.
+
+use fearless_simd::Level;
+use shadetrade::components::{Projection, ShadingMode, View};
+use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::prove::{Proof, Verdict, prove};
+use shadetrade::scene::{BUILT_IN, Scene};
+use shadetrade::systems;
+
+const SIZE: [usize; 2] = [80, 60];
+
+/// The renderer's bytes for a window.
+fn drawn(scene: &mut Scene, view: &View) -> Vec<u32> {
+    let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
+    systems::draw(&mut scene.world, view, &mut frame).expect("a small picture fits");
+    frame.pixels().to_vec()
+}
+
+fn judged(scene: &mut Scene, view: &View, picture: &[u32]) -> Proof {
+    let level = Level::new();
+    prove(
+        &mut scene.world,
+        view,
+        Some(picture),
+        level,
+        &|| false,
+        &|_| (),
+    )
+    .expect("a small picture fits")
+    .expect("it is not cancelled")
+}
+
+fn exact(scene: &Scene, mode: ShadingMode, projection: Projection) -> View {
+    View {
+        projection,
+        ..View::of(&scene.world, SIZE)
+            .shaded(mode)
+            .with_tolerance(0.0)
+    }
+}
+
+#[test]
+fn the_renderers_own_bytes_are_proven_and_a_changed_one_is_refuted() {
+    for (name, text) in BUILT_IN {
+        for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+            for projection in Projection::ALL {
+                let mut scene = Scene::parse(name, text).expect("a built-in scene");
+                let view = exact(&scene, mode, projection);
+                let mut picture = drawn(&mut scene, &view);
+                let proof = judged(&mut scene, &view, &picture);
+                let what = format!("{name}, {mode:?}, {projection:?}");
+                assert_eq!(proof.refuted, 0, "{what}: {:?}", proof.examples);
+                assert_eq!(proof.undecided, 0, "{what}: {:?}", proof.examples);
+
+                let is_inside = |pixel: &usize| {
+                    let mark = proof.marks[*pixel];
+                    mark.is_covered && !mark.is_outline && picture[*pixel] & 0xff >= 2
+                };
+                let pixel = (0..picture.len())
+                    .find(is_inside)
+                    .expect("a cuboid is seen");
+                picture[pixel] -= 2;
+                let proof = judged(&mut scene, &view, &picture);
+                assert_eq!(proof.refuted, 1, "{what}");
+                let example = &proof.examples[0];
+                assert_eq!(example.pixel, [pixel % SIZE[0], pixel / SIZE[0]], "{what}");
+                assert_eq!(example.verdict, Verdict::Refuted);
+                // A byte is at most half a level from its level.
+                assert!((1.5..=2.5).contains(&example.error[0]), "{example:?}");
+                assert!(example.face.is_some());
+            }
+        }
+    }
+}
+
+#[test]
+fn gouraud_is_refuted_as_phong_by_its_known_error() {
+    let mut scene = Scene::load(None).expect("the built-in scene");
+    let view = exact(&scene, ShadingMode::Phong, Projection::Perspective);
+    let gouraud = view.shaded(ShadingMode::Gouraud);
+    let picture = drawn(&mut scene, &gouraud);
+    let proof = judged(&mut scene, &view, &picture);
+    assert!(proof.refuted > 100, "{}", proof.refuted);
+    let errors: Vec<f64> = proof.examples.iter().map(|it| it.error[0]).collect();
+    assert!(errors.is_sorted_by(|one, other| one >= other), "{errors:?}");
+    // The highlight is missing: 160 levels of red under Phong.
+    assert!(errors[0] > 100.0, "{errors:?}");
+}
