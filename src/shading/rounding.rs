@@ -6,6 +6,12 @@ use super::U;
 use super::field::MAX_RADIUS;
 use super::specular::Power;
 
+/// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`. From two vectors of
+/// any length it is less: `proofs/cosine.g`.
+pub const COSINE: f64 = 13.0;
+/// The error of |r - o|, in roundings: `proofs/chord.g`.
+pub const CHORD: f64 = 50.0;
+
 /// What rounding costs the model at one pixel, in levels. Rows of polynomials are counted in [`super::interpolation`].
 ///
 /// A vector of length one at the middle is formed as a x + (b y + c): c, a and b are rounded, then both products and both
@@ -17,10 +23,10 @@ use super::specular::Power;
 /// The operations that follow round, in units of u:
 ///
 /// ```text
-///   unit vector   4.5   its square 3, halved by the root; root 1, quotient 1, product 1
-///   n.l           12    n 4.5, product 3, length of l 3.5, product 1
-///   |r - o|       50    2 (n.l) n: twice (n.l 12, n 4.5, product 1) = 35; l and o 4.5 each; differences of lengths 1 and 2; 3 spare
-///   1 - s         4     square 3, 1 spare
+///   unit vector   4.51   proofs/unit.g
+///   n.l           13     proofs/chord.g: n 4.51, the rest 8.1
+///   |r - o|       50     proofs/chord.g: 2 (n.l) n, l, o and two differences
+///   1 - s         4      square 3, 1 spare
 /// ```
 /// n.l errs by the delta of n and of l besides, |r - o| by twice that of n and by those of l and o. s^rho errs by what these errors
 /// make of it ([`Power::propagated`]) and by the power's own error.
@@ -62,7 +68,7 @@ impl Rounding {
 
     /// What n.l errs by.
     pub fn cosine(&self, light: Extent) -> f64 {
-        self.normal + direction(self.unit, light) + 12.0 * self.unit
+        self.normal + direction(self.unit, light) + COSINE * self.unit
     }
 
     /// Adds a light's specular term of at most so many levels.
@@ -74,7 +80,7 @@ impl Rounding {
 
     /// What |r - o| errs by.
     fn chord(&self, light: Extent) -> f64 {
-        2.0 * self.normal + direction(self.unit, light) + self.eye + 50.0 * self.unit
+        2.0 * self.normal + direction(self.unit, light) + self.eye + CHORD * self.unit
     }
 
     fn count(&mut self, levels: f64) {
@@ -119,6 +125,7 @@ mod tests {
     use proptest::test_runner::{Config, RngSeed, TestRunner};
 
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
+    use super::super::specular::{POWER_ERROR, QUADRATIC};
     use super::*;
 
     /// A vector of length one at the middle of a square, which moves by that much to the right and down.
@@ -262,5 +269,17 @@ mod tests {
         assert_covers("a bright ambient light", bright, 0.8);
         let single = share((0.0, vec![1.0]));
         assert_covers("a single light", single, 0.8);
+    }
+
+    #[test]
+    fn the_constants_are_those_of_the_proofs() {
+        let goal = |text: &'static str, arrow| text.split(arrow).nth(1).unwrap_or_default();
+        let chord = goal(include_str!("../../proofs/chord.g"), "->");
+        assert!(chord.contains(&format!("cosine + unit <= {COSINE}b-24")));
+        assert!(chord.contains(&format!("+ unit <= {CHORD}b-24 }}")));
+        let quadratic = goal(include_str!("../../proofs/squarings.g"), "->");
+        assert!(quadratic.contains(&format!("|p - P| <= {QUADRATIC}b-24 }}")));
+        let power = goal(include_str!("../../proofs/power.v"), "Goal");
+        assert!(power.contains(&format!("<= {}/1.", POWER_ERROR / U)));
     }
 }

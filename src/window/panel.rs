@@ -201,11 +201,13 @@ impl App {
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
             let built_in = BUILT_IN.iter().chain(EXTREMES);
-            let built_in = built_in.map(|(name, _)| PathBuf::from(name));
-            for path in self.desk.recent.files.iter().cloned().chain(built_in) {
+            let built_in = built_in.map(|(name, text)| (PathBuf::from(name), heading(text)));
+            let recent = self.desk.recent.files.iter();
+            let recent = recent.map(|path| (path.clone(), "A file opened before.".to_owned()));
+            for (path, says) in recent.chain(built_in) {
                 let name = path.to_string_lossy();
-                let is_open = self.scene.name == name;
-                if ui.selectable_label(is_open, &*name).clicked() {
+                let row = ui.selectable_label(self.scene.name == name, &*name);
+                if row.on_hover_text(says).clicked() {
                     chosen = Some(path.clone());
                 }
             }
@@ -240,6 +242,12 @@ impl App {
             }
         });
     }
+}
+
+/// The comment that a scene's text begins with.
+fn heading(text: &str) -> String {
+    let lines = text.lines().map_while(|line| line.strip_prefix("# "));
+    lines.collect::<Vec<_>>().join(" ")
 }
 
 /// A button with the name and the key of a command, and its sentence as a tooltip.
