@@ -44,7 +44,7 @@ fn main() -> anyhow::Result<()> {
         step(&mut app)?;
         Output::File(assets.join(name)).write_png(app.pixels(), SIZE)?;
     }
-    for name in ["gouraud-misses-the-highlight", "what-a-tolerance-buys"] {
+    for name in ["why-the-plane-stays-dull", "what-a-tolerance-buys"] {
         let path = assets.join("lessons").join(name);
         let text = fs::read(path.with_extension("log"))?;
         let log = Log::read(name, &text, Duration::from_secs(6))?;

@@ -462,9 +462,12 @@ impl App {
         let show: Show = self.look();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
-        let error_map = comparison.map(|it| match self.desk.amplifies {
-            true => it.difference.as_slice(),
-            false => &it.error_map,
+        let error_map = comparison.map(|it| {
+            if self.desk.amplifies {
+                it.difference.as_slice()
+            } else {
+                &it.error_map
+            }
         });
         let without = self.facts.without.current().map(Vec::as_slice);
         if self.desk.left_out.is_some() {

@@ -64,11 +64,11 @@ impl Comparison {
             }
             errors.extend(error_map::compared(drawn, compared));
             steps.extend((0..drawn.levels.len()).map(|pixel| {
-                let is_compared = drawn.shows_as(&compared, pixel);
-                let levels = (drawn.levels[pixel], exact.levels[pixel]);
-                is_compared
-                    .then(|| difference(levels.0, levels.1))
-                    .unwrap_or_default()
+                if drawn.shows_as(&compared, pixel) {
+                    difference(drawn.levels[pixel], exact.levels[pixel])
+                } else {
+                    [0; 3]
+                }
             }));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
         }

@@ -63,7 +63,6 @@ impl App {
             let open = self.desk.over[1].then_some(tab.unwrap_or(Tab::Pixel));
             self.set_look(Inspector(open));
         }
-        self.profile(ui);
         self.viewport(ui);
         let (room, place) = (self.place.size(), self.place);
         if !has_room[0] && self.desk.over[0] {

@@ -1,7 +1,7 @@
-//! The profile of a wipe, column by column under the picture: both sides and exact Phong along a row, and the error of the
+//! The profile of a wipe, column by column over its lower edge: both sides and exact Phong along a row, and the error of the
 //! side that is shown as the gap between, in the colours of the error map.
 
-use egui::{Align2, Color32, Frame, Panel, Pos2, Rect, Sense, Ui, pos2, vec2};
+use egui::{Align2, Color32, Pos2, Rect, Ui, UiBuilder, pos2, vec2};
 
 use super::app::App;
 use super::inspector::CHANNELS;
@@ -9,38 +9,43 @@ use super::keys::{Command, caption};
 use super::pictures::divider_column;
 use super::style::{EXACT, INK, STALE};
 use super::viewport::tag;
-use crate::components::{Probed, Show, Side, ViewMode};
+use crate::components::{Probed, Show, Side};
 use crate::paint::color;
 use crate::trade::error_map::Pixel;
 
-/// The height of the curves, and the least height that is left to the picture, in points.
+/// The heights of the curves, the least one that is left of the picture, and that of the bar over the curves, in points.
 const HEIGHT: f32 = 84.0;
 const ROOM: f32 = 260.0;
+const BAR: f32 = 20.0;
 
 impl App {
-    /// Lays out the profile of a wipe below the rest of the window.
+    /// Lays out the profile over the lower edge of a wipe, so that the pictures keep their size.
     pub fn profile(&mut self, ui: &mut Ui) {
-        let show: Show = self.look();
-        if show.mode != ViewMode::Wipe || ui.available_height() < HEIGHT + ROOM {
+        if self.place.height() < HEIGHT + ROOM {
             return;
         }
-        let panel = Panel::bottom("profile").resizable(false);
-        let ground = Frame::new().fill(Color32::from_gray(20));
-        panel.frame(ground).show_inside(ui, |ui| {
-            let row = self.profile_row();
-            let is_open = !self.desk.profile_folded;
-            let key = caption(Command::Profile);
-            let arrow = if is_open { "⏷" } else { "⏵" };
-            let fold = ui.small_button(format!("{arrow} levels along row {row}  {key}"));
-            if fold.on_hover_text("Folds the profile.").clicked() {
-                self.desk.profile_folded = is_open;
-            }
-            if is_open {
-                let size = vec2(ui.available_width(), HEIGHT);
-                let (place, _) = ui.allocate_exact_size(size, Sense::hover());
-                self.draw_profile(&ui.painter_at(place), place, &show, row);
-            }
-        });
+        let row = self.profile_row();
+        let is_open = !self.desk.profile_folded;
+        let height = BAR + if is_open { HEIGHT } else { 0.0 };
+        let top = pos2(self.place.min.x, self.place.max.y - height);
+        let place = Rect::from_min_max(top, self.place.max);
+        if is_open {
+            let painter = ui.painter_at(place);
+            painter.rect_filled(place, 0.0, Color32::from_black_alpha(225));
+            let curves = Rect::from_min_max(top + vec2(0.0, BAR), place.max);
+            self.draw_profile(&painter, curves, row);
+        }
+        let mut bar = ui.new_child(UiBuilder::new().max_rect(place).id_salt("profile"));
+        bar.set_clip_rect(self.place);
+        let key = caption(Command::Profile);
+        let arrow = if is_open { "⏷" } else { "⏵" };
+        let fold = bar.small_button(format!("{arrow} levels along row {row}  {key}"));
+        if fold
+            .on_hover_text("Folds the levels along the row.")
+            .clicked()
+        {
+            self.desk.profile_folded = is_open;
+        }
     }
 
     /// The row of the probed pixel, or the one in the middle.
@@ -50,7 +55,8 @@ impl App {
         pixel.map_or(height / 2, |[_, y]| y.min(height.saturating_sub(1)))
     }
 
-    fn draw_profile(&self, painter: &egui::Painter, place: Rect, show: &Show, row: usize) {
+    fn draw_profile(&self, painter: &egui::Painter, place: Rect, row: usize) {
+        let show: Show = self.look();
         let width = self.pictures.size()[0];
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());

@@ -82,6 +82,7 @@ impl App {
         self.draw_over(ui, &markers);
         if let Some(x) = self.divider() {
             self.tags(ui, x);
+            self.profile(ui);
         }
     }
 

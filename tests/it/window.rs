@@ -6,6 +6,7 @@ mod history;
 mod keys;
 mod mouse;
 mod recording;
+mod sides;
 mod storms;
 mod trade;
 mod widgets;

@@ -27,6 +27,8 @@ fn prepare(window: &mut Window, command: Command) {
             window.undo();
         }
         Command::Close => window.press(Key::H),
+        // The first of them probes the middle.
+        Command::Probe(..) => window.press_with(Modifiers::SHIFT, Key::ArrowUp),
         _ => {}
     }
     window.wait(PAUSE);
@@ -61,6 +63,21 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
         Command::WipeExact => {
             view.show = ViewMode::Wipe;
             view.sides = [Side::Picture, Side::Reference];
+        }
+        Command::Side(index, way) => {
+            view.show = ViewMode::Wipe;
+            let other = match (index, way) {
+                (0, 1) => "phong-unit-vectors",
+                (0, _) => "gouraud-0",
+                (_, 1) => "phong-0.25",
+                _ => "phong-1",
+            };
+            view.sides[index] = other.parse().expect("a side");
+        }
+        Command::Probe(right, down) => {
+            let [x, y] = view.pixel.expect("the middle");
+            let moved = |at: usize, by: i32| at.saturating_add_signed(by as isize);
+            view.pixel = Some([moved(x, right), moved(y, down)]);
         }
         Command::Magnify(way) => view.magnifier.scale = if way > 0 { 2 } else { 1 },
         Command::Orbit(right, up) => {

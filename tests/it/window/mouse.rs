@@ -5,12 +5,13 @@ use shadetrade::components::LightKind;
 use shadetrade::components::{
     Inspector, Light, Magnifier, Probed, ShadingMode, Show, Spin, Tab, Transform, ViewMode,
 };
-use shadetrade::frame::display_step;
+use shadetrade::frame::{Keep, display_step};
 use shadetrade::scene::{LightRecord, Scene, SceneRecord};
 use shadetrade::window::inspector::Kind;
 use shadetrade::window::lights::Marker;
 
 use super::{PAUSE, SIZE, Window};
+use crate::support::scene::draw;
 use crate::support::window::default_scene;
 
 /// A window on the default scene with a visible light beside the cuboid.
@@ -238,19 +239,17 @@ impl Window {
 #[test]
 fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
     let mut window = Window::open();
+    window.press(Key::F3);
+    window.press(Key::L);
     let [width, height] = window.app.picture_size();
-    // The lower rows are not covered by text.
-    let lower = |window: &Window| window.seen()[width * (height - 150)..].to_vec();
+    // The lower rows are covered by no text and, once folded, by no levels.
+    let lower = width * (height - 150)..width * (height - 30);
     let sides = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| {
-        window.press(if mode == ShadingMode::Phong {
-            Key::P
-        } else {
-            Key::G
-        });
-        lower(&window)
+        let view = window.app.view().shaded(mode);
+        let frame = draw(&mut window.app.state.spawn(), &view, Keep::Display);
+        frame.pixels()[lower.clone()].to_vec()
     });
     assert_ne!(sides[0], sides[1]);
-    window.press(Key::F3);
     let mut x = window.app.place.center().x;
     for share in [0.3, 0.7, -1.0, 2.0] {
         let y = window.app.place.max.y - 30.0;
@@ -265,7 +264,7 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
         assert!((divider - wanted).abs() < 0.01, "{divider}");
         let column = (divider * width as f64).round() as usize;
         x = window.app.place.min.x + column as f32;
-        let seen = lower(&window);
+        let seen = window.seen()[lower.clone()].to_vec();
         for (index, pixel) in seen.iter().enumerate() {
             let own = index % width;
             // The line of the divider covers a few columns.

@@ -1,0 +1,243 @@
+//! The two sides of a wipe: their tags, the worst pixel, the levels under the picture, and the amplified difference.
+
+use egui::{Key, Modifiers, vec2};
+use egui_kittest::kittest::Queryable;
+use fearless_simd::Level;
+use shadetrade::components::{Probed, ShadingMode, Show, Side, View, ViewMode};
+use shadetrade::frame::{Keep, face};
+use shadetrade::reference;
+use shadetrade::shading::METHODS;
+use shadetrade::trade::Measurement;
+use shadetrade::trade::metrics::displayed;
+use shadetrade::window::app::App;
+use shadetrade::window::style::{GOURAUD, PHONG};
+
+use super::Window;
+use crate::support::scene::draw;
+use crate::support::window::{app, default_scene, places, widgets};
+use crate::trade::example::live;
+
+const SIZE: [usize; 2] = [1400, 800];
+/// A pixel of the cuboid in the left half of the picture, and one in the right half.
+const WORST: [[usize; 2]; 2] = [[430, 400], [700, 330]];
+
+/// A window that has measured the methods of a wipe.
+fn measured() -> App {
+    let mut app = app(default_scene(), SIZE, Level::new());
+    app.shows_times = true;
+    let methods = METHODS.iter().map(|method| Measurement {
+        worst: Some(WORST[usize::from(method.mode == ShadingMode::Gouraud)]),
+        highlight_kept: Some(0.1),
+        ..live(
+            *method,
+            0.25,
+            if method.mode == ShadingMode::Gouraud {
+                165.0
+            } else {
+                0.5
+            },
+        )
+    });
+    app.facts.trade.finish(methods.collect());
+    app
+}
+
+fn open() -> Window {
+    let mut window = Window::with(measured(), SIZE);
+    window.press(Key::F3);
+    window.step(Vec::new());
+    window
+}
+
+fn sides(window: &Window) -> [Side; 2] {
+    window.app.look::<Show>().sides
+}
+
+#[test]
+fn keys_go_through_all_sides_and_back() {
+    let mut window = Window::open();
+    for (key, index) in [(Key::Comma, 0), (Key::Period, 1)] {
+        window.press(Key::F3);
+        let start = sides(&window);
+        let mut seen = Vec::new();
+        for _ in 0..METHODS.len() + 2 {
+            window.press(key);
+            assert_eq!(window.app.look::<Show>().mode, ViewMode::Wipe);
+            let side = sides(&window)[index];
+            assert!(!seen.contains(&side), "{side:?}");
+            assert_eq!(sides(&window)[1 - index], start[1 - index]);
+            seen.push(side);
+        }
+        assert_eq!(sides(&window), start, "all of them, and round");
+        window.press_with(Modifiers::SHIFT, key);
+        assert_eq!(sides(&window)[index], seen[seen.len() - 2]);
+    }
+}
+
+#[test]
+fn the_menu_in_a_tag_chooses_the_method_of_its_side() {
+    let mut harness = widgets(measured(), SIZE);
+    harness.key_press(Key::F3);
+    harness.run_ok();
+    for (index, from, to, side) in [
+        (
+            0,
+            "Gouraud ⏷",
+            "Interpolated unit vectors",
+            "phong-unit-vectors",
+        ),
+        (
+            1,
+            "Phong within half a level ⏷",
+            "Exact Phong in f64",
+            "reference",
+        ),
+    ] {
+        for label in [from, to] {
+            let at = *places(&harness, label)
+                .last()
+                .unwrap_or_else(|| panic!("no {label:?}"));
+            harness.hover_at(at);
+            harness.run_ok();
+            harness.drag_at(at);
+            harness.run_ok();
+            harness.drop_at(at);
+            harness.run_ok();
+        }
+        assert_eq!(
+            harness.state().look::<Show>().sides[index].to_string(),
+            side
+        );
+    }
+}
+
+#[test]
+fn the_worst_pixel_is_probed_by_its_mark_its_tag_and_its_key() {
+    let probed = |window: &Window| window.app.look::<Probed>().0;
+    // Its mark, where its side is shown: Gouraud's lies right of the divider and Phong's left.
+    for is_shown in [false, true] {
+        for [x, y] in WORST {
+            let mut window = open();
+            if is_shown {
+                let [left, right] = sides(&window);
+                window.app.wipe([right, left]);
+                window.step(Vec::new());
+            }
+            window.click(window.app.place_of([x as i32, y as i32]) + vec2(4.0, 3.0));
+            assert_eq!(probed(&window) == Some([x, y]), is_shown);
+        }
+    }
+    // Its tag moves the divider off it.
+    let mut window = open();
+    let mut harness = widgets(measured(), SIZE);
+    harness.key_press(Key::F3);
+    harness.run_ok();
+    let tag = harness.get_by_label("worst pixel 165 of 255").rect();
+    window.click(tag.center());
+    let divider = window.app.look::<Show>().divider;
+    let [width, _] = window.app.picture_size();
+    // The inspector opens beside the picture, whose columns move.
+    assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
+    assert!(divider > WORST[1][0] as f64 / width as f64, "{divider}");
+    // The key chooses the side that errs more.
+    let mut window = open();
+    window.press(Key::Y);
+    assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
+}
+
+#[test]
+fn shift_and_arrows_move_the_probed_pixel() {
+    let mut window = Window::open();
+    let shift = |window: &mut Window, key| window.press_with(Modifiers::SHIFT, key);
+    shift(&mut window, Key::ArrowLeft);
+    let [x, y] = window.record().view.pixel.expect("the middle");
+    window.step(Vec::new());
+    let [x, y] = window.record().view.pixel.unwrap_or([x, y]);
+    let orbit = window.record().camera[0].orbit;
+    for (key, expected) in [
+        (Key::ArrowRight, [x + 1, y]),
+        (Key::ArrowDown, [x + 1, y + 1]),
+        (Key::ArrowLeft, [x, y + 1]),
+        (Key::ArrowUp, [x, y]),
+    ] {
+        shift(&mut window, key);
+        assert_eq!(window.record().view.pixel, Some(expected));
+    }
+    assert_eq!(window.record().camera[0].orbit, orbit);
+}
+
+#[test]
+fn the_levels_below_a_wipe_stand_under_their_columns() {
+    let mut window = open();
+    let [width, height] = window.app.picture_size();
+    let row = window.app.profile_row();
+    assert_eq!(row, height / 2);
+    let show: Show = window.app.look();
+    let [left, bottom] = [window.app.place.min.x, window.app.place.max.y].map(|it| it as usize);
+    let top = bottom - 84;
+    // The lowest place of a colour in a column below the picture.
+    let place = |window: &Window, x: usize, ink: egui::Color32| {
+        let [red, green, blue, _] = ink.to_array();
+        (top..bottom).rfind(|y| {
+            let pixel = window.app.pixels()[y * SIZE[0] + left + x].to_be_bytes();
+            let far = [red, green, blue].into_iter().zip(&pixel[1..]);
+            far.map(|(one, other)| one.abs_diff(*other)).max() < Some(100)
+        })
+    };
+    // In the highlight Phong lies above Gouraud, beside the cuboid both are the background.
+    let pictures = &window.app.pictures;
+    let level = |side: usize, x: usize| (pictures.side(side)[row * width + x] & 0xff) as f32;
+    let columns = (0..width).max_by(|one, other| {
+        let gap = |x: usize| level(1, x) - level(0, x);
+        gap(*one).total_cmp(&gap(*other))
+    });
+    let x = columns.expect("a column");
+    let [gouraud, phong] = [level(0, x), level(1, x)];
+    let found = [GOURAUD, PHONG].map(|ink| place(&window, x, ink).expect("a curve") as f32);
+    assert!(
+        phong - gouraud > 5.0 && found[1] < found[0],
+        "{found:?} of {gouraud}, {phong}"
+    );
+    assert_eq!(show.mode, ViewMode::Wipe);
+    window.press(Key::L);
+    assert_eq!(place(&window, x, GOURAUD), None, "they are folded");
+    assert_eq!(window.app.picture_size(), [width, height]);
+}
+
+#[test]
+fn the_amplified_difference_is_the_difference_to_exact_phong() {
+    let mut window = Window::of(default_scene(), [400, 300]);
+    for key in [Key::P, Key::F5, Key::F5] {
+        window.press(key);
+    }
+    let mut world = window.app.state.spawn();
+    let view = View::of(&world, window.app.picture_size());
+    let drawn = draw(&mut world, &view, Keep::Levels);
+    let exact = reference::picture(&world, &view, 0..view.size[1], &|| false, &|_| ());
+    let exact = exact.expect("not cancelled");
+    let comparison = window.app.facts.comparison.current().expect("an answer");
+    let largest = comparison.error.expect("a cuboid");
+    // Half a level, 256 times: the most that the way from grey to white holds.
+    assert!(comparison.amplification * largest <= 127.0 && comparison.amplification == 256.0);
+    let (mut most, shown) = (0, window.app.shown());
+    for (pixel, shown) in shown.iter().enumerate() {
+        let [_, shown @ ..] = shown.to_be_bytes();
+        let is_compared = face(drawn.triangles()[pixel]) == face(exact.triangles[pixel]);
+        for (channel, shown) in shown.into_iter().enumerate().filter(|_| is_compared) {
+            let [one, other] = [
+                f64::from(drawn.levels()[pixel][channel]),
+                exact.levels[pixel][channel],
+            ];
+            let expected = 128.0 + 256.0 * (displayed(one) - displayed(other));
+            assert!(
+                (f64::from(shown) - expected).abs() < 2.0,
+                "{shown} for {expected}"
+            );
+            most = most.max(shown.abs_diff(128));
+        }
+    }
+    assert!(most > 40, "an error below half a level is seen: {most}");
+    window.press(Key::F5);
+    let comparison = window.app.facts.comparison.current().expect("an answer");
+    assert!(window.app.shown() == comparison.error_map);
+}
