@@ -7,10 +7,12 @@ use super::specular::Power;
 use super::{Surface, limit};
 use crate::components::Material;
 
-/// The part of the tolerance that dropped highlights may use up together. More drops more of them and leaves less to all else.
+/// The part of the tolerance that dropped highlights may use up together. More drops more of them and leaves less to all else:
+/// a tenth or a half changes the instructions of a frame by 1 to 2 % (default scene and bench-far, tolerance 0.5).
 const DROPPED: f64 = 0.25;
 
-/// The part of the tolerance that cheaper powers may use up together.
+/// The part of the tolerance that cheaper powers may use up together. From a thirtieth to a third it makes no difference; without
+/// cheaper powers a frame takes 3.5 % more instructions (default scene and bench-far, tolerance 0.5).
 const POWERED: f64 = 0.125;
 
 /// What the highlights of one material need in every square.

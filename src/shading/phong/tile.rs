@@ -23,12 +23,12 @@ use crate::shading::rounding::Extent;
 use crate::shading::{Effort, Prepared};
 use crate::simd::{inlined, three};
 
-/// Samples of four squares take as long as so many rows of sixteen pixels: fewer are evaluated. Against 14: 6 % of the time of
-/// the default scene (1080p, tolerance 0.5).
+/// Samples of four squares take as long as so many rows of sixteen pixels: fewer are evaluated. Against 14, a frame of the
+/// default scene takes 5 % less time; against 4, one of many lights on small faces 2 % fewer instructions (18 lights, 220x220).
 const SAMPLES: f64 = 8.0;
 
 /// The quarters of a square are tried where at most so many lights have no bound on it: where more have none, a quarter hardly
-/// ever has bounds on all. Against any number: 8 % of many lights on small faces (18 lights, 480x360, tolerance 0.5).
+/// ever has bounds on all. Against 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
 const UNSURE: f64 = 1.0;
 
 /// A light on four squares, which it does not leave dark altogether: sets of these squares, a bit each, and by square what
