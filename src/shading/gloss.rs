@@ -22,9 +22,9 @@ pub struct Gloss {
     /// What it was made for, in levels.
     pub tolerance: f64,
     /// For any s.
-    pub every: Power,
+    pub full: Power,
     /// Perhaps cheaper, and nothing where s is below `least`.
-    pub bright: Power,
+    pub truncated: Power,
     /// What bounds are worked out with.
     pub bound: Highlight,
     /// A highlight whose s stays below this is too faint to be drawn.
@@ -57,8 +57,8 @@ impl Gloss {
         Gloss {
             material: *surface.material,
             tolerance,
-            every: Power::new(shininess, 0.0, 0.0),
-            bright: Power::new(shininess, least, POWERED * share / brightest),
+            full: Power::new(shininess, 0.0, 0.0),
+            truncated: Power::new(shininess, least, POWERED * share / brightest),
             bound: Highlight::new(shininess),
             least,
             faint,
