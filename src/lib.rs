@@ -94,8 +94,8 @@
 //! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
 //! derivatives and so how far it errs. What the tolerance leaves decides how the biquadratic is drawn
-//! ([`shading::interpolation`]); where it leaves nothing the square is cut in four, and a square of 16 x 16 pixels is
-//! evaluated pixel by pixel. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
+//! ([`shading::interpolation`]); where it leaves nothing the square is cut in four, and a square of 16 x 16 pixels, or one
+//! whose quarters promise no more, is evaluated pixel by pixel. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
 //!
 //! Rounding is part of the tolerance ([`shading::kernel`] counts it). At tolerance 0 the model is evaluated at every pixel;
 //! only highlights that are certified to stay below an eightieth of a level are left out. 1 - o.r is taken as

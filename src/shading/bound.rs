@@ -122,11 +122,11 @@ const ROUNDING: f64 = 1e-15;
 pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Side<S> {
     let cosine = dot(&normal.middle, &light.middle);
     let most = (normal.radius + light.radius) * ARC + ROUNDING;
-    let calm = normal.is_calm() & light.is_calm();
+    let bounded = normal.is_direction_bounded() & light.is_direction_bounded();
     Side {
         cosine,
-        lit: calm & cosine.simd_gt(most),
-        dark: calm & cosine.simd_lt(-most),
+        lit: bounded & cosine.simd_gt(most),
+        dark: bounded & cosine.simd_lt(-most),
     }
 }
 
@@ -137,7 +137,7 @@ pub struct Reflection<S: Simd> {
     pub most: Lanes<S>,
     /// At least this.
     pub least: Lanes<S>,
-    /// The sine of the angle between o and r, at most, where all fields are calm.
+    /// The sine of the angle between o and r, at most, where all directions are bounded.
     sine: Lanes<S>,
 }
 
@@ -174,8 +174,9 @@ pub fn reflection<S: Simd>(
     let beyond = s - s * turn2 * 0.5 + sine * turn;
     let most = reached.select(one, beyond.min(one));
     // A turn beyond a quarter says nothing.
-    let calm = normal.is_calm() & light.is_calm() & eye.is_calm();
-    let narrow = calm & turn.simd_lt(std::f64::consts::FRAC_PI_2);
+    let bounded =
+        normal.is_direction_bounded() & light.is_direction_bounded() & eye.is_direction_bounded();
+    let narrow = bounded & turn.simd_lt(std::f64::consts::FRAC_PI_2);
     Reflection {
         most: narrow.select(most, one),
         least: narrow.select(s - drop * 0.5 - sine * turn, -one),
@@ -187,8 +188,8 @@ pub fn reflection<S: Simd>(
 #[inline(always)]
 pub fn gate<S: Simd>(light: &Field<S>, eye: &Field<S>) -> Lanes<S> {
     let most = (light.radius + eye.radius) * ARC - dot(&light.middle, &eye.middle);
-    let calm = light.is_calm() & eye.is_calm();
-    calm.select(most, Lanes::splat(most.token(), 1.0))
+    let bounded = light.is_direction_bounded() & eye.is_direction_bounded();
+    bounded.select(most, Lanes::splat(most.token(), 1.0))
 }
 
 /// What does not change from square to square in the bound of a highlight.

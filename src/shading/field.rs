@@ -154,7 +154,7 @@ impl<S: Simd> Field<S> {
 impl<S: Simd> Field<S> {
     /// Whether its direction is bounded: the relative radius is below [`MAX_RADIUS`].
     #[inline(always)]
-    pub fn is_calm(&self) -> mask64x4<S> {
+    pub fn is_direction_bounded(&self) -> mask64x4<S> {
         self.radius.simd_lt(MAX_RADIUS)
     }
 

@@ -7,10 +7,12 @@ use super::specular::Power;
 use super::{Surface, limit};
 use crate::components::Material;
 
-/// The part of the tolerance that dropped highlights may use up together. More drops more of them and leaves less to all else.
+/// The part of the tolerance that dropped highlights may use up together. More drops more of them and leaves less to all else:
+/// a tenth or a half changes the instructions of a frame by 1 to 2 % (default scene and bench-far, tolerance 0.5).
 const DROPPED: f64 = 0.25;
 
-/// The part of the tolerance that cheaper powers may use up together.
+/// The part of the tolerance that cheaper powers may use up together. From a thirtieth to a third it makes no difference; without
+/// cheaper powers a frame takes 3.5 % more instructions (default scene and bench-far, tolerance 0.5).
 const POWERED: f64 = 0.125;
 
 /// What the highlights of one material need in every square.
@@ -20,9 +22,9 @@ pub struct Gloss {
     /// What it was made for, in levels.
     pub tolerance: f64,
     /// For any s.
-    pub every: Power,
+    pub full: Power,
     /// Perhaps cheaper, and nothing where s is below `least`.
-    pub bright: Power,
+    pub truncated: Power,
     /// What bounds are worked out with.
     pub bound: Highlight,
     /// A highlight whose s stays below this is too faint to be drawn.
@@ -55,8 +57,8 @@ impl Gloss {
         Gloss {
             material: *surface.material,
             tolerance,
-            every: Power::new(shininess, 0.0, 0.0),
-            bright: Power::new(shininess, least, POWERED * share / brightest),
+            full: Power::new(shininess, 0.0, 0.0),
+            truncated: Power::new(shininess, least, POWERED * share / brightest),
             bound: Highlight::new(shininess),
             least,
             faint,

@@ -221,10 +221,11 @@ impl<T: Copy> Vector<T> {
 pub struct Light<T> {
     /// The vector to it.
     pub vector: Vector<T>,
-    /// What n.l and s^rho are multiplied with, in levels.
-    pub levels: [[T; 3]; 2],
-    /// Whether either is not zero.
-    pub is: [bool; 2],
+    /// What n.l and s^rho are multiplied with, in levels, and which of the two terms are evaluated.
+    pub diffuse: [T; 3],
+    pub specular: [T; 3],
+    pub has_diffuse: bool,
+    pub has_specular: bool,
 }
 
 /// The model at every pixel of a square.
@@ -265,22 +266,22 @@ impl<S: Simd, V: Reals<S>> Model<'_, S, V> {
         let mut levels = three!(|channel| V::splat(simd, self.ambient[channel]));
         for light in self.lights {
             let l = light.vector.at(place);
-            let [cosine, power] = if light.is[1] {
+            let [cosine, power] = if light.has_specular {
                 let [cosine, one_minus_cos] = mirrored(simd, &n, &l, &o);
                 [cosine, one_minus_cos.powers(self.power)]
             } else {
                 [cosine(&n, n2, &l); 2]
             };
-            if light.is[0] {
+            if light.has_diffuse {
                 let lit = cosine.max(V::all(simd, 0.0));
                 for channel in 0..3 {
-                    levels[channel] += lit * light.levels[0][channel];
+                    levels[channel] += lit * light.diffuse[channel];
                 }
             }
-            if light.is[1] {
+            if light.has_specular {
                 let power = gated(simd, cosine, power);
                 for channel in 0..3 {
-                    levels[channel] += power * light.levels[1][channel];
+                    levels[channel] += power * light.specular[channel];
                 }
             }
         }

@@ -106,13 +106,13 @@ impl<'a> Phong<'a> {
         );
         let mut rounding = Rounding::new(
             kernel::DOUBLE,
-            [Extent::CALM; 2],
+            [Extent::LARGEST; 2],
             surface.ambient().max_element(),
         );
         for light in lights.iter() {
-            rounding.diffuse(Extent::CALM, light.diffuse.max_element());
+            rounding.diffuse(Extent::LARGEST, light.diffuse.max_element());
             if light.specular != DVec3::ZERO {
-                rounding.specular(Extent::CALM, light.specular.max_element(), &gloss.every);
+                rounding.specular(Extent::LARGEST, light.specular.max_element(), &gloss.full);
             }
         }
         Phong {
@@ -191,7 +191,7 @@ impl<'a> Phong<'a> {
             for rounding in &mut roundings {
                 rounding.diffuse(extent, light.diffuse.max_element());
                 if shines {
-                    rounding.specular(extent, light.specular.max_element(), &self.gloss.bright);
+                    rounding.specular(extent, light.specular.max_element(), &self.gloss.truncated);
                 }
             }
         }
@@ -226,18 +226,20 @@ impl<'a> Phong<'a> {
             let light = &self.lights[on.light];
             Light {
                 vector: unit(&light.towards.vector),
-                levels: [light.diffuse, light.specular].map(elements::<S, V>),
-                is: [light.diffuse != DVec3::ZERO, has(on.shines, index)],
+                diffuse: elements::<S, V>(light.diffuse),
+                specular: elements::<S, V>(light.specular),
+                has_diffuse: light.diffuse != DVec3::ZERO,
+                has_specular: has(on.shines, index),
             }
         }));
         let model = Model::<S, V> {
             simd,
             normal: unit(&self.normal.vector),
             eye: unit(&self.face.rays.to_eye.vector),
-            highlights: lights.iter().filter(|light| light.is[1]).count(),
+            highlights: lights.iter().filter(|light| light.has_specular).count(),
             lights,
             ambient: elements::<S, V>(self.surface.ambient()),
-            power: &self.gloss.bright,
+            power: &self.gloss.truncated,
         };
         model.fill(region, levels);
         model.highlights

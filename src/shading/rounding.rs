@@ -104,7 +104,7 @@ pub struct Extent {
 
 impl Extent {
     /// That of any vector that nodes are sampled of.
-    pub const CALM: Self = Extent {
+    pub const LARGEST: Self = Extent {
         radius: MAX_RADIUS,
         shortest: 1.0 - MAX_RADIUS,
     };

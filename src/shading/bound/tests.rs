@@ -240,7 +240,7 @@ fn the_power_is_never_below_the_true_one() {
 }
 
 #[test]
-fn the_arc_covers_the_furthest_that_a_calm_vector_turns() {
+fn the_arc_covers_the_furthest_that_a_bounded_vector_turns() {
     let turn = MAX_RADIUS.asin();
     assert!(turn <= MAX_RADIUS * ARC * (1.0 + f64::EPSILON), "{turn}");
 }

@@ -8,7 +8,7 @@ use shadetrade::frame::{Keep, NO_TRIANGLE};
 use super::SCENES;
 use crate::support::cases::cases;
 use crate::support::random::Random;
-use crate::support::scene::{draw, empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
 
 /// A cuboid, up to five lights (some close to a face, some at one position) and a camera (some close).
 fn scene(random: &mut Random) -> (World, View) {
@@ -122,5 +122,43 @@ fn no_pixel_exceeds_the_tolerance_on_random_scenes() {
     assert!(
         covered > 0 && cheap > 0,
         "cuboids are visible and some of their tiles are interpolated"
+    );
+}
+
+#[test]
+fn under_many_lights_half_a_level_takes_no_more_squares_than_every_pixel() {
+    let mut world = empty();
+    let material = Material {
+        ambient: DVec3::splat(0.3),
+        diffuse: DVec3::new(0.08, 0.61, 0.08),
+        specular: DVec3::splat(0.7),
+        shininess: 76.8,
+    };
+    let size = DVec3::new(4.0, 3.0, 2.0);
+    spawn_cuboid(&mut world, size, at(DVec3::ZERO), material);
+    for index in 0..32 {
+        let step = f64::from(index);
+        let place = DVec3::new(
+            (step % 7.0 - 3.0) * 1.5,
+            step % 5.0 + 2.0,
+            step % 11.0 - 1.0,
+        ) * 1.7;
+        let aside = DVec3::new(0.5, 0.0, 0.3);
+        let [diffuse, specular] = [12.5, 31.0].map(DVec3::splat);
+        spawn_light(&mut world, LightKind::Diffuse, diffuse, place);
+        spawn_light(&mut world, LightKind::Specular, specular, place + aside);
+    }
+    let eye = DVec3::new(7.0, 5.0, 8.0);
+    let mut view = view([480, 360], eye, DVec3::ZERO, Projection::Perspective);
+    view.viewpoint.camera.fov = 30.0;
+    let [exact, half] = [0.0, 0.5].map(|tolerance| {
+        let view = view.shaded(ShadingMode::Phong).with_tolerance(tolerance);
+        let frame = draw(&mut world, &view, Keep::Display);
+        frame.counts().tiles.iter().sum::<u64>()
+    });
+    assert!(exact > 50, "{exact} squares");
+    assert!(
+        half * 10 <= exact * 11,
+        "{half} squares, {exact} exact ones"
     );
 }
