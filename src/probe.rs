@@ -285,7 +285,7 @@ impl Surface {
 }
 
 /// The column titles of [`Surface::products`].
-pub const PRODUCT_HEADS: [[&str; 3]; 2] = [["n.l", "o.r", "factor"], ["r", "g", "b"]];
+const PRODUCT_HEADS: [[&str; 3]; 2] = [["n.l", "o.r", "factor"], ["r", "g", "b"]];
 
 /// Levels up to this are written as 0.
 const NEGLIGIBLE: f64 = 1e-6;
@@ -295,7 +295,7 @@ const ROUNDING: f64 = 1e-12;
 impl Surface {
     /// The rows of the table of levels: each light's term, the drawn sum, the sum of the reference, and the bytes. A
     /// row is its name and the cells of Gouraud and of Phong.
-    pub fn table(&self) -> Vec<(String, [[String; 3]; 2])> {
+    fn table(&self) -> Vec<(String, [[String; 3]; 2])> {
         let levels = |levels: [f64; 3]| numbers(levels, NEGLIGIBLE);
         let truth = |truth: Option<Levels>| truth.map_or_else(nothing, |it| levels(it.levels));
         let modes = [&self.gouraud, &self.phong];
@@ -320,7 +320,7 @@ impl Surface {
 
     /// The rows of the table of products: each light's term under Phong in f64 as n.l, o.r and their factor, then the
     /// strength by channel.
-    pub fn products(&self) -> Vec<(String, [[String; 3]; 2])> {
+    fn products(&self) -> Vec<(String, [[String; 3]; 2])> {
         let cosine = |one: Option<DVec3>, other: Option<DVec3>| {
             let cosine = one.zip(other).map(|(one, other)| one.dot(other));
             cosine.map_or_else(|| "-".to_owned(), |it| format!("{it:.5}"))
@@ -339,7 +339,7 @@ impl Surface {
     }
 
     /// The titles of both halves of [`Surface::products`].
-    pub fn product_titles(&self) -> [String; 2] {
+    fn product_titles(&self) -> [String; 2] {
         let factor = format!("n.l or (o.r)^{}", self.shininess);
         [factor, "times strength".to_owned()]
     }
@@ -406,7 +406,7 @@ fn vector(vector: Option<DVec3>) -> String {
 }
 
 /// The cells of a vector.
-pub fn parts(vector: Option<DVec3>) -> [String; 3] {
+fn parts(vector: Option<DVec3>) -> [String; 3] {
     let numbers = |it: DVec3| numbers(it.to_array(), ROUNDING * it.abs().max_element());
     vector.map_or_else(nothing, numbers)
 }

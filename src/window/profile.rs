@@ -59,43 +59,30 @@ impl App {
         let show: Show = self.look();
         let width = self.pictures.size()[0];
         let comparison = self.facts.comparison.current();
-        let exact = comparison.map(|it| it.exact.as_slice());
-        let of_row = |pixels: &[u32]| {
-            pixels
-                .get(row * width..(row + 1) * width)
-                .map(<[u32]>::to_vec)
-        };
-        let exact = exact.and_then(of_row);
+        let of_row = |pixels| <[u32]>::get(pixels, row * width..(row + 1) * width);
+        let exact = comparison.and_then(|it| of_row(&it.exact));
         let sides = [0, 1].map(|index| match show.sides[index] {
-            Side::Reference => exact.clone(),
+            Side::Reference => exact,
             _ => of_row(self.pictures.side(index)),
         });
-        let [Some(left), Some(right)] = &sides else {
+        let [Some(left), Some(right)] = sides else {
             return;
         };
         let level = |pixel: u32, channel: usize| f32::from(pixel.to_be_bytes()[1 + channel]);
         let gap = |channel: usize| {
-            let truth = exact.as_ref().unwrap_or(right).iter();
-            let columns = truth.zip(left).zip(right);
-            let gaps = columns.map(|((truth, left), right)| {
-                let [truth, left, right] = [*truth, *left, *right].map(|it| level(it, channel));
-                (truth - left).abs().max((truth - right).abs())
-            });
-            gaps.fold(0.0, f32::max)
+            let levels = left.iter().zip(right);
+            let gaps = levels.map(|(left, right)| level(*left, channel) - level(*right, channel));
+            gaps.map(f32::abs).fold(0.0, f32::max)
         };
-        let channel = (0..3).fold(
-            0,
-            |most, next| if gap(next) > gap(most) { next } else { most },
-        );
+        let larger = |most, next| if gap(next) > gap(most) { next } else { most };
+        let channel = (0..3).fold(0, larger);
         let at = |column: usize, pixel: u32| -> Pos2 {
             let x = self.place_of([column as i32, 0]).x;
-            pos2(
-                x,
-                place.max.y - 4.0 - level(pixel, channel) / 255.0 * (place.height() - 8.0),
-            )
+            let height = level(pixel, channel) / 255.0 * (place.height() - 8.0);
+            pos2(x, place.max.y - 4.0 - height)
         };
         let divider = divider_column(show.divider, width);
-        if let (Some(exact), Some(comparison)) = (&exact, comparison) {
+        if let (Some(exact), Some(comparison)) = (exact, comparison) {
             for (column, truth) in exact.iter().enumerate() {
                 let drawn = if column < divider { left } else { right }[column];
                 let error = (level(drawn, channel) - level(*truth, channel)).abs();
@@ -103,10 +90,11 @@ impl App {
                 painter.line_segment([at(column, *truth), at(column, drawn)], (1.5, ink));
             }
         }
+        let [left_ink, right_ink] = show.sides.map(|side| self.side_ink(&side));
         let curves = [
-            (exact.as_ref(), EXACT),
-            (sides[0].as_ref(), self.side_ink(&show.sides[0])),
-            (sides[1].as_ref(), self.side_ink(&show.sides[1])),
+            (exact, EXACT),
+            (Some(left), left_ink),
+            (Some(right), right_ink),
         ];
         for (pixels, ink) in curves {
             let points = pixels.into_iter().flatten().enumerate();

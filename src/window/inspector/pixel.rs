@@ -1,14 +1,14 @@
 //! The pixel's tab: drawn, exact and error, their cause, the section along the pixel's row, and every number.
 
-use egui::{Grid, RichText, Ui, vec2};
+use egui::{Grid, Label, RichText, Ui, vec2};
 
 use super::progress;
 use super::scene::shininess_row;
 use super::section::CHANNELS;
-use crate::components::{LightKind, Material, Name, Probed};
+use crate::components::{Material, Name, Probed};
 use crate::frame::display_pixel;
 use crate::paint::color;
-use crate::probe::{PRODUCT_HEADS, Surface, parts};
+use crate::probe::Surface;
 use crate::window::app::App;
 use crate::window::style::{BAD, STALE};
 
@@ -61,7 +61,9 @@ impl App {
         {
             ui.ctx().copy_text(probe.lines().join("\n"));
         }
-        worked_example(ui, surface);
+        ui.collapsing("every number", |ui| {
+            ui.add(Label::new(RichText::new(probe.lines().join("\n")).monospace()).extend());
+        });
         if let Some(column) = column {
             self.set_look(Probed(Some([column, y])));
         }
@@ -107,58 +109,4 @@ fn swatch(ui: &mut Ui, levels: [f64; 3]) {
     let (place, _) = ui.allocate_exact_size(vec2(52.0, 20.0), egui::Sense::hover());
     ui.painter()
         .rect_filled(place, 2.0, color(display_pixel(levels)));
-}
-
-/// Every step from the vectors to the sum.
-fn worked_example(ui: &mut Ui, surface: &Surface) {
-    ui.collapsing("vectors", |ui| {
-        Grid::new("vectors")
-            .num_columns(4)
-            .striped(true)
-            .show(ui, |ui| {
-                row(ui, "", &["x", "y", "z"].map(str::to_owned));
-                row(ui, "position", &parts(surface.position));
-                row(ui, "normal n", &parts(surface.normal));
-                row(ui, "to eye o", &parts(surface.to_eye));
-                for light in surface
-                    .lights
-                    .iter()
-                    .filter(|it| it.kind != LightKind::Ambient)
-                {
-                    row(ui, &format!("{} l", light.name), &parts(light.to_light));
-                    row(ui, &format!("{} r", light.name), &parts(light.reflected));
-                }
-            });
-    });
-    ui.label("exact Phong, light by light");
-    for (half, title) in surface.product_titles().iter().enumerate() {
-        Grid::new(("products", half))
-            .num_columns(4)
-            .striped(true)
-            .show(ui, |ui| {
-                row(ui, title, &PRODUCT_HEADS[half].map(str::to_owned));
-                for (name, cells) in surface.products() {
-                    row(ui, &name, &cells[half]);
-                }
-            });
-    }
-    for (mode, name) in ["Gouraud", "Phong"].into_iter().enumerate() {
-        Grid::new(("sum", mode))
-            .num_columns(4)
-            .striped(true)
-            .show(ui, |ui| {
-                row(ui, name, &["r", "g", "b"].map(str::to_owned));
-                for (name, cells) in surface.table() {
-                    row(ui, &name, &cells[mode]);
-                }
-            });
-    }
-}
-
-fn row(ui: &mut Ui, name: &str, cells: &[String; 3]) {
-    ui.label(name);
-    for cell in cells {
-        ui.monospace(cell);
-    }
-    ui.end_row();
 }
