@@ -147,7 +147,9 @@ impl App {
             }
             _ => None,
         };
+        // The assignment's shortcut is no way to save time, and its frames take so long that they would delay a key.
         let mut methods = METHODS.to_vec();
+        methods.retain(|it| it.mode != ShadingMode::UnitVectors);
         for method in self
             .method()
             .into_iter()

@@ -315,13 +315,18 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
         .flatten()
         .map(|it| it.method)
         .collect();
-    assert_eq!(methods, METHODS);
+    let ladder: Vec<Method> = METHODS
+        .iter()
+        .copied()
+        .filter(|it| it.mode != UnitVectors)
+        .collect();
+    assert_eq!(methods, ladder);
     app.choose_method(Method::of(Phong, 0.7));
     run(&mut app, |app| {
         app.measured(Phong, 0.7).is_some() && app.facts.comparison.current().is_some()
     });
     assert!(
-        METHODS
+        ladder
             .iter()
             .all(|it| app.measured(it.mode, it.tolerance).is_some())
     );
