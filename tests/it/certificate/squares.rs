@@ -435,8 +435,8 @@ fn no_square_exceeds_its_tolerance_where_it_nearly_reaches_the_horizon() {
 
 #[test]
 fn the_error_of_samples_is_subtracted_from_the_tolerance() {
-    // For a constant highlight, its power has sixteen roundings and its sum three. Interpolation enlarges each up to
-    // 25/9 times, which makes 53. Its rows have fourteen.
+    // The power of a constant highlight has six roundings and its sum three. Interpolation enlarges each up to 25/9
+    // times, which makes 25. Its rows have fourteen.
     let lens = Lens {
         axes: [DVec3::X, DVec3::Y, DVec3::NEG_Z],
         pitch: 1e-8,
@@ -449,7 +449,7 @@ fn the_error_of_samples_is_subtracted_from_the_tolerance() {
         diffuse: DVec3::ZERO,
         specular: DVec3::splat(255.0),
     });
-    for (roundings, expected) in [(50.0, false), (80.0, true)] {
+    for (roundings, expected) in [(24.0, false), (45.0, true)] {
         let tolerance = roundings * 2.0_f64.powi(-24) * 255.0;
         let (kind, error, limit) = shaded(&subject, ShadingMode::Phong, tolerance);
         assert!(error <= limit, "{kind:?} errs {error} of {limit}");
