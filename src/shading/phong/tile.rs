@@ -58,7 +58,7 @@ pub struct TileLights {
 }
 
 impl Phong<'_> {
-    /// See [`super::Shader::prepare`].
+    /// See [`super::super::Shader::prepare`].
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &self,
