@@ -87,6 +87,10 @@ fn of(measured: &[Measurement], shown: &Measurement) -> String {
         _ => String::new(),
     };
     let name = capital(&method_name(shown.method));
+    if shown.method.mode == UnitVectors {
+        // It is evaluated by its definition, so its time is not that of a renderer that uses it.
+        return format!("{name}: {errs}.");
+    }
     format!("{name}: {against}{errs}.{remark}")
 }
 
