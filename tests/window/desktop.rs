@@ -146,8 +146,9 @@ impl Program {
         self.xdotool(&["mousedown", "1"]);
         for _ in 0..10 {
             let [x, y] = [right / 10, down / 10].map(|step| step.to_string());
-            self.xdotool(&["mousemove_relative", "--sync", "--", &x, &y]);
+            // A hand does not move in the moment of the press, and minifb polls the button.
             sleep(Duration::from_millis(30));
+            self.xdotool(&["mousemove_relative", "--sync", "--", &x, &y]);
         }
         self.xdotool(&["mouseup", "1"]);
     }

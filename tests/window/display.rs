@@ -17,7 +17,15 @@ const SIZE: [usize; 2] = [960, 720];
 
 /// The centre of the widget with this label.
 fn place(label: &str) -> Point {
-    let harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
+    place_in(label, SIZE)
+}
+
+/// The centre of the widget with this label in a window of `size` pixels.
+fn place_in(label: &str, size: [usize; 2]) -> Point {
+    let mut app = app(default_scene(), size, Level::new());
+    // The real window has the chart of times.
+    app.shows_times = true;
+    let harness = widgets(app, size);
     let at = places(&harness, label)[0];
     [at.x, at.y].map(|it| it as i32)
 }
@@ -178,10 +186,11 @@ fn a_scene_is_opened_by_its_path_changed_saved_and_read_again() {
     let scenes = tempfile::tempdir().expect("a folder");
     let path = scenes.path().join("mine.toml");
     fs::write(&path, BUILT_IN[0].1).expect("written");
-    let program = Program::open(&[], &[]);
+    // All of the panel is in sight.
+    let program = Program::open(&["--size", "960x960"], &[]);
     let seen = || picture(&program.picture());
     let start = seen();
-    let [x, y] = place("open");
+    let [x, y] = place_in("open", [960, 960]);
     program.click([x - 60, y]);
     program.xdotool(&["type", "--delay", "20", path.to_str().expect("UTF-8")]);
     program.press("Return");
@@ -201,7 +210,7 @@ fn a_scene_is_opened_by_its_path_changed_saved_and_read_again() {
     );
     fs::write(&path, saved.replace("fov = 30.0", "fov = -30.0")).expect("written");
     until("the error is told", || {
-        program.picture().height() == 720 && seen() != dark
+        program.picture().height() == 960 && seen() != dark
     });
     fs::write(&path, BUILT_IN[0].1).expect("written");
     until("the file is read again", || seen() == start);
@@ -253,10 +262,9 @@ fn q_asks_about_edits_and_closing_the_frame_rescues_them() {
     let mut program = Program::open(&[], &[]);
     let folder = program.folder.path().to_path_buf();
     program.start_window_manager();
+    let start = picture(&program.picture());
     program.press("e");
-    until("the editor", || {
-        program.picture().dimensions() == (960, 720)
-    });
+    until("the editor", || picture(&program.picture()) != start);
     // A new cuboid is an edit.
     let harness = {
         let mut app = app(default_scene(), SIZE, Level::new());
