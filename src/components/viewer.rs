@@ -71,15 +71,18 @@ pub enum ViewMode {
     Wipe,
     /// How far the picture errs from exact Phong.
     Error,
+    /// The difference to exact Phong, amplified until it is seen.
+    Difference,
     /// The picture, each tile tinted by how it was drawn.
     Tiles,
 }
 
 impl ViewMode {
-    pub const ALL: [ViewMode; 4] = [
+    pub const ALL: [ViewMode; 5] = [
         ViewMode::Picture,
         ViewMode::Wipe,
         ViewMode::Error,
+        ViewMode::Difference,
         ViewMode::Tiles,
     ];
 
@@ -89,6 +92,7 @@ impl ViewMode {
             ViewMode::Picture => "picture",
             ViewMode::Wipe => "wipe",
             ViewMode::Error => "error",
+            ViewMode::Difference => "difference",
             ViewMode::Tiles => "tiles",
         }
     }

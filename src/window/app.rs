@@ -61,8 +61,6 @@ pub struct Desk {
     pub panel_folded: bool,
     /// The profile below a wipe is folded.
     pub profile_folded: bool,
-    /// The error map shows the difference itself, amplified.
-    pub amplifies: bool,
     /// Whether the panel and the inspector have room beside the picture.
     pub has_room: [bool; 2],
     /// The panel and the inspector are open over the picture, where there is no room beside it.
@@ -462,12 +460,9 @@ impl App {
         let show: Show = self.look();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
-        let error_map = comparison.map(|it| {
-            if self.desk.amplifies {
-                it.difference.as_slice()
-            } else {
-                &it.error_map
-            }
+        let error_map = comparison.map(|it| match show.mode {
+            ViewMode::Difference => it.difference.as_slice(),
+            _ => &it.error_map,
         });
         let without = self.facts.without.current().map(Vec::as_slice);
         if self.desk.left_out.is_some() {
@@ -484,18 +479,32 @@ impl App {
     /// Copies the picture into its place in the window, magnified.
     fn copy_picture(&mut self, [width, height]: [usize; 2]) {
         let mut pixels = std::mem::take(&mut self.pixels);
-        // The panels and the picture cover every pixel, so none is cleared.
         pixels.resize(width * height, 0);
+        // A panel may paint less than it takes: contents that are too wide are cut off.
+        let [red, green, blue, _] = self
+            .painter
+            .context
+            .global_style()
+            .visuals
+            .panel_fill
+            .to_array();
+        let ground = u32::from_be_bytes([0, red, green, blue]);
         let [columns, rows] = self.pictures.size();
         let shown = self.shown();
         let magnifier = self.look::<Magnifier>().within([columns, rows]);
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
-        let lines = pixels.chunks_exact_mut(width).skip(top).take(rows);
-        for (y, line) in lines.enumerate() {
-            let [x, y] = magnifier.pixel([0, y as i32]);
+        let [left, right] = [left, left + columns].map(|x| x.min(width));
+        for (y, line) in pixels.chunks_exact_mut(width).enumerate() {
+            if !(top..top + rows).contains(&y) {
+                line.fill(ground);
+                continue;
+            }
+            let [x, y] = magnifier.pixel([0, (y - top) as i32]);
             let drawn = &shown[y * columns..][x..columns];
-            let line = &mut line[left.min(width)..width.min(left + columns)];
+            line[..left].fill(ground);
+            line[right..].fill(ground);
+            let line = &mut line[left..right];
             if magnifier.scale == 1 {
                 // Squares of one pixel are slow to fill.
                 let count = line.len().min(drawn.len());

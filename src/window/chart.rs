@@ -271,15 +271,22 @@ impl App {
     /// The meaning of the colours of the error map or of tiles.
     pub fn legend(&mut self, ui: &mut Ui, show: &Show) {
         match show.mode {
-            ViewMode::Error => {
+            ViewMode::Error | ViewMode::Difference => {
                 let comparison = self.facts.comparison.current();
                 let words = comparison.map_or_else(
                     || "difference".to_owned(),
                     |it| format!("difference x{}", it.amplification),
                 );
-                ui.checkbox(&mut self.desk.amplifies, words)
-                    .on_hover_text("Grey is no difference to exact Phong (F5 once more).");
-                if !self.desk.amplifies {
+                let mut is_difference = show.mode == ViewMode::Difference;
+                let says = "Grey is no difference to exact Phong (F5 once more).";
+                if ui
+                    .checkbox(&mut is_difference, words)
+                    .on_hover_text(says)
+                    .clicked()
+                {
+                    self.run(Command::View(ViewMode::Error));
+                }
+                if !is_difference {
                     self.error_legend(ui);
                 }
             }

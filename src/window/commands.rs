@@ -75,11 +75,12 @@ impl App {
                 let Tolerance(tolerance) = self.look();
                 self.wipe(gouraud_phong(tolerance));
             }
-            Command::View(ViewMode::Error) if self.look::<Show>().mode == ViewMode::Error => {
-                self.desk.amplifies ^= true;
-            }
             Command::View(mode) => {
                 let show: Show = self.look();
+                let mode = match (mode, show.mode) {
+                    (ViewMode::Error, ViewMode::Error) => ViewMode::Difference,
+                    _ => mode,
+                };
                 self.set_look(Show { mode, ..show });
             }
             Command::WipeExact => self.wipe([Side::Picture, Side::Reference]),

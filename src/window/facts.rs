@@ -76,7 +76,7 @@ impl App {
         let (show, Inspector(tab)): (Show, Inspector) = (self.look(), self.look());
         let is_live = self.jobs.is_some();
         let shows_exact = self.desk.shows_exact
-            || show.mode == ViewMode::Error
+            || matches!(show.mode, ViewMode::Error | ViewMode::Difference)
             || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
         let [width, height] = self.pictures.size();
         let Probed(pixel) = self.look();

@@ -145,7 +145,11 @@ impl App {
             (Command::View(ViewMode::Error), ViewMode::Error, true),
             (Command::View(ViewMode::Tiles), ViewMode::Tiles, true),
         ] {
-            self.offer(ui, command, show.mode == mode && is_chosen);
+            let shown = match show.mode {
+                ViewMode::Difference => ViewMode::Error,
+                shown => shown,
+            };
+            self.offer(ui, command, shown == mode && is_chosen);
         }
         let hold = command_button(ui, Command::ShowExact, self.desk.shows_exact, true);
         if hold.is_pointer_button_down_on() || hold.drag_stopped() || hold.clicked() {

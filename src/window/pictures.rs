@@ -130,7 +130,9 @@ impl Pictures {
         let frame = self.frame.pixels();
         match show.mode {
             ViewMode::Picture => frame.into(),
-            ViewMode::Error => or_dimmed(error_map, frame).into_owned().into(),
+            ViewMode::Error | ViewMode::Difference => {
+                or_dimmed(error_map, frame).into_owned().into()
+            }
             ViewMode::Tiles => {
                 let mut pixels = frame.to_vec();
                 tint(&mut pixels, self.levels.kinds(), self.levels.triangles());

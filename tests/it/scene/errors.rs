@@ -112,7 +112,7 @@ How the scene is looked at, and from where.
 22 ¦ [view]⏎projection = "flat"        ¦ 23:14 ¦ `view.projection`: ¦ expected `perspective` or `orthographic` ¦ "flat"
 22 ¦ [view]⏎tolerance = 1e-5           ¦ 23:13 ¦ `view.tolerance`: ¦ expected 0 or a number from 0.0001 to 255 ¦ 1e-5
 22 ¦ [view]⏎tolerance = nan            ¦ 23:13 ¦ `view.tolerance` ¦ nan
-22 ¦ [view]⏎show = "all"               ¦ 23:8  ¦ `view.show`: ¦ expected one of `picture`, `wipe`, `error`, `tiles` ¦ "all"
+22 ¦ [view]⏎show = "all"               ¦ 23:8  ¦ `view.show`: ¦ expected one of `picture`, `wipe`, `error`, `difference`, `tiles` ¦ "all"
 22 ¦ [view]⏎sides = ["phong-0"]        ¦ 23:9  ¦ `view.sides`: ¦ expected an array of 2 values
 22 ¦ [view]⏎sides = ["phong-0", "x-1"] ¦ 23:9  ¦ `view.sides`: ¦ "x-1" ¦ expected "picture", "reference", "phong-unit-vectors"
 22 ¦ [view]⏎divider = 1.1              ¦ 23:11 ¦ `view.divider`: ¦ expected a number from 0 to 1 ¦ 1.1

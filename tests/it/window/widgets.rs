@@ -436,3 +436,26 @@ fn quitting_with_edits_saves_or_discards_them_or_is_cancelled() {
         assert_eq!(is_lost, label == "go on", "{label}");
     }
 }
+
+#[test]
+fn nothing_of_a_closed_dialog_stays_on_screen() {
+    for size in [[320, 240], [480, 360], [960, 720]] {
+        let mut app = app(default_scene(), size, Level::new());
+        // With the chart the panel is wider than a small window leaves it.
+        app.shows_times = true;
+        let mut window = Window::with(app, size);
+        window.wait(PAUSE);
+        let before = window.app.pixels().to_vec();
+        window.press(Key::H);
+        window.wait(PAUSE);
+        assert!(window.app.pixels() != before, "{size:?}: the help is shown");
+        window.press(Key::H);
+        window.wait(PAUSE);
+        let stale = before.iter().zip(window.app.pixels());
+        // The status line has a time.
+        let stale = stale
+            .take(size[0] * (size[1] - 40))
+            .filter(|(one, other)| one != other);
+        assert_eq!(stale.count(), 0, "{size:?}");
+    }
+}
