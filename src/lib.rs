@@ -97,7 +97,10 @@
 //! ([`shading::interpolation`]); where it leaves nothing the square is cut in four, and a square of 16 x 16 pixels, or one
 //! whose quarters promise no more, is evaluated pixel by pixel. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
 //!
-//! Rounding is part of the tolerance ([`shading::kernel`] counts it). At tolerance 0 the model is evaluated at every pixel;
+//! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the
+//! vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
+//!
+//! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At tolerance 0 the model is evaluated at every pixel;
 //! only highlights that are certified to stay below an eightieth of a level are left out. 1 - o.r is taken as
 //! |r - o|² / 2 where f32 would cancel (Lyon 1993; [`shading::specular`]).
 //!

@@ -12,8 +12,8 @@ use glam::DVec3;
 use hecs::World;
 use libfuzzer_sys::fuzz_target;
 use shadetrade::components::{
-    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
-    Viewpoint, cuboid as components_of, length, unit,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
+    View, Viewpoint, cuboid as components_of, length, unit,
 };
 
 const LENGTHS: [f64; 2] = [1e-100, 1e100];
