@@ -13,6 +13,7 @@ use shadetrade::window::app::App;
 use shadetrade::window::style::{GOURAUD, PHONG};
 
 use super::Window;
+use super::widgets::click_at;
 use crate::support::scene::draw;
 use crate::support::window::{app, default_scene, places, widgets};
 use crate::trade::example::live;
@@ -97,12 +98,7 @@ fn the_menu_in_a_tag_chooses_the_method_of_its_side() {
             let at = *places(&harness, label)
                 .last()
                 .unwrap_or_else(|| panic!("no {label:?}"));
-            harness.hover_at(at);
-            harness.run_ok();
-            harness.drag_at(at);
-            harness.run_ok();
-            harness.drop_at(at);
-            harness.run_ok();
+            click_at(&mut harness, at);
         }
         assert_eq!(
             harness.state().look::<Show>().sides[index].to_string(),

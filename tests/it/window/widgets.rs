@@ -29,7 +29,7 @@ fn record(harness: &Harness<App>) -> SceneRecord {
     SceneRecord::of(&harness.state().scene.world)
 }
 
-fn click_at(harness: &mut Harness<App>, at: Pos2) {
+pub fn click_at(harness: &mut Harness<App>, at: Pos2) {
     harness.hover_at(at);
     harness.run_ok();
     harness.drag_at(at);
