@@ -7,6 +7,7 @@ use super::app::App;
 use super::inspector::short;
 use super::pictures::divider_column;
 use super::style::{BAD, EXACT, GOURAUD, INK, PHONG, SHORTCUT, STALE};
+use super::viewport::DIVIDER_MARGIN;
 use crate::components::{Inspector, Probed, ShadingMode, Show, Side, Tab, ViewMode};
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
@@ -133,7 +134,7 @@ impl App {
         if show.mode == ViewMode::Wipe && is_right != (index == 1) {
             // A tenth of the width beside it, so that its surroundings are seen as well.
             let beside = [0.1, -0.1][index] + x as f64 / width as f64;
-            let divider = beside.clamp(0.02, 0.98);
+            let divider = beside.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
             self.set_look(Show { divider, ..show });
         }
         self.probe([x, y]);

@@ -18,7 +18,7 @@ const DRAG_TURN: f64 = 200.0;
 /// How far the divider can be missed and is still caught, in points.
 const REACH: f32 = 10.0;
 /// The divider stays this share of the picture's width away from either edge.
-const DIVIDER_MARGIN: f64 = 0.02;
+pub const DIVIDER_MARGIN: f64 = 0.02;
 
 /// The thing that a drag moves.
 #[derive(Clone, Debug, Default, PartialEq)]
