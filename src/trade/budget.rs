@@ -3,7 +3,7 @@
 //! ```text
 //! costs of the front, fastest first    0.2  0.31  0.36  0.41  1.0       the budget: 0.4 ms
 //! at rest                                           *                    the last that fits
-//! a frame of 0.5 ms                          *                           at once: what is predicted to fit, with room
+//! a frame of 0.5 ms                          *                           at once: the method predicted to fit, with room
 //! frames of 0.2 ms                                  *                    after enough of them
 //! ```
 //! The choice is a function of numbers: clocks are read elsewhere.
@@ -20,8 +20,11 @@ use crate::shading::Method;
 
 /// The share of the budget that the prediction for another method must keep. The rest is for the noise of two frames.
 const ROOM: f64 = 0.8;
-/// The frames in a row that must leave room for a more exact method until it is taken.
+/// The frames that must leave room for a more exact method until it is taken.
 const PATIENCE: u32 = 45;
+/// How many of these frames one without room takes back. A more exact method is thus taken where more than four of five
+/// frames leave room; a lone interruption does not keep it away.
+const SETBACK: u32 = 4;
 /// How long the frames of all methods are timed together before one picture is drawn.
 const MEASURING_TIME: Duration = Duration::from_secs(1);
 
@@ -45,7 +48,7 @@ pub fn fitting(costs: &[f64], budget: f64) -> usize {
 pub struct Hold {
     /// The place among the costs.
     pub place: usize,
-    /// The frames in a row that left room for a more exact method.
+    /// The frames that left room for a more exact method, less the setbacks.
     calm: u32,
     /// The least exact of those methods.
     least: usize,
@@ -70,15 +73,18 @@ impl Hold {
             costs,
             ROOM * budget * costs.get(place).unwrap_or(&0.0) / last,
         );
-        let (calm, least) = (self.calm + 1, self.least.min(fits));
-        if last > budget {
-            Hold::at(fits.min(place.saturating_sub(1)))
-        } else if fits <= place {
-            Hold::at(place)
-        } else if calm < PATIENCE {
-            Hold { place, calm, least }
+        if last > budget && place > 0 {
+            return Hold::at(fits.min(place - 1));
+        }
+        let (calm, least) = if fits > place {
+            (self.calm + 1, self.least.min(fits))
         } else {
-            Hold::at(least)
+            (self.calm.saturating_sub(SETBACK), self.least)
+        };
+        match calm {
+            0 => Hold::at(place),
+            PATIENCE.. => Hold::at(least),
+            _ => Hold { place, calm, least },
         }
     }
 }

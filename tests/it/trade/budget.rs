@@ -94,9 +94,14 @@ fn a_method_that_was_given_up_comes_back_when_there_is_time_again() {
         drawn(&mut hold, 200, 0.8, 0.05, &mut random);
         assert!(hold.place >= 2, "load {load}: {hold:?}");
     }
-    // One frame that was interrupted.
-    let hold = Hold::at(3).after(30.0, &COSTS, BUDGET);
-    assert!(hold.place < 3);
+    // Every twentieth frame is interrupted, for longer than the budget.
+    let mut hold = Hold::at(3);
+    for _ in 0..15 {
+        hold = hold.after(30.0, &COSTS, BUDGET);
+        assert!(hold.place < 3);
+        drawn(&mut hold, 19, 0.8, 0.05, &mut random);
+    }
+    assert!(hold.place >= 2, "{hold:?}");
 }
 
 #[test]
