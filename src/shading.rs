@@ -29,6 +29,7 @@ pub mod gouraud;
 pub mod interpolation;
 pub mod kernel;
 pub mod phong;
+pub mod pixels;
 pub mod rounding;
 pub mod rows;
 #[cfg(test)]
@@ -41,14 +42,15 @@ use fearless_simd::Simd;
 use glam::DVec3;
 use serde::Serialize;
 
-use self::display::{Levels, Rows};
+use self::display::Rows;
 use self::face::Face;
 use self::field::Places;
 use self::gouraud::Gouraud;
 use self::interpolation::Interpolant;
 use self::kernel::Light;
 use self::phong::{FaceLight, Phong, TileLights};
-use self::square::{MIN_SIDE, Region};
+use self::pixels::Pixels;
+use self::square::{MIN_SIDE, Square};
 use self::unit_vectors::UnitVectors;
 use crate::components::{Illumination, Material, PointLight, ShadingMode, View, unit};
 use crate::simd::outlined;
@@ -307,18 +309,19 @@ impl Shader<'_> {
         }
     }
 
-    /// Evaluates every covered pixel in lanes, into the scratch; nothing where that could not keep the tolerance. The square
-    /// is the one at `index` of those prepared last.
+    /// Evaluates the pixels in the scratch in lanes, if that keeps the tolerance. The square is the one at `index` of those
+    /// prepared last.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        region: &Region,
+        square: &Square,
+        picture: [f64; 2],
         index: usize,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
         match self {
-            Shader::Gouraud(gouraud) => gouraud.evaluate(simd, region, scratch),
-            Shader::Phong(phong) => phong.evaluate(simd, region, index, scratch),
+            Shader::Gouraud(gouraud) => gouraud.evaluate(simd, square, picture, scratch),
+            Shader::Phong(phong) => phong.evaluate(simd, square, picture, index, scratch),
             Shader::UnitVectors(_) => None,
         }
     }
@@ -381,10 +384,10 @@ pub struct Evaluations {
     pub specular: u64,
 }
 
-/// Room for the lights of one face, for the levels of one square, and for the lights that are evaluated there.
+/// Room for the lights of one face, for the pixels of one square, and for the lights that are evaluated there.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    pub levels: Levels,
+    pub pixels: Pixels,
     /// The lights that reach the face being drawn, and the unit vectors to all lights at its corners.
     pub lights: Vec<FaceLight>,
     pub to_lights: Vec<[DVec3; 4]>,

@@ -13,7 +13,7 @@ use super::bound;
 use super::face::{Face, Linear, Plane};
 use super::field::{self, Lanes, Places};
 use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
-use super::square::Region;
+use super::square::Square;
 use super::{Evaluations, Scratch, TileKind, U, limit};
 use crate::simd::{inlined, outlined, three};
 
@@ -129,7 +129,8 @@ impl<'a> Gouraud<'a> {
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        region: &Region,
+        square: &Square,
+        picture: [f64; 2],
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
         let Face {
@@ -137,7 +138,7 @@ impl<'a> Gouraud<'a> {
             diagonal,
             ..
         } = self.face;
-        let ([x, y], half) = (region.middle(), region.square.half());
+        let ([x, y], half) = (square.middle_from(picture), square.half());
         let scale = 1.0 / w.at(x, y);
         let change = |dx: f64, dy: f64| (dx.abs() * half[0] + dy.abs() * half[1]) * scale;
         let before = diagonal.at(x, y);
@@ -176,7 +177,7 @@ impl<'a> Gouraud<'a> {
             w: affine(w.at(x, y), w.dx, w.dy),
         };
         let evaluate = inlined!(|place: [f32x16<S>; 2]| quotient.at(place));
-        outlined!(simd, scratch.levels.fill(simd, region, evaluate));
+        outlined!(simd, scratch.pixels.evaluate(simd, evaluate));
         Some(Evaluations {
             kind: TileKind::Exact,
             model: 0,

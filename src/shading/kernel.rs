@@ -13,9 +13,8 @@ use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
-use super::display::Levels;
+use super::pixels::Pixels;
 use super::specular::{self, Power};
-use super::square::Region;
 use crate::simd::{four, inlined, outlined, three};
 
 /// Unit round-off of f64.
@@ -241,15 +240,15 @@ pub struct Model<'a, S: Simd, V: Reals<S>> {
 }
 
 impl<S: Simd, V: Reals<S>> Model<'_, S, V> {
-    /// Evaluates what is covered of a region: see [`Levels::fill`].
-    pub fn fill(&self, region: &Region, levels: &mut Levels) {
+    /// Evaluates pixels.
+    pub fn fill(&self, pixels: &mut Pixels) {
         let evaluate = inlined!(|[x, y]: [f32x16<S>; 2]| {
             V::sixteen(
                 self.simd,
                 inlined!(|lane| self.sum([V::some(x, lane), V::some(y, lane)])),
             )
         });
-        outlined!(self.simd, levels.fill(self.simd, region, evaluate));
+        outlined!(self.simd, pixels.evaluate(self.simd, evaluate));
     }
 
     /// Its levels at places from the square's middle, in pixels.

@@ -15,14 +15,14 @@ use glam::DVec3;
 pub use self::tile::TileLights;
 use self::tile::has;
 use super::affine::Affine;
-use super::display::Levels;
 use super::face::{Face, Linear};
 use super::field::Moving;
 use super::gloss::Gloss;
 use super::interpolation::LEBESGUE;
 use super::kernel::{self, Light, Model, Reals, Vector, elements};
+use super::pixels::Pixels;
 use super::rounding::{Extent, Rounding};
-use super::square::{MIN_SIDE, Region};
+use super::square::{MIN_SIDE, Square};
 use super::{Evaluations, Scratch, Surface, TileKind, U, limit};
 use crate::components::{PointLight, length, unit};
 
@@ -132,18 +132,17 @@ impl<'a> Phong<'a> {
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        region: &Region,
+        square: &Square,
+        picture: [f64; 2],
         index: usize,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
-        if !self
-            .face
-            .is_steady_on(region.middle(), region.square.half())
-        {
+        let middle = square.middle_from(picture);
+        if !self.face.is_steady_on(middle, square.half()) {
             return None;
         }
         let Scratch {
-            levels,
+            pixels,
             tile,
             single,
             double,
@@ -151,15 +150,15 @@ impl<'a> Phong<'a> {
         } = scratch;
         let kind = self.precision(tile, index)?;
         // f64 takes four times as long, and on a quarter f32 may suffice.
-        if kind == TileKind::Double && region.square.side > MIN_SIDE {
+        if kind == TileKind::Double && square.side > MIN_SIDE {
             return None;
         }
         let highlights = if kind == TileKind::Exact {
-            self.fill::<S, f32x16<S>>(simd, region, tile, index, single, levels)
+            self.fill::<S, f32x16<S>>(simd, middle, tile, index, single, pixels)
         } else {
-            self.fill::<S, f64x4<S>>(simd, region, tile, index, double, levels)
+            self.fill::<S, f64x4<S>>(simd, middle, tile, index, double, pixels)
         };
-        let pixels = region.square.pixels;
+        let pixels = pixels.count();
         Some(Evaluations {
             kind,
             model: pixels as u64,
@@ -208,13 +207,12 @@ impl<'a> Phong<'a> {
     fn fill<S: Simd, V: Reals<S>>(
         &self,
         simd: S,
-        region: &Region,
+        [x, y]: [f64; 2],
         tile: &TileLights,
         index: usize,
         lights: &mut Vec<Light<V::Element>>,
-        levels: &mut Levels,
+        pixels: &mut Pixels,
     ) -> usize {
-        let [x, y] = region.middle();
         let unit = |vector: &Affine| {
             let centre = vector.at(x, y);
             let scale = 1.0 / length(centre);
@@ -241,7 +239,7 @@ impl<'a> Phong<'a> {
             ambient: elements::<S, V>(self.surface.ambient()),
             power: &self.gloss.truncated,
         };
-        model.fill(region, levels);
+        model.fill(pixels);
         model.highlights
     }
 

@@ -225,6 +225,13 @@ impl Square {
         ]
     }
 
+    /// The same from the picture's middle, which is at `picture`.
+    #[inline(always)]
+    pub fn middle_from(&self, picture: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.middle();
+        [x - picture[0], y - picture[1]]
+    }
+
     /// From the middle to the outermost covered pixel centres, in pixels right and down; half a pixel at least, so that
     /// what is bounded at these places has bounded slopes too.
     #[inline(always)]
@@ -233,46 +240,6 @@ impl Square {
         [
             (number(right - left) / 2.0).max(0.5),
             (number(bottom - top) / 2.0).max(0.5),
-        ]
-    }
-}
-
-/// A square that is evaluated, and where.
-#[derive(Clone, Copy, Debug)]
-pub struct Region<'a> {
-    pub square: &'a Square,
-    pub spans: &'a Spans<'a>,
-    /// The picture's middle, in pixels from its corner.
-    pub picture: [f64; 2],
-    /// Whether only the pixels in [`super::display::Listed`] are.
-    pub listed: bool,
-}
-
-impl Region<'_> {
-    /// The square's middle from the picture's, in pixels.
-    #[inline(always)]
-    pub fn middle(&self) -> [f64; 2] {
-        let [x, y] = self.square.middle();
-        [x - self.picture[0], y - self.picture[1]]
-    }
-
-    /// What is covered: rows and columns from the square's first pixel.
-    #[inline(always)]
-    pub fn covered(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let [left, top] = self.square.place;
-        let rows = self.square.covered_rows();
-        self.spans
-            .clipped(rows, self.square.columns)
-            .filter(|(_, span)| !span.is_empty())
-            .map(move |(row, span)| (row - top, span.start - left..span.end - left))
-    }
-
-    /// The centre of a pixel, counted from the square's first, from the picture's middle, in pixels.
-    pub fn centre(&self, column: usize, row: usize) -> [f64; 2] {
-        let [left, top] = self.square.place;
-        [
-            number(left + column) + 0.5 - self.picture[0],
-            number(top + row) + 0.5 - self.picture[1],
         ]
     }
 }

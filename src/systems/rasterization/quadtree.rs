@@ -9,15 +9,15 @@ use super::listing::Context;
 use super::store::Store;
 use crate::components::ShadingMode;
 use crate::frame::{Band, Counts, DrawList, Object, Piece, face};
-use crate::shading::display::{Evaluated, Listed};
 use crate::shading::face::Face;
 use crate::shading::field::Places;
 use crate::shading::gouraud::Gouraud;
 use crate::shading::interpolation::{self, Form, Interpolant};
 use crate::shading::phong::{FaceLight, Phong};
-use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Spans, Square};
+use crate::shading::pixels::Pixels;
+use crate::shading::square::{MAX_SIDE, MIN_SIDE, Spans, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Effort, Evaluations, Scratch, Shader, Sink, Surface, TileKind};
+use crate::shading::{Effort, Evaluations, Scratch, Shader, Surface, TileKind};
 use crate::simd::{dispatch, outlined};
 
 impl Context<'_> {
@@ -36,9 +36,9 @@ impl Context<'_> {
         let mut small = Square::around(&spans);
         let mut strips = 1;
         if let Some(square) = &mut small {
-            let listed = &mut scratch.levels.listed;
-            strips = list_seen(listed, square, &spans, piece, band);
-            square.pixels = listed.count();
+            let pixels = &mut scratch.pixels;
+            strips = list_seen(pixels, square, &spans, piece.id, band);
+            square.pixels = pixels.count();
             if square.pixels == 0 {
                 return;
             }
@@ -54,13 +54,12 @@ impl Context<'_> {
             spans,
             id: piece.id,
             picture: self.lens.half,
-            strips,
             band,
             scratch,
             counts,
         };
         dispatch!(level, simd => match &small {
-            Some(square) => drawing.listed(simd, square),
+            Some(square) => drawing.small(simd, square, strips),
             None => drawing.draw(simd),
         });
         (scratch.lights, scratch.to_lights) = (lights, to_lights);
@@ -108,29 +107,26 @@ impl Context<'_> {
     }
 }
 
-/// Lists the pixels of a square in which a piece is seen; in how many strips of rows these lie.
-fn list_seen(
-    listed: &mut Listed,
-    square: &Square,
-    spans: &Spans,
-    piece: &Piece,
-    band: &Band,
-) -> u64 {
-    listed.clear();
+/// Lists the pixels of a square in which a piece is seen; returns the number of strips in which these lie.
+fn list_seen(pixels: &mut Pixels, square: &Square, spans: &Spans, id: u32, band: &Band) -> u64 {
+    pixels.clear();
     let [left, top] = square.first().map(|first| first as f32);
     let (mut strips, mut last) = (0, None);
-    for (row, span) in spans.within(&band.rows) {
+    for (row, span) in spans.clipped(band.held(square.covered_rows()), square.columns) {
+        if span.is_empty() {
+            continue;
+        }
         let x = left + (span.start - square.place[0]) as i32 as f32;
         let y = top + (row - square.place[1]) as i32 as f32;
-        let pixels = band.index(span.start, row)..band.index(span.end, row);
-        let before = listed.count();
+        let indices = band.index(span.start, row)..band.index(span.end, row);
+        let before = pixels.count();
         if band.triangles.is_empty() {
-            listed.extend([x, y], pixels, |_| true);
+            pixels.extend([x, y], indices);
         } else {
-            let ids = &band.triangles[pixels.clone()];
-            listed.extend([x, y], pixels, |pixel| face(ids[pixel]) == face(piece.id));
+            let ids = &band.triangles[indices.clone()];
+            pixels.extend_seen([x, y], indices, |pixel| face(ids[pixel]) == face(id));
         }
-        if listed.count() > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
+        if pixels.count() > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
             strips += 1;
         }
     }
@@ -145,8 +141,6 @@ struct Drawing<'a, 'b> {
     id: u32,
     /// The picture's middle, in pixels from its corner.
     picture: [f64; 2],
-    /// As how many tiles a listed square counts.
-    strips: u64,
     band: &'a mut Band<'b>,
     scratch: &'a mut Scratch,
     counts: &'a mut Counts,
@@ -195,8 +189,8 @@ impl Drawing<'_, '_> {
                 self.interpolated(simd, square, interpolant, index, form);
             } else {
                 let promising = prepared.promising >> index & 1 == 1;
-                cut[index] = effort == Effort::Quarters && promising
-                    || !self.evaluated(simd, square, Some(index));
+                cut[index] =
+                    effort == Effort::Quarters && promising || !self.listed(simd, square, index);
             }
         }
         // Last, for what is known of these squares goes with it.
@@ -225,33 +219,31 @@ impl Drawing<'_, '_> {
         self.counts.tiles[form.kind as usize] += 1;
     }
 
-    /// Draws what is listed of a square.
-    fn listed<S: Simd>(&mut self, simd: S, square: &Square) {
-        let [x, y] = square.middle();
-        let middle = [x - self.picture[0], y - self.picture[1]];
-        let places = Places::single(simd, middle, square.half());
+    /// Draws the only square of a small piece, whose pixels are listed.
+    fn small<S: Simd>(&mut self, simd: S, square: &Square, strips: u64) {
+        let places = Places::single(simd, square.middle_from(self.picture), square.half());
         self.shader
             .prepare(simd, &places, Effort::Pixels, self.scratch);
-        self.evaluated(simd, square, None);
+        self.evaluated(simd, square, 0, strips);
     }
 
-    /// Draws a square, or what is listed of it where it has no index, pixel by pixel; whether that can be done in lanes, or
-    /// is done without where the square is small.
-    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, index: Option<usize>) -> bool {
-        let listed = index.is_none();
-        let region = Region {
-            square,
-            spans: &self.spans,
-            picture: self.picture,
-            listed,
-        };
-        let index = index.unwrap_or(0);
-        let evaluations = match self.shader.evaluate(simd, &region, index, self.scratch) {
+    /// Lists the pixels of a square and draws them: see [`Drawing::evaluated`].
+    fn listed<S: Simd>(&mut self, simd: S, square: &Square, index: usize) -> bool {
+        let pixels = &mut self.scratch.pixels;
+        let strips = list_seen(pixels, square, &self.spans, self.id, self.band);
+        self.evaluated(simd, square, index, strips)
+    }
+
+    /// Draws the listed pixels of a square one by one; returns false where that has to be done in f64, and may be cheaper on
+    /// the quarters of the square.
+    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, index: usize, strips: u64) -> bool {
+        let picture = self.picture;
+        let evaluations = match (self.shader).evaluate(simd, square, picture, index, self.scratch) {
             None if square.side > MIN_SIDE => return false,
             None => {
-                let levels = &mut self.scratch.levels;
-                levels.fill_each(&region, |[x, y]| self.shader.define(x, y));
-                let pixels = square.pixels as u64;
+                let pixels = &mut self.scratch.pixels;
+                pixels.define(square.middle_from(picture), |x, y| self.shader.define(x, y));
+                let pixels = pixels.count() as u64;
                 Evaluations {
                     kind: TileKind::Double,
                     model: pixels,
@@ -261,18 +253,11 @@ impl Drawing<'_, '_> {
             Some(evaluations) => evaluations,
         };
         let mut store = Store::new(self.band, &self.spans, square, self.id);
-        let levels = &self.scratch.levels;
-        outlined!(simd, {
-            if listed {
-                store.draw_listed(simd, &levels.listed);
-            } else {
-                store.draw(&mut Evaluated::new(simd, levels));
-            }
-        });
+        outlined!(simd, store.draw_pixels(simd, &self.scratch.pixels));
         self.counts.covered_pixels += store.finish(evaluations.kind, &self.shader, self.picture);
         self.counts.model_evaluations += evaluations.model;
         self.counts.specular_evaluations += evaluations.specular;
-        self.counts.tiles[evaluations.kind as usize] += self.strips;
+        self.counts.tiles[evaluations.kind as usize] += strips;
         true
     }
 

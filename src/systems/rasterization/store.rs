@@ -9,8 +9,9 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, i32x16, u32x16};
 
 use crate::frame::{Band, OUTLINE, face};
-use crate::shading::display::{Listed, Rows};
+use crate::shading::display::Rows;
 use crate::shading::face::Face;
+use crate::shading::pixels::Pixels;
 use crate::shading::square::{Spans, Square};
 use crate::shading::{Shader, Sink, TileKind};
 use crate::simd::three;
@@ -77,18 +78,14 @@ impl<'a, 'b> Store<'a, 'b> {
 
     /// Pixels one by one.
     #[inline(always)]
-    pub fn draw_listed<S: Simd>(&mut self, simd: S, listed: &Listed) {
-        self.drawn = listed.count() as u64;
+    pub fn draw_pixels<S: Simd>(&mut self, simd: S, pixels: &Pixels) {
+        self.drawn = pixels.count() as u64;
         if self.band.pixels.is_empty() {
-            for (index, levels) in listed.levels() {
+            for (index, levels) in pixels.levels() {
                 self.band.levels[index] = levels;
             }
         } else {
-            listed.draw(
-                simd,
-                #[inline(always)]
-                |index, pixel| self.band.pixels[index] = pixel,
-            );
+            pixels.display(simd, self.band.pixels);
         }
     }
 

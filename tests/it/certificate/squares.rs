@@ -12,7 +12,7 @@ use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::interpolation;
 use shadetrade::shading::phong::Phong;
-use shadetrade::shading::square::{Region, Spans, Square};
+use shadetrade::shading::square::Square;
 use shadetrade::shading::unit_vectors::UnitVectors;
 use shadetrade::shading::{EXACT, Effort, Scratch, Shader, Sink, Surface, TileKind};
 use shadetrade::simd::baseline;
@@ -56,8 +56,6 @@ struct Subject {
     /// The picture's middle, in pixels.
     picture: [f64; 2],
     side: usize,
-    /// Whether pixels that are not interpolated are evaluated one by one.
-    listed: bool,
 }
 
 impl Subject {
@@ -180,7 +178,6 @@ fn subject(random: &mut Random) -> Subject {
         illumination,
         picture: PLACE.map(|first| first as f64 + random.within(-4.0, 20.0).round()),
         side,
-        listed: side == 16 && random.one_of(&[true, false]),
     }
 }
 
@@ -204,39 +201,15 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
         interpolation::draw(simd, &interpolant, 2, form, &square, &mut shown);
         return (form.kind, shown.levels);
     }
-    let (from, to) = (
-        vec![PLACE[0] as i32; side],
-        vec![(PLACE[0] + side) as i32; side],
-    );
-    let spans = Spans {
-        first: PLACE[1],
-        from: &from,
-        to: &to,
-    };
-    let pixels = (0..side * side).map(|pixel| [pixel % side, pixel / side]);
-    let region = Region {
-        square: &square,
-        spans: &spans,
-        picture,
-        listed: subject.listed,
-    };
-    scratch.levels.listed.clear();
-    if subject.listed {
-        let [left, top] = square.first().map(|first| first as f32);
-        for row in 0..side {
-            let indices = side * row..side * (row + 1);
-            let listed = &mut scratch.levels.listed;
-            listed.extend([left, top + row as f32], indices, |_| true);
-        }
+    let [left, top] = square.first().map(|first| first as f32);
+    for row in 0..side {
+        let indices = side * row..side * (row + 1);
+        scratch.pixels.extend([left, top + row as f32], indices);
     }
-    match shader.evaluate(simd, &region, 2, &mut scratch) {
-        Some(evaluations) if subject.listed => {
-            let listed = scratch.levels.listed.levels();
-            let levels = listed.map(|(_, levels)| levels.map(f64::from));
-            (evaluations.kind, levels.collect())
-        }
+    match shader.evaluate(simd, &square, picture, 2, &mut scratch) {
         Some(evaluations) => {
-            let levels = pixels.map(|[column, row]| scratch.levels.at(column, row).map(f64::from));
+            let levels = scratch.pixels.levels();
+            let levels = levels.map(|(_, levels)| levels.map(f64::from));
             (evaluations.kind, levels.collect())
         }
         None => (TileKind::Double, defined(shader, subject)),
@@ -362,7 +335,6 @@ fn seen(half: DVec3, eye: DVec3, lens: Lens) -> Subject {
         },
         picture: PLACE.map(|first| first as f64 + 8.0),
         side: 16,
-        listed: false,
     }
 }
 

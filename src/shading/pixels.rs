@@ -1,0 +1,132 @@
+//! The pixels of a square that are evaluated one by one: a list, so that any sixteen of them fill the lanes.
+
+use std::ops::Range;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16};
+use glam::DVec3;
+
+use super::display::{display_bits, pack};
+use super::square::MAX_SIDE;
+use crate::simd::{three, two};
+
+/// The most pixels of a square.
+const MOST: usize = MAX_SIDE * MAX_SIDE;
+
+/// Pixels of one square in a band.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixels {
+    count: usize,
+    /// Right and down from the square's middle, in pixels.
+    places: [[f32; MOST]; 2],
+    /// The indices in the buffers of the band.
+    indices: [u32; MOST],
+    levels: [[f32; MOST]; 3],
+}
+
+impl Default for Pixels {
+    fn default() -> Self {
+        Pixels {
+            count: 0,
+            places: [[0.0; MOST]; 2],
+            indices: [0; MOST],
+            levels: [[0.0; MOST]; 3],
+        }
+    }
+}
+
+impl Pixels {
+    /// Empties the list.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// The number of pixels.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Adds the pixels of a row; the first is at `x`, `y` from the square's middle.
+    pub fn extend(&mut self, [x, y]: [f32; 2], indices: Range<usize>) {
+        let new = self.count..self.count + indices.len();
+        let [right, down] = &mut self.places;
+        for (pixel, right) in right[new.clone()].iter_mut().enumerate() {
+            *right = x + pixel as i32 as f32;
+        }
+        down[new.clone()].fill(y);
+        for (index, own) in indices.zip(&mut self.indices[new.clone()]) {
+            *own = index as u32;
+        }
+        self.count = new.end;
+    }
+
+    /// Adds those pixels of a row that are `seen`; the argument is the distance from the first.
+    pub fn extend_seen(
+        &mut self,
+        [x, y]: [f32; 2],
+        indices: Range<usize>,
+        seen: impl Fn(usize) -> bool,
+    ) {
+        for (pixel, index) in indices.enumerate().filter(|(pixel, _)| seen(*pixel)) {
+            self.places[0][self.count] = x + pixel as i32 as f32;
+            self.places[1][self.count] = y;
+            self.indices[self.count] = index as u32;
+            self.count += 1;
+        }
+    }
+
+    /// Evaluates all pixels; the arguments of `evaluate` are places from the square's middle, in pixels.
+    #[inline(always)]
+    pub fn evaluate<S: Simd>(
+        &mut self,
+        simd: S,
+        evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
+    ) {
+        for first in (0..self.count).step_by(16) {
+            let lanes = first..first + 16;
+            let place = two!(|axis| f32x16::from_slice(simd, &self.places[axis][lanes.clone()]));
+            let levels = evaluate(place);
+            for channel in 0..3 {
+                self.levels[channel][lanes.clone()].copy_from_slice(levels[channel].as_slice());
+            }
+        }
+    }
+
+    /// Evaluates all pixels one by one; the arguments of `define` are places from the picture's middle, in pixels, the
+    /// square's middle is at `middle`.
+    pub fn define(&mut self, [right, down]: [f64; 2], define: impl Fn(f64, f64) -> DVec3) {
+        for pixel in 0..self.count {
+            let [x, y] = self.places.map(|place| f64::from(place[pixel]));
+            let levels = define(x + right, y + down).as_vec3();
+            for channel in 0..3 {
+                self.levels[channel][pixel] = levels[channel];
+            }
+        }
+    }
+
+    /// The indices of the pixels and their levels.
+    pub fn levels(&self) -> impl Iterator<Item = (usize, [f32; 3])> {
+        let levels = |pixel: usize| three!(|channel| self.levels[channel][pixel]);
+        (0..self.count).map(move |pixel| (self.indices[pixel] as usize, levels(pixel)))
+    }
+
+    /// Writes the display step of the levels to the buffer of a band.
+    #[inline(always)]
+    pub fn display<S: Simd>(&self, simd: S, buffer: &mut [u32]) {
+        for first in (0..self.count).step_by(16) {
+            let pixels = pack(three!(|channel| {
+                let levels = &self.levels[channel][first..first + 16];
+                display_bits(f32x16::from_slice(simd, levels))
+            }));
+            let indices = &self.indices[first..self.count.min(first + 16)];
+            let start = indices[0] as usize;
+            if indices.len() == 16 && indices[15] as usize == start + 15 {
+                buffer[start..start + 16].copy_from_slice(pixels.as_slice());
+            } else {
+                for (index, pixel) in indices.iter().zip(pixels.as_array()) {
+                    buffer[*index as usize] = *pixel;
+                }
+            }
+        }
+    }
+}
