@@ -16,11 +16,7 @@ pub trait Rows<S: Simd> {
     fn levels(&self, row: usize) -> [f32x16<S>; 3];
 
     /// Their display step, 0x00RRGGBB.
-    #[inline(always)]
-    fn pixels(&self, row: usize) -> u32x16<S> {
-        let levels = self.levels(row);
-        pack(three!(|channel| display_bits(levels[channel])))
-    }
+    fn pixels(&self, row: usize) -> u32x16<S>;
 }
 
 /// `from`, `from` + 1, ...
@@ -59,9 +55,11 @@ pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
     (f32x16::from_bits(clamped.to_bits() + 1) + INTEGERS).to_bits()
 }
 
-/// Three display bits as 0x00RRGGBB; what is shifted out is not the byte.
+/// The display step of three channels as 0x00RRGGBB.
 #[inline(always)]
-pub(super) fn pack<S: Simd>([red, green, blue]: [u32x16<S>; 3]) -> u32x16<S> {
+pub(super) fn display<S: Simd>(levels: [f32x16<S>; 3]) -> u32x16<S> {
+    // All bits above the byte are equal for red, green and blue, and are shifted or masked out.
+    let [red, green, blue] = three!(|channel| display_bits(levels[channel]));
     (red << 16) | (green << 8) | (blue & 0xff)
 }
 
@@ -72,8 +70,7 @@ mod tests {
 
     /// The byte of one level by the fast step, in all three places.
     fn shown(level: f32) -> u32 {
-        let bits = display_bits(f32x16::splat(token(), level));
-        pack([bits; 3]).as_array()[0]
+        display([f32x16::splat(token(), level); 3]).as_array()[0]
     }
 
     #[test]
@@ -107,7 +104,7 @@ mod tests {
             .filter_map(crate::simd::named)
         {
             let pixel = crate::simd::dispatch!(level, simd => {
-                pack([display_bits(f32x16::splat(simd, f32::NAN)); 3]).as_array()[0]
+                display([f32x16::splat(simd, f32::NAN); 3]).as_array()[0]
             });
             assert_eq!(pixel, 0, "{}", crate::simd::name(level));
         }

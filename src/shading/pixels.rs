@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16};
+use fearless_simd::{Simd, f32x16, mask32x16};
 use glam::DVec3;
 
-use super::display::{display_bits, pack};
+use super::display::display;
 use super::square::MAX_SIDE;
 use crate::simd::{three, two};
 
@@ -22,6 +22,8 @@ pub struct Pixels {
     /// The indices in the buffers of the band.
     indices: [u32; MOST],
     levels: [[f32; MOST]; 3],
+    /// Whether a level may be not a number, which marks a pixel that f32 does not suffice for.
+    marked: bool,
 }
 
 impl Default for Pixels {
@@ -31,6 +33,7 @@ impl Default for Pixels {
             places: [[0.0; MOST]; 2],
             indices: [0; MOST],
             levels: [[0.0; MOST]; 3],
+            marked: false,
         }
     }
 }
@@ -75,31 +78,48 @@ impl Pixels {
         }
     }
 
-    /// Evaluates all pixels; the arguments of `evaluate` are places from the square's middle, in pixels.
+    /// Evaluates all pixels; the arguments of `evaluate` are places from -1 to 1 over the square of these half extents.
     #[inline(always)]
     pub fn evaluate<S: Simd>(
         &mut self,
         simd: S,
+        half: [f64; 2],
         evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
     ) {
+        let scale = half.map(|half| (1.0 / half) as f32);
+        let mut marked = mask32x16::splat(simd, false);
         for first in (0..self.count).step_by(16) {
             let lanes = first..first + 16;
-            let place = two!(|axis| f32x16::from_slice(simd, &self.places[axis][lanes.clone()]));
-            let levels = evaluate(place);
+            let levels = evaluate(two!(|axis| {
+                f32x16::from_slice(simd, &self.places[axis][lanes.clone()]) * scale[axis]
+            }));
+            marked |= !levels[0].simd_eq(levels[0]);
             for channel in 0..3 {
                 self.levels[channel][lanes.clone()].copy_from_slice(levels[channel].as_slice());
             }
         }
+        self.marked = marked.any_true();
     }
 
-    /// Evaluates all pixels one by one; the arguments of `define` are places from the picture's middle, in pixels, the
-    /// square's middle is at `middle`.
+    /// Marks all pixels.
+    pub fn forget(&mut self) {
+        self.levels[0][..self.count].fill(f32::NAN);
+        self.marked = true;
+    }
+
+    /// Evaluates the marked pixels one by one; the arguments of `define` are places from the picture's middle, in pixels, and
+    /// the first argument is the place of the square's middle.
     pub fn define(&mut self, [right, down]: [f64; 2], define: impl Fn(f64, f64) -> DVec3) {
+        if !self.marked {
+            return;
+        }
         for pixel in 0..self.count {
-            let [x, y] = self.places.map(|place| f64::from(place[pixel]));
-            let levels = define(x + right, y + down).as_vec3();
-            for channel in 0..3 {
-                self.levels[channel][pixel] = levels[channel];
+            if self.levels[0][pixel].is_nan() {
+                let [x, y] = two!(|axis| f64::from(self.places[axis][pixel]));
+                let levels = define(x + right, y + down).as_vec3();
+                for channel in 0..3 {
+                    self.levels[channel][pixel] = levels[channel];
+                }
             }
         }
     }
@@ -112,11 +132,11 @@ impl Pixels {
 
     /// Writes the display step of the levels to the buffer of a band.
     #[inline(always)]
-    pub fn display<S: Simd>(&self, simd: S, buffer: &mut [u32]) {
+    pub fn show<S: Simd>(&self, simd: S, buffer: &mut [u32]) {
         for first in (0..self.count).step_by(16) {
-            let pixels = pack(three!(|channel| {
+            let pixels = display(three!(|channel| {
                 let levels = &self.levels[channel][first..first + 16];
-                display_bits(f32x16::from_slice(simd, levels))
+                f32x16::from_slice(simd, levels)
             }));
             let indices = &self.indices[first..self.count.min(first + 16)];
             let start = indices[0] as usize;

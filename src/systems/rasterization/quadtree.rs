@@ -17,7 +17,7 @@ use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::pixels::Pixels;
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Spans, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Effort, Evaluations, Scratch, Shader, Surface, TileKind};
+use crate::shading::{Scratch, Shader, Surface};
 use crate::simd::{dispatch, outlined};
 
 impl Context<'_> {
@@ -175,22 +175,21 @@ impl Drawing<'_, '_> {
         if !seen.contains(&true) {
             return;
         }
-        let effort = self.shader.effort(squares[0].side);
         let places = Places::new(simd, squares, self.picture);
-        let prepared = self.shader.prepare(simd, &places, effort, self.scratch);
+        let (interpolant, promising) = self.shader.prepare(simd, &places, true, self.scratch);
         let mut cut = [false; 4];
         for (index, square) in squares.iter().enumerate() {
             if !seen[index] {
                 continue;
             }
-            if let Some(interpolant) = &prepared.interpolant
+            if let Some(interpolant) = &interpolant
                 && let Some(form) = interpolant.forms[index]
             {
                 self.interpolated(simd, square, interpolant, index, form);
             } else {
-                let promising = prepared.promising >> index & 1 == 1;
+                let promising = promising >> index & 1 == 1;
                 cut[index] =
-                    effort == Effort::Quarters && promising || !self.listed(simd, square, index);
+                    square.side > MIN_SIDE && promising || !self.listed(simd, square, index);
             }
         }
         // Last, for what is known of these squares goes with it.
@@ -222,8 +221,7 @@ impl Drawing<'_, '_> {
     /// Draws the only square of a small piece, whose pixels are listed.
     fn small<S: Simd>(&mut self, simd: S, square: &Square, strips: u64) {
         let places = Places::single(simd, square.middle_from(self.picture), square.half());
-        self.shader
-            .prepare(simd, &places, Effort::Pixels, self.scratch);
+        self.shader.prepare(simd, &places, false, self.scratch);
         self.evaluated(simd, square, 0, strips);
     }
 
@@ -234,23 +232,11 @@ impl Drawing<'_, '_> {
         self.evaluated(simd, square, index, strips)
     }
 
-    /// Draws the listed pixels of a square one by one; returns false where that has to be done in f64, and may be cheaper on
-    /// the quarters of the square.
+    /// Draws the listed pixels of a square one by one; returns false where that may be cheaper on the quarters of the square.
     fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, index: usize, strips: u64) -> bool {
-        let picture = self.picture;
-        let evaluations = match (self.shader).evaluate(simd, square, picture, index, self.scratch) {
-            None if square.side > MIN_SIDE => return false,
-            None => {
-                let pixels = &mut self.scratch.pixels;
-                pixels.define(square.middle_from(picture), |x, y| self.shader.define(x, y));
-                let pixels = pixels.count() as u64;
-                Evaluations {
-                    kind: TileKind::Double,
-                    model: pixels,
-                    specular: pixels * self.shader.powers() as u64,
-                }
-            }
-            Some(evaluations) => evaluations,
+        let evaluations = (self.shader).evaluate(simd, square, self.picture, index, self.scratch);
+        let Some(evaluations) = evaluations else {
+            return false;
         };
         let mut store = Store::new(self.band, &self.spans, square, self.id);
         outlined!(simd, store.draw_pixels(simd, &self.scratch.pixels));

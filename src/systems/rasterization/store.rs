@@ -85,7 +85,7 @@ impl<'a, 'b> Store<'a, 'b> {
                 self.band.levels[index] = levels;
             }
         } else {
-            pixels.display(simd, self.band.pixels);
+            pixels.show(simd, self.band.pixels);
         }
     }
 

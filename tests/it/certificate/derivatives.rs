@@ -14,7 +14,6 @@ use shadetrade::reference::{Interval, Real};
 use shadetrade::shading::affine::Affine;
 use shadetrade::shading::bound::{self, Highlight, cosine_error, reflection, side};
 use shadetrade::shading::field::{self, Field, MAX_RADIUS, Places};
-use shadetrade::shading::specular::Power;
 use shadetrade::simd::baseline;
 
 use super::SCENES;
@@ -239,7 +238,7 @@ fn largest_shares<S: Simd>(simd: S, cases: u64) -> (f64, [f64; SHININESS.len()])
             let s = (dot(&n, &l) * dot(&n, &o)).scaled(2.0) + dot(&l, &o).scaled(-1.0);
             s.power(shininess)
         });
-        let power = bound::power(&Power::new(shininess, 0.0, 0.0), range.most);
+        let power = bound::power(shininess as f32, range.most);
         let bound = Highlight::new(shininess).error(&normal, &light, &eye, &range, power);
         let bound = bound.as_array()[0];
         assert!(

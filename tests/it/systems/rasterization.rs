@@ -197,9 +197,9 @@ fn doubles(frame: &Frame) -> [bool; 2] {
 
 #[test]
 fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_level() {
-    // A rounding error is 2^-24. Gouraud counts 50 of them. Ambient light under Phong counts six: two of the sum, one
+    // A rounding error is 2^-24. Gouraud counts 80 of them. Ambient light under Phong counts six: two of the sum, one
     // of its term and three of the display step.
-    for (mode, roundings) in [(ShadingMode::Gouraud, 50.0), (ShadingMode::Phong, 6.0)] {
+    for (mode, roundings) in [(ShadingMode::Gouraud, 80.0), (ShadingMode::Phong, 6.0)] {
         let edge = 0.05 * 2.0_f64.powi(24) / roundings;
         for (size, share, expected) in [
             ([300, 200], 0.99, [false; 2]),
