@@ -1,4 +1,4 @@
-//! How a face's pixels get their levels: the methods, the illumination model, and how squares of pixels are drawn.
+//! The levels of a face's pixels: the methods, the illumination model, and the evaluation of squares of pixels.
 //!
 //! ```text
 //! draw(square):
@@ -9,15 +9,16 @@
 //!         draw each quarter
 //!     else:
 //!         evaluate the model at every pixel, in f32 where its rounding keeps the tolerance, in f64 elsewhere
+//!         evaluate pixels again, in f64, where a highlight may jump and f32 has no sign of n.l or s
 //! ```
-//! [`phong`] classifies and evaluates, [`bound`] bounds, [`interpolation`] chooses rows, [`rows`] fills them, and
-//! [`crate::systems::rasterization`] cuts squares.
+//! [`phong`] classifies the lights, [`kernel`] evaluates nodes and pixels, [`bound`] bounds interpolation and [`rounding`]
+//! rounding errors, [`interpolation`] chooses rows, [`rows`] fills them, and [`crate::systems::rasterization`] cuts squares.
 //!
 //! A terminator is a line in which n.l of a light is 0. Snapping moves an edge by up to 1/512 pixel. On a sliver, a face
 //! that is not steady, a pixel's centre can then lie more than 1/128 of the face outside it; its place is clamped to the face.
 //!
-//! Rule: a face is set up in f64 from unsnapped corners; what is done in f32 is done only where its rounding error is
-//! bounded below the tolerance, and in f64 elsewhere.
+//! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance;
+//! f64 stands behind everything.
 
 pub mod affine;
 pub mod bound;
@@ -79,9 +80,9 @@ pub enum TileKind {
     Quadratic,
     /// The same, and n.l of one light that is cut off at zero at every pixel.
     Terminator,
-    /// The model at every pixel within the tolerance, in f32.
+    /// The definition at every pixel within the tolerance, in f32; in f64 where a sign is in doubt.
     Exact,
-    /// The same with vectors in f64; powers of a shininess from 1 on stay in f32.
+    /// The definition at every pixel, in f64.
     Double,
 }
 
@@ -111,7 +112,7 @@ impl TileKind {
 
 /// Takes the rows of a square.
 pub trait Sink<S: Simd> {
-    /// Takes what is covered of them.
+    /// Takes their covered pixels.
     fn draw(&mut self, rows: &mut impl Rows<S>);
 }
 

@@ -89,7 +89,7 @@ pub fn product<S: Simd>(a: Derivatives<S>, b: Derivatives<S>) -> Derivatives<S> 
     ]
 }
 
-/// What the interpolant errs by, for bounds on third derivatives along x and y.
+/// The error of the interpolant, for bounds on third derivatives along x and y.
 #[inline(always)]
 pub fn interpolation_error<S: Simd>(third: [Lanes<S>; 2]) -> Lanes<S> {
     let [x, y] = third;
@@ -114,7 +114,7 @@ pub struct Side<S: Simd> {
     pub dark: mask64x4<S>,
 }
 
-/// What f64 makes of the product of two unit vectors: less than this.
+/// More than the rounding error of the product of two unit vectors in f64.
 const ROUNDING: f64 = 1e-15;
 
 /// n.l moves by no more than n and l do, and a unit vector by no more than the arc asin(radius).
@@ -184,7 +184,7 @@ pub fn reflection<S: Simd>(
     }
 }
 
-/// What does not change from square to square in the bound of a highlight.
+/// The part of the bound of a highlight that is the same in every square.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlight {
     /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), without their signs.

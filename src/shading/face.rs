@@ -1,4 +1,4 @@
-//! A face of a cuboid and lines of sight in; what is interpolated over the face, as affine functions of the pixel, out.
+//! A face of a cuboid on the screen: everything that is interpolated over it, as affine functions of the pixel.
 //!
 //! A line of sight O + t d meets the plane m.P = h of a face where t = H / w, with H = m.O - h, how far the eye is in
 //! front of the plane, and w = -m.d > 0. Times w, everything that is linear on the face is affine on the screen:
@@ -10,8 +10,8 @@
 //! linear in u and v over the whole face; colours that were lit at the corners are linear over each of its triangles.
 //! Both triangles have the same N, L and O.
 //!
-//! Rule: all is set up in f64 relative to the eye, so that what is seen of a face is as exact on a cuboid of any size; and
-//! none of it depends on where the face ends, so clipping changes no value.
+//! All is set up in f64 relative to the eye, so a face is as exact on a cuboid of any size. Nothing depends on the ends of the
+//! face, so clipping changes no value.
 
 use glam::{DMat3, DVec3};
 
@@ -332,7 +332,7 @@ pub fn places(number: usize) -> [[f64; 2]; 4] {
     FACES[number].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
 }
 
-/// A value that is linear on a face: at its middle, and what u and v add.
+/// A value that is linear on a face: at its middle, and its changes with u and v.
 #[derive(Clone, Copy, Debug)]
 pub struct Linear([DVec3; 3]);
 

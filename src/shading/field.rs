@@ -43,6 +43,17 @@ impl<S: Simd> Places<S> {
         }
     }
 
+    /// An affine number on the squares: its value at the middle, and its changes from there to the right and to the lower edge.
+    #[inline(always)]
+    pub fn number(&self, [centre, dx, dy]: [f64; 3]) -> [Lanes<S>; 3] {
+        let [x, y] = self.middle;
+        [
+            x * dx + y * dy + centre,
+            self.half[0] * dx,
+            self.half[1] * dy,
+        ]
+    }
+
     /// One square, four times.
     #[inline(always)]
     pub fn single(simd: S, middle: [f64; 2], half: [f64; 2]) -> Self {
@@ -161,26 +172,6 @@ impl<S: Simd> Field<S> {
 pub fn single<S: Simd>(lanes: Lanes<S>) -> [f32; 4] {
     let lanes = lanes.as_array();
     four!(|square| lanes[square] as f32)
-}
-
-/// The least value of a scalar on four squares.
-#[inline(always)]
-pub fn least<S: Simd>(scalar: &Affine<f64>, places: &Places<S>) -> Lanes<S> {
-    let ([x, y], [width, height]) = (places.middle, places.half);
-    let middle = x * scalar.dx + y * scalar.dy + scalar.centre;
-    middle - width * scalar.dx.abs() - height * scalar.dy.abs()
-}
-
-/// w on four squares over its value at the middle: what x and y add.
-#[inline(always)]
-pub fn relative<S: Simd>(w: &Affine<f64>, places: &Places<S>) -> [Lanes<S>; 3] {
-    let [x, y] = places.middle;
-    let middle = x * w.dx + y * w.dy + w.centre;
-    [
-        middle,
-        places.half[0] * w.dx / middle,
-        places.half[1] * w.dy / middle,
-    ]
 }
 
 /// The number, or zero where it is negative.

@@ -16,7 +16,7 @@ const DROPPED: f64 = 0.25;
 /// The size of s below which a shininess below 1 makes an error of s too large for f32: its slope has no bound at s = 0.
 const DOUBT: f64 = 1.0 / 256.0;
 
-/// What the highlights of one material need in every square.
+/// The constants of the highlights of one material.
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss {
     pub material: Material,
@@ -71,7 +71,7 @@ impl Gloss {
     /// less than half of [`DOUBT`], so the slope is at most that at the other half.
     #[inline(always)]
     pub fn propagated<S: Simd>(&self, chord: Lanes<S>) -> Lanes<S> {
-        /// sqrt(2) times so many roundings are less than half of [`DOUBT`].
+        /// sqrt(2) times this many roundings are less than half of [`DOUBT`].
         const MOST: f64 = 2e4;
         let infinite = Lanes::splat(chord.token(), f64::INFINITY);
         let error = (chord + 4.0) * self.steepest + 4.0;

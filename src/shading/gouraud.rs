@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::affine::Affine;
 use super::bound;
 use super::face::{Face, Linear};
-use super::field::{self, Lanes, Places, single};
+use super::field::{Lanes, Places, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
 use super::kernel::At;
 use super::pixels::Pixels;
@@ -81,18 +81,14 @@ impl<'a> Gouraud<'a> {
         tile: &mut TileColors,
     ) -> Option<Interpolant<S>> {
         let number = inlined!(|number: f64| Lanes::splat(simd, number));
-        let [middle, e, g] = field::relative(&self.face.plane.w, places);
+        let [middle, right, down] = places.number(self.face.plane.w.terms());
         let inverse = 1.0 / middle;
-        let scaled = inlined!(|[centre, dx, dy]: [f64; 3]| {
-            let [x, y] = places.middle;
-            [
-                (x * dx + y * dy + centre) * inverse,
-                places.half[0] * inverse * dx,
-                places.half[1] * inverse * dy,
-            ]
+        let [e, g] = [right * inverse, down * inverse];
+        let scaled = inlined!(|terms: [f64; 3]| {
+            let number = places.number(terms);
+            three!(|term| number[term] * inverse)
         });
-        let Affine { centre, dx, dy } = self.face.diagonal;
-        let before = scaled([centre, dx, dy]);
+        let before = scaled(self.face.diagonal.terms());
         let change = before[1].abs() + before[2].abs();
         let meets = [before[0].simd_gt(-change), before[0].simd_lt(change)];
         let colors = two!(|triangle| three!(|channel| {
@@ -104,7 +100,7 @@ impl<'a> Gouraud<'a> {
         for triangle in 0..2 {
             for [color, right, down] in colors[triangle] {
                 let most = color.abs() + right.abs() + down.abs();
-                // The other way round a number that is none would be lost.
+                // A comparison with something that is not a number is false, so that is kept.
                 let known = most.simd_le(largest) | !meets[triangle];
                 largest = known.select(largest, most);
             }
@@ -211,14 +207,14 @@ mod tests {
         // At a corner, where x = y = 1.
         let at = |terms: [f64; 3]| {
             let [middle, right, down] = terms.map(Rounded::stored);
-            // Over the half extent, of which the inverse is stored.
+            // The place is a product with the stored inverse of the half extent.
             let end = Rounded::stored(1.0) * Rounded::exact(1.0);
             end * right + (middle + down * end)
         };
         let mut most = 0.0_f64;
         for step in 0..=1000 {
             let part = |factor: f64| (f64::from(step) * factor).sin();
-            // w falls to half of what it is at the middle; colours fall with it, or not.
+            // w falls to half of its value at the middle; colours fall with it, or not.
             let slope = 0.249 * (1.0 + part(0.3)) / 2.0;
             let w = at([1.0, slope - 0.498, -slope]);
             let [color, right, down] = [part(0.7), part(1.1), part(1.7)];

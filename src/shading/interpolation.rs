@@ -1,4 +1,4 @@
-//! Nine samples in, the cheapest rows that keep the tolerance out.
+//! The biquadratic through nine samples, and the cheapest rows for it that keep the tolerance.
 //!
 //! ```text
 //!   f at x, y in {-r, 0, r}, r = sqrt(3) / 2  -->  sum c[j][i] x^i y^j, i, j <= 2  -->  constant, linear or quadratic rows
@@ -6,9 +6,9 @@
 //! x and y run from -1 to 1 over the square. Terms are left out where the rest of the tolerance allows it. x^2 is then replaced
 //! by 1/2, the middle of its range, which errs by at most 1/2 (economization; Lanczos 1938).
 //!
-//! Rule: f32 rounds a value at most fourteen times at the size of the sum of its terms. Where the tolerance has `FIXED` to spare
-//! and no channel leaves the display's range, values are formed in multiples of 1/256 level, so that nothing is left
-//! to clamp and bytes only have to be cut out.
+//! Where the tolerance has `FIXED` to spare and no channel leaves the display's range, values are formed in multiples of 1/256
+//! level: nothing is left to clamp, and bytes are cut out by masks. Without these rows a frame of bench-close takes 63 % more
+//! time, and without linear rows 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask64x4};
@@ -22,7 +22,7 @@ use crate::simd::{four, three};
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;
 
-/// How much interpolation may enlarge errors of the samples: the square of the Lebesgue constant 5/3 of three nodes.
+/// The factor by which interpolation may enlarge errors of the samples: the square of the Lebesgue constant 5/3 of three nodes.
 pub const LEBESGUE: f64 = 25.0 / 9.0;
 
 /// A channel's samples by row and column, or its coefficients by power of y and of x, on four squares.
@@ -43,7 +43,7 @@ fn quadratic<S: Simd>([left, middle, right]: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
 pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
     let rows = three!(|j| quadratic(samples[j]));
     let columns = three!(|i| quadratic([rows[0][i], rows[1][i], rows[2][i]]));
-    transposed(&columns)
+    three!(|j| three!(|i| columns[i][j]))
 }
 
 /// The biquadratics of four channels through samples at the nodes; the lanes of a sample belong to each square in turn.
@@ -72,13 +72,14 @@ pub fn sampled<S: Simd>(
 /// The rounding error of a value in a row, relative to the sum of the sizes of its terms:
 ///
 /// ```text
-///   x^2 y^2: its coefficient, and two for each power of x and of y      9 U
-///   the term that crosses zero: a product and two sums more             3 U
-///   the display step may be that of the next float                      2 U
+///   operation            count   why
+///   x^2 y^2                9     its coefficient, and two for each power of x and of y
+///   term that crosses      3     a product and two sums more
+///   display                2     the byte may be that of the next float
 /// ```
 const ROUNDING: f64 = 14.0 * U;
 
-/// What multiples of 1/256 level cost: three roundings.
+/// The error of multiples of 1/256 level: three roundings to the nearest multiple.
 const FIXED: f64 = 1.5 / 256.0;
 
 /// The levels that multiples of 1/256 can hold without a clamp: with a half added they stay within 0..256.
@@ -119,7 +120,7 @@ impl<S: Simd> Interpolant<S> {
         let zero = Lanes::splat(budget.token(), 0.0);
         let [mut size, mut error, mut flat_error] = [zero; 3];
         let mut inside = budget.simd_gt(0.0);
-        // A maximum may lose what is not a number, so finiteness is tested on its own.
+        // A maximum may lose a NaN, so finiteness is tested on its own.
         let mut finite = inside;
         let mut cosine = zero;
         for [a, b, c] in terms[3] {
@@ -127,7 +128,7 @@ impl<S: Simd> Interpolant<S> {
         }
         for channel in 0..3 {
             let c = &terms[channel];
-            // Of the terms beyond linear ones: all, and what stays when x^2 and y^2 are replaced by 1/2.
+            // The sizes of the terms beyond linear ones: of all, and of the rest when x^2 and y^2 are replaced by 1/2.
             let [cubic, square] = [c[1][2].abs() + c[2][1].abs(), c[0][2].abs() + c[2][0].abs()];
             let quartic = c[2][2].abs();
             let beyond = square + c[1][1].abs() + cubic + quartic;
@@ -191,11 +192,6 @@ impl<S: Simd> Interpolant<S> {
         }
         color
     }
-}
-
-#[inline(always)]
-fn transposed<S: Simd>(nine: &Nine<S>) -> Nine<S> {
-    three!(|j| three!(|i| nine[i][j]))
 }
 
 /// Draws one of the squares of an interpolant.

@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use crate::components::{ShadingMode, View};
 
-/// A way to draw: what the picture means, and how far it may err from that.
+/// A way to draw: a definition of the picture, and the permitted error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Method {
-    /// What reports call it.
+    /// Its name in reports.
     pub id: &'static str,
     /// The definition the picture is held to.
     pub mode: ShadingMode,

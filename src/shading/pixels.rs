@@ -3,15 +3,15 @@
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, mask32x16};
+use fearless_simd::{Simd, f32x16, mask32x16, u32x16};
 use glam::DVec3;
 
-use super::display::display;
+use super::display::{counted, display};
 use super::square::MAX_SIDE;
 use crate::simd::{three, two};
 
-/// The most pixels of a square.
-const MOST: usize = MAX_SIDE * MAX_SIDE;
+/// The most pixels of a square, and room for the lanes beyond the last.
+const MOST: usize = MAX_SIDE * MAX_SIDE + 16;
 
 /// Pixels of one square in a band.
 #[derive(Clone, Copy, Debug)]
@@ -50,17 +50,20 @@ impl Pixels {
     }
 
     /// Adds the pixels of a row; the first is at `x`, `y` from the square's middle.
-    pub fn extend(&mut self, [x, y]: [f32; 2], indices: Range<usize>) {
-        let new = self.count..self.count + indices.len();
-        let [right, down] = &mut self.places;
-        for (pixel, right) in right[new.clone()].iter_mut().enumerate() {
-            *right = x + pixel as i32 as f32;
+    #[inline(always)]
+    pub fn extend<S: Simd>(&mut self, simd: S, [x, y]: [f32; 2], indices: Range<usize>) {
+        const LANES: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+        let (lanes, y) = (u32x16::simd_from(simd, LANES), f32x16::splat(simd, y));
+        for first in (0..indices.len()).step_by(16) {
+            // Lanes beyond the row are overwritten by the next.
+            let new = self.count + first..self.count + first + 16;
+            let right = counted(simd, first) + x;
+            self.places[0][new.clone()].copy_from_slice(right.as_slice());
+            self.places[1][new.clone()].copy_from_slice(y.as_slice());
+            let index = lanes + (indices.start + first) as u32;
+            self.indices[new].copy_from_slice(index.as_slice());
         }
-        down[new.clone()].fill(y);
-        for (index, own) in indices.zip(&mut self.indices[new.clone()]) {
-            *own = index as u32;
-        }
-        self.count = new.end;
+        self.count += indices.len();
     }
 
     /// Adds those pixels of a row that are `seen`; the argument is the distance from the first.

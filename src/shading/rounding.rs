@@ -1,6 +1,6 @@
 //! The rounding errors of the illumination model in f32.
 //!
-//! Rule: every rounding is counted once, per light and per term of the sum, in units of U.
+//! Every rounding is counted once, per light and per term of the sum, in units of U.
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
@@ -36,12 +36,12 @@ pub const CHORD: f64 = 50.0;
 ///   |r - o|                     50          proofs/chord.g: 2 (n.l) n, l, o and two differences
 ///     from directions           delta       twice of n, of l and of o
 ///   1 - s                       4           the square 3, 1 spare
-///   s^rho                       6           proofs/power.v, and what it makes of errors of |r - o| and 1 - s: Gloss
+///   s^rho                       6           proofs/power.v; Gloss propagates the errors of |r - o| and 1 - s
 ///   sum                         2 + terms   coefficient and product of each term, and each sum, at the largest sum
 ///   display                     3           stored in f32; the byte may be that of the next float
 /// ```
-/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, and they err by what the
-/// definition's own vectors err by. So the bound is relative to what f64 can set up, and that may err by more than a
+/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, and the definition's own vectors
+/// have the same errors. So the bound is relative to what f64 can set up, and that may err by more than a
 /// tolerance: with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes away on.
 pub struct Rounding<S: Simd> {
     /// Direction errors of n and o.
@@ -79,13 +79,13 @@ impl<S: Simd> Rounding<S> {
         self.normal * 2.0 + light.rounding() + self.eye + CHORD
     }
 
-    /// Adds a light's diffuse term of at most so many levels.
+    /// Adds a light's diffuse term of at most these levels.
     #[inline(always)]
     pub fn diffuse(&mut self, light: &Field<S>, levels: Lanes<S>) {
         self.add(levels, self.cosine(light));
     }
 
-    /// Adds a light's specular term of at most so many levels.
+    /// Adds a light's specular term of at most these levels.
     #[inline(always)]
     pub fn specular(&mut self, light: &Field<S>, levels: Lanes<S>, gloss: &Gloss) {
         let error = gloss.propagated(self.chord(light)) + POWER_ERROR;
@@ -144,7 +144,7 @@ mod tests {
 
     /// The vector at a corner as the kernel forms it.
     fn formed([middle, right, down]: &Moving) -> Vector {
-        // Over the half extent, of which the inverse is stored.
+        // The place is a product with the stored inverse of the half extent.
         let end = Rounded::stored(1.0) * Rounded::exact(1.0);
         [0, 1, 2].map(|axis| {
             let [middle, right, down] = [middle, right, down].map(|v| Rounded::stored(v[axis]));

@@ -1,6 +1,4 @@
-//! An interpolated colour in, rows of levels or of display bytes out.
-//!
-//! Rule: levels are those of the polynomial, within what its form was chosen for; bytes are the display step of levels.
+//! Rows of levels, or of display bytes, of an interpolated colour.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};

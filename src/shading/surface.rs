@@ -22,7 +22,7 @@ impl Surface<'_> {
         self.material.ambient * self.illumination.ambient
     }
 
-    /// What a point light's diffuse and specular terms are multiplied with, in levels.
+    /// The factors of a point light's n.l and s^rho, in levels.
     pub fn coefficients(&self, light: &PointLight) -> [DVec3; 2] {
         [
             self.material.diffuse * light.diffuse,

@@ -7,7 +7,7 @@
 //! The classification is done once. Where bounds leave something of the tolerance the square is interpolated through nine
 //! samples; elsewhere the same lights are evaluated at its pixels.
 //!
-//! Rule: all decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
+//! All decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask64x4};
@@ -20,7 +20,7 @@ use crate::shading::rounding::Rounding;
 use crate::shading::{U, bound};
 use crate::simd::{inlined, three};
 
-/// The quarters of a square are tried where at most so many lights have no bound on it: where more have none, a quarter hardly
+/// The largest number of lights without a bound on a square at which its quarters are tried: with more of them, a quarter hardly
 /// ever has bounds on all. Against 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
 const UNSURE: f64 = 1.0;
 
@@ -77,7 +77,8 @@ impl Phong<'_> {
         interpolate: bool,
         tile: &mut TileLights,
     ) -> (Lanes<S>, u64) {
-        let least = field::least(&self.face.plane.w, places);
+        let [middle, right, down] = places.number(self.face.plane.w.terms());
+        let least = middle - right.abs() - down.abs();
         let simd = least.token();
         let number = inlined!(|number: f64| Lanes::splat(simd, number));
         let [zero, one, infinite] = [number(0.0), number(1.0), number(f64::INFINITY)];

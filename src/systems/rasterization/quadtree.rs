@@ -37,7 +37,8 @@ impl Context<'_> {
         let mut strips = 1;
         if let Some(square) = &mut small {
             let pixels = &mut scratch.pixels;
-            strips = list_seen(pixels, square, &spans, piece.id, band);
+            strips =
+                dispatch!(level, simd => list_seen(simd, pixels, square, &spans, piece.id, band));
             square.pixels = pixels.count();
             if square.pixels == 0 {
                 return;
@@ -108,7 +109,15 @@ impl Context<'_> {
 }
 
 /// Lists the pixels of a square in which a piece is seen; returns the number of strips in which these lie.
-fn list_seen(pixels: &mut Pixels, square: &Square, spans: &Spans, id: u32, band: &Band) -> u64 {
+#[inline(always)]
+fn list_seen<S: Simd>(
+    simd: S,
+    pixels: &mut Pixels,
+    square: &Square,
+    spans: &Spans,
+    id: u32,
+    band: &Band,
+) -> u64 {
     pixels.clear();
     let [left, top] = square.first().map(|first| first as f32);
     let (mut strips, mut last) = (0, None);
@@ -121,7 +130,7 @@ fn list_seen(pixels: &mut Pixels, square: &Square, spans: &Spans, id: u32, band:
         let indices = band.index(span.start, row)..band.index(span.end, row);
         let before = pixels.count();
         if band.triangles.is_empty() {
-            pixels.extend([x, y], indices);
+            pixels.extend(simd, [x, y], indices);
         } else {
             let ids = &band.triangles[indices.clone()];
             pixels.extend_seen([x, y], indices, |pixel| face(ids[pixel]) == face(id));
@@ -228,7 +237,10 @@ impl Drawing<'_, '_> {
     /// Lists the pixels of a square and draws them: see [`Drawing::evaluated`].
     fn listed<S: Simd>(&mut self, simd: S, square: &Square, index: usize) -> bool {
         let pixels = &mut self.scratch.pixels;
-        let strips = list_seen(pixels, square, &self.spans, self.id, self.band);
+        let strips = outlined!(
+            simd,
+            list_seen(simd, pixels, square, &self.spans, self.id, self.band)
+        );
         self.evaluated(simd, square, index, strips)
     }
 

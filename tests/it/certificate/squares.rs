@@ -203,7 +203,9 @@ fn shade(shader: &Shader, subject: &Subject) -> (TileKind, Vec<[f64; 3]>) {
     let [left, top] = square.first().map(|first| first as f32);
     for row in 0..side {
         let indices = side * row..side * (row + 1);
-        scratch.pixels.extend([left, top + row as f32], indices);
+        scratch
+            .pixels
+            .extend(simd, [left, top + row as f32], indices);
     }
     match shader.evaluate(simd, &square, picture, 2, &mut scratch) {
         Some(evaluations) => {
@@ -426,6 +428,32 @@ fn the_error_of_samples_is_subtracted_from_the_tolerance() {
         let (kind, error, limit) = shaded(&subject, ShadingMode::Phong, tolerance);
         assert!(error <= limit, "{kind:?} errs {error} of {limit}");
         assert_eq!(kind == TileKind::Constant, expected, "{kind:?}");
+    }
+}
+
+#[test]
+fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
+    // n.l is zero along the middle of the square, where the highlight is bright, and so small all over that f32 has no sign.
+    let forward = DVec3::new(1.0, 0.0, -0.2).normalize();
+    let lens = Lens {
+        axes: [DVec3::Y, DVec3::Y.cross(forward), forward],
+        pitch: 1e-10,
+        projection: Projection::Orthographic,
+        ..Lens::default()
+    };
+    for shininess in [0.5, 1.0, 2.0] {
+        let mut subject = seen(DVec3::ONE, DVec3::Z - 10.0 * forward, lens);
+        subject.material.shininess = shininess;
+        subject.illumination.points.push(PointLight {
+            position: DVec3::new(20.0, 0.0, 1.0),
+            diffuse: DVec3::ZERO,
+            specular: DVec3::splat(255.0),
+        });
+        for tolerance in [0.0, 4.0] {
+            let (kind, error, limit) = shaded(&subject, ShadingMode::Phong, tolerance);
+            assert_eq!(kind, TileKind::Exact);
+            assert!(error <= limit, "{kind:?} errs {error} of {limit}");
+        }
     }
 }
 

@@ -219,24 +219,6 @@ fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_lev
 }
 
 #[test]
-fn a_grazing_light_needs_f64_only_where_its_highlight_ends_at_the_gate() {
-    // n.l changes its sign on the front face. A light behind the face has a highlight in the eye along it, a light in
-    // front has none.
-    for (depth, expected) in [(-5.0, true), (5.0, false)] {
-        for size in [[300, 200], [24, 16]] {
-            let mut world = World::new();
-            let (side, mode) = (DVec3::splat(2.0), ShadingMode::Phong);
-            spawn_cuboid(&mut world, 0, at(DVec3::ZERO), side, MATERIAL, mode);
-            let position = dvec3(20.0, 0.0, depth);
-            world.spawn((at(position), light(LightKind::Diffuse, 100.0)));
-            world.spawn((at(position), light(LightKind::Specular, 100.0)));
-            let frame = draw(&mut world, &ahead(Projection::Orthographic, size));
-            assert_eq!(doubles(&frame)[0], expected, "{depth}, {size:?}");
-        }
-    }
-}
-
-#[test]
 fn hidden_pixels_of_a_small_face_are_not_evaluated() {
     let counts = |cuboids: usize| {
         let mut world = World::new();
