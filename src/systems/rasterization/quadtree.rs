@@ -13,7 +13,7 @@ use crate::shading::display::Evaluated;
 use crate::shading::face::Face;
 use crate::shading::field::Places;
 use crate::shading::gouraud::Gouraud;
-use crate::shading::interpolation::{self, Form, Interpolant};
+use crate::shading::interpolation;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Square};
 use crate::shading::unit_vectors::UnitVectors;
@@ -152,7 +152,12 @@ impl Drawing<'_, '_> {
             if let Some(interpolant) = &prepared.interpolant
                 && let Some(form) = interpolant.forms[index]
             {
-                self.interpolated(simd, interpolant, index, form);
+                let store = &mut self.store;
+                outlined!(
+                    simd,
+                    interpolation::draw(simd, interpolant, index, form, square, store)
+                );
+                self.finish(form.kind, 1);
             } else {
                 let promising = prepared.promising >> index & 1 == 1;
                 cut[index] = effort == Effort::Quarters && promising
@@ -165,22 +170,6 @@ impl Drawing<'_, '_> {
                 self.squares(simd, &square.quarters(&self.store.spans));
             }
         }
-    }
-
-    /// Draws one of the squares of an interpolant.
-    fn interpolated<S: Simd>(
-        &mut self,
-        simd: S,
-        interpolant: &Interpolant<S>,
-        index: usize,
-        form: Form,
-    ) {
-        let (square, store) = (self.store.square, &mut self.store);
-        outlined!(
-            simd,
-            interpolation::draw(simd, interpolant, index, form, &square, store)
-        );
-        self.finish(form.kind, 1);
     }
 
     /// Draws the listed pixels of the square, which lie in so many strips.
