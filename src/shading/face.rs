@@ -28,10 +28,6 @@ pub struct Solid {
     pub axes: DMat3,
     /// Half its edges, in world units.
     pub half: DVec3,
-    /// Unit normals at its corners, in world space.
-    pub normals: [DVec3; 8],
-    /// Levels at its corners.
-    pub colors: [DVec3; 8],
 }
 
 /// The lines of sight of a frame, anchored at the picture's middle.

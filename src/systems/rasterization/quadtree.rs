@@ -8,20 +8,19 @@ use glam::DVec3;
 use super::listing::Context;
 use super::store::Store;
 use crate::components::ShadingMode;
-use crate::frame::{Band, Counts, DrawList, Object, Piece, face};
+use crate::frame::{Band, Counts, DrawList, Object, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Places;
 use crate::shading::gouraud::Gouraud;
-use crate::shading::interpolation::{self, Form, Interpolant};
+use crate::shading::interpolation;
 use crate::shading::phong::{FaceLight, Phong};
-use crate::shading::pixels::Pixels;
-use crate::shading::square::{MAX_SIDE, MIN_SIDE, Spans, Square};
+use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Scratch, Shader, Surface};
-use crate::simd::{dispatch, outlined};
+use crate::shading::{Scratch, Shader, Surface, TileKind};
+use crate::simd::{dispatch, four, outlined};
 
 impl Context<'_> {
-    /// Draws what a band shows of a piece.
+    /// Draws the pixels of a band in which a piece is seen.
     pub fn shade(
         &self,
         level: Level,
@@ -32,41 +31,44 @@ impl Context<'_> {
         counts: &mut Counts,
     ) {
         let spans = list.spans(piece);
-        // What fits into the smallest square is drawn as one.
-        let mut small = Square::around(&spans);
+        let small = Square::around(&spans);
+        let mut store = Store {
+            band,
+            spans,
+            id: piece.id,
+            square: small.unwrap_or_default(),
+            drawn: 0,
+        };
+        // A piece that fits into the smallest square is drawn as one.
         let mut strips = 1;
-        if let Some(square) = &mut small {
+        if small.is_some() {
             let pixels = &mut scratch.pixels;
-            strips =
-                dispatch!(level, simd => list_seen(simd, pixels, square, &spans, piece.id, band));
-            square.pixels = pixels.count();
-            if square.pixels == 0 {
+            strips = dispatch!(level, simd => store.list(simd, pixels));
+            store.square.pixels = pixels.count();
+            if store.square.pixels == 0 {
                 return;
             }
         }
         let object = &list.objects[piece.object];
         let face = Face::new((piece.id % 12 / 2) as usize, &object.solid, self.rays);
-        let (mut lights, mut to_lights) = (
-            std::mem::take(&mut scratch.lights),
-            std::mem::take(&mut scratch.to_lights),
-        );
+        let mut lights = std::mem::take(&mut scratch.lights);
+        let mut to_lights = std::mem::take(&mut scratch.to_lights);
         let mut drawing = Drawing {
             shader: self.shader(list, object, &face, &mut lights, &mut to_lights),
-            spans,
-            id: piece.id,
             picture: self.lens.half,
-            band,
+            store,
             scratch,
             counts,
         };
         dispatch!(level, simd => match &small {
-            Some(square) => drawing.small(simd, square, strips),
+            Some(_) => drawing.small(simd, strips),
             None => drawing.draw(simd),
         });
+        drawing.counts.covered_pixels += drawing.store.drawn;
         (scratch.lights, scratch.to_lights) = (lights, to_lights);
     }
 
-    /// What shades a face, by the mode of its cuboid.
+    /// The shader of a face, by the mode of its cuboid.
     fn shader<'a>(
         &'a self,
         list: &'a DrawList,
@@ -80,77 +82,30 @@ impl Context<'_> {
             illumination: self.illumination,
             centre: object.centre,
         };
-        let (solid, tolerance) = (&object.solid, self.view.tolerance);
-        let normals = || face.linear(&solid.normals, 0);
+        let (corners, tolerance) = (&object.corners, self.view.tolerance);
         match object.mode {
-            ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, &solid.colors, tolerance)),
+            ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, corners, tolerance)),
             ShadingMode::Phong => {
-                let gloss = &list.glosses[object.gloss];
+                let (normals, gloss) = (face.linear(corners, 0), &list.glosses[object.gloss]);
                 let eye = self.lens.eye;
-                Shader::Phong(Phong::new(
-                    face,
-                    normals(),
-                    surface,
-                    eye,
-                    gloss,
-                    lights,
-                    tolerance,
-                ))
+                let phong = Phong::new(face, normals, surface, eye, gloss, lights, tolerance);
+                Shader::Phong(phong)
             }
-            ShadingMode::UnitVectors => Shader::UnitVectors(UnitVectors::new(
-                face,
-                &normals(),
-                surface,
-                self.lens,
-                to_lights,
-            )),
+            ShadingMode::UnitVectors => {
+                let normals = face.linear(corners, 0);
+                let vectors = UnitVectors::new(face, &normals, surface, self.lens, to_lights);
+                Shader::UnitVectors(vectors)
+            }
         }
     }
-}
-
-/// Lists the pixels of a square in which a piece is seen; returns the number of strips in which these lie.
-#[inline(always)]
-fn list_seen<S: Simd>(
-    simd: S,
-    pixels: &mut Pixels,
-    square: &Square,
-    spans: &Spans,
-    id: u32,
-    band: &Band,
-) -> u64 {
-    pixels.clear();
-    let [left, top] = square.first().map(|first| first as f32);
-    let (mut strips, mut last) = (0, None);
-    for (row, span) in spans.clipped(band.held(square.covered_rows()), square.columns) {
-        if span.is_empty() {
-            continue;
-        }
-        let x = left + (span.start - square.place[0]) as i32 as f32;
-        let y = top + (row - square.place[1]) as i32 as f32;
-        let indices = band.index(span.start, row)..band.index(span.end, row);
-        let before = pixels.count();
-        if band.triangles.is_empty() {
-            pixels.extend(simd, [x, y], indices);
-        } else {
-            let ids = &band.triangles[indices.clone()];
-            pixels.extend_seen([x, y], indices, |pixel| face(ids[pixel]) == face(id));
-        }
-        if pixels.count() > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
-            strips += 1;
-        }
-    }
-    strips
 }
 
 /// A piece being drawn.
 struct Drawing<'a, 'b> {
     shader: Shader<'a>,
-    spans: Spans<'a>,
-    /// Of its first triangle.
-    id: u32,
     /// The picture's middle, in pixels from its corner.
     picture: [f64; 2],
-    band: &'a mut Band<'b>,
+    store: Store<'a, 'b>,
     scratch: &'a mut Scratch,
     counts: &'a mut Counts,
 }
@@ -158,21 +113,21 @@ struct Drawing<'a, 'b> {
 impl Drawing<'_, '_> {
     /// Draws all of it that is in the band.
     fn draw<S: Simd>(&mut self, simd: S) {
-        let rows = self.band.held(self.spans.rows());
+        let rows = self.store.band.held(self.store.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
-            let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
+            let (extent, common) = self.store.spans.extents(row..row + MAX_SIDE);
             for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
-                let square = |index| {
+                let squares = four!(|index| {
                     let place = [column + index * MAX_SIDE, row];
                     if extent.end <= place[0] {
                         Square::default()
                     } else if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
                         Square::whole(place, MAX_SIDE)
                     } else {
-                        Square::new(&self.spans, place, MAX_SIDE)
+                        Square::new(&self.store.spans, place, MAX_SIDE)
                     }
-                };
-                self.squares(simd, &[square(0), square(1), square(2), square(3)]);
+                });
+                self.squares(simd, &squares);
             }
         }
     }
@@ -180,7 +135,7 @@ impl Drawing<'_, '_> {
     /// Draws four squares: interpolated where that keeps the tolerance, else as four squares each, or pixel by pixel where
     /// they are small or their quarters promise no more.
     fn squares<S: Simd>(&mut self, simd: S, squares: &[Square; 4]) {
-        let seen = squares.each_ref().map(|square| self.is_seen(square));
+        let seen = squares.each_ref().map(|square| self.store.is_seen(square));
         if !seen.contains(&true) {
             return;
         }
@@ -191,89 +146,65 @@ impl Drawing<'_, '_> {
             if !seen[index] {
                 continue;
             }
+            self.store.square = *square;
             if let Some(interpolant) = &interpolant
                 && let Some(form) = interpolant.forms[index]
             {
-                self.interpolated(simd, square, interpolant, index, form);
+                let store = &mut self.store;
+                outlined!(
+                    simd,
+                    interpolation::draw(simd, interpolant, index, form, square, store)
+                );
+                self.finish(form.kind, 1);
             } else {
                 let promising = promising >> index & 1 == 1;
-                cut[index] =
-                    square.side > MIN_SIDE && promising || !self.listed(simd, square, index);
+                cut[index] = square.side > MIN_SIDE && promising || !self.listed(simd, index);
             }
         }
-        // Last, for what is known of these squares goes with it.
+        // Last, for the next squares overwrite all that is prepared.
         for (index, square) in squares.iter().enumerate() {
             if cut[index] {
-                self.squares(simd, &square.quarters(&self.spans));
+                self.squares(simd, &square.quarters(&self.store.spans));
             }
         }
     }
 
-    /// Draws one of the squares of an interpolant.
-    fn interpolated<S: Simd>(
-        &mut self,
-        simd: S,
-        square: &Square,
-        interpolant: &Interpolant<S>,
-        index: usize,
-        form: Form,
-    ) {
-        let mut store = Store::new(self.band, &self.spans, square, self.id);
-        outlined!(
-            simd,
-            interpolation::draw(simd, interpolant, index, form, square, &mut store)
-        );
-        self.counts.covered_pixels += store.finish(form.kind, &self.shader, self.picture);
-        self.counts.tiles[form.kind as usize] += 1;
-    }
-
-    /// Draws the only square of a small piece, whose pixels are listed.
-    fn small<S: Simd>(&mut self, simd: S, square: &Square, strips: u64) {
+    /// Draws the only square of a small piece, whose pixels are listed and lie in so many strips.
+    fn small<S: Simd>(&mut self, simd: S, strips: u64) {
+        let square = &self.store.square;
         let places = Places::single(simd, square.middle_from(self.picture), square.half());
         self.shader.prepare(simd, &places, false, self.scratch);
-        self.evaluated(simd, square, 0, strips);
+        self.evaluated(simd, 0, strips);
     }
 
-    /// Lists the pixels of a square and draws them: see [`Drawing::evaluated`].
-    fn listed<S: Simd>(&mut self, simd: S, square: &Square, index: usize) -> bool {
+    /// Lists the pixels of the square and draws them: see [`Drawing::evaluated`].
+    fn listed<S: Simd>(&mut self, simd: S, index: usize) -> bool {
         let pixels = &mut self.scratch.pixels;
-        let strips = outlined!(
-            simd,
-            list_seen(simd, pixels, square, &self.spans, self.id, self.band)
-        );
-        self.evaluated(simd, square, index, strips)
+        let strips = outlined!(simd, self.store.list(simd, pixels));
+        self.evaluated(simd, index, strips)
     }
 
-    /// Draws the listed pixels of a square one by one; returns false where that may be cheaper on the quarters of the square.
-    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, index: usize, strips: u64) -> bool {
-        let evaluations = (self.shader).evaluate(simd, square, self.picture, index, self.scratch);
+    /// Draws the listed pixels of the square one by one; returns false where that may be cheaper on the quarters of the
+    /// square. It is the one at `index` of those prepared, and counts as so many tiles.
+    fn evaluated<S: Simd>(&mut self, simd: S, index: usize, tiles: u64) -> bool {
+        let store = &mut self.store;
+        let evaluations =
+            (self.shader).evaluate(simd, &store.square, self.picture, index, self.scratch);
         let Some(evaluations) = evaluations else {
             return false;
         };
-        let mut store = Store::new(self.band, &self.spans, square, self.id);
         outlined!(simd, store.draw_pixels(simd, &self.scratch.pixels));
-        self.counts.covered_pixels += store.finish(evaluations.kind, &self.shader, self.picture);
         self.counts.model_evaluations += evaluations.model;
         self.counts.specular_evaluations += evaluations.specular;
-        self.counts.tiles[evaluations.kind as usize] += strips;
+        self.finish(evaluations.kind, tiles);
         true
     }
 
-    /// Whether any pixel of a square is drawn here: in this band, and not hidden.
-    fn is_seen(&self, square: &Square) -> bool {
-        let rows = self.band.held(square.covered_rows());
-        if square.pixels == 0 || rows.is_empty() {
-            return false;
+    /// Counts the square as so many tiles, and notes its kind if the frame keeps that.
+    fn finish(&mut self, kind: TileKind, tiles: u64) {
+        self.counts.tiles[kind as usize] += tiles;
+        if !self.store.band.kinds.is_empty() {
+            self.store.mark(kind, self.shader.face(), self.picture);
         }
-        if self.band.depths.is_empty() {
-            return true;
-        }
-        self.spans.clipped(rows, square.columns).any(|(row, span)| {
-            let first = self.band.index(0, row);
-            !span.is_empty()
-                && self.band.triangles[first + span.start..first + span.end]
-                    .iter()
-                    .any(|id| face(*id) == face(self.id))
-        })
     }
 }

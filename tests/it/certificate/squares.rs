@@ -49,6 +49,9 @@ impl<S: Simd> Sink<S> for Shown {
 /// A face of a random cuboid, with a square between a thousandth of the face and more than all of it.
 struct Subject {
     solid: Solid,
+    /// Unit normals and levels at its corners.
+    normals: [DVec3; 8],
+    colors: [DVec3; 8],
     rays: Rays,
     eye: DVec3,
     material: Material,
@@ -136,8 +139,6 @@ fn subject(random: &mut Random) -> Subject {
         centre: -eye,
         axes,
         half,
-        normals,
-        colors,
     };
     let material = Material {
         ambient: random.vector(0.0, 1.0),
@@ -172,6 +173,8 @@ fn subject(random: &mut Random) -> Subject {
     let side = random.one_of(&[16, 16, 32]);
     Subject {
         solid,
+        normals,
+        colors,
         rays,
         eye,
         material,
@@ -238,11 +241,11 @@ fn largest_error(found: &[[f64; 3]], expected: &[[f64; 3]]) -> f64 {
 /// The kind of tile of a square at a tolerance, its largest error, and the permitted error, both in levels.
 fn shaded(subject: &Subject, mode: ShadingMode, tolerance: f64) -> (TileKind, f64, f64) {
     let (surface, face, eye) = (subject.surface(), &subject.face(), subject.eye);
-    let normals = face.linear(&subject.solid.normals, 0);
+    let normals = face.linear(&subject.normals, 0);
     let gloss = Gloss::new(&surface, tolerance);
     let lights = &mut Vec::new();
     let shader = if mode == ShadingMode::Gouraud {
-        Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, tolerance))
+        Shader::Gouraud(Gouraud::new(face, &subject.colors, tolerance))
     } else {
         let phong = Phong::new(face, normals, surface, eye, &gloss, lights, tolerance);
         Shader::Phong(phong)
@@ -301,7 +304,7 @@ fn a_sliver_is_never_interpolated() {
         }
         slivers += 1;
         let places = Places::single(simd, middle, square.half());
-        let shader = Shader::Gouraud(Gouraud::new(face, &subject.solid.colors, 8.0));
+        let shader = Shader::Gouraud(Gouraud::new(face, &subject.colors, 8.0));
         let form = shader
             .prepare(simd, &places, true, &mut Scratch::default())
             .0
@@ -319,9 +322,9 @@ fn seen(half: DVec3, eye: DVec3, lens: Lens) -> Subject {
             centre: -eye,
             axes: Transform::default().axes(),
             half,
-            normals: mesh.corners.map(|corner| (corner / half).normalize()),
-            colors: [DVec3::ZERO; 8],
         },
+        normals: mesh.corners.map(|corner| (corner / half).normalize()),
+        colors: [DVec3::ZERO; 8],
         rays: Rays::new(&lens),
         eye,
         material: Material {
@@ -386,7 +389,7 @@ fn no_square_exceeds_its_tolerance_where_it_nearly_reaches_the_horizon() {
         let mut subject = seen(DVec3::ONE, eye, lens);
         // Bright nearby; the far end is within the displayed range.
         let bright = random.decade(1.0, 4.0);
-        for (corner, color) in subject.solid.colors.iter_mut().enumerate() {
+        for (corner, color) in subject.colors.iter_mut().enumerate() {
             let size = if corner & 2 == 0 { bright } else { 10.0 };
             *color = random.vector(0.0, 1.0) * size;
         }
@@ -477,7 +480,7 @@ fn the_shortcut_shows_the_far_end_of_a_face_where_snapping_covers_pixels_beyond_
         specular: DVec3::ZERO,
     });
     let face = subject.face();
-    let normals = face.linear(&subject.solid.normals, 0);
+    let normals = face.linear(&subject.normals, 0);
     let to_lights = &mut Vec::new();
     let shortcut = UnitVectors::new(&face, &normals, subject.surface(), &lens, to_lights);
     for step in -4..=4 {

@@ -8,11 +8,11 @@ use shadetrade::components::{
 };
 use shadetrade::frame::{Frame, NO_TRIANGLE, OUTLINE};
 use shadetrade::shading::TileKind;
-use shadetrade::systems::coverage::Scan;
 use shadetrade::systems::rasterization;
 use shadetrade::{reference, systems};
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, spawn_cuboid};
+use crate::rasterization::counting::spans;
 
 /// A cube of two units with this many levels of red under an ambient light of one level.
 fn flat_cube(world: &mut World, order: usize, position: DVec3, levels: f64) {
@@ -303,8 +303,7 @@ fn a_face_that_snapping_made_concave_covers_exactly_its_two_triangles() {
             {
                 polygon.vertices[..3].copy_from_slice(&triangle);
                 polygon.len = 3;
-                let mut scan = Scan::new(polygon, 0..48, 48);
-                while let Some((row, from, to)) = scan.next_span() {
+                for (row, from, to) in spans(polygon, 0..48, 48) {
                     expected[48 * row + from..48 * row + to].fill(true);
                 }
             }
