@@ -1,12 +1,13 @@
 //! The buffers of one frame, which threads draw in bands of rows.
 //!
-//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew; with several threads, rayon's
-//! queue takes a block of memory every few dozen frames. Its bits do not depend on the number of threads.
+//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew; with several threads, a frame
+//! allocates a job for each but the calling one. Its bits do not depend on the number of threads.
 
 mod aligned;
 mod band;
 mod draw_list;
 
+use std::iter;
 use std::ops::{AddAssign, Range};
 use std::sync::{Mutex, PoisonError};
 
@@ -25,21 +26,21 @@ use crate::shading::{Scratch, TileKind};
 /// The SIMD level and the threads that draw.
 pub struct Workers {
     level: Level,
+    /// The threads beside the calling one.
     pool: Option<ThreadPool>,
 }
 
 impl Workers {
-    /// Starts `threads` threads; for 1 (or 0) the calling thread draws.
+    /// `threads` threads: the calling one, and the others, which it starts.
     ///
     /// # Errors
     /// If the threads cannot be started.
     pub fn new(threads: usize, level: Level) -> Result<Self, ThreadPoolBuildError> {
-        let pool = if threads > 1 {
-            Some(ThreadPoolBuilder::new().num_threads(threads).build()?)
-        } else {
-            None
-        };
-        Ok(Workers { level, pool })
+        let pool = ThreadPoolBuilder::new().num_threads(threads.saturating_sub(1));
+        Ok(Workers {
+            level,
+            pool: (threads > 1).then(|| pool.build()).transpose()?,
+        })
     }
 
     /// The calling thread alone, which cannot fail.
@@ -54,9 +55,8 @@ impl Workers {
 
     /// The number of threads that draw.
     pub fn threads(&self) -> usize {
-        self.pool
-            .as_ref()
-            .map_or(1, ThreadPool::current_num_threads)
+        let pool = self.pool.as_ref();
+        1 + pool.map_or(0, ThreadPool::current_num_threads)
     }
 }
 
@@ -117,6 +117,16 @@ pub struct Frame {
     pub illumination: Illumination,
     keep: Keep,
     workers: Workers,
+    picture: Picture,
+    list: DrawList,
+    /// The memory and the counts of each thread.
+    scratch: Vec<(Scratch, Counts)>,
+    counts: Counts,
+}
+
+/// The buffers of some rows of a picture. One that the frame does not keep is empty.
+#[derive(Default)]
+struct Picture {
     size: [usize; 2],
     rows: Range<usize>,
     background: DVec3,
@@ -125,11 +135,8 @@ pub struct Frame {
     triangles: Aligned<u32>,
     kinds: Aligned<u8>,
     depths: Aligned<f64>,
+    /// One per row.
     drawn: Vec<Drawn>,
-    list: DrawList,
-    /// One for each thread.
-    scratch: Vec<Mutex<Scratch>>,
-    counts: Counts,
 }
 
 impl Frame {
@@ -139,17 +146,11 @@ impl Frame {
             lens: Lens::default(),
             illumination: Illumination::default(),
             keep,
-            scratch: (0..workers.threads()).map(|_| Mutex::default()).collect(),
+            scratch: iter::repeat_with(Default::default)
+                .take(workers.threads())
+                .collect(),
             workers,
-            size: [0, 0],
-            rows: 0..0,
-            background: DVec3::ZERO,
-            pixels: Aligned::default(),
-            levels: Aligned::default(),
-            triangles: Aligned::default(),
-            kinds: Aligned::default(),
-            depths: Aligned::default(),
-            drawn: Vec::new(),
+            picture: Picture::default(),
             list: DrawList::default(),
             counts: Counts::default(),
         }
@@ -167,34 +168,34 @@ impl Frame {
 
     /// Width and height of the whole picture, in pixels.
     pub fn size(&self) -> [usize; 2] {
-        self.size
+        self.picture.size
     }
 
     /// The rows of the picture in the buffers: all of them, unless only a part was drawn.
     pub fn rows(&self) -> Range<usize> {
-        self.rows.clone()
+        self.picture.rows.clone()
     }
 
     /// Displayed pixels, 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
     pub fn pixels(&self) -> &[u32] {
-        self.pixels.as_slice()
+        self.picture.pixels.as_slice()
     }
 
     /// Unclamped levels of 255, row by row from the top; empty unless [`Keep::Levels`].
     pub fn levels(&self) -> &[[f32; 3]] {
-        self.levels.as_slice()
+        self.picture.levels.as_slice()
     }
 
     /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or
     /// a depth buffer is used. With [`Keep::Display`] it is the first triangle of the visible face.
     pub fn triangles(&self) -> &[u32] {
-        self.triangles.as_slice()
+        self.picture.triangles.as_slice()
     }
 
     /// The kind of each pixel's tile: its index in [`TileKind::ALL`], and [`OUTLINE`]. Undefined where no triangle is
     /// visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
-        self.kinds.as_slice()
+        self.picture.kinds.as_slice()
     }
 
     /// The counts of the last frame.
@@ -223,40 +224,35 @@ impl Frame {
         let pixels = size[0] * rows.len();
         let display = self.keep == Keep::Display;
         let wanted = |kept: bool| if kept { pixels } else { 0 };
-        if self.size == size && self.rows == rows && self.depths.len() == wanted(deep) {
+        let old = &self.picture;
+        if old.size == size && old.rows == rows && old.depths.len() == wanted(deep) {
             return Ok(());
         }
-        let Range { start, end } = rows;
         // If the allocation fails, the old picture must not be taken for the new one.
-        (self.size, self.rows) = ([0, 0], 0..0);
-        self.release();
+        self.picture = Picture::default();
         let needed = wanted(display) * size_of::<u32>()
             + wanted(!display) * (size_of::<[f32; 3]>() + size_of::<u8>())
             + wanted(deep || !display) * size_of::<u32>()
             + wanted(deep) * size_of::<f64>();
         memory::check(size, needed)?;
-        let cleared = Drawn::anything(size[0]);
-        self.pixels
-            .renew(wanted(display), 0)
-            .and_then(|()| self.levels.renew(wanted(!display), [0.0; 3]))
-            .and_then(|()| self.triangles.renew(wanted(deep || !display), NO_TRIANGLE))
-            .and_then(|()| self.kinds.renew(wanted(!display), 0))
-            .and_then(|()| self.depths.renew(wanted(deep), FARTHEST))
-            .and_then(|()| self.drawn.try_reserve_exact(end - start))
-            .map_err(memory::refused(size, needed))?;
-        self.drawn.resize(end - start, cleared);
-        (self.size, self.rows) = (size, start..end);
+        let allocate = || {
+            let mut drawn = Vec::new();
+            drawn.try_reserve_exact(rows.len())?;
+            drawn.resize(rows.len(), Drawn::anything(size[0]));
+            Ok(Picture {
+                size,
+                background: DVec3::ZERO,
+                pixels: Aligned::new(wanted(display), 0)?,
+                levels: Aligned::new(wanted(!display), [0.0; 3])?,
+                triangles: Aligned::new(wanted(deep || !display), NO_TRIANGLE)?,
+                kinds: Aligned::new(wanted(!display), 0)?,
+                depths: Aligned::new(wanted(deep), FARTHEST)?,
+                drawn,
+                rows,
+            })
+        };
+        self.picture = allocate().map_err(memory::refused(size, needed))?;
         Ok(())
-    }
-
-    /// Frees the buffers.
-    fn release(&mut self) {
-        self.pixels = Aligned::default();
-        self.levels = Aligned::default();
-        self.triangles = Aligned::default();
-        self.kinds = Aligned::default();
-        self.depths = Aligned::default();
-        self.drawn = Vec::new();
     }
 
     /// Takes the list out of the frame; [`Frame::paint`] puts it back.
@@ -264,51 +260,58 @@ impl Frame {
         std::mem::take(&mut self.list)
     }
 
-    /// Draws the list with `draw`, in bands on several threads if it covers enough pixels, and adds up the counts.
-    /// Keeps the memory of the list.
+    /// Draws the list with `draw`, in bands on all threads if there are several, and adds up the counts. Keeps the memory of
+    /// the list.
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
         mut list: DrawList,
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
     ) {
-        if self.background != background {
-            self.background = background;
-            self.drawn.fill(Drawn::anything(self.size[0]));
+        let picture = &mut self.picture;
+        if picture.background != background {
+            picture.background = background;
+            picture.drawn.fill(Drawn::anything(picture.size[0]));
         }
-        let mut band = Band {
-            width: self.size[0],
-            rows: self.rows.clone(),
+        list.cut(&picture.rows, self.workers.pool.is_some());
+        let band = Band {
+            width: picture.size[0],
+            rows: picture.rows.clone(),
             background,
-            pixels: self.pixels.as_mut_slice(),
-            levels: self.levels.as_mut_slice(),
-            triangles: self.triangles.as_mut_slice(),
-            kinds: self.kinds.as_mut_slice(),
-            depths: self.depths.as_mut_slice(),
-            drawn: &mut self.drawn,
+            pixels: picture.pixels.as_mut_slice(),
+            levels: picture.levels.as_mut_slice(),
+            triangles: picture.triangles.as_mut_slice(),
+            kinds: picture.kinds.as_mut_slice(),
+            depths: picture.depths.as_mut_slice(),
+            drawn: &mut picture.drawn,
         };
-        let scratch = &self.scratch;
-        let draw = |list: &DrawList, band: &mut Band| {
-            let thread = rayon::current_thread_index().unwrap_or(0) % scratch.len();
-            let mut scratch = scratch[thread]
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner);
-            draw(list, band, &mut scratch)
+        let rest = Mutex::new((band, list.cuts.iter()));
+        let next = || {
+            let (band, cuts) = &mut *rest.lock().unwrap_or_else(PoisonError::into_inner);
+            cuts.next().map(|row| band.take(*row))
         };
-        let pool = self.workers.pool.as_ref();
-        self.counts += match pool {
-            Some(pool) if list.weigh(&self.rows) >= WORTH_SHARING => {
-                let parts = PARTS * pool.current_num_threads();
-                pool.install(|| band.split_and(&list, parts, &draw))
+        let work = |(scratch, counts): &mut (Scratch, Counts)| {
+            while let Some(mut band) = next() {
+                *counts += draw(&list, &mut band, scratch);
             }
-            _ => draw(&list, &mut band),
         };
+        if let [own, others @ ..] = &mut self.scratch[..] {
+            match &self.workers.pool {
+                Some(pool) if list.cuts.len() >= WORTH_SHARING => pool.in_place_scope(|scope| {
+                    for other in others {
+                        scope.spawn(|_| work(other));
+                    }
+                    work(own);
+                }),
+                _ => work(own),
+            }
+        }
+        for (_, counts) in &mut self.scratch {
+            self.counts += std::mem::take(counts);
+        }
         self.list = list;
     }
 }
 
-/// Frames with fewer covered pixels are drawn on one thread: a second one costs more than it saves.
-const WORTH_SHARING: usize = 50_000;
-
-/// Bands per thread. A thread that finishes early takes over bands of others.
-const PARTS: usize = 4;
+/// Frames of fewer bands are drawn by the calling thread: another one costs more than it saves.
+const WORTH_SHARING: usize = 3;

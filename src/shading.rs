@@ -1,4 +1,4 @@
-//! How a face's pixels get their levels: the methods, the illumination model, and how squares of pixels are drawn.
+//! The levels of a face's pixels: the methods, the illumination model, and the evaluation of squares of pixels.
 //!
 //! ```text
 //! draw(square):
@@ -9,15 +9,16 @@
 //!         draw each quarter
 //!     else:
 //!         evaluate the model at every pixel, in f32 where its rounding keeps the tolerance, in f64 elsewhere
+//!         evaluate pixels again, in f64, where a highlight may jump and f32 has no sign of n.l or s
 //! ```
-//! [`phong`] classifies and evaluates, [`bound`] bounds, [`interpolation`] chooses rows, [`rows`] fills them, and
-//! [`crate::systems::rasterization`] cuts squares.
+//! [`phong`] classifies the lights, [`kernel`] evaluates nodes and pixels, [`bound`] bounds interpolation and [`rounding`]
+//! rounding errors, [`interpolation`] chooses rows, [`rows`] fills them, and [`crate::systems::rasterization`] cuts squares.
 //!
 //! A terminator is a line in which n.l of a light is 0. Snapping moves an edge by up to 1/512 pixel. On a sliver, a face
 //! that is not steady, a pixel's centre can then lie more than 1/128 of the face outside it; its place is clamped to the face.
 //!
-//! Rule: a face is set up in f64 from unsnapped corners; what is done in f32 is done only where its rounding error is
-//! bounded below the tolerance, and in f64 elsewhere.
+//! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance;
+//! f64 stands behind everything.
 
 pub mod affine;
 pub mod bound;
@@ -28,185 +29,44 @@ pub mod gloss;
 pub mod gouraud;
 pub mod interpolation;
 pub mod kernel;
+mod method;
 pub mod phong;
+pub mod pixels;
 pub mod rounding;
 pub mod rows;
 #[cfg(test)]
 mod running;
 pub mod specular;
 pub mod square;
+mod surface;
 pub mod unit_vectors;
 
 use fearless_simd::Simd;
 use glam::DVec3;
-use serde::Serialize;
 
-use self::display::{Levels, Rows};
+pub use self::method::{METHODS, Method};
+pub use self::surface::Surface;
+
+use self::display::Rows;
 use self::face::Face;
 use self::field::Places;
-use self::gouraud::Gouraud;
+use self::gouraud::{Gouraud, TileColors};
 use self::interpolation::Interpolant;
-use self::kernel::Light;
 use self::phong::{FaceLight, Phong, TileLights};
-use self::square::{MIN_SIDE, Region};
+use self::pixels::Pixels;
+use self::square::{MIN_SIDE, Square};
 use self::unit_vectors::UnitVectors;
-use crate::components::{Illumination, Material, PointLight, ShadingMode, View, unit};
 use crate::simd::outlined;
-
-/// A way to draw: what the picture means, and how far it may err from that.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Method {
-    /// What reports call it.
-    pub id: &'static str,
-    /// The definition the picture is held to.
-    pub mode: ShadingMode,
-    /// In levels, against the exact evaluation of the same mode.
-    pub tolerance: f64,
-}
-
-impl Method {
-    /// This mode within this tolerance, in levels; one that is not of [`METHODS`] has no id.
-    pub fn of(mode: ShadingMode, tolerance: f64) -> Method {
-        let mut known = METHODS.iter();
-        let known = known.find(|it| (it.mode, it.tolerance) == (mode, tolerance));
-        known.copied().unwrap_or(Method {
-            id: "",
-            mode,
-            tolerance,
-        })
-    }
-
-    /// `view` as this method draws it.
-    pub fn view(&self, view: &View) -> View {
-        View {
-            tolerance: self.tolerance,
-            ..view.shaded(self.mode)
-        }
-    }
-}
-
-/// The ladder from cheap to true that reports climb.
-pub const METHODS: &[Method] = &[
-    Method {
-        id: "gouraud-0",
-        mode: ShadingMode::Gouraud,
-        tolerance: 0.0,
-    },
-    Method {
-        id: "gouraud-0.5",
-        mode: ShadingMode::Gouraud,
-        tolerance: 0.5,
-    },
-    Method {
-        id: "phong-unit-vectors",
-        mode: ShadingMode::UnitVectors,
-        tolerance: 0.0,
-    },
-    Method {
-        id: "phong-4",
-        mode: ShadingMode::Phong,
-        tolerance: 4.0,
-    },
-    Method {
-        id: "phong-2",
-        mode: ShadingMode::Phong,
-        tolerance: 2.0,
-    },
-    Method {
-        id: "phong-1",
-        mode: ShadingMode::Phong,
-        tolerance: 1.0,
-    },
-    Method {
-        id: "phong-0.5",
-        mode: ShadingMode::Phong,
-        tolerance: 0.5,
-    },
-    Method {
-        id: "phong-0.25",
-        mode: ShadingMode::Phong,
-        tolerance: 0.25,
-    },
-    Method {
-        id: "phong-0",
-        mode: ShadingMode::Phong,
-        tolerance: 0.0,
-    },
-];
 
 /// Unit round-off of f32: half the distance from 1 to the next float.
 pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 
-/// What the contract calls exact: tolerance 0 errs at most this much, in levels.
+/// The largest error at tolerance 0, which the contract calls exact, in levels.
 pub const EXACT: f64 = 0.05;
 
-/// How far a pixel may err, in levels: the tolerance, or what is called exact where that is 0.
+/// The largest permitted error of a pixel, in levels: the tolerance, or [`EXACT`] where that is 0.
 pub(crate) fn limit(tolerance: f64) -> f64 {
     if tolerance > 0.0 { tolerance } else { EXACT }
-}
-
-/// What the model needs to know of an object.
-#[derive(Clone, Copy, Debug)]
-pub struct Surface<'a> {
-    /// Its coefficients.
-    pub material: &'a Material,
-    /// All light that falls on it.
-    pub illumination: &'a Illumination,
-    /// Its centre, from which offsets are counted, in world units.
-    pub centre: DVec3,
-}
-
-impl Surface<'_> {
-    /// The ambient term, in levels.
-    pub fn ambient(&self) -> DVec3 {
-        self.material.ambient * self.illumination.ambient
-    }
-
-    /// What a point light's diffuse and specular terms are multiplied with, in levels.
-    pub fn coefficients(&self, light: &PointLight) -> [DVec3; 2] {
-        [
-            self.material.diffuse * light.diffuse,
-            self.material.specular * light.specular,
-        ]
-    }
-
-    /// How many powers one evaluation of the model takes at most: the lights with a specular term here.
-    pub fn powers(&self) -> usize {
-        self.illumination
-            .points
-            .iter()
-            .filter(|light| self.coefficients(light)[1] != DVec3::ZERO)
-            .count()
-    }
-
-    /// The illumination model (Phong 1975, as the contract writes it) at `offset` from the centre, with unit normal and
-    /// unit vector to the eye; in levels, unclamped.
-    pub fn levels(&self, offset: DVec3, normal: DVec3, to_eye: DVec3) -> DVec3 {
-        self.sum(normal, to_eye, |light| {
-            unit(light.position - self.centre - offset)
-        })
-    }
-
-    /// The same, with the unit vector to each light as it is given.
-    fn sum(&self, normal: DVec3, to_eye: DVec3, to_light: impl Fn(&PointLight) -> DVec3) -> DVec3 {
-        let mut levels = self.ambient();
-        for light in &self.illumination.points {
-            let [diffuse, specular] = self.coefficients(light);
-            // A light at the very point has no direction: its l is zero, n.l is zero, and it contributes nothing.
-            let to_light = to_light(light);
-            let cosine = normal.dot(to_light);
-            if cosine > 0.0 {
-                levels += diffuse * cosine;
-                if specular != DVec3::ZERO {
-                    let reflected = 2.0 * cosine * normal - to_light;
-                    let one_minus_cos = (reflected - to_eye).length_squared() / 2.0;
-                    levels +=
-                        specular * specular::power_exact(self.material.shininess, one_minus_cos);
-                }
-            }
-        }
-        levels
-    }
 }
 
 /// How a square was drawn, from cheap to dear.
@@ -220,9 +80,9 @@ pub enum TileKind {
     Quadratic,
     /// The same, and n.l of one light that is cut off at zero at every pixel.
     Terminator,
-    /// The model at every pixel within the tolerance, in f32.
+    /// The definition at every pixel within the tolerance, in f32; in f64 where a sign is in doubt.
     Exact,
-    /// The same with vectors in f64; powers of a shininess from 1 on stay in f32.
+    /// The definition at every pixel, in f64.
     Double,
 }
 
@@ -252,11 +112,11 @@ impl TileKind {
 
 /// Takes the rows of a square.
 pub trait Sink<S: Simd> {
-    /// Takes what is covered of them.
+    /// Takes their covered pixels.
     fn draw(&mut self, rows: &mut impl Rows<S>);
 }
 
-/// What shades the squares of a face: one of the definitions.
+/// Shades the squares of a face by one of the definitions.
 pub enum Shader<'a> {
     Gouraud(Gouraud<'a>),
     Phong(Phong<'a>),
@@ -264,63 +124,72 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for being interpolated or evaluated.
+    /// Prepares four squares for being evaluated; returns colours that keep the tolerance where they leave something of it, if
+    /// these are to be tried, and the set of squares, a bit each, whose quarters may have such colours if they have none.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &self,
         simd: S,
         places: &Places<S>,
-        effort: Effort,
+        interpolate: bool,
         scratch: &mut Scratch,
-    ) -> Prepared<S> {
+    ) -> (Option<Interpolant<S>>, u64) {
+        let Scratch { tile, colors, .. } = scratch;
+        // Compiled apart without bounds and samples: 5 % of the instructions of a crowd of small faces.
         match self {
-            Shader::Gouraud(gouraud) if effort != Effort::Pixels => Prepared {
-                interpolant: Some(outlined!(simd, gouraud.interpolate(simd, places))),
-                promising: 0b1111,
-            },
-            // Compiled apart, without what bounds and samples: 5 % of the instructions of a crowd of small faces.
-            Shader::Phong(phong) if effort == Effort::Pixels => {
-                let tile = &mut scratch.tile;
-                outlined!(simd, phong.prepare(simd, places, Effort::Pixels, tile))
+            Shader::Gouraud(gouraud) if interpolate && gouraud.tolerance > 0.0 => {
+                let interpolant = outlined!(simd, gouraud.prepare(simd, places, true, colors));
+                (interpolant, 0b1111)
             }
-            Shader::Phong(phong) => {
-                outlined!(simd, phong.prepare(simd, places, effort, &mut scratch.tile))
+            Shader::Gouraud(gouraud) => {
+                outlined!(simd, gouraud.prepare(simd, places, false, colors));
+                (None, 0)
             }
-            _ => Prepared {
-                interpolant: None,
-                promising: 0,
-            },
+            Shader::Phong(phong) if interpolate && phong.tolerance > 0.0 => {
+                outlined!(simd, phong.prepare(simd, places, true, tile))
+            }
+            Shader::Phong(phong) => outlined!(simd, phong.prepare(simd, places, false, tile)),
+            Shader::UnitVectors(_) => (None, 0),
         }
     }
 
-    /// What is worth trying for squares of a side of so many pixels.
-    pub fn effort(&self, side: usize) -> Effort {
-        let interpolates = match self {
-            Shader::Gouraud(gouraud) => gouraud.tolerance > 0.0,
-            Shader::Phong(phong) => phong.tolerance > 0.0,
-            Shader::UnitVectors(_) => false,
-        };
-        match side {
-            _ if !interpolates => Effort::Pixels,
-            MIN_SIDE => Effort::Squares,
-            _ => Effort::Quarters,
-        }
-    }
-
-    /// Evaluates every covered pixel in lanes, into the scratch; nothing where that could not keep the tolerance. The square
-    /// is the one at `index` of those prepared last.
+    /// Evaluates the pixels in the scratch, of the square at `index` of those prepared last: in f32 where that keeps the
+    /// tolerance, else in f64; None where that may be cheaper on the quarters of the square.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        region: &Region,
+        square: &Square,
+        picture: [f64; 2],
         index: usize,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
-        match self {
-            Shader::Gouraud(gouraud) => gouraud.evaluate(simd, region, scratch),
-            Shader::Phong(phong) => phong.evaluate(simd, region, index, scratch),
-            Shader::UnitVectors(_) => None,
+        let pixels = &mut scratch.pixels;
+        let half = square.half();
+        let (single, double) = match self {
+            Shader::Gouraud(gouraud) => (
+                gouraud.evaluate(simd, &scratch.colors, index, half, pixels),
+                0,
+            ),
+            Shader::Phong(phong) => {
+                let highlights = phong.evaluate(simd, &scratch.tile, index, half, pixels);
+                (highlights, phong.surface.powers())
+            }
+            Shader::UnitVectors(vectors) => (None, vectors.surface.powers()),
+        };
+        if single.is_none() {
+            if square.side > MIN_SIDE {
+                return None;
+            }
+            pixels.forget();
         }
+        pixels.define(square.middle_from(picture), |x, y| self.define(x, y));
+        let pixels = pixels.count() as u64;
+        let has_model = !matches!(self, Shader::Gouraud(_));
+        Some(Evaluations {
+            kind: single.map_or(TileKind::Double, |_| TileKind::Exact),
+            model: pixels * u64::from(has_model),
+            specular: pixels * single.unwrap_or(double) as u64,
+        })
     }
 
     /// The definition, in f64, at the pixel `x` right and `y` down of the picture's middle, in levels.
@@ -332,7 +201,7 @@ impl Shader<'_> {
         }
     }
 
-    /// What is drawn.
+    /// The face that is drawn.
     pub fn face(&self) -> &Face<'_> {
         match self {
             Shader::Gouraud(gouraud) => gouraud.face,
@@ -340,37 +209,9 @@ impl Shader<'_> {
             Shader::UnitVectors(vectors) => vectors.face,
         }
     }
-
-    /// How many powers one evaluation takes at most.
-    pub fn powers(&self) -> usize {
-        match self {
-            Shader::Gouraud(_) => 0,
-            Shader::Phong(phong) => phong.surface.powers(),
-            Shader::UnitVectors(vectors) => vectors.surface.powers(),
-        }
-    }
 }
 
-/// How squares may be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effort {
-    /// Pixel by pixel.
-    Pixels,
-    /// As colours too.
-    Squares,
-    /// Or as four squares each.
-    Quarters,
-}
-
-/// What is known of four squares before they are drawn.
-pub struct Prepared<S: Simd> {
-    /// Colours that keep the tolerance where they leave something of it.
-    pub interpolant: Option<Interpolant<S>>,
-    /// The set of squares, a bit each, whose quarters may have such colours where they themselves have none.
-    pub promising: u64,
-}
-
-/// What a shader has done to a square.
+/// The work done on a square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Evaluations {
     /// How it was drawn.
@@ -381,109 +222,13 @@ pub struct Evaluations {
     pub specular: u64,
 }
 
-/// Room for the lights of one face, for the levels of one square, and for the lights that are evaluated there.
+/// Room for the lights of one face, for the pixels of one square, and for the lights that are evaluated there.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    pub levels: Levels,
+    pub pixels: Pixels,
     /// The lights that reach the face being drawn, and the unit vectors to all lights at its corners.
     pub lights: Vec<FaceLight>,
     pub to_lights: Vec<[DVec3; 4]>,
     tile: TileLights,
-    single: Vec<Light<f32>>,
-    double: Vec<Light<f64>>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// One light of each kind, 10 above the origin of a surface that lies in the plane z = 0.
-    fn levels(kind: &str, normal: DVec3, to_eye: DVec3) -> DVec3 {
-        let material = Material {
-            ambient: DVec3::new(0.1, 0.2, 0.3),
-            diffuse: DVec3::new(0.5, 0.25, 1.0),
-            specular: DVec3::new(1.0, 0.5, 0.25),
-            shininess: 2.0,
-        };
-        let share = |own: &str| {
-            if own == kind {
-                DVec3::splat(100.0)
-            } else {
-                DVec3::ZERO
-            }
-        };
-        let points = vec![PointLight {
-            position: DVec3::new(5.0, 5.0, 15.0),
-            diffuse: share("diffuse"),
-            specular: share("specular"),
-        }];
-        let illumination = Illumination {
-            ambient: share("ambient"),
-            points,
-        };
-        Surface {
-            material: &material,
-            illumination: &illumination,
-            centre: DVec3::splat(5.0),
-        }
-        .levels(DVec3::ZERO, normal, to_eye)
-    }
-
-    fn assert_near(found: DVec3, expected: [f64; 3]) {
-        assert!(
-            (found - DVec3::from_array(expected)).length() < 1e-12,
-            "{found} is not {expected:?}"
-        );
-    }
-
-    #[test]
-    fn ambient_light_is_the_same_everywhere() {
-        assert_near(levels("ambient", DVec3::Z, DVec3::Z), [10.0, 20.0, 30.0]);
-        assert_near(
-            levels("ambient", DVec3::NEG_Z, DVec3::X),
-            [10.0, 20.0, 30.0],
-        );
-    }
-
-    #[test]
-    fn diffuse_light_goes_with_the_cosine() {
-        assert_near(levels("diffuse", DVec3::Z, DVec3::X), [50.0, 25.0, 100.0]);
-        // n is 60 degrees off: cos 60 = 1/2.
-        assert_near(
-            levels("diffuse", DVec3::new(0.75_f64.sqrt(), 0.0, 0.5), DVec3::X),
-            [25.0, 12.5, 50.0],
-        );
-        assert_near(levels("diffuse", DVec3::X, DVec3::X), [0.0; 3]);
-        assert_near(levels("diffuse", DVec3::NEG_Z, DVec3::X), [0.0; 3]);
-    }
-
-    #[test]
-    fn specular_light_goes_with_the_power_of_the_mirror_direction() {
-        // l = n = z, so r = z; the eye 45 degrees off sees cos 45 squared = 1/2.
-        let slanted = DVec3::new(0.5_f64.sqrt(), 0.0, 0.5_f64.sqrt());
-        assert_near(levels("specular", DVec3::Z, DVec3::Z), [100.0, 50.0, 25.0]);
-        assert_near(levels("specular", DVec3::Z, slanted), [50.0, 25.0, 12.5]);
-        // n at 45 degrees sends r to x: an eye there sees it whole, one at z not at all.
-        assert_near(levels("specular", slanted, DVec3::X), [100.0, 50.0, 25.0]);
-        assert_near(levels("specular", slanted, DVec3::Z), [0.0; 3]);
-    }
-
-    #[test]
-    fn the_specular_term_needs_the_light_in_front_of_the_surface() {
-        // n = -z turned so that r = 2(n.l)n - l would point at the eye: without the gate it would shine through.
-        assert_near(levels("specular", DVec3::NEG_Z, DVec3::Z), [0.0; 3]);
-        assert_near(levels("specular", DVec3::X, DVec3::NEG_Z), [0.0; 3]);
-    }
-
-    #[test]
-    fn the_ladder_has_unique_names_and_ends_with_the_truth() {
-        let mut ids: Vec<_> = METHODS.iter().map(|method| method.id).collect();
-        ids.sort_unstable();
-        ids.dedup();
-        assert_eq!(ids.len(), METHODS.len());
-        assert_eq!(
-            METHODS.last().map(|method| (method.mode, method.tolerance)),
-            Some((ShadingMode::Phong, 0.0))
-        );
-    }
+    colors: TileColors,
 }

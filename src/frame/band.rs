@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{Counts, DrawList, FARTHEST, NO_TRIANGLE, display_pixel};
+use super::{FARTHEST, NO_TRIANGLE, display_pixel};
 
 /// The pixels that are drawn in one row, by the last frame and by the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,59 +55,24 @@ pub(crate) struct Band<'a> {
     pub drawn: &'a mut [Drawn],
 }
 
-impl Band<'_> {
-    /// Draws the band in `parts` parts of about the same work, in parallel.
-    pub fn split_and(
-        &mut self,
-        list: &DrawList,
-        parts: usize,
-        draw: &(impl Fn(&DrawList, &mut Band) -> Counts + Sync),
-    ) -> Counts {
-        let cut = list.cut(&self.rows).filter(|_| parts > 1);
-        let Some(row) = cut else {
-            return draw(list, self);
-        };
-        let (mut upper, mut lower) = self.split(row);
-        let (mut counts, more) = rayon::join(
-            || upper.split_and(list, parts / 2, draw),
-            || lower.split_and(list, parts - parts / 2, draw),
-        );
-        counts += more;
-        counts
-    }
-
-    /// The rows above `row` of the picture, and `row` with those below it.
-    fn split(&mut self, row: usize) -> (Band<'_>, Band<'_>) {
+impl<'a> Band<'a> {
+    /// Takes the rows above `row` of the picture off.
+    pub fn take(&mut self, row: usize) -> Band<'a> {
         let rows = row - self.rows.start;
         let pixels = rows * self.width;
-        let (bytes, more_bytes) = split(self.pixels, pixels);
-        let (levels, more_levels) = split(self.levels, pixels);
-        let (triangles, more_triangles) = split(self.triangles, pixels);
-        let (kinds, more_kinds) = split(self.kinds, pixels);
-        let (depths, more_depths) = split(self.depths, pixels);
-        let (drawn, more_drawn) = split(self.drawn, rows);
         let above = Band {
             width: self.width,
             rows: self.rows.start..row,
             background: self.background,
-            pixels: bytes,
-            levels,
-            triangles,
-            kinds,
-            depths,
-            drawn,
+            pixels: take(&mut self.pixels, pixels),
+            levels: take(&mut self.levels, pixels),
+            triangles: take(&mut self.triangles, pixels),
+            kinds: take(&mut self.kinds, pixels),
+            depths: take(&mut self.depths, pixels),
+            drawn: take(&mut self.drawn, rows),
         };
-        let below = Band {
-            rows: row..self.rows.end,
-            pixels: more_bytes,
-            levels: more_levels,
-            triangles: more_triangles,
-            kinds: more_kinds,
-            depths: more_depths,
-            drawn: more_drawn,
-            ..above
-        };
-        (above, below)
+        self.rows.start = row;
+        above
     }
 
     /// Restores the background of some rows of the picture where the last frame drew, except in one run of each row
@@ -181,10 +146,11 @@ fn joined(range: [u32; 2], from: usize, to: usize) -> [u32; 2] {
     [range[0].min(from as u32), range[1].max(to as u32)]
 }
 
-/// Splits a slice at `index`; an empty slice gives two empty ones.
-fn split<T>(slice: &mut [T], index: usize) -> (&mut [T], &mut [T]) {
-    let index = index.min(slice.len());
-    slice.split_at_mut(index)
+/// Takes the first elements of a slice, if it has any.
+fn take<'a, T>(slice: &mut &'a mut [T], len: usize) -> &'a mut [T] {
+    slice
+        .split_off_mut(..len.min(slice.len()))
+        .unwrap_or_default()
 }
 
 fn fill<T: Copy>(slice: &mut [T], range: Range<usize>, value: T) {

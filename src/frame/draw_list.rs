@@ -23,8 +23,8 @@ pub(crate) struct DrawList {
     pub glosses: Vec<Gloss>,
     /// For each strip of [`MAX_SIDE`] rows of the picture the indices of its pieces, in the order of drawing.
     pub strips: Vec<Vec<u32>>,
-    /// For each strip, how many pixels all pieces cover there; see [`DrawList::weigh`].
-    weights: Vec<usize>,
+    /// The rows of the picture at which its bands end; see [`DrawList::cut`].
+    pub cuts: Vec<usize>,
     /// The pixels from..to of each row of each piece.
     pub from: Vec<i32>,
     pub to: Vec<i32>,
@@ -33,14 +33,14 @@ pub(crate) struct DrawList {
 /// The data of a cuboid that its shaders use.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Object {
-    /// The number of its first triangle.
-    pub id: u32,
     pub material: Material,
     /// Its centre, in world units.
     pub centre: DVec3,
     pub solid: Solid,
     pub mode: ShadingMode,
-    /// Its index in [`DrawList::glosses`].
+    /// The values that are interpolated, at its corners: levels under Gouraud shading, unit normals in world space otherwise.
+    pub corners: [DVec3; 8],
+    /// Its index in [`DrawList::glosses`], if it is shaded after Phong.
     pub gloss: usize,
 }
 
@@ -95,32 +95,40 @@ impl DrawList {
         }
     }
 
-    /// Counts the pixels that all pieces cover in these rows of the picture, strip by strip; their sum.
-    pub fn weigh(&mut self, rows: &Range<usize>) -> usize {
-        let mut weights = std::mem::take(&mut self.weights);
-        weights.clear();
-        weights.resize(self.strips.len(), 0);
-        for piece in &self.pieces {
-            for (row, span) in self.spans(piece).within(rows) {
-                weights[row / MAX_SIDE] += span.len();
-            }
-        }
-        self.weights = weights;
-        self.weights.iter().sum()
+    /// The pieces in a strip, in the order of drawing.
+    pub fn strip(&self, strip: usize) -> impl Iterator<Item = &Piece> {
+        let indices = self.strips[strip].iter();
+        indices.map(|&index| &self.pieces[index as usize])
     }
 
-    /// The row between two strips that cuts these rows of the picture into two parts of about the same work.
-    pub fn cut(&self, rows: &Range<usize>) -> Option<usize> {
-        let strips = rows.start / MAX_SIDE..rows.end.div_ceil(MAX_SIDE);
-        let weights = &self.weights[strips.clone()];
-        let all: usize = weights.iter().sum();
-        let mut above = 0;
-        // The first whose middle lies below the middle of the work.
-        let below = weights.iter().position(|weight| {
-            above += 2 * weight;
-            above - weight > all
-        });
-        let cut = strips.start + below?.max(1);
-        (cut < strips.end).then_some(cut * MAX_SIDE)
+    /// Cuts these rows of the picture into bands: one, or several that have at least the work of [`BAND`] pixels each.
+    pub fn cut(&mut self, rows: &Range<usize>, several: bool) {
+        let mut cuts = std::mem::take(&mut self.cuts);
+        cuts.clear();
+        let mut work = 0;
+        for strip in rows.start / MAX_SIDE..rows.end / MAX_SIDE * usize::from(several) {
+            let end = (strip + 1) * MAX_SIDE;
+            let own = rows.start.max(end - MAX_SIDE)..end;
+            for piece in self.strip(strip) {
+                let spans = self.spans(piece);
+                work += PIECE
+                    + spans
+                        .within(&own)
+                        .map(|(_, span)| span.len())
+                        .sum::<usize>();
+            }
+            if work >= BAND && end < rows.end {
+                cuts.push(end);
+                work = 0;
+            }
+        }
+        cuts.push(rows.end);
+        self.cuts = cuts;
     }
 }
+
+/// The least work of a band, in pixels that are interpolated: about 10 us.
+const BAND: usize = 16_000;
+
+/// The work of setting up a face, in such pixels.
+const PIECE: usize = 1_000;

@@ -36,10 +36,9 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Affine<T> {
 }
 
 impl Affine<f64> {
-    /// How far the value gets from that at the middle of a square of these half extents, in pixels.
-    #[inline]
-    pub fn reach(&self, [right, down]: [f64; 2]) -> f64 {
-        self.dx.abs() * right + self.dy.abs() * down
+    /// The value at the middle, and its changes per pixel to the right and down.
+    pub fn terms(&self) -> [f64; 3] {
+        [self.centre, self.dx, self.dy]
     }
 }
 

@@ -50,13 +50,13 @@
 //! or minimum may lose it, and then stands for a bound of its own or is part of a sum that has it still.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, mask64x4};
+use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
 use super::U;
 use super::field::{Field, Lanes, positive};
-use super::kernel::{Reals, dot};
-use super::specular::Power;
-use crate::simd::{three, two};
+use super::kernel::dot;
+use super::specular;
+use crate::simd::{four, three, two};
 
 /// asin(x) <= this x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
@@ -89,7 +89,7 @@ pub fn product<S: Simd>(a: Derivatives<S>, b: Derivatives<S>) -> Derivatives<S> 
     ]
 }
 
-/// What the interpolant errs by, for bounds on third derivatives along x and y.
+/// The error of the interpolant, for bounds on third derivatives along x and y.
 #[inline(always)]
 pub fn interpolation_error<S: Simd>(third: [Lanes<S>; 2]) -> Lanes<S> {
     let [x, y] = third;
@@ -114,7 +114,7 @@ pub struct Side<S: Simd> {
     pub dark: mask64x4<S>,
 }
 
-/// What f64 makes of the product of two unit vectors: less than this.
+/// More than the rounding error of the product of two unit vectors in f64.
 const ROUNDING: f64 = 1e-15;
 
 /// n.l moves by no more than n and l do, and a unit vector by no more than the arc asin(radius).
@@ -184,15 +184,7 @@ pub fn reflection<S: Simd>(
     }
 }
 
-/// The largest s = 2 (n.l) (n.o) - o.l where n.l = 0, or more.
-#[inline(always)]
-pub fn gate<S: Simd>(light: &Field<S>, eye: &Field<S>) -> Lanes<S> {
-    let most = (light.radius + eye.radius) * ARC - dot(&light.middle, &eye.middle);
-    let bounded = light.is_direction_bounded() & eye.is_direction_bounded();
-    bounded.select(most, Lanes::splat(most.token(), 1.0))
-}
-
-/// What does not change from square to square in the bound of a highlight.
+/// The part of the bound of a highlight that is the same in every square.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlight {
     /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), without their signs.
@@ -269,13 +261,19 @@ impl Highlight {
 
 /// An upper bound of s^rho for s of at most 1.
 #[inline(always)]
-pub fn power<S: Simd>(power: &Power, most: Lanes<S>) -> Lanes<S> {
+pub fn power<S: Simd>(shininess: f32, most: Lanes<S>) -> Lanes<S> {
+    let simd = most.token();
     // f32 may round 1 - s up, which would make the power smaller.
-    let one_minus_cos =
-        positive((1.0 - most) * (1.0 - 2.0 * U)).min(Lanes::splat(most.token(), 1.0));
+    let one_minus_cos = positive((1.0 - most) * (1.0 - 2.0 * U)).min(Lanes::splat(simd, 1.0));
+    let mut sixteen = [0.0; 16];
+    for (one_minus_cos, own) in sixteen.iter_mut().zip(one_minus_cos.as_array()) {
+        *one_minus_cos = *own as f32;
+    }
+    let power = specular::power(shininess, f32x16::simd_from(simd, sixteen));
+    let power = f64x4::simd_from(simd, four!(|square| f64::from(power[square])));
     // A power that is not clamped has an exponent of two of at least -126 and so is relatively exact to 126 ln(2) times the
     // 8 U of its logarithm, 5e-5; one that is clamped is below 2^-126.
-    one_minus_cos.powers(power) * 1.001 + 1e-30
+    power * 1.001 + 1e-30
 }
 
 /// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.

@@ -1,4 +1,4 @@
-//! A face of a cuboid and lines of sight in; what is interpolated over the face, as affine functions of the pixel, out.
+//! A face of a cuboid on the screen: everything that is interpolated over it, as affine functions of the pixel.
 //!
 //! A line of sight O + t d meets the plane m.P = h of a face where t = H / w, with H = m.O - h, how far the eye is in
 //! front of the plane, and w = -m.d > 0. Times w, everything that is linear on the face is affine on the screen:
@@ -10,8 +10,8 @@
 //! linear in u and v over the whole face; colours that were lit at the corners are linear over each of its triangles.
 //! Both triangles have the same N, L and O.
 //!
-//! Rule: all is set up in f64 relative to the eye, so that what is seen of a face is as exact on a cuboid of any size; and
-//! none of it depends on where the face ends, so clipping changes no value.
+//! All is set up in f64 relative to the eye, so a face is as exact on a cuboid of any size. Nothing depends on the ends of the
+//! face, so clipping changes no value.
 
 use glam::{DMat3, DVec3};
 
@@ -28,10 +28,6 @@ pub struct Solid {
     pub axes: DMat3,
     /// Half its edges, in world units.
     pub half: DVec3,
-    /// Unit normals at its corners, in world space.
-    pub normals: [DVec3; 8],
-    /// Levels at its corners.
-    pub colors: [DVec3; 8],
 }
 
 /// The lines of sight of a frame, anchored at the picture's middle.
@@ -142,15 +138,13 @@ pub struct Face<'a> {
     across: [f64; 2],
 }
 
-/// What a pixel shows of a face.
+/// The point of a face at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// The place on the face: u, v.
+    /// Its place on the face: u, v.
     pub place: [f64; 2],
-    /// From the eye, in world units.
-    pub from_eye: DVec3,
-    /// Whether it was clamped to the face.
-    pub clamped: bool,
+    /// The pixel, unless the place was clamped to the face.
+    pixel: Option<[f64; 2]>,
 }
 
 impl<'a> Face<'a> {
@@ -236,31 +230,17 @@ impl<'a> Face<'a> {
         least > 0.0 && least > self.least_steady()
     }
 
-    /// Whether it is so all over a square.
-    pub fn is_steady_on(&self, [x, y]: [f64; 2], half: [f64; 2]) -> bool {
-        self.is_steady(self.plane.w.at(x, y) - self.plane.w.reach(half))
-    }
-
-    /// What the pixel `x` right and `y` down of the picture's middle shows; clamped to the face where the face is a sliver.
+    /// The point at the pixel `x` right and `y` down of the picture's middle; clamped to the face where the face is a sliver.
     pub fn point(&self, x: f64, y: f64) -> Point {
-        let place = self.place.at(x, y);
-        let w = place.z;
-        let [u, v] = [place.x / w, place.y / w];
-        let is_on = w > 0.0 && u.abs() <= 1.0 && v.abs() <= 1.0;
-        let clamped = !is_on && !self.is_steady(w);
-        let place = if clamped { self.clamp(x, y) } else { [u, v] };
-        let from_eye = if clamped {
-            self.from_eye(place)
+        let DVec3 { x: u, y: v, z: w } = self.place.at(x, y);
+        let place = [u / w, v / w];
+        let is_on = w > 0.0 && place.iter().all(|u| u.abs() <= 1.0);
+        if is_on || self.is_steady(w) {
+            let pixel = Some([x, y]);
+            Point { place, pixel }
         } else {
-            let Rays {
-                start, direction, ..
-            } = self.rays;
-            start.at(x, y) + direction.at(x, y) * (self.plane.height.at(x, y) / w)
-        };
-        Point {
-            place,
-            from_eye,
-            clamped,
+            let place = self.clamp(x, y);
+            Point { place, pixel: None }
         }
     }
 
@@ -298,19 +278,21 @@ impl<'a> Face<'a> {
         [on(place.x * times), on(place.y * times)]
     }
 
-    /// The vector to a light, whose place is given as in [`Face::towards`], from the point that the pixel `x` right and `y`
-    /// down of the picture's middle shows; times a positive number.
-    pub fn to_light(
-        &self,
-        point: &Point,
-        light: DVec3,
-        from_centre: DVec3,
-        [x, y]: [f64; 2],
-    ) -> DVec3 {
-        if point.clamped {
-            light - point.from_eye
-        } else {
-            self.towards(light, from_centre).at(x, y)
+    /// The vector to a light, whose place is given as in [`Face::towards`], from a point; times a positive number.
+    pub fn to_light(&self, point: &Point, light: DVec3, from_centre: DVec3) -> DVec3 {
+        match point.pixel {
+            Some([x, y]) => self.towards(light, from_centre).at(x, y),
+            None => light - self.from_eye(point.place),
+        }
+    }
+
+    /// The vector to the eye from a point; times a positive number.
+    pub fn to_eye(&self, point: &Point) -> DVec3 {
+        let to_eye = &self.rays.to_eye.vector;
+        match (point.pixel, self.rays.projection) {
+            (Some([x, y]), _) => to_eye.at(x, y),
+            (None, Projection::Perspective) => -self.from_eye(point.place),
+            (None, Projection::Orthographic) => to_eye.centre,
         }
     }
 
@@ -319,33 +301,19 @@ impl<'a> Face<'a> {
         self.middle + self.half_edges[0] * u + self.half_edges[1] * v
     }
 
-    /// The vector to the eye from a point that was clamped.
-    pub fn clamped_to_eye(&self, point: &Point) -> DVec3 {
-        match self.rays.projection {
-            Projection::Perspective => -point.from_eye,
-            Projection::Orthographic => self.rays.to_eye.vector.centre,
-        }
-    }
-
-    /// The most and the least of N.L between the normal at any corner and the vector from any corner to a light, whose place
-    /// is given from the eye; what is not a number is the most.
+    /// Whether N.L < 0 between the normal at any corner and the vector from any corner to a light, whose place is given from
+    /// the eye.
     ///
-    /// N and L are combinations, with weights that are nowhere negative, of what they are at the corners of a face that is
-    /// larger by what pixels overshoot: below the least and above the most is no N.L of a pixel.
-    pub fn light_from(&self, light: DVec3, normals: &Linear) -> [f64; 2] {
+    /// N and L are combinations, with weights that are nowhere negative, of their values at the corners of a face that is
+    /// larger by the overshoot of pixels, so N.L < 0 at every pixel.
+    pub fn is_behind(&self, light: DVec3, normals: &Linear) -> bool {
         const END: f64 = 1.0 + 2.0 * OVERSHOOT;
         const CORNERS: [[f64; 2]; 4] = [[-END, -END], [END, -END], [-END, END], [END, END]];
         let normals = CORNERS.map(|corner| normals.at(corner));
-        let [mut most, mut least] = [f64::NEG_INFINITY, f64::INFINITY];
-        for corner in CORNERS {
-            let to_light = light - self.from_eye(corner);
-            for normal in normals {
-                let product = normal.dot(to_light);
-                least = least.min(product);
-                most = if product <= most { most } else { product };
-            }
-        }
-        [most, least]
+        CORNERS.iter().all(|corner| {
+            let to_light = light - self.from_eye(*corner);
+            normals.iter().all(|normal| normal.dot(to_light) < 0.0)
+        })
     }
 
     /// The weight of the first triangle's corner across the diagonal: below zero on the second triangle.
@@ -360,7 +328,7 @@ pub fn places(number: usize) -> [[f64; 2]; 4] {
     FACES[number].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
 }
 
-/// A value that is linear on a face: at its middle, and what u and v add.
+/// A value that is linear on a face: at its middle, and its changes with u and v.
 #[derive(Clone, Copy, Debug)]
 pub struct Linear([DVec3; 3]);
 

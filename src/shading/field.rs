@@ -1,19 +1,17 @@
-//! Vectors that are affine in the pixel in, where they are on four squares side by side out.
+//! Vectors that are affine in the pixel, on four squares side by side.
 //!
-//! Rule: whatever is not a number makes lengths and rates that are none, which bound nothing.
+//! Rule: a length or a rate of something that is not a number is not a number, and bounds nothing.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
 
 use super::affine::Affine;
-use super::interpolation::NODE;
-use super::kernel::dot;
-use super::rounding::Extent;
+use super::kernel::{Squares, dot};
 use super::square::Square;
 use crate::components::length;
 use crate::simd::{four, inlined, three, two};
 
-/// A number for each of four squares.
+/// A number of each of four squares.
 pub type Lanes<S> = f64x4<S>;
 
 /// The largest relative radius of a vector whose direction is bounded.
@@ -23,10 +21,7 @@ pub const MAX_RADIUS: f64 = 0.5;
 /// difference of squares, which errs by fewer than 40 roundings, and sqrt(40 2^-53) = 7e-8.
 const CROSS_ERROR: f64 = 1e-7;
 
-/// Four vectors.
-pub type Vectors<S> = [Lanes<S>; 3];
-
-/// Where four squares are: their middles in pixels from the picture's middle, and half their extents in pixels.
+/// The places of four squares: their middles from the picture's middle, and half their extents, in pixels.
 #[derive(Clone, Copy)]
 pub struct Places<S: Simd> {
     pub middle: [Lanes<S>; 2],
@@ -48,18 +43,15 @@ impl<S: Simd> Places<S> {
         }
     }
 
-    /// How many rows of sixteen pixels the squares have together, about, that have a positive budget.
+    /// An affine number on the squares: its value at the middle, and its changes from there to the right and to the lower edge.
     #[inline(always)]
-    pub fn rows(&self, budget: Lanes<S>) -> f64 {
-        let [width, height] = two!(|axis| self.half[axis] * 2.0 + 1.0);
-        let rows = height * (width * (1.0 / 16.0)).max(Lanes::splat(width.token(), 1.0));
-        let zero = Lanes::splat(width.token(), 0.0);
-        budget
-            .simd_gt(0.0)
-            .select(rows, zero)
-            .as_array()
-            .iter()
-            .sum()
+    pub fn number(&self, [centre, dx, dy]: [f64; 3]) -> [Lanes<S>; 3] {
+        let [x, y] = self.middle;
+        [
+            x * dx + y * dy + centre,
+            self.half[0] * dx,
+            self.half[1] * dy,
+        ]
     }
 
     /// One square, four times.
@@ -75,12 +67,12 @@ impl<S: Simd> Places<S> {
 /// A vector on four squares: `middle + right x + down y` for x and y from -1 to 1, the middle of length one.
 #[derive(Clone, Copy)]
 pub struct Field<S: Simd> {
-    pub middle: Vectors<S>,
-    pub right: Vectors<S>,
-    pub down: Vectors<S>,
-    /// Relative radius: how far the vector gets from its middle at most.
+    pub middle: [Lanes<S>; 3],
+    pub right: [Lanes<S>; 3],
+    pub down: [Lanes<S>; 3],
+    /// Its largest distance from the middle.
     pub radius: Lanes<S>,
-    /// Its length is nowhere below this.
+    /// Its least length.
     pub shortest: Lanes<S>,
     /// p and q along x and along y: see [`super::bound`].
     pub rates: [[Lanes<S>; 2]; 2],
@@ -144,7 +136,7 @@ impl<S: Simd> Field<S> {
             right,
             down,
             radius,
-            // What it moves along its middle is all that can shorten it.
+            // Only changes along its middle can shorten it.
             shortest: 1.0 - along[0].abs() - along[1].abs(),
             rates: [rates(along[0], right_length), rates(along[1], down_length)],
         }
@@ -158,42 +150,28 @@ impl<S: Simd> Field<S> {
         self.radius.simd_lt(MAX_RADIUS)
     }
 
-    /// What rounding depends on, by square.
+    /// The error of its direction in f32, in roundings: see [`super::rounding`].
     #[inline(always)]
-    pub fn extents(&self) -> [Extent; 4] {
-        let (radius, shortest) = (self.radius.as_array(), self.shortest.as_array());
-        four!(|square| Extent {
-            radius: radius[square],
-            shortest: shortest[square],
-        })
+    pub fn rounding(&self) -> Lanes<S> {
+        let error = (self.radius * 6.0 + 3.0) / self.shortest;
+        let zero = Lanes::splat(error.token(), 0.0);
+        let infinite = Lanes::splat(error.token(), f64::INFINITY);
+        self.shortest.simd_gt(zero).select(error, infinite)
     }
 
-    /// At one of the nine nodes, by row and column.
+    /// The vector in f32, by square.
     #[inline(always)]
-    pub fn node(&self, row: usize, column: usize) -> Vectors<S> {
-        let [x, y] = two!(|axis| NODE * ([column, row][axis] as f64 - 1.0));
-        three!(|axis| self.middle[axis] + self.right[axis] * x + self.down[axis] * y)
+    pub fn squares(&self) -> Squares {
+        let parts = [self.middle, self.right, self.down];
+        three!(|term| three!(|axis| single(parts[term][axis])))
     }
 }
 
-/// The least value of a scalar on four squares.
+/// Numbers in f32.
 #[inline(always)]
-pub fn least<S: Simd>(scalar: &Affine<f64>, places: &Places<S>) -> Lanes<S> {
-    let ([x, y], [width, height]) = (places.middle, places.half);
-    let middle = x * scalar.dx + y * scalar.dy + scalar.centre;
-    middle - width * scalar.dx.abs() - height * scalar.dy.abs()
-}
-
-/// w on four squares over its value at the middle: what x and y add.
-#[inline(always)]
-pub fn relative<S: Simd>(w: &Affine<f64>, places: &Places<S>) -> [Lanes<S>; 3] {
-    let [x, y] = places.middle;
-    let middle = x * w.dx + y * w.dy + w.centre;
-    [
-        middle,
-        places.half[0] * w.dx / middle,
-        places.half[1] * w.dy / middle,
-    ]
+pub fn single<S: Simd>(lanes: Lanes<S>) -> [f32; 4] {
+    let lanes = lanes.as_array();
+    four!(|square| lanes[square] as f32)
 }
 
 /// The number, or zero where it is negative.

@@ -1,51 +1,49 @@
-//! A material in, what its highlights need in every square out: the power, its bound, and how faint one is left out.
-//!
-//! Rule: what is left out or evaluated more cheaply keeps its share of the tolerance.
+//! The highlights of a material: constants that are the same in every square.
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 
 use super::bound::Highlight;
-use super::specular::Power;
+use super::field::Lanes;
 use super::{Surface, limit};
 use crate::components::Material;
 
-/// The part of the tolerance that dropped highlights may use up together. More drops more of them and leaves less to all else:
-/// a tenth or a half changes the instructions of a frame by 1 to 2 % (default scene and bench-far, tolerance 0.5).
+/// The part of the tolerance that highlights too faint to be drawn may use up together. A larger part leaves out more of them
+/// and leaves less to all else: a tenth or a half changes the instructions of a frame by 1 to 2 % (default scene and bench-far,
+/// tolerance 0.5).
 const DROPPED: f64 = 0.25;
 
-/// The part of the tolerance that cheaper powers may use up together. From a thirtieth to a third it makes no difference; without
-/// cheaper powers a frame takes 3.5 % more instructions (default scene and bench-far, tolerance 0.5).
-const POWERED: f64 = 0.125;
+/// The size of s below which a shininess below 1 makes an error of s too large for f32: its slope has no bound at s = 0.
+const DOUBT: f64 = 1.0 / 256.0;
 
-/// What the highlights of one material need in every square.
+/// The constants of the highlights of one material.
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss {
     pub material: Material,
-    /// What it was made for, in levels.
+    /// The tolerance it is made for, in levels.
     pub tolerance: f64,
-    /// For any s.
-    pub full: Power,
-    /// Perhaps cheaper, and nothing where s is below `least`.
-    pub truncated: Power,
-    /// What bounds are worked out with.
+    pub shininess: f32,
+    /// For the bound on interpolation errors.
     pub bound: Highlight,
     /// A highlight whose s stays below this is too faint to be drawn.
     pub least: f64,
-    /// What one highlight may lose by that, in levels.
+    /// The error of one highlight that is not drawn, in levels.
     pub faint: f64,
+    /// Where s is smaller than this, its power is evaluated in f64.
+    pub doubt: f32,
+    /// The steepest slope of s^rho in |r - o|, elsewhere.
+    steepest: f64,
 }
 
 impl Gloss {
     /// For an object under its light.
     pub fn new(surface: &Surface, tolerance: f64) -> Self {
         let shininess = surface.material.shininess;
-        let powers = surface.powers().max(1) as f64;
-        let brightest = surface
-            .illumination
-            .points
-            .iter()
+        let points = surface.illumination.points.iter();
+        let brightest = points
             .map(|light| surface.coefficients(light)[1].max_element())
             .fold(0.0, f64::max);
-        let share = limit(tolerance) / powers;
-        let faint = DROPPED * share;
+        let faint = DROPPED * limit(tolerance) / surface.powers().max(1) as f64;
         let least = if brightest <= faint {
             f64::INFINITY
         } else if shininess == 0.0 {
@@ -54,14 +52,130 @@ impl Gloss {
             // Another libm may differ in the last bit, and then a picture may: only one machine's are the same bits.
             (faint / brightest).powf(1.0 / shininess)
         };
+        let is_steep = shininess > 0.0 && shininess < 1.0;
         Gloss {
             material: *surface.material,
             tolerance,
-            full: Power::new(shininess, 0.0, 0.0),
-            truncated: Power::new(shininess, least, POWERED * share / brightest),
+            shininess: shininess as f32,
             bound: Highlight::new(shininess),
             least,
             faint,
+            doubt: if is_steep { DOUBT as f32 } else { 0.0 },
+            steepest: steepest(shininess),
         }
+    }
+
+    /// The error of s^rho, in roundings, caused by an error of |r - o| in roundings and by four roundings of 1 - s.
+    ///
+    /// From a shininess of 1 on relative errors of 1 - s become no larger: rho (1 - s) s^(rho - 1) <= 1. Below, s errs by
+    /// less than half of [`DOUBT`], so the slope is at most that at the other half.
+    #[inline(always)]
+    pub fn propagated<S: Simd>(&self, chord: Lanes<S>) -> Lanes<S> {
+        /// sqrt(2) times this many roundings are less than half of [`DOUBT`].
+        const MOST: f64 = 2e4;
+        let infinite = Lanes::splat(chord.token(), f64::INFINITY);
+        let error = (chord + 4.0) * self.steepest + 4.0;
+        chord.simd_lt(MOST).select(error, infinite)
+    }
+}
+
+/// The steepest slope of s^rho = (1 - d^2 / 2)^rho in d = |r - o|: at d^2 = 2 / (2 rho - 1) for a shininess of at least 1.
+/// Below, s changes by at most sqrt(2) times d, and is at least half of [`DOUBT`].
+fn steepest(shininess: f64) -> f64 {
+    if shininess == 0.0 {
+        0.0
+    } else if shininess < 1.0 {
+        std::f64::consts::SQRT_2 * shininess * (DOUBT / 2.0).powf(shininess - 1.0)
+    } else {
+        let chord = (2.0 / (2.0 * shininess - 1.0)).sqrt();
+        shininess * chord * (1.0 - chord * chord / 2.0).powf(shininess - 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::components::{Illumination, PointLight};
+    use crate::shading::U;
+    use crate::shading::specular::power_exact;
+    use crate::simd::token;
+
+    /// A material under one light of 100 levels.
+    fn gloss(shininess: f64, tolerance: f64) -> Gloss {
+        let material = Material {
+            ambient: DVec3::ZERO,
+            diffuse: DVec3::ZERO,
+            specular: DVec3::ONE,
+            shininess,
+        };
+        let illumination = Illumination {
+            ambient: DVec3::ZERO,
+            points: vec![PointLight {
+                position: DVec3::ONE,
+                diffuse: DVec3::ZERO,
+                specular: DVec3::new(10.0, 100.0, 20.0),
+            }],
+        };
+        let surface = Surface {
+            material: &material,
+            illumination: &illumination,
+            centre: DVec3::ZERO,
+        };
+        Gloss::new(&surface, tolerance)
+    }
+
+    fn propagated(gloss: &Gloss, chord: f64) -> f64 {
+        gloss.propagated(Lanes::splat(token(), chord)).as_array()[0]
+    }
+
+    #[test]
+    fn no_error_in_the_chord_or_in_one_minus_s_makes_more_of_the_power_than_is_said() {
+        for shininess in [
+            1e-3, 0.1, 0.5, 0.9, 1.0, 1.5, 2.0, 5.0, 10.0, 76.8, 200.0, 1e3, 1e4, 1e6,
+        ] {
+            let given = gloss(shininess, 0.5);
+            let (mut moved, mut rounded) = (0.0_f64, 0.0_f64);
+            let distance = 170.0;
+            for step in 0..=20_000 {
+                let chord = std::f64::consts::SQRT_2 * (f64::from(step) / 20_000.0).powi(3);
+                if 1.0 - chord * chord / 2.0 < f64::from(given.doubt) {
+                    continue;
+                }
+                let at = |chord: f64, factor: f64| {
+                    power_exact(shininess, (chord * chord / 2.0 * factor).min(1.0))
+                };
+                let here = at(chord, 1.0);
+                moved = moved.max((at(chord + distance * U, 1.0) - here).abs());
+                rounded = rounded.max((at(chord, 1.0 + 4.0 * U) - here).abs());
+            }
+            let [moved, rounded] = [(moved, distance), (rounded, 0.0)]
+                .map(|(found, chord)| found / (propagated(&given, chord) * U));
+            println!("rho {shininess}: {moved:.3} and {rounded:.3} of what is said");
+            assert!(moved <= 1.001 && rounded <= 1.001, "rho {shininess}");
+            assert!(moved > 0.3, "rho {shininess}: {moved} is loose");
+        }
+    }
+
+    #[test]
+    fn an_error_that_may_reach_s_of_zero_has_no_bound() {
+        // Half of 1/256, over sqrt(2).
+        let most = 1.0 / 512.0 / 2.0_f64.sqrt() / U;
+        assert_eq!(propagated(&gloss(0.5, 0.5), most), f64::INFINITY);
+        assert_eq!(propagated(&gloss(0.5, 0.5), f64::NAN), f64::INFINITY);
+    }
+
+    #[test]
+    fn the_faintest_highlight_that_is_drawn_has_a_quarter_of_the_tolerance() {
+        let known = gloss(2.0, 0.4);
+        assert!((known.faint - 0.1).abs() < 1e-12);
+        assert!((known.least - 1e-3_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(gloss(2.0, 400.0).least, f64::INFINITY);
+        assert_eq!(gloss(0.0, 0.4).least, f64::NEG_INFINITY);
+        assert!(
+            (gloss(1.0, 0.0).faint - 0.0125).abs() < 1e-12,
+            "tolerance 0 is 0.05"
+        );
     }
 }

@@ -1,8 +1,8 @@
-//! Vertex colours in, perspective-correct colours out (Gouraud 1971; Heckbert and Moreton 1991 for the division).
+//! Vertex colours, interpolated perspective-correctly (Gouraud 1971; Heckbert and Moreton 1991 for the division).
 //!
-//! Rule: the colour is w C / w, both affine in the pixel, and C comes from the corners of the triangle alone that the pixel
-//! is on. The quotient is interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel
-//! elsewhere.
+//! The colour is w C / w, both affine in the pixel; C comes from the corners of the pixel's own triangle alone. The quotient is
+//! interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel elsewhere; nodes and pixels
+//! are evaluated by the same lines.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask64x4};
@@ -10,16 +10,16 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::bound;
-use super::face::{Face, Linear, Plane};
-use super::field::{self, Lanes, Places};
-use super::interpolation::{Colors, Interpolant, NODE, Nine, biquadratic};
-use super::square::Region;
-use super::{Evaluations, Scratch, TileKind, U, limit};
-use crate::simd::{inlined, outlined, three};
+use super::face::{Face, Linear};
+use super::field::{Lanes, Places, single};
+use super::interpolation::{Interpolant, LEBESGUE, sampled};
+use super::kernel::At;
+use super::pixels::Pixels;
+use super::{U, limit};
+use crate::simd::{inlined, outlined, three, two};
 
-/// Draws what was lit at the vertices.
+/// Draws levels that were lit at the vertices.
 pub struct Gouraud<'a> {
-    /// What is interpolated over.
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
@@ -28,21 +28,36 @@ pub struct Gouraud<'a> {
     colors: [Affine; 2],
 }
 
+/// An affine function on four squares: its value at the middle, and its changes from there to the right and to the lower edge;
+/// by square.
+type Squares = [[f32; 4]; 3];
+
+/// The colours of a face on four squares: affine functions, over w at the middle.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct TileColors {
+    w: Squares,
+    /// The weight of the first triangle's corner across the diagonal: below zero on the second triangle.
+    before: Squares,
+    /// By triangle and channel.
+    colors: [[Squares; 3]; 2],
+    /// The sets of squares, a bit each, that meet each triangle.
+    meets: [u64; 2],
+    /// Bounds on the errors of levels that are evaluated in f32, in levels.
+    errors: [f64; 4],
+}
+
 /// The rounding error of a colour in f32, relative to the largest on the square:
 ///
 /// ```text
-///   numerator, an affine value                                      4 U
-///   w, another, up to 1.5 times the middle's: by dividing by it    10 U
-///   the division, as a reciprocal and a product                     2 U
-///   diagonal, another: pixels on its wrong side, 4 times 2          8 U
-///   all that over the smallest w, half the middle's               x 2
-///   the display step may be that of the next float                  2 U
+///   operation                        count   why
+///   numerator                          6     a term: stored, 2 for its place, product, 2 sums
+///   w                              3 x 6     another, up to 1.5 times the middle's, over the smallest w
+///   division                           2     a reciprocal and a product
+///   diagonal                       2 x 6     another: pixels on its wrong side, where colours differ by up to 2
+///   all that over the smallest w     x 2     half the middle's
+///   display                            4     two at the size of a level; the byte may be that of the next float
 /// ```
-const ROUNDING: f64 = 50.0 * U;
-
-/// What f64 makes of a sample and of the biquadratic, relative to the colours: less than this. At the nodes w is at least 0.134
-/// of the middle's, which makes 30 epsilon of the roundings of numerator and w; interpolation enlarges that 25/9 times.
-const SAMPLING: f64 = 128.0 * f64::EPSILON;
+const ROUNDING: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {
     /// Draws levels that are given at a cuboid's corners.
@@ -56,131 +71,122 @@ impl<'a> Gouraud<'a> {
         }
     }
 
-    /// Colours of four squares.
+    /// See [`super::Shader::prepare`].
     #[inline(always)]
-    pub fn interpolate<S: Simd>(&self, simd: S, places: &Places<S>) -> Interpolant<S> {
-        let Face {
-            plane: Plane { w, .. },
-            diagonal,
-            ..
-        } = self.face;
-        let [middle, e, g] = field::relative(w, places);
+    pub fn prepare<S: Simd>(
+        &self,
+        simd: S,
+        places: &Places<S>,
+        interpolate: bool,
+        tile: &mut TileColors,
+    ) -> Option<Interpolant<S>> {
+        let number = inlined!(|number: f64| Lanes::splat(simd, number));
+        let [middle, right, down] = places.number(self.face.plane.w.terms());
         let inverse = 1.0 / middle;
-        // All three relative to w at the middle.
-        let scaled = inlined!(|[centre, dx, dy]: [Lanes<S>; 3]| {
-            let [x, y] = places.middle;
-            [
-                (x * dx + y * dy + centre) * inverse,
-                places.half[0] * inverse * dx,
-                places.half[1] * inverse * dy,
-            ]
+        let [e, g] = [right * inverse, down * inverse];
+        let scaled = inlined!(|terms: [f64; 3]| {
+            let number = places.number(terms);
+            three!(|term| number[term] * inverse)
         });
-        let splat = inlined!(|values: [f64; 3]| three!(|term| Lanes::splat(simd, values[term])));
-        let across = scaled(splat([diagonal.centre, diagonal.dx, diagonal.dy]));
-        let change = across[1].abs() + across[2].abs();
-        let (first, second) = (across[0].simd_ge(change), across[0].simd_le(-change));
-        let zero = Lanes::splat(simd, 0.0);
-        let node = |index: usize| NODE * (index as f64 - 1.0);
-        let inverses: Nine<S> =
-            three!(|row| three!(|column| 1.0 / (e * node(column) + g * node(row) + 1.0)));
+        let before = scaled(self.face.diagonal.terms());
+        let change = before[1].abs() + before[2].abs();
+        let meets = [before[0].simd_gt(-change), before[0].simd_lt(change)];
+        let colors = two!(|triangle| three!(|channel| {
+            let Affine { centre, dx, dy } = &self.colors[triangle];
+            scaled([centre[channel], dx[channel], dy[channel]])
+        }));
+        let zero = number(0.0);
+        let mut largest = zero;
+        for triangle in 0..2 {
+            for [color, right, down] in colors[triangle] {
+                let most = color.abs() + right.abs() + down.abs();
+                // A comparison with something that is not a number is false, so that is kept.
+                let known = most.simd_le(largest) | !meets[triangle];
+                largest = known.select(largest, most);
+            }
+        }
+        let shortest = 1.0 - e.abs() - g.abs();
+        // Pixels of a sliver are clamped to the face, one by one.
+        let steady = (middle * shortest).simd_gt(self.face.least_steady().max(0.0));
+        let bounded = steady & shortest.simd_gt(0.5);
+        let rounding = largest * ROUNDING;
+        *tile = TileColors {
+            w: [single(number(1.0)), single(e), single(g)],
+            before: three!(|term| single(before[term])),
+            colors: two!(|triangle| three!(|channel| three!(|term| single(
+                colors[triangle][channel][term]
+            )))),
+            meets: [meets[0].to_bitmask(), meets[1].to_bitmask()],
+            errors: *bounded.select(rounding, number(f64::INFINITY)).as_array(),
+        };
+        if !interpolate {
+            return None;
+        }
         let mut error = zero;
-        let (any_second, all_second) = (second.any_true(), second.all_true());
-        let colors = three!(|channel| {
-            let of = inlined!(|triangle: usize| {
-                let Affine { centre, dx, dy } = &self.colors[triangle];
-                scaled(splat([centre[channel], dx[channel], dy[channel]]))
-            });
-            let color = if all_second {
-                of(1)
-            } else if any_second {
-                let [one, other] = [of(0), of(1)];
-                three!(|term| second.select(other[term], one[term]))
-            } else {
-                of(0)
-            };
-            let bound = bound::quotient_error(color, [e, g]);
-            let size = color[0].abs() + color[1].abs() + color[2].abs();
-            error = error.max(bound + size * SAMPLING);
-            let samples = three!(|row| {
-                three!(|column| {
-                    let moved = color[1] * node(column) + color[2] * node(row);
-                    (color[0] + moved) * inverses[row][column]
-                })
-            });
-            biquadratic(&samples)
-        });
-        // What pixels show of a sliver is clamped to the face, one by one.
-        let least = middle * (1.0 - e.abs() - g.abs());
-        let steady = least.simd_gt(self.face.least_steady().max(0.0));
-        let budget = (steady & (first | second)).select(
-            self.tolerance - error,
-            Lanes::splat(simd, f64::NEG_INFINITY),
+        for channel in 0..3 {
+            let color =
+                three!(|term| meets[0].select(colors[0][channel][term], colors[1][channel][term]));
+            error = error.max(bound::quotient_error(color, [e, g]));
+        }
+        let is_cut = meets[0] & meets[1];
+        let budget = (bounded & !is_cut).select(
+            number(self.tolerance) - error - rounding * LEBESGUE,
+            number(-1.0),
         );
-        let [red, green, blue] = colors;
-        Interpolant::new(Colors {
-            terms: [red, green, blue, [[zero; 3]; 3]],
-            crossing: [zero; 3],
-            crosses: mask64x4::splat(simd, false),
-            budget,
+        let terms = sampled(
+            simd,
+            inlined!(|place| {
+                let [red, green, blue] = self.colors(simd, tile, At::Nodes, place);
+                [red, green, blue, f32x16::splat(simd, 0.0)]
+            }),
+        );
+        let none = mask64x4::splat(simd, false);
+        Some(Interpolant::new(terms, [zero; 3], none, budget))
+    }
+
+    /// w C / w at places on squares, x and y from -1 to 1.
+    #[inline(always)]
+    fn colors<S: Simd>(
+        &self,
+        simd: S,
+        tile: &TileColors,
+        at: At,
+        [x, y]: [f32x16<S>; 2],
+    ) -> [f32x16<S>; 3] {
+        let affine = inlined!(|of: &Squares| {
+            let [middle, right, down] = three!(|term| at.lanes(simd, &of[term]));
+            x * right + (y * down + middle)
+        });
+        let inverse = 1.0 / affine(&tile.w);
+        let [first, second] = &tile.colors;
+        if !at.any(tile.meets[1]) {
+            return three!(|channel| affine(&first[channel]) * inverse);
+        }
+        if !at.any(tile.meets[0]) {
+            return three!(|channel| affine(&second[channel]) * inverse);
+        }
+        let is_first = affine(&tile.before).simd_ge(f32x16::splat(simd, 0.0));
+        three!(|channel| {
+            is_first.select(affine(&first[channel]), affine(&second[channel])) * inverse
         })
     }
 
-    /// See [`super::Shader::evaluate`].
+    /// Evaluates pixels of one of four squares in f32, if that keeps the tolerance; returns the number of highlights: none.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
-        region: &Region,
-        scratch: &mut Scratch,
-    ) -> Option<Evaluations> {
-        let Face {
-            plane: Plane { w, .. },
-            diagonal,
-            ..
-        } = self.face;
-        let ([x, y], half) = (region.middle(), region.square.half());
-        let scale = 1.0 / w.at(x, y);
-        let change = |dx: f64, dy: f64| (dx.abs() * half[0] + dy.abs() * half[1]) * scale;
-        let before = diagonal.at(x, y);
-        let reach = diagonal.reach(half);
-        let is_met = [before > -reach, before < reach];
-        let mut largest = 0.0_f64;
-        for triangle in (0..2).filter(|triangle| is_met[*triangle]) {
-            let colors = &self.colors[triangle];
-            let middle = colors.at(x, y);
-            for channel in 0..3 {
-                let moved = change(colors.dx[channel], colors.dy[channel]);
-                // The other way round what is not a number would be lost.
-                let most = (middle[channel] * scale).abs() + moved;
-                largest = if most <= largest { largest } else { most };
-            }
-        }
-        let rounding = ROUNDING * largest;
-        if !(self.face.is_steady_on([x, y], half)
-            && change(w.dx, w.dy) < 0.5
-            && rounding <= limit(self.tolerance))
-        {
-            return None;
-        }
-        let affine =
-            |centre: f64, dx: f64, dy: f64| [centre, dx, dy].map(|term| (term * scale) as f32);
-        let colors = self.colors.map(|colors| {
-            let middle = colors.at(x, y);
-            [0, 1, 2].map(|channel| affine(middle[channel], colors.dx[channel], colors.dy[channel]))
-        });
-        let quotient = Quotient {
-            simd,
-            colors: if is_met[0] { colors[0] } else { colors[1] },
-            beyond: colors[1],
-            before: affine(before, diagonal.dx, diagonal.dy),
-            is_cut: is_met == [true; 2],
-            w: affine(w.at(x, y), w.dx, w.dy),
-        };
-        let evaluate = inlined!(|place: [f32x16<S>; 2]| quotient.at(place));
-        outlined!(simd, scratch.levels.fill(simd, region, evaluate));
-        Some(Evaluations {
-            kind: TileKind::Exact,
-            model: 0,
-            specular: 0,
+        tile: &TileColors,
+        index: usize,
+        half: [f64; 2],
+        pixels: &mut Pixels,
+    ) -> Option<usize> {
+        let evaluate =
+            inlined!(|place: [f32x16<S>; 2]| self.colors(simd, tile, At::Pixels(index), place));
+        // False for an error that is not a number.
+        let keeps = tile.errors[index] <= limit(self.tolerance);
+        keeps.then(|| {
+            outlined!(simd, pixels.evaluate(simd, half, evaluate));
+            0
         })
     }
 
@@ -188,35 +194,6 @@ impl<'a> Gouraud<'a> {
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
         let place = self.face.point(x, y).place;
         self.levels[usize::from(self.face.across(place) < 0.0)].at(place)
-    }
-}
-
-/// w C / w. Its affine functions are given by their values at the square's middle and what a pixel to the right and one
-/// down add.
-struct Quotient<S: Simd> {
-    simd: S,
-    colors: [[f32; 3]; 3],
-    /// Whether the diagonal cuts the square; how far before it a pixel is, times w, and the colours beyond it.
-    is_cut: bool,
-    before: [f32; 3],
-    beyond: [[f32; 3]; 3],
-    w: [f32; 3],
-}
-
-impl<S: Simd> Quotient<S> {
-    /// w C / w at places from the square's middle, in pixels.
-    #[inline(always)]
-    fn at(&self, [x, y]: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        let at = inlined!(|[middle, right, down]: [f32; 3]| x * right + (y * down + middle));
-        let inverse = 1.0 / at(self.w);
-        let mut levels = three!(|channel| at(self.colors[channel]));
-        if self.is_cut {
-            let is_before = at(self.before).simd_ge(f32x16::splat(self.simd, 0.0));
-            for channel in 0..3 {
-                levels[channel] = is_before.select(levels[channel], at(self.beyond[channel]));
-            }
-        }
-        three!(|channel| levels[channel] * inverse)
     }
 }
 
@@ -230,20 +207,21 @@ mod tests {
         // At a corner, where x = y = 1.
         let at = |terms: [f64; 3]| {
             let [middle, right, down] = terms.map(Rounded::stored);
-            let one = Rounded::exact(1.0);
-            one * right + (middle + down * one)
+            // The place is a product with the stored inverse of the half extent.
+            let end = Rounded::stored(1.0) * Rounded::exact(1.0);
+            end * right + (middle + down * end)
         };
         let mut most = 0.0_f64;
         for step in 0..=1000 {
             let part = |factor: f64| (f64::from(step) * factor).sin();
-            // w falls to half of what it is at the middle; colours fall with it, or not.
+            // w falls to half of its value at the middle; colours fall with it, or not.
             let slope = 0.249 * (1.0 + part(0.3)) / 2.0;
             let w = at([1.0, slope - 0.498, -slope]);
             let [color, right, down] = [part(0.7), part(1.1), part(1.7)];
             let largest = color.abs() + right.abs() + down.abs();
             let level = at([color, right, down]) * (Rounded::exact(1.0) / w);
             // Over the smallest w.
-            let wrong_side = 2.0 * 8.0 * largest;
+            let wrong_side = 2.0 * 12.0 * largest;
             let error = level.error + 2.0 * level.value.abs() + wrong_side;
             most = most.max(error * U / (ROUNDING * largest));
         }

@@ -1,132 +1,123 @@
-//! What rounding costs the illumination model: precision and extent of the vectors in, levels out.
+//! The rounding errors of the illumination model in f32.
 //!
-//! Rule: every rounding is counted once, per light and per term of the sum.
+//! Every rounding is counted once, per light and per term of the sum, in units of U.
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 
 use super::U;
-use super::field::MAX_RADIUS;
-use super::specular::Power;
+use super::field::{Field, Lanes};
+use super::gloss::Gloss;
+use super::specular::POWER_ERROR;
 
-/// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`. From two vectors of
-/// any length it is less: `proofs/cosine.g`.
+/// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`.
 pub const COSINE: f64 = 13.0;
 /// The error of |r - o|, in roundings: `proofs/chord.g`.
 pub const CHORD: f64 = 50.0;
 
-/// What rounding costs the model at one pixel, in levels. Rows of polynomials are counted in [`super::interpolation`].
+/// The rounding errors of the levels at a pixel or node of four squares, in units of U. Rows of polynomials are counted in
+/// [`super::interpolation`].
 ///
-/// A vector of length one at the middle is formed as a x + (b y + c): c, a and b are rounded, then both products and both
-/// sums, each by at most u times its size. So its direction errs by
-///
-/// ```text
-///   delta = u (3 + 4 radius) / shortest
-/// ```
-/// The operations that follow round, in units of u:
+/// A vector V = x a + (y b + c), |V| = 1 at the middle, |x a| + |y b| <= r, errs relative to its least length by
 ///
 /// ```text
-///   unit vector   4.51   proofs/unit.g
-///   n.l           13     proofs/chord.g: n 4.51, the rest 8.1
-///   |r - o|       50     proofs/chord.g: 2 (n.l) n, l, o and two differences
-///   1 - s         4      square 3, 1 spare
+///   operation                   count       why
+///   a, b, c stored              1 + r       once each, at their sizes
+///   x, y                        2 r         1 / half extent, and its product with whole pixels
+///   products                    r           once each
+///   sums                        2 + 2 r     once each, at the size of the sum, at most 1 + r
+///   delta                       3 + 6 r     in all: the direction of V errs by this over |V|
 /// ```
-/// n.l errs by the delta of n and of l besides, |r - o| by twice that of n and by those of l and o. s^rho errs by what these errors
-/// make of it ([`Power::propagated`]) and by the power's own error.
+/// The operations that follow:
 ///
-/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, and they err by what the
-/// definition's own vectors err by. So the bound is relative to what f64 can set up, and that may err by more than a tolerance:
-/// with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes away on.
-#[derive(Clone, Copy, Debug)]
-pub struct Rounding {
-    /// Unit round-off.
-    unit: f64,
+/// ```text
+///   n.l                         13          proofs/chord.g: n as a unit vector 4.51, the rest 8.1
+///     from directions           delta       of n and of l
+///   |r - o|                     50          proofs/chord.g: 2 (n.l) n, l, o and two differences
+///     from directions           delta       twice of n, of l and of o
+///   1 - s                       4           the square 3, 1 spare
+///   s^rho                       6           proofs/power.v; Gloss propagates the errors of |r - o| and 1 - s
+///   sum                         2 + terms   coefficient and product of each term, and each sum, at the largest sum
+///   display                     3           stored in f32; the byte may be that of the next float
+/// ```
+/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, and the definition's own vectors
+/// have the same errors. So the bound is relative to what f64 can set up, and that may err by more than a
+/// tolerance: with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes away on.
+pub struct Rounding<S: Simd> {
     /// Direction errors of n and o.
-    normal: f64,
-    eye: f64,
-    /// Levels that err so far, and the terms that were summed.
-    error: f64,
-    largest: f64,
-    terms: f64,
+    normal: Lanes<S>,
+    eye: Lanes<S>,
+    /// Errors of the terms so far, the largest sum of their levels, and their number.
+    error: Lanes<S>,
+    largest: Lanes<S>,
+    terms: Lanes<S>,
 }
 
-impl Rounding {
-    /// For numbers of a unit round-off, the normal's and the eye's [`Extent`], and a sum that starts with `ambient` levels.
-    pub fn new(unit: f64, [normal, eye]: [Extent; 2], ambient: f64) -> Self {
+impl<S: Simd> Rounding<S> {
+    /// For the normal, the eye, and a sum that starts with `ambient` levels.
+    #[inline(always)]
+    pub fn new(normal: &Field<S>, eye: &Field<S>, ambient: f64) -> Self {
+        let lanes = |number| Lanes::splat(normal.radius.token(), number);
         Rounding {
-            unit,
-            normal: direction(unit, normal),
-            eye: direction(unit, eye),
-            error: 0.0,
-            largest: ambient,
-            terms: 1.0,
+            normal: normal.rounding(),
+            eye: eye.rounding(),
+            error: lanes(0.0),
+            largest: lanes(ambient),
+            terms: lanes(1.0),
         }
     }
 
-    /// Adds a light's diffuse term of at most so many levels.
-    pub fn diffuse(&mut self, light: Extent, levels: f64) {
-        self.error += levels * self.cosine(light);
-        self.count(levels);
+    /// The error of n.l.
+    #[inline(always)]
+    pub fn cosine(&self, light: &Field<S>) -> Lanes<S> {
+        self.normal + light.rounding() + COSINE
     }
 
-    /// What n.l errs by.
-    pub fn cosine(&self, light: Extent) -> f64 {
-        self.normal + direction(self.unit, light) + COSINE * self.unit
+    /// The error of |r - o|.
+    #[inline(always)]
+    fn chord(&self, light: &Field<S>) -> Lanes<S> {
+        self.normal * 2.0 + light.rounding() + self.eye + CHORD
     }
 
-    /// Adds a light's specular term of at most so many levels.
-    pub fn specular(&mut self, light: Extent, levels: f64, power: &Power) {
-        let propagated = power.propagated(self.chord(light), self.unit);
-        self.error += levels * (propagated + power.error);
-        self.count(levels);
+    /// Adds a light's diffuse term of at most these levels.
+    #[inline(always)]
+    pub fn diffuse(&mut self, light: &Field<S>, levels: Lanes<S>) {
+        self.add(levels, self.cosine(light));
     }
 
-    /// What |r - o| errs by.
-    fn chord(&self, light: Extent) -> f64 {
-        2.0 * self.normal + direction(self.unit, light) + self.eye + CHORD * self.unit
+    /// Adds a light's specular term of at most these levels.
+    #[inline(always)]
+    pub fn specular(&mut self, light: &Field<S>, levels: Lanes<S>, gloss: &Gloss) {
+        let error = gloss.propagated(self.chord(light)) + POWER_ERROR;
+        self.add(levels, error);
     }
 
-    fn count(&mut self, levels: f64) {
+    #[inline(always)]
+    fn add(&mut self, levels: Lanes<S>, error: Lanes<S>) {
+        let zero = Lanes::splat(levels.token(), 0.0);
+        let any = levels.simd_gt(zero);
+        self.error += any.select(levels * error, zero);
         self.largest += levels;
-        self.terms += 1.0;
+        self.terms += any.select(zero + 1.0, zero);
     }
 
-    /// A bound, in levels: each term's coefficient, product and sum are rounded at the size of the largest sum there can
-    /// be; the result once to f32, whose display may be that of the next float.
-    pub fn levels(&self) -> f64 {
-        self.error + self.largest * (self.unit * (2.0 + self.terms) + 3.0 * U)
+    /// A bound in levels.
+    #[inline(always)]
+    pub fn levels(&self) -> Lanes<S> {
+        (self.error + self.largest * (self.terms + 5.0)) * U
     }
 }
-
-/// How far a vector of length one at the middle of a square gets from there, and how short it gets.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Extent {
-    pub radius: f64,
-    pub shortest: f64,
-}
-
-impl Extent {
-    /// That of any vector that nodes are sampled of.
-    pub const LARGEST: Self = Extent {
-        radius: MAX_RADIUS,
-        shortest: 1.0 - MAX_RADIUS,
-    };
-}
-
-/// Direction error of an interpolated vector.
-fn direction(unit: f64, Extent { radius, shortest }: Extent) -> f64 {
-    if shortest > 0.0 {
-        unit * (3.0 + 4.0 * radius) / shortest
-    } else {
-        f64::INFINITY
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
     use proptest::prelude::*;
     use proptest::test_runner::{Config, RngSeed, TestRunner};
 
+    use super::super::affine::Affine;
+    use super::super::field::{MAX_RADIUS, Places};
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
-    use super::super::specular::{POWER_ERROR, QUADRATIC};
     use super::*;
+    use crate::simd::{Baseline, token};
 
     /// A vector of length one at the middle of a square, which moves by that much to the right and down.
     type Moving = [[f64; 3]; 3];
@@ -153,31 +144,34 @@ mod tests {
 
     /// The vector at a corner as the kernel forms it.
     fn formed([middle, right, down]: &Moving) -> Vector {
+        // The place is a product with the stored inverse of the half extent.
+        let end = Rounded::stored(1.0) * Rounded::exact(1.0);
         [0, 1, 2].map(|axis| {
             let [middle, right, down] = [middle, right, down].map(|v| Rounded::stored(v[axis]));
-            right * Rounded::exact(1.0) + (down * Rounded::exact(1.0) + middle)
+            right * end + (down * end + middle)
         })
     }
 
-    fn extent([middle, right, down]: &Moving) -> Extent {
-        let along = |v: &[f64; 3]| (0..3).map(|i| middle[i] * v[i]).sum::<f64>().abs();
-        let length = |v: &[f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
-        Extent {
-            radius: length(right) + length(down),
-            shortest: 1.0 - along(right) - along(down),
-        }
+    fn field([centre, dx, dy]: &Moving) -> Field<Baseline> {
+        let [centre, dx, dy] = [centre, dx, dy].map(|v| DVec3::from_array(*v));
+        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        Field::new(&Affine { centre, dx, dy }.into(), &places)
     }
 
-    /// The same, taken as exact; and what its direction errs by.
+    fn one(lanes: Lanes<Baseline>) -> f64 {
+        lanes.as_array()[0]
+    }
+
+    /// The same, taken as exact; and the error of its direction.
     fn as_formed(vector: &Moving) -> Vector {
         formed(vector).map(|component| Rounded::exact(component.value))
     }
 
     fn turned(vector: &Moving) -> f64 {
-        direction(1.0, extent(vector))
+        one(field(vector).rounding())
     }
 
-    /// The largest share of what is said that an analysis finds.
+    /// The largest share of a count that an analysis finds.
     fn largest<T: Strategy>(cases: T, share: impl Fn(T::Value) -> f64) -> f64 {
         let config = Config {
             cases: 4000,
@@ -203,14 +197,14 @@ mod tests {
     #[test]
     fn counts_cover_what_a_running_error_analysis_finds() {
         let direction_share = |vector: &Moving| {
-            let (count, [_, error]) = (turned(vector), lengths(&formed(vector)));
+            let [_, error] = lengths(&formed(vector));
             // The count is for the shortest vector there is on the square.
-            error / extent(vector).shortest / count
+            error / one(field(vector).shortest) / turned(vector)
         };
         let any = largest(moving(), |vector| direction_share(&vector));
         assert_covers("a direction", any, 0.9);
         let wide = largest(moving(), |vector| {
-            let is_wide = extent(&vector).radius > 0.9 * MAX_RADIUS;
+            let is_wide = one(field(&vector).radius) > 0.9 * MAX_RADIUS;
             if is_wide {
                 direction_share(&vector)
             } else {
@@ -219,22 +213,21 @@ mod tests {
         });
         assert_covers("a direction that moves far", wide, 0.9);
 
-        // The vectors are taken as they are formed: what their directions err by turns the result by as much.
+        // The vectors are taken as they are formed: the errors of their directions turn the result by as much.
         let three = || [moving(), moving(), moving()];
-        let count = |n: &Moving, o: &Moving| Rounding::new(1.0, [extent(n), extent(o)], 0.0);
+        let count = |n: &Moving, o: &Moving| Rounding::new(&field(n), &field(o), 0.0);
         let cosine = largest(three(), |[n, l, o]| {
-            let count = count(&n, &o).cosine(extent(&l)) - [&n, &l].map(turned).iter().sum::<f64>();
+            let turned = [&n, &l].map(turned).iter().sum::<f64>();
+            let count = one(count(&n, &o).cosine(&field(&l))) - turned;
             let [n, l] = [&n, &l].map(as_formed);
-            let plain = dot(&n, &l) / (dot(&n, &n) * dot(&l, &l)).sqrt();
             let inverse = Rounded::exact(1.0) / dot(&l, &l).sqrt();
-            let shining = dot(&unit(&n), &l) * inverse;
-            plain.error.max(shining.error) / count
+            (dot(&unit(&n), &l) * inverse).error / count
         });
         assert_covers("n.l", cosine, 0.5);
 
         let chord = largest(three(), |[n, l, o]| {
             let turned = [&n, &n, &l, &o].map(turned).iter().sum::<f64>();
-            let count = count(&n, &o).chord(extent(&l)) - turned;
+            let count = one(count(&n, &o).chord(&field(&l))) - turned;
             let [n, l, o] = [&n, &l, &o].map(as_formed);
             let [n, o] = [&n, &o].map(unit);
             let inverse = Rounded::exact(1.0) / dot(&l, &l).sqrt();
@@ -247,25 +240,28 @@ mod tests {
     }
 
     #[test]
+    fn a_vector_that_may_vanish_has_no_direction() {
+        let vanishing = [[1.0, 0.0, 0.0], [-0.6, 0.0, 0.0], [0.4, 0.0, 0.0]];
+        assert_eq!(turned(&vanishing), f64::INFINITY);
+    }
+
+    #[test]
     fn the_sum_over_lights_is_counted_whatever_their_number() {
         let terms = prop::collection::vec(0.0..100.0_f64, 1..60);
-        let steady = Extent {
-            radius: 0.0,
-            shortest: 1.0,
-        };
+        let steady = field(&[[1.0, 0.0, 0.0], [0.0; 3], [0.0; 3]]);
         let share = |(ambient, terms): (f64, Vec<f64>)| {
-            // Of lights that do not err themselves, and in f32 alone.
-            let mut count = Rounding::new(U, [steady; 2], ambient);
+            // Of lights that do not err themselves.
+            let mut count = Rounding::new(&steady, &steady, ambient);
             let mut sum = Rounded::stored(ambient);
             for &levels in &terms {
-                count.diffuse(steady, levels);
+                count.diffuse(&steady, Lanes::splat(token(), levels));
                 sum = sum + Rounded::stored(levels) * Rounded::exact(1.0);
             }
-            let own = terms.iter().sum::<f64>() * count.cosine(steady);
+            let own = terms.iter().sum::<f64>() * one(count.cosine(&steady)) * U;
             // To f32, and on to the display of the next float.
-            (sum.error + 3.0 * sum.value) * U / (count.levels() - own)
+            (sum.error + 3.0 * sum.value) * U / (one(count.levels()) - own)
         };
-        let bright = largest((500.0..1000.0, terms.clone()), share);
+        let bright = largest((500.0..1000.0, terms.clone()), &share);
         assert_covers("a bright ambient light", bright, 0.8);
         let single = share((0.0, vec![1.0]));
         assert_covers("a single light", single, 0.8);
@@ -277,9 +273,7 @@ mod tests {
         let chord = goal(include_str!("../../proofs/chord.g"), "->");
         assert!(chord.contains(&format!("cosine + unit <= {COSINE}b-24")));
         assert!(chord.contains(&format!("+ unit <= {CHORD}b-24 }}")));
-        let quadratic = goal(include_str!("../../proofs/squarings.g"), "->");
-        assert!(quadratic.contains(&format!("|p - P| <= {QUADRATIC}b-24 }}")));
         let power = goal(include_str!("../../proofs/power.v"), "Goal");
-        assert!(power.contains(&format!("<= {}/1.", POWER_ERROR / U)));
+        assert!(power.contains(&format!("<= {POWER_ERROR}/1.")));
     }
 }

@@ -1,74 +1,50 @@
-//! An interpolated colour in, rows of levels or of display bytes out.
-//!
-//! Rule: levels are those of the polynomial, within what its form was chosen for; bytes are the display step of levels.
+//! Rows of levels, or of display bytes, of an interpolated colour.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
-use super::display::{Rows, counted};
+use super::display::{Rows, counted, display};
 use super::interpolation::Color;
-use super::square::{MAX_SIDE, Square};
+use super::square::MAX_SIDE;
 use crate::simd::{three, two};
 
 /// 1.5 * 2^15: a float added to it, of size below 2^14, is rounded to a multiple of 1/256 and stands, times 256, in the
 /// low bits.
 const PLACES: f32 = 49_152.0;
-
-/// One colour.
-pub struct Flat<S: Simd> {
-    pub simd: S,
-    pub pixel: u32,
-    pub levels: [f32; 3],
-}
-
-impl<S: Simd> Rows<S> for Flat<S> {
-    #[inline(always)]
-    fn go_to(&mut self, _part: usize) {}
-
-    #[inline(always)]
-    fn levels(&self, _row: usize) -> [f32x16<S>; 3] {
-        self.levels.map(|level| f32x16::splat(self.simd, level))
-    }
-
-    #[inline(always)]
-    fn pixels(&self, _row: usize) -> u32x16<S> {
-        u32x16::splat(self.simd, self.pixel)
-    }
-}
+/// The same and a half, with which the byte is the whole part.
+const BIAS: f64 = 49_152.5;
 
 /// A linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green in
-/// another; a start for each row and what each column adds. Borrows between the halves cancel, since each channel's sum is
-/// within 0..65536.
-pub struct Ramp<'a, S: Simd> {
-    /// For each channel the middle, and what a pixel to the right and one down add.
-    colors: &'a [[f64; 3]; 3],
+/// another. Borrows between the halves cancel, since each channel's sum is within 0..65536.
+pub struct Ramp<S: Simd> {
+    /// The levels at the start of each row, and the changes from there to each column of the part.
     starts: [[u32; MAX_SIDE]; 2],
     columns: [u32x16<S>; 2],
-    /// The square's first column from the middle, in pixels.
+    /// The change from column to column, in levels, and the square's first column from the middle, in pixels.
+    right: [f32; 3],
     left: f32,
 }
 
-impl<'a, S: Simd> Ramp<'a, S> {
-    /// On a square; `colors` in pixels from its middle.
+impl<S: Simd> Ramp<S> {
+    /// `color` in pixels from a square's middle, `left` and `top` the first of its pixels from there.
     #[inline(always)]
-    pub fn new(simd: S, colors: &'a [[f64; 3]; 3], square: &Square) -> Self {
-        let [left, top] = square.first();
+    pub fn new(simd: S, color: &Color, [left, top]: [f64; 2], side: usize) -> Self {
         let mut starts = [[0; MAX_SIDE]; 2];
-        for part in 0..square.side / 16 {
-            let y = counted(simd, 16 * part) + top as f32;
+        for first in (0..side).step_by(16) {
+            let y = counted(simd, first) + top as f32;
             // A half is added here once: then the byte is the whole part.
             let pairs = paired(three!(|channel| {
-                let [middle, _, down] = colors[channel];
+                let [[middle, ..], [down, ..], _] = color[channel];
                 y * down as f32 + (middle + 0.5) as f32
             }));
             for pair in 0..2 {
-                starts[pair][16 * part..16 * part + 16].copy_from_slice(pairs[pair].as_slice());
+                starts[pair][first..first + 16].copy_from_slice(pairs[pair].as_slice());
             }
         }
         Ramp {
-            colors,
             starts,
             columns: [u32x16::splat(simd, 0); 2],
+            right: three!(|channel| color[channel][0][1] as f32),
             left: left as f32,
         }
     }
@@ -88,11 +64,11 @@ fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
     [(red << 16) + blue, green]
 }
 
-impl<S: Simd> Rows<S> for Ramp<'_, S> {
+impl<S: Simd> Rows<S> for Ramp<S> {
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
         let x = counted(self.columns[0].token(), 16 * part) + self.left;
-        self.columns = paired(three!(|channel| x * self.colors[channel][1] as f32));
+        self.columns = paired(three!(|channel| x * self.right[channel]));
     }
 
     #[inline(always)]
@@ -109,40 +85,59 @@ impl<S: Simd> Rows<S> for Ramp<'_, S> {
     }
 }
 
-/// A quadratic of so many channels.
-pub struct Curve<S: Simd, const CHANNELS: usize> {
+/// A biquadratic colour, and n.l of a light that is cut off at zero.
+pub struct Curve<S: Simd> {
     /// By power of y and of x.
-    color: [[[f32; 3]; 3]; CHANNELS],
+    color: [[[f32; 3]; 3]; 4],
     /// In sixteen columns: by power of y.
-    terms: [[f32x16<S>; 3]; CHANNELS],
+    terms: [[f32x16<S>; 3]; 4],
     /// The square's first pixel from the middle, in pixels.
     first: [f32; 2],
+    /// Whether [`PLACES`] and a half are part of the levels, so that these come in multiples of 1/256.
+    fixed: bool,
+    /// The factors of n.l, in levels.
+    crossing: Option<[f32; 3]>,
 }
 
-impl<S: Simd, const CHANNELS: usize> Curve<S, CHANNELS> {
-    /// `color` in pixels from a middle, `first` the square's first pixel from there; `bias` is added to all levels.
+impl<S: Simd> Curve<S> {
+    /// `color` in pixels from a middle, `first` the square's first pixel from there.
     #[inline(always)]
-    pub fn new(simd: S, color: &Color, first: [f64; 2], bias: f64) -> Self {
-        let mut single = [[[0.0; 3]; 3]; CHANNELS];
-        for channel in 0..CHANNELS {
-            for j in 0..3 {
-                for i in 0..3 {
-                    let bias = if i + j == 0 { bias } else { 0.0 };
-                    single[channel][j][i] = (color[channel][j][i] + bias) as f32;
-                }
-            }
+    pub fn new(
+        simd: S,
+        color: &Color,
+        first: [f64; 2],
+        fixed: bool,
+        crossing: Option<[f32; 3]>,
+    ) -> Self {
+        let mut single = [[[0.0; 3]; 3]; 4];
+        for channel in 0..4 {
+            let bias = if fixed && channel < 3 { BIAS } else { 0.0 };
+            single[channel] = three!(|j| three!(|i| color[channel][j][i] as f32));
+            single[channel][0][0] = (color[channel][0][0] + bias) as f32;
         }
         Curve {
             color: single,
-            terms: [[f32x16::splat(simd, 0.0); 3]; CHANNELS],
+            terms: [[f32x16::splat(simd, 0.0); 3]; 4],
             first: first.map(|first| first as f32),
+            fixed,
+            crossing,
         }
     }
 
+    /// A channel in a row.
+    #[inline(always)]
+    fn at(&self, row: usize, channel: usize) -> f32x16<S> {
+        let y = self.first[1] + row as i32 as f32;
+        let [middle, slope, bend] = self.terms[channel];
+        (bend * y + slope) * y + middle
+    }
+}
+
+impl<S: Simd> Rows<S> for Curve<S> {
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
         let x = counted(self.terms[0][0].token(), 16 * part) + self.first[0];
-        for channel in 0..CHANNELS {
+        for channel in 0..4 {
             for j in 0..3 {
                 let [middle, slope, bend] = self.color[channel][j];
                 self.terms[channel][j] = (x * bend + slope) * x + middle;
@@ -151,77 +146,28 @@ impl<S: Simd, const CHANNELS: usize> Curve<S, CHANNELS> {
     }
 
     #[inline(always)]
-    fn at(&self, row: usize) -> [f32x16<S>; CHANNELS] {
-        let y = self.first[1] + row as i32 as f32;
-        let mut levels = self.terms.each_ref().map(|terms| terms[0]);
-        for channel in 0..CHANNELS {
-            let [_, slope, bend] = self.terms[channel];
-            levels[channel] += (bend * y + slope) * y;
+    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
+        let mut levels = three!(|channel| self.at(row, channel));
+        if let Some(crossing) = self.crossing {
+            let cosine = self.at(row, 3);
+            let lit = cosine.max(f32x16::splat(cosine.token(), 0.0));
+            for channel in 0..3 {
+                levels[channel] += lit * crossing[channel];
+            }
+        }
+        if self.fixed {
+            levels = three!(|channel| levels[channel] - PLACES - 0.5);
         }
         levels
-    }
-}
-
-impl<S: Simd> Rows<S> for Curve<S, 3> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        self.go_to(part);
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        self.at(row)
-    }
-}
-
-/// A quadratic colour and one light more that is cut off where n.l is below zero.
-pub struct Terminator<S: Simd> {
-    pub curve: Curve<S, 4>,
-    pub crossing: [f32; 3],
-}
-
-impl<S: Simd> Rows<S> for Terminator<S> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        self.curve.go_to(part);
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let [red, green, blue, lit] = self.curve.at(row);
-        let lit = lit.max(f32x16::splat(lit.token(), 0.0));
-        let levels = [red, green, blue];
-        three!(|channel| levels[channel] + lit * self.crossing[channel])
-    }
-}
-
-/// A quadratic colour with `PLACES` and a half in its middle, so that it comes in multiples of 1/256 level.
-pub struct FixedCurve<S: Simd>(Curve<S, 3>);
-
-impl<S: Simd> FixedCurve<S> {
-    /// See [`Curve::new`].
-    #[inline(always)]
-    pub fn new(simd: S, color: &Color, first: [f64; 2]) -> Self {
-        FixedCurve(Curve::new(simd, color, first, f64::from(PLACES) + 0.5))
-    }
-}
-
-impl<S: Simd> Rows<S> for FixedCurve<S> {
-    #[inline(always)]
-    fn go_to(&mut self, part: usize) {
-        self.0.go_to(part);
-    }
-
-    #[inline(always)]
-    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let levels = self.0.at(row);
-        three!(|channel| levels[channel] - PLACES - 0.5)
     }
 
     #[inline(always)]
     fn pixels(&self, row: usize) -> u32x16<S> {
-        let levels = self.0.at(row);
-        let [red, green, blue] = three!(|channel| levels[channel].to_bits());
-        ((red << 8) & 0x00ff_0000) | (green & 0xff00) | ((blue >> 8) & 0xff)
+        if self.fixed {
+            let [red, green, blue] = three!(|channel| self.at(row, channel).to_bits());
+            ((red << 8) & 0x00ff_0000) | (green & 0xff00) | ((blue >> 8) & 0xff)
+        } else {
+            display(self.levels(row))
+        }
     }
 }

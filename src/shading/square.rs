@@ -1,9 +1,11 @@
-//! Squares of pixels, and what of one a face covers: the spans of a face's rows in, squares of a quadtree out.
+//! The spans of pixels that a face covers, and the squares of a quadtree over them.
 //!
 //! Rule: squares hang on the picture's own grid, or on the first pixel of a face that fits into one, so neither threads nor
 //! parts of a picture change a bit.
 
 use std::ops::Range;
+
+use crate::simd::{four, two};
 
 /// The side of the largest squares, in pixels.
 pub const MAX_SIDE: usize = 32;
@@ -66,7 +68,7 @@ impl Spans<'_> {
         start..end
     }
 
-    /// What is covered of some columns of some rows of the picture, all of which it has.
+    /// The spans within some columns of some rows of the picture, all of which it has.
     #[inline(always)]
     pub fn clipped(
         &self,
@@ -82,7 +84,7 @@ impl Spans<'_> {
     }
 }
 
-/// A square of pixels, and what is covered of it.
+/// A square of pixels, and the covered part of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Square {
     /// Column and row of its first pixel.
@@ -135,7 +137,7 @@ impl Square {
         }
     }
 
-    /// What is covered of some rows, from one column to another.
+    /// The covered part of some rows, from one column to another.
     #[inline(always)]
     fn bounded(spans: &Spans, rows: Range<usize>, [left, right]: [i32; 2]) -> Square {
         let rows = spans.local(rows);
@@ -163,27 +165,18 @@ impl Square {
         }
     }
 
-    /// One of its quarters.
-    #[inline(always)]
-    fn quarter(&self, spans: &Spans, right: usize, down: usize) -> Square {
-        let side = self.side / 2;
-        let place = [self.place[0] + right * side, self.place[1] + down * side];
-        if self.is_whole() {
-            Square::whole(place, side)
-        } else {
-            Square::new(spans, place, side)
-        }
-    }
-
     /// Its quarters.
-    #[inline(always)]
     pub fn quarters(&self, spans: &Spans) -> [Square; 4] {
-        [
-            self.quarter(spans, 0, 0),
-            self.quarter(spans, 1, 0),
-            self.quarter(spans, 0, 1),
-            self.quarter(spans, 1, 1),
-        ]
+        let side = self.side / 2;
+        four!(|quarter| {
+            let [right, down] = [quarter % 2 * side, quarter / 2 * side];
+            let place = [self.place[0] + right, self.place[1] + down];
+            if self.is_whole() {
+                Square::whole(place, side)
+            } else {
+                Square::new(spans, place, side)
+            }
+        })
     }
 
     /// Whether all of it is covered.
@@ -205,75 +198,33 @@ impl Square {
         self.rows[0]..self.rows[1] + 1
     }
 
-    /// The centre of its first pixel from the middle of what is covered, in pixels right and down.
+    /// The centre of its first pixel from the middle of its covered part, in pixels right and down.
     #[inline(always)]
     pub fn first(&self) -> [f64; 2] {
         let middle = self.middle();
-        [
-            number(self.place[0]) + 0.5 - middle[0],
-            number(self.place[1]) + 0.5 - middle[1],
-        ]
+        two!(|axis| number(self.place[axis]) + 0.5 - middle[axis])
     }
 
-    /// The middle of what is covered, in pixels from the picture's corner.
+    /// The middle of its covered part, in pixels from the picture's corner.
     #[inline(always)]
     pub fn middle(&self) -> [f64; 2] {
-        let [[left, right], [top, bottom]] = [self.columns, self.rows];
-        [
-            number(left + right + 1) / 2.0,
-            number(top + bottom + 1) / 2.0,
-        ]
+        let ends = [self.columns, self.rows];
+        two!(|axis| number(ends[axis][0] + ends[axis][1] + 1) / 2.0)
+    }
+
+    /// The same from a place.
+    #[inline(always)]
+    pub fn middle_from(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let middle = self.middle();
+        [middle[0] - x, middle[1] - y]
     }
 
     /// From the middle to the outermost covered pixel centres, in pixels right and down; half a pixel at least, so that
     /// what is bounded at these places has bounded slopes too.
     #[inline(always)]
     pub fn half(&self) -> [f64; 2] {
-        let [[left, right], [top, bottom]] = [self.columns, self.rows];
-        [
-            (number(right - left) / 2.0).max(0.5),
-            (number(bottom - top) / 2.0).max(0.5),
-        ]
-    }
-}
-
-/// A square that is evaluated, and where.
-#[derive(Clone, Copy, Debug)]
-pub struct Region<'a> {
-    pub square: &'a Square,
-    pub spans: &'a Spans<'a>,
-    /// The picture's middle, in pixels from its corner.
-    pub picture: [f64; 2],
-    /// Whether only the pixels in [`super::display::Listed`] are.
-    pub listed: bool,
-}
-
-impl Region<'_> {
-    /// The square's middle from the picture's, in pixels.
-    #[inline(always)]
-    pub fn middle(&self) -> [f64; 2] {
-        let [x, y] = self.square.middle();
-        [x - self.picture[0], y - self.picture[1]]
-    }
-
-    /// What is covered: rows and columns from the square's first pixel.
-    #[inline(always)]
-    pub fn covered(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let [left, top] = self.square.place;
-        let rows = self.square.covered_rows();
-        self.spans
-            .clipped(rows, self.square.columns)
-            .filter(|(_, span)| !span.is_empty())
-            .map(move |(row, span)| (row - top, span.start - left..span.end - left))
-    }
-
-    /// The centre of a pixel, counted from the square's first, from the picture's middle, in pixels.
-    pub fn centre(&self, column: usize, row: usize) -> [f64; 2] {
-        let [left, top] = self.square.place;
-        [
-            number(left + column) + 0.5 - self.picture[0],
-            number(top + row) + 0.5 - self.picture[1],
-        ]
+        let ends = [self.columns, self.rows];
+        two!(|axis| (number(ends[axis][1] - ends[axis][0]) / 2.0).max(0.5))
     }
 }
 

@@ -4,7 +4,7 @@
 //! on the screen. A triangle with a vertex nearer than the near plane has no three screen positions: its vectors are
 //! interpolated with e_i, perspective-correctly, as everything else is.
 //!
-//! Rule: this is its definition, evaluated in f64 at every pixel. It shows what the shortcut errs by; its time is not tuned.
+//! This is its definition, evaluated in f64 at every pixel. It shows the error of the shortcut; its time is not tuned.
 
 use glam::{DMat3, DVec3};
 
@@ -13,26 +13,20 @@ use super::face::{Face, Linear, places};
 use super::specular::power_exact;
 use crate::components::{Lens, Projection, unit};
 
+/// The corners of a face that each of its triangles has.
+const CORNERS: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+
 /// Draws the shortcut; it has no tolerance to keep.
 pub struct UnitVectors<'a> {
-    /// What is interpolated over.
     pub face: &'a Face<'a>,
-    /// What is shaded.
     pub surface: Surface<'a>,
     /// Unit n and o at the face's corners.
     normals: [DVec3; 4],
     to_eye: [DVec3; 4],
     /// Unit l there, of each light.
     to_lights: &'a [[DVec3; 4]],
-    triangles: [Triangle; 2],
-}
-
-/// A triangle of a face.
-struct Triangle {
-    /// Which of the face's corners.
-    corners: [usize; 3],
-    /// From u, v and 1 to the weights of the corners, times the w_i where it has them.
-    weights: DMat3,
+    /// By triangle: from u, v and 1 to the weights of its corners, times the w_i where it has them.
+    weights: [DMat3; 2],
 }
 
 impl<'a> UnitVectors<'a> {
@@ -60,7 +54,7 @@ impl<'a> UnitVectors<'a> {
                 Projection::Orthographic => 1.0,
             })
         });
-        let triangle = |corners: [usize; 3]| {
+        let weights = CORNERS.map(|corners| {
             let [a, b, c] = corners.map(|corner| {
                 let [u, v] = places[corner];
                 DVec3::new(u, v, 1.0)
@@ -69,10 +63,8 @@ impl<'a> UnitVectors<'a> {
                 [Some(a), Some(b), Some(c)] => DVec3::new(a, b, c),
                 _ => DVec3::ONE,
             };
-            let weights = DMat3::from_cols(a, b, c).inverse();
-            let weights = DMat3::from_diagonal(depths) * weights;
-            Triangle { corners, weights }
-        };
+            DMat3::from_diagonal(depths) * DMat3::from_cols(a, b, c).inverse()
+        });
         UnitVectors {
             face,
             surface,
@@ -82,17 +74,16 @@ impl<'a> UnitVectors<'a> {
                 Projection::Orthographic => -lens.axes[2],
             }),
             to_lights,
-            triangles: [triangle([0, 1, 2]), triangle([0, 2, 3])],
+            weights,
         }
     }
 
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
         let point = self.face.point(x, y);
-        let Triangle { corners, weights } =
-            &self.triangles[usize::from(self.face.across(point.place) < 0.0)];
+        let triangle = usize::from(self.face.across(point.place) < 0.0);
         let [u, v] = point.place;
-        let weights = *weights * DVec3::new(u, v, 1.0);
+        let weights = self.weights[triangle] * DVec3::new(u, v, 1.0);
         let total = weights.element_sum();
         let weights = if total > 0.0 && total.is_finite() {
             weights / total
@@ -100,7 +91,7 @@ impl<'a> UnitVectors<'a> {
             DVec3::splat(1.0 / 3.0)
         };
         let between = |values: &[DVec3; 4]| {
-            let [a, b, c] = corners.map(|corner| values[corner]);
+            let [a, b, c] = CORNERS[triangle].map(|corner| values[corner]);
             a * weights.x + b * weights.y + c * weights.z
         };
         let (n, o) = (between(&self.normals), between(&self.to_eye));

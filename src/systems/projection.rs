@@ -57,8 +57,7 @@ pub fn project(place: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut
                     *vertex = snapped[corner];
                 }
             } else {
-                let corner = |corner: usize| (mesh.corners[corner], projected.seen[corner]);
-                *polygon = frustum.clip(axis, triangle.map(corner));
+                *polygon = frustum.clip(axis, triangle.map(|corner| mesh.corners[corner]));
             }
         }
     }

@@ -47,15 +47,11 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     list.sort(view.size[1]);
     frame.paint(view.background, list, |list, band, scratch| {
         let mut counts = Counts::default();
-        for (strip, row) in (0..band.rows.end).step_by(MAX_SIDE).enumerate() {
-            let rows = band.held(row..row + MAX_SIDE);
-            if rows.is_empty() {
-                continue;
-            }
-            dispatch!(level, _simd => prepare(list, strip, &rows, band, &lens));
-            for &piece in &list.strips[strip] {
-                let piece = &list.pieces[piece as usize];
-                // Drawn once all of it in this band is prepared.
+        for strip in band.rows.start / MAX_SIDE..band.rows.end.div_ceil(MAX_SIDE) {
+            let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
+            dispatch!(level, _simd => compare(list, strip, &rows, band, &lens));
+            for piece in list.strip(strip) {
+                // Drawn once all of it in this band is compared.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
                     context.shade(level, list, piece, band, scratch, &mut counts);
                 }
@@ -68,14 +64,10 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
 
 /// Clears the rows of a strip that are in a band, and writes the id of the piece seen at each pixel, if the band keeps ids.
 #[inline(always)]
-fn prepare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, lens: &Lens) {
+fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, lens: &Lens) {
     let deep = !band.depths.is_empty();
-    let pieces = || {
-        let indices = list.strips[strip].iter();
-        indices.map(|&index| &list.pieces[index as usize])
-    };
     if !deep {
-        for piece in pieces() {
+        for piece in list.strip(strip) {
             for (row, span) in list.spans(piece).within(rows) {
                 band.will_draw(row, span.start, span.end);
             }
@@ -85,10 +77,9 @@ fn prepare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, 
     if band.triangles.is_empty() {
         return;
     }
-    for piece in pieces() {
+    for piece in list.strip(strip) {
         for (row, span) in list.spans(piece).within(rows) {
-            let first = band.index(span.start, row);
-            let pixels = first..first + span.len();
+            let pixels = band.index(span.start, row)..band.index(span.end, row);
             let ids = &mut band.triangles[pixels.clone()];
             if deep {
                 band.drawn[row - band.rows.start].drew(span.start, span.end);

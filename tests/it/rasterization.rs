@@ -1,7 +1,7 @@
 //! Coverage: the pixels of a polygon.
 
 mod bent;
-mod counting;
+pub mod counting;
 mod cuboids;
 mod drawings;
 mod ends;

@@ -168,43 +168,13 @@ fn a_highlight_strays_no_further_than_its_bound() {
             }
         }
         let highlight = Highlight::new(shininess);
-        let bound = one(highlight.error(
-            &n,
-            &l,
-            &o,
-            &range,
-            power(&Power::new(shininess, 0.0, 0.0), range.most),
-        ));
+        let bound = one(highlight.error(&n, &l, &o, &range, power(shininess as f32, range.most)));
         if bound < 1.0 {
             let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess));
             ratios.push((error - 1e-14) / (bound + 1e-14));
         }
     }
     judge(ratios, 2000);
-}
-
-#[test]
-fn where_the_light_grazes_the_highlight_is_no_brighter_than_the_gate_says() {
-    let mut random = Random(4);
-    let (mut most, mut seen) = (0.0_f64, 0);
-    for _ in 0..4000 {
-        let [_, light, eye] = scene(&mut random);
-        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
-        let [l, o] = [light, eye].map(|vector| Field::new(&vector.into(), &places));
-        let bound = one(gate(&l, &o));
-        assert!(bound <= 1.0 || one(l.radius.max(o.radius)) < MAX_RADIUS);
-        for step in 0..=40 {
-            let [x, y] = [step % 9, step / 9].map(|step| f64::from(step) / 4.0 - 1.0);
-            let [l, o] = [light, eye].map(|vector| value(&vector, x, y));
-            assert!(-o.dot(l) <= bound + 1e-14, "{} above {bound}", -o.dot(l));
-            most = most.max((1.0 - o.dot(l)) / (1.0 + bound));
-            seen += 1;
-        }
-    }
-    assert!(
-        seen > 1000 && most > 0.99,
-        "{most}: so loose a bound would hide a mistake"
-    );
 }
 
 #[test]
@@ -230,10 +200,9 @@ fn a_quotient_strays_no_further_than_its_bound() {
 #[test]
 fn the_power_is_never_below_the_true_one() {
     for shininess in [0.0, 0.5, 1.0, 2.0, 76.8, 1e3, 1e6] {
-        let exact = Power::new(shininess, 0.0, 0.0);
         for step in 0..=1000 {
             let s = 1.0 - (f64::from(step) / 1000.0).powi(5);
-            let bound = one(power(&exact, Number::splat(token(), s)));
+            let bound = one(power(shininess as f32, Number::splat(token(), s)));
             assert!(bound >= s.powf(shininess), "{s}^{shininess}: {bound}");
         }
     }
@@ -243,22 +212,4 @@ fn the_power_is_never_below_the_true_one() {
 fn the_arc_covers_the_furthest_that_a_bounded_vector_turns() {
     let turn = MAX_RADIUS.asin();
     assert!(turn <= MAX_RADIUS * ARC * (1.0 + f64::EPSILON), "{turn}");
-}
-
-#[test]
-fn a_light_that_is_passed_leaves_the_gate_open() {
-    // From the eye's side through the point to the other side.
-    let still = Affine {
-        centre: DVec3::Z,
-        ..Affine::default()
-    };
-    for pace in [0.5, 0.99, 1.5] {
-        let light = Affine {
-            dx: DVec3::NEG_Z * pace,
-            ..still
-        };
-        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
-        let [l, o] = [light, still].map(|vector| Field::new(&vector.into(), &places));
-        assert_eq!(one(gate(&l, &o)), 1.0, "{pace}");
-    }
 }

@@ -62,12 +62,12 @@ fn judge(
 ) -> (Option<Form>, Judge) {
     let simd = token();
     let lanes = |number| Lanes::splat(simd, number);
-    let interpolant = Interpolant::new(Colors {
-        terms: color.map(|nine| nine.map(|row| row.map(lanes))),
-        crossing: crossing.unwrap_or_default().map(lanes),
-        crosses: mask64x4::splat(simd, crossing.is_some()),
-        budget: lanes(budget),
-    });
+    let interpolant = Interpolant::new(
+        color.map(|nine| nine.map(|row| row.map(lanes))),
+        crossing.unwrap_or_default().map(lanes),
+        mask64x4::splat(simd, crossing.is_some()),
+        lanes(budget),
+    );
     let mut judge = Judge {
         color: *color,
         crossing: crossing.unwrap_or_default(),
@@ -117,7 +117,7 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
         let Some(form) = form else {
             continue;
         };
-        forms.insert((form.kind, form.fixed && form.kind != TileKind::Terminator));
+        forms.insert((form.kind, form.fixed));
         assert!(
             judge.worst <= budget,
             "{} levels of {budget}: {form:?}, {color:?}",

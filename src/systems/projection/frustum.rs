@@ -54,8 +54,6 @@ struct Side {
 #[derive(Clone, Copy)]
 struct Vertex {
     place: DVec3,
-    /// From the eye, along right, up and forward.
-    seen: DVec3,
     side: Side,
 }
 
@@ -93,37 +91,30 @@ impl<'a> Frustum<'a> {
             .all(|plane| plane.at(self.centre - half * plane.normal.signum()) >= 0.0)
     }
 
-    /// The part of a triangle on a face across `axis` that is in sight, snapped; each corner is given from the cuboid's centre
-    /// and as it is seen.
-    pub fn clip(&self, axis: usize, corners: [(DVec3, DVec3); 3]) -> Polygon {
-        let first: [Vertex; 3] = std::array::from_fn(|index| {
-            let (from, seen) = corners[index];
-            let side = Side::between(from, corners[(index + 1) % 3].0, self.centre);
-            Vertex {
-                place: self.centre + from,
-                seen,
-                side,
-            }
+    /// The part of a triangle on a face across `axis` that is in sight, snapped; each corner is given from the cuboid's centre.
+    pub fn clip(&self, axis: usize, corners: [DVec3; 3]) -> Polygon {
+        let first = [0, 1, 2].map(|index| Vertex {
+            place: self.centre + corners[index],
+            side: Side::between(corners[index], corners[(index + 1) % 3], self.centre),
         });
         let mut vertices = [first[0]; Polygon::MAX_VERTICES];
         vertices[..3].copy_from_slice(&first);
         let mut len = 3;
         for plane in &self.planes {
-            if !vertices[..len]
-                .iter()
-                .all(|vertex| plane.at(vertex.place) >= 0.0)
-            {
-                (vertices, len) = self.cut(&vertices[..len], axis, plane);
+            let mut places = vertices[..len].iter().map(|vertex| vertex.place);
+            if !places.all(|place| plane.at(place) >= 0.0) {
+                (vertices, len) = cut(&vertices[..len], axis, plane);
             }
         }
-        let mut polygon = Polygon {
-            len: len as u8,
-            ..Polygon::default()
+        // Rounding must not take a place before the near plane.
+        let seen = |place: DVec3| {
+            let seen = self.to_camera * place;
+            DVec3::new(seen.x, seen.y, seen.z.max(self.lens.near))
         };
-        for (snapped, vertex) in polygon.vertices.iter_mut().zip(&vertices[..len]) {
-            *snapped = self.snapped(vertex.seen);
+        Polygon {
+            vertices: vertices.map(|vertex| self.snapped(seen(vertex.place))),
+            len: len as u8,
         }
-        polygon
     }
 
     /// The snapped pixel of a place in sight. Where the numbers are so large that rounding takes a vertex out of the guard
@@ -135,51 +126,36 @@ impl<'a> Frustum<'a> {
             snap(pixel[axis].clamp(middle - GUARD_BAND, middle + GUARD_BAND))
         })
     }
+}
 
-    /// Cuts a convex polygon on a face with one plane (Sutherland and Hodgman 1974); a vertex on the plane is inside.
-    fn cut(
-        &self,
-        polygon: &[Vertex],
-        axis: usize,
-        plane: &Plane,
-    ) -> ([Vertex; Polygon::MAX_VERTICES], usize) {
-        let mut kept = [polygon[0]; Polygon::MAX_VERTICES];
-        let mut len = 0;
-        for (index, &vertex) in polygon.iter().enumerate() {
-            let next = polygon[(index + 1) % polygon.len()];
-            let [here, there] = [vertex, next].map(|vertex| plane.at(vertex.place) >= 0.0);
-            let mut keep = |vertex| {
-                // Rounding can make a plane cut a convex polygon more than twice; what is lost then is below a snap.
-                if len < Polygon::MAX_VERTICES {
-                    kept[len] = vertex;
-                    len += 1;
-                }
-            };
-            if here {
-                keep(vertex);
-            }
-            if here != there {
-                let place = vertex.side.meet(plane);
-                let side = if here {
-                    plane.on_face(axis, place[axis])
-                } else {
-                    vertex.side
-                };
-                keep(Vertex {
-                    place,
-                    seen: self.seen(place),
-                    side,
-                });
-            }
+/// Cuts a convex polygon on a face with one plane (Sutherland and Hodgman 1974); a vertex on the plane is inside.
+fn cut(polygon: &[Vertex], axis: usize, plane: &Plane) -> ([Vertex; Polygon::MAX_VERTICES], usize) {
+    let mut kept = [polygon[0]; Polygon::MAX_VERTICES];
+    let mut len = 0;
+    let mut keep = |vertex| {
+        // Rounding can make a plane cut a convex polygon more than twice; what is lost then is below a snap.
+        if len < Polygon::MAX_VERTICES {
+            kept[len] = vertex;
+            len += 1;
         }
-        if len < 3 { (kept, 0) } else { (kept, len) }
+    };
+    for (index, &vertex) in polygon.iter().enumerate() {
+        let next = polygon[(index + 1) % polygon.len()];
+        let [here, there] = [vertex, next].map(|vertex| plane.at(vertex.place) >= 0.0);
+        if here {
+            keep(vertex);
+        }
+        if here != there {
+            let place = vertex.side.meet(plane);
+            let side = if here {
+                plane.on_face(axis, place[axis])
+            } else {
+                vertex.side
+            };
+            keep(Vertex { place, side });
+        }
     }
-
-    /// A place as it is seen: along right, up and forward. It is not before the near plane, nor made so by rounding.
-    fn seen(&self, place: DVec3) -> DVec3 {
-        let seen = self.to_camera * place;
-        DVec3::new(seen.x, seen.y, seen.z.max(self.lens.near))
-    }
+    (kept, if len < 3 { 0 } else { len })
 }
 
 impl Plane {
@@ -237,7 +213,7 @@ mod tests {
     /// The visible part of a triangle given along right, up and forward, as on a face across the last axis of a cuboid.
     fn clip(corners: [DVec3; 3], lens: &Lens) -> Polygon {
         let axes = DMat3::from_cols_array_2d(&lens.axes.map(|axis| axis.to_array()));
-        Frustum::new(lens, axes, DVec3::ZERO).clip(2, corners.map(|corner| (corner, corner)))
+        Frustum::new(lens, axes, DVec3::ZERO).clip(2, corners)
     }
 
     #[test]

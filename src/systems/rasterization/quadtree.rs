@@ -8,20 +8,19 @@ use glam::DVec3;
 use super::listing::Context;
 use super::store::Store;
 use crate::components::ShadingMode;
-use crate::frame::{Band, Counts, DrawList, Object, Piece, face};
-use crate::shading::display::{Evaluated, Listed};
+use crate::frame::{Band, Counts, DrawList, Object, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Places;
 use crate::shading::gouraud::Gouraud;
-use crate::shading::interpolation::{self, Form, Interpolant};
+use crate::shading::interpolation;
 use crate::shading::phong::{FaceLight, Phong};
-use crate::shading::square::{MAX_SIDE, MIN_SIDE, Region, Spans, Square};
+use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Effort, Evaluations, Scratch, Shader, Sink, Surface, TileKind};
-use crate::simd::{dispatch, outlined};
+use crate::shading::{Scratch, Shader, Surface, TileKind};
+use crate::simd::{dispatch, four, outlined};
 
 impl Context<'_> {
-    /// Draws what a band shows of a piece.
+    /// Draws the pixels of a band in which a piece is seen.
     pub fn shade(
         &self,
         level: Level,
@@ -32,41 +31,44 @@ impl Context<'_> {
         counts: &mut Counts,
     ) {
         let spans = list.spans(piece);
-        // What fits into the smallest square is drawn as one.
-        let mut small = Square::around(&spans);
+        let small = Square::around(&spans);
+        let mut store = Store {
+            band,
+            spans,
+            id: piece.id,
+            square: small.unwrap_or_default(),
+            drawn: 0,
+        };
+        // A piece that fits into the smallest square is drawn as one.
         let mut strips = 1;
-        if let Some(square) = &mut small {
-            let listed = &mut scratch.levels.listed;
-            strips = list_seen(listed, square, &spans, piece, band);
-            square.pixels = listed.count();
-            if square.pixels == 0 {
+        if small.is_some() {
+            let pixels = &mut scratch.pixels;
+            strips = dispatch!(level, simd => store.list(simd, pixels));
+            store.square.pixels = pixels.count();
+            if store.square.pixels == 0 {
                 return;
             }
         }
         let object = &list.objects[piece.object];
         let face = Face::new((piece.id % 12 / 2) as usize, &object.solid, self.rays);
-        let (mut lights, mut to_lights) = (
-            std::mem::take(&mut scratch.lights),
-            std::mem::take(&mut scratch.to_lights),
-        );
+        let mut lights = std::mem::take(&mut scratch.lights);
+        let mut to_lights = std::mem::take(&mut scratch.to_lights);
         let mut drawing = Drawing {
             shader: self.shader(list, object, &face, &mut lights, &mut to_lights),
-            spans,
-            id: piece.id,
             picture: self.lens.half,
-            strips,
-            band,
+            store,
             scratch,
             counts,
         };
         dispatch!(level, simd => match &small {
-            Some(square) => drawing.listed(simd, square),
+            Some(_) => drawing.small(simd, strips),
             None => drawing.draw(simd),
         });
+        drawing.counts.covered_pixels += drawing.store.drawn;
         (scratch.lights, scratch.to_lights) = (lights, to_lights);
     }
 
-    /// What shades a face, by the mode of its cuboid.
+    /// The shader of a face, by the mode of its cuboid.
     fn shader<'a>(
         &'a self,
         list: &'a DrawList,
@@ -80,74 +82,30 @@ impl Context<'_> {
             illumination: self.illumination,
             centre: object.centre,
         };
-        let (solid, tolerance) = (&object.solid, self.view.tolerance);
-        let normals = || face.linear(&solid.normals, 0);
+        let (corners, tolerance) = (&object.corners, self.view.tolerance);
         match object.mode {
-            ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, &solid.colors, tolerance)),
+            ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, corners, tolerance)),
             ShadingMode::Phong => {
-                let gloss = &list.glosses[object.gloss];
+                let (normals, gloss) = (face.linear(corners, 0), &list.glosses[object.gloss]);
                 let eye = self.lens.eye;
-                Shader::Phong(Phong::new(
-                    face,
-                    normals(),
-                    surface,
-                    eye,
-                    gloss,
-                    lights,
-                    tolerance,
-                ))
+                let phong = Phong::new(face, normals, surface, eye, gloss, lights, tolerance);
+                Shader::Phong(phong)
             }
-            ShadingMode::UnitVectors => Shader::UnitVectors(UnitVectors::new(
-                face,
-                &normals(),
-                surface,
-                self.lens,
-                to_lights,
-            )),
+            ShadingMode::UnitVectors => {
+                let normals = face.linear(corners, 0);
+                let vectors = UnitVectors::new(face, &normals, surface, self.lens, to_lights);
+                Shader::UnitVectors(vectors)
+            }
         }
     }
-}
-
-/// Lists the pixels of a square in which a piece is seen; in how many strips of rows these lie.
-fn list_seen(
-    listed: &mut Listed,
-    square: &Square,
-    spans: &Spans,
-    piece: &Piece,
-    band: &Band,
-) -> u64 {
-    listed.clear();
-    let [left, top] = square.first().map(|first| first as f32);
-    let (mut strips, mut last) = (0, None);
-    for (row, span) in spans.within(&band.rows) {
-        let x = left + (span.start - square.place[0]) as i32 as f32;
-        let y = top + (row - square.place[1]) as i32 as f32;
-        let pixels = band.index(span.start, row)..band.index(span.end, row);
-        let before = listed.count();
-        if band.triangles.is_empty() {
-            listed.extend([x, y], pixels, |_| true);
-        } else {
-            let ids = &band.triangles[pixels.clone()];
-            listed.extend([x, y], pixels, |pixel| face(ids[pixel]) == face(piece.id));
-        }
-        if listed.count() > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
-            strips += 1;
-        }
-    }
-    strips
 }
 
 /// A piece being drawn.
 struct Drawing<'a, 'b> {
     shader: Shader<'a>,
-    spans: Spans<'a>,
-    /// Of its first triangle.
-    id: u32,
     /// The picture's middle, in pixels from its corner.
     picture: [f64; 2],
-    /// As how many tiles a listed square counts.
-    strips: u64,
-    band: &'a mut Band<'b>,
+    store: Store<'a, 'b>,
     scratch: &'a mut Scratch,
     counts: &'a mut Counts,
 }
@@ -155,21 +113,21 @@ struct Drawing<'a, 'b> {
 impl Drawing<'_, '_> {
     /// Draws all of it that is in the band.
     fn draw<S: Simd>(&mut self, simd: S) {
-        let rows = self.band.held(self.spans.rows());
+        let rows = self.store.band.held(self.store.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
-            let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
+            let (extent, common) = self.store.spans.extents(row..row + MAX_SIDE);
             for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
-                let square = |index| {
+                let squares = four!(|index| {
                     let place = [column + index * MAX_SIDE, row];
                     if extent.end <= place[0] {
                         Square::default()
                     } else if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
                         Square::whole(place, MAX_SIDE)
                     } else {
-                        Square::new(&self.spans, place, MAX_SIDE)
+                        Square::new(&self.store.spans, place, MAX_SIDE)
                     }
-                };
-                self.squares(simd, &[square(0), square(1), square(2), square(3)]);
+                });
+                self.squares(simd, &squares);
             }
         }
     }
@@ -177,120 +135,76 @@ impl Drawing<'_, '_> {
     /// Draws four squares: interpolated where that keeps the tolerance, else as four squares each, or pixel by pixel where
     /// they are small or their quarters promise no more.
     fn squares<S: Simd>(&mut self, simd: S, squares: &[Square; 4]) {
-        let seen = squares.each_ref().map(|square| self.is_seen(square));
+        let seen = squares.each_ref().map(|square| self.store.is_seen(square));
         if !seen.contains(&true) {
             return;
         }
-        let effort = self.shader.effort(squares[0].side);
         let places = Places::new(simd, squares, self.picture);
-        let prepared = self.shader.prepare(simd, &places, effort, self.scratch);
+        let (interpolant, promising) = self.shader.prepare(simd, &places, true, self.scratch);
         let mut cut = [false; 4];
         for (index, square) in squares.iter().enumerate() {
             if !seen[index] {
                 continue;
             }
-            if let Some(interpolant) = &prepared.interpolant
+            self.store.square = *square;
+            if let Some(interpolant) = &interpolant
                 && let Some(form) = interpolant.forms[index]
             {
-                self.interpolated(simd, square, interpolant, index, form);
+                let store = &mut self.store;
+                outlined!(
+                    simd,
+                    interpolation::draw(simd, interpolant, index, form, square, store)
+                );
+                self.finish(form.kind, 1);
             } else {
-                let promising = prepared.promising >> index & 1 == 1;
-                cut[index] = effort == Effort::Quarters && promising
-                    || !self.evaluated(simd, square, Some(index));
+                let promising = promising >> index & 1 == 1;
+                cut[index] = square.side > MIN_SIDE && promising || !self.listed(simd, index);
             }
         }
-        // Last, for what is known of these squares goes with it.
+        // Last, for the next squares overwrite all that is prepared.
         for (index, square) in squares.iter().enumerate() {
             if cut[index] {
-                self.squares(simd, &square.quarters(&self.spans));
+                self.squares(simd, &square.quarters(&self.store.spans));
             }
         }
     }
 
-    /// Draws one of the squares of an interpolant.
-    fn interpolated<S: Simd>(
-        &mut self,
-        simd: S,
-        square: &Square,
-        interpolant: &Interpolant<S>,
-        index: usize,
-        form: Form,
-    ) {
-        let mut store = Store::new(self.band, &self.spans, square, self.id);
-        outlined!(
-            simd,
-            interpolation::draw(simd, interpolant, index, form, square, &mut store)
-        );
-        self.counts.covered_pixels += store.finish(form.kind, &self.shader, self.picture);
-        self.counts.tiles[form.kind as usize] += 1;
+    /// Draws the only square of a small piece, whose pixels are listed and lie in so many strips.
+    fn small<S: Simd>(&mut self, simd: S, strips: u64) {
+        let square = &self.store.square;
+        let places = Places::single(simd, square.middle_from(self.picture), square.half());
+        self.shader.prepare(simd, &places, false, self.scratch);
+        self.evaluated(simd, 0, strips);
     }
 
-    /// Draws what is listed of a square.
-    fn listed<S: Simd>(&mut self, simd: S, square: &Square) {
-        let [x, y] = square.middle();
-        let middle = [x - self.picture[0], y - self.picture[1]];
-        let places = Places::single(simd, middle, square.half());
-        self.shader
-            .prepare(simd, &places, Effort::Pixels, self.scratch);
-        self.evaluated(simd, square, None);
+    /// Lists the pixels of the square and draws them: see [`Drawing::evaluated`].
+    fn listed<S: Simd>(&mut self, simd: S, index: usize) -> bool {
+        let pixels = &mut self.scratch.pixels;
+        let strips = outlined!(simd, self.store.list(simd, pixels));
+        self.evaluated(simd, index, strips)
     }
 
-    /// Draws a square, or what is listed of it where it has no index, pixel by pixel; whether that can be done in lanes, or
-    /// is done without where the square is small.
-    fn evaluated<S: Simd>(&mut self, simd: S, square: &Square, index: Option<usize>) -> bool {
-        let listed = index.is_none();
-        let region = Region {
-            square,
-            spans: &self.spans,
-            picture: self.picture,
-            listed,
+    /// Draws the listed pixels of the square one by one; returns false where that may be cheaper on the quarters of the
+    /// square. It is the one at `index` of those prepared, and counts as so many tiles.
+    fn evaluated<S: Simd>(&mut self, simd: S, index: usize, tiles: u64) -> bool {
+        let store = &mut self.store;
+        let evaluations =
+            (self.shader).evaluate(simd, &store.square, self.picture, index, self.scratch);
+        let Some(evaluations) = evaluations else {
+            return false;
         };
-        let index = index.unwrap_or(0);
-        let evaluations = match self.shader.evaluate(simd, &region, index, self.scratch) {
-            None if square.side > MIN_SIDE => return false,
-            None => {
-                let levels = &mut self.scratch.levels;
-                levels.fill_each(&region, |[x, y]| self.shader.define(x, y));
-                let pixels = square.pixels as u64;
-                Evaluations {
-                    kind: TileKind::Double,
-                    model: pixels,
-                    specular: pixels * self.shader.powers() as u64,
-                }
-            }
-            Some(evaluations) => evaluations,
-        };
-        let mut store = Store::new(self.band, &self.spans, square, self.id);
-        let levels = &self.scratch.levels;
-        outlined!(simd, {
-            if listed {
-                store.draw_listed(simd, &levels.listed);
-            } else {
-                store.draw(&mut Evaluated::new(simd, levels));
-            }
-        });
-        self.counts.covered_pixels += store.finish(evaluations.kind, &self.shader, self.picture);
+        outlined!(simd, store.draw_pixels(simd, &self.scratch.pixels));
         self.counts.model_evaluations += evaluations.model;
         self.counts.specular_evaluations += evaluations.specular;
-        self.counts.tiles[evaluations.kind as usize] += self.strips;
+        self.finish(evaluations.kind, tiles);
         true
     }
 
-    /// Whether any pixel of a square is drawn here: in this band, and not hidden.
-    fn is_seen(&self, square: &Square) -> bool {
-        let rows = self.band.held(square.covered_rows());
-        if square.pixels == 0 || rows.is_empty() {
-            return false;
+    /// Counts the square as so many tiles, and notes its kind if the frame keeps that.
+    fn finish(&mut self, kind: TileKind, tiles: u64) {
+        self.counts.tiles[kind as usize] += tiles;
+        if !self.store.band.kinds.is_empty() {
+            self.store.mark(kind, self.shader.face(), self.picture);
         }
-        if self.band.depths.is_empty() {
-            return true;
-        }
-        self.spans.clipped(rows, square.columns).any(|(row, span)| {
-            let first = self.band.index(0, row);
-            !span.is_empty()
-                && self.band.triangles[first + span.start..first + span.end]
-                    .iter()
-                    .any(|id| face(*id) == face(self.id))
-        })
     }
 }

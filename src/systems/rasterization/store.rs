@@ -6,89 +6,104 @@
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, i32x16, u32x16};
+use fearless_simd::{Simd, mask32x16, u32x16};
 
 use crate::frame::{Band, OUTLINE, face};
-use crate::shading::display::{Listed, Rows};
+use crate::shading::display::Rows;
 use crate::shading::face::Face;
-use crate::shading::square::{Spans, Square};
-use crate::shading::{Shader, Sink, TileKind};
+use crate::shading::pixels::Pixels;
+use crate::shading::square::{MAX_SIDE, Spans, Square};
+use crate::shading::{Sink, TileKind};
 use crate::simd::three;
 
-/// Stores the pixels of one square.
+/// The pixels of a band that a piece covers.
 pub struct Store<'a, 'b> {
-    band: &'a mut Band<'b>,
-    spans: &'a Spans<'a>,
-    square: &'a Square,
-    /// Of the face's first triangle.
-    id: u32,
-    /// How many pixels were drawn; not counted where all are.
-    drawn: u64,
+    pub band: &'a mut Band<'b>,
+    pub spans: Spans<'a>,
+    /// The number of the face's first triangle.
+    pub id: u32,
+    /// The square being drawn.
+    pub square: Square,
+    /// How many pixels were drawn.
+    pub drawn: u64,
 }
 
-impl<'a, 'b> Store<'a, 'b> {
-    /// For a square of a face.
-    pub fn new(band: &'a mut Band<'b>, spans: &'a Spans<'a>, square: &'a Square, id: u32) -> Self {
-        Store {
-            band,
-            spans,
-            square,
-            id,
-            drawn: 0,
-        }
-    }
-
+impl Store<'_, '_> {
     /// The rows of the square that are covered and in the band.
     fn rows(&self) -> Range<usize> {
         self.band.held(self.square.covered_rows())
     }
 
-    /// Notes how the square was drawn, and the triangles seen there, where the frame keeps that; how many of its pixels were
-    /// drawn. `picture` is its middle, in pixels from its corner.
-    #[inline]
-    pub fn finish(mut self, kind: TileKind, shader: &Shader, picture: [f64; 2]) -> u64 {
-        if !self.band.kinds.is_empty() {
-            self.mark(kind, shader.face(), picture);
+    /// Whether any pixel of a square is drawn here: in this band, and not hidden.
+    pub fn is_seen(&self, square: &Square) -> bool {
+        let rows = self.band.held(square.covered_rows());
+        if square.pixels == 0 || rows.is_empty() {
+            return false;
         }
-        if self.band.is_plain() && self.rows() == self.square.covered_rows() {
-            self.square.pixels as u64
-        } else {
-            self.drawn
-        }
+        self.band.depths.is_empty()
+            || self.spans.clipped(rows, square.columns).any(|(row, span)| {
+                let pixels = self.band.index(span.start, row)..self.band.index(span.end, row);
+                let mut ids = self.band.triangles[pixels].iter();
+                ids.any(|id| face(*id) == face(self.id))
+            })
     }
 
-    #[inline(never)]
-    fn mark(&mut self, kind: TileKind, shown: &Face, picture: [f64; 2]) {
-        let Square { place, columns, .. } = *self.square;
-        for (row, span) in self.spans.clipped(self.rows(), columns) {
-            let first = self.band.index(0, row);
-            for column in span {
-                if face(self.band.triangles[first + column]) == face(self.id) {
-                    let [x, y] =
-                        [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - picture[axis]);
-                    let second = u32::from(shown.diagonal.at(x, y) < 0.0);
-                    self.band.triangles[first + column] = self.id + second;
-                    let edge = row == place[1] || column == place[0];
-                    self.band.kinds[first + column] = kind as u8 | if edge { OUTLINE } else { 0 };
-                }
+    /// Lists the pixels of the square in which the piece is seen; returns the number of strips in which these lie.
+    #[inline(always)]
+    pub fn list<S: Simd>(&self, simd: S, pixels: &mut Pixels) -> u64 {
+        pixels.clear();
+        let [left, top] = self.square.first().map(|first| first as f32);
+        let (mut strips, mut last) = (0, None);
+        for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
+            if span.is_empty() {
+                continue;
+            }
+            let x = left + (span.start - self.square.place[0]) as i32 as f32;
+            let y = top + (row - self.square.place[1]) as i32 as f32;
+            let indices = self.band.index(span.start, row)..self.band.index(span.end, row);
+            let before = pixels.count();
+            if self.band.triangles.is_empty() {
+                pixels.extend(simd, [x, y], indices);
+            } else {
+                let ids = &self.band.triangles[indices.clone()];
+                pixels.extend_seen([x, y], indices, |pixel| face(ids[pixel]) == face(self.id));
+            }
+            if pixels.count() > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
+                strips += 1;
             }
         }
+        strips
     }
 
-    /// Pixels one by one.
+    /// Draws listed pixels.
     #[inline(always)]
-    pub fn draw_listed<S: Simd>(&mut self, simd: S, listed: &Listed) {
-        self.drawn = listed.count() as u64;
+    pub fn draw_pixels<S: Simd>(&mut self, simd: S, pixels: &Pixels) {
+        self.drawn += pixels.count() as u64;
         if self.band.pixels.is_empty() {
-            for (index, levels) in listed.levels() {
+            for (index, levels) in pixels.levels() {
                 self.band.levels[index] = levels;
             }
         } else {
-            listed.draw(
-                simd,
-                #[inline(always)]
-                |index, pixel| self.band.pixels[index] = pixel,
-            );
+            pixels.show(simd, self.band.pixels);
+        }
+    }
+
+    /// Notes how the square was drawn, and which triangles are seen there. `picture` is its middle, in pixels from its corner.
+    #[inline(never)]
+    pub fn mark(&mut self, kind: TileKind, shown: &Face, picture: [f64; 2]) {
+        let Square { place, columns, .. } = self.square;
+        for (row, span) in self.spans.clipped(self.rows(), columns) {
+            for column in span {
+                let pixel = self.band.index(column, row);
+                if face(self.band.triangles[pixel]) == face(self.id) {
+                    let [x, y] =
+                        [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - picture[axis]);
+                    let second = u32::from(shown.diagonal.at(x, y) < 0.0);
+                    self.band.triangles[pixel] = self.id + second;
+                    let edge = row == place[1] || column == place[0];
+                    self.band.kinds[pixel] = kind as u8 | if edge { OUTLINE } else { 0 };
+                }
+            }
         }
     }
 
@@ -99,7 +114,7 @@ impl<'a, 'b> Store<'a, 'b> {
             place: [left, top],
             side,
             ..
-        } = *self.square;
+        } = self.square;
         let start = self.band.index(0, top);
         for part in 0..side / 16 {
             rows.go_to(part);
@@ -109,85 +124,61 @@ impl<'a, 'b> Store<'a, 'b> {
                 line[first..first + 16].copy_from_slice(rows.pixels(row).as_slice());
             }
         }
+        self.drawn += self.square.pixels as u64;
     }
 
-    /// The covered pixels, where nothing hides them and the band takes bytes.
+    /// Those of sixteen pixels from `first` in a row on that are covered by `span` and show this face: a bit for each.
     #[inline(always)]
-    fn draw_spans<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
-        const LANES: [i32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
-        let [left, top] = self.square.place;
-        let held = self.rows();
-        let (stride, start) = (self.band.width, self.band.index(0, held.start));
-        let pixels = &mut *self.band.pixels;
-        for part in self.square.parts() {
-            rows.go_to(part);
-            let first = left + 16 * part;
-            let width = (stride - first).min(16);
-            let spans = self.spans.clipped(held.clone(), [first, first + 15]);
-            for ((row, span), line) in spans.zip((start + first..).step_by(stride)) {
-                if span.is_empty() {
-                    continue;
-                }
-                self.drawn += span.len() as u64;
-                let new = rows.pixels(row - top);
-                let (from, to) = (span.start - first, span.end - first);
-                let line = &mut pixels[line..][..width];
-                if let Ok(line) = <&mut [u32; 16]>::try_from(&mut *line) {
-                    let lanes = i32x16::simd_from(new.token(), LANES);
-                    let covered = lanes.simd_ge(from as i32) & lanes.simd_lt(to as i32);
-                    *line = *covered.select(new, u32x16::simd_from(new.token(), *line));
-                } else {
-                    line[from..to].copy_from_slice(&new.as_array()[from..to]);
-                }
-            }
+    fn seen(&self, first: usize, row: usize, span: Range<usize>) -> u32 {
+        let covered = (1 << (span.end - first)) - (1 << (span.start - first));
+        if self.band.triangles.is_empty() {
+            return covered;
         }
-    }
-
-    /// The covered pixels that show this face, as bytes or as levels.
-    #[inline(always)]
-    fn draw_seen<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
-        let [left, top] = self.square.place;
-        let own = face(self.id);
-        let bytes = !self.band.pixels.is_empty();
-        for part in self.square.parts() {
-            rows.go_to(part);
-            let column = left + 16 * part;
-            for (row, span) in self.spans.clipped(self.rows(), [column, column + 15]) {
-                if span.is_empty() {
-                    continue;
-                }
-                let (pixels, levels) = if bytes {
-                    (Some(rows.pixels(row - top)), None)
-                } else {
-                    (None, Some(rows.levels(row - top)))
-                };
-                let first = self.band.index(0, row);
-                for x in span {
-                    let (pixel, lane) = (first + x, x - column);
-                    if face(self.band.triangles[pixel]) != own {
-                        continue;
-                    }
-                    self.drawn += 1;
-                    if let Some(pixels) = &pixels {
-                        self.band.pixels[pixel] = pixels[lane];
-                    } else if let Some(levels) = &levels {
-                        self.band.levels[pixel] = three!(|channel| levels[channel][lane]);
-                    }
-                }
-            }
-        }
+        let start = self.band.index(first, row);
+        let ids = self.band.triangles[start..].iter().take(16).enumerate();
+        ids.fold(0, |seen, (lane, id)| {
+            seen | u32::from(face(*id) == face(self.id)) << lane
+        }) & covered
     }
 }
 
 impl<S: Simd> Sink<S> for Store<'_, '_> {
     #[inline(always)]
     fn draw(&mut self, rows: &mut impl Rows<S>) {
-        if !self.band.is_plain() {
-            self.draw_seen(rows);
-        } else if self.square.is_whole() && self.rows().len() == self.square.side {
-            self.draw_whole(rows);
-        } else {
-            self.draw_spans(rows);
+        let held = self.rows();
+        if self.band.is_plain() && self.square.is_whole() && held.len() == self.square.side {
+            return self.draw_whole(rows);
+        }
+        let [left, top] = self.square.place;
+        for part in self.square.parts() {
+            rows.go_to(part);
+            let first = left + 16 * part;
+            for (row, span) in self.spans.clipped(held.clone(), [first, first + 15]) {
+                if span.is_empty() {
+                    continue;
+                }
+                let seen = self.seen(first, row, span);
+                self.drawn += u64::from(seen.count_ones());
+                let start = self.band.index(first, row);
+                let lanes = (0..16).filter(|lane| seen >> lane & 1 == 1);
+                if self.band.pixels.is_empty() {
+                    let levels = rows.levels(row - top);
+                    for lane in lanes {
+                        self.band.levels[start + lane] = three!(|channel| levels[channel][lane]);
+                    }
+                } else {
+                    let new = rows.pixels(row - top);
+                    if let Some(line) = self.band.pixels[start..].first_chunk_mut::<16>() {
+                        let seen = mask32x16::from_bitmask(new.token(), seen.into());
+                        *line = *seen.select(new, u32x16::simd_from(new.token(), *line));
+                    } else {
+                        // The last row of the band ends before.
+                        for lane in lanes {
+                            self.band.pixels[start + lane] = new[lane];
+                        }
+                    }
+                }
+            }
         }
     }
 }

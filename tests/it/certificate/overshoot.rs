@@ -18,8 +18,6 @@ fn solid() -> impl Strategy<Value = Solid> {
         centre: DVec3::new(half.x * aside, -half.y - below, half.z * ahead),
         axes: DMat3::IDENTITY,
         half,
-        normals: [DVec3::Y; 8],
-        colors: [DVec3::ONE; 8],
     })
 }
 

@@ -1,8 +1,6 @@
 //! Coverage of polygons that are not convex.
 
-use shadetrade::systems::coverage::Scan;
-
-use super::counting::polygon;
+use super::counting::{polygon, spans};
 
 #[test]
 fn a_concave_polygon_covers_only_pixels_inside_all_its_edges() {
@@ -15,8 +13,7 @@ fn a_concave_polygon_covers_only_pixels_inside_all_its_edges() {
         [6.0, 14.0],
         [12.0, 0.0],
     ]);
-    let mut scan = Scan::new(&notched, 0..16, 64);
-    let spans: Vec<_> = std::iter::from_fn(|| scan.next_span()).collect();
+    let spans: Vec<_> = spans(&notched, 0..16, 64).collect();
     let expected = [
         (0, 2, 12),
         (1, 2, 11),

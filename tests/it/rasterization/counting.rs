@@ -1,8 +1,10 @@
 //! Drawings, and assertions of how many polygons cover each pixel.
 
+use std::ops::Range;
+
 use shadetrade::components::Polygon;
 use shadetrade::simd::baseline;
-use shadetrade::systems::coverage::{SMALL, Scan, covered};
+use shadetrade::systems::coverage::{SMALL, covered, scan};
 
 /// A polygon whose vertices are given in 1/256 pixel, counter-clockwise as seen.
 pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
@@ -14,6 +16,20 @@ pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
     polygon
 }
 
+/// The rows of a picture that a polygon covers, of some rows, each with its pixels from..to.
+pub fn spans(
+    polygon: &Polygon,
+    rows: Range<usize>,
+    width: usize,
+) -> impl Iterator<Item = (usize, usize, usize)> {
+    let (mut from, mut to) = (Vec::new(), Vec::new());
+    scan(polygon, &rows, width, &mut from, &mut to);
+    let spans = rows.zip(from.into_iter().zip(to));
+    spans
+        .filter(|(_, (from, to))| from < to)
+        .map(|(row, (from, to))| (row, from as usize, to as usize))
+}
+
 /// The number of polygons that cover each pixel of a picture.
 ///
 /// Small triangles are counted in two ways.
@@ -23,8 +39,7 @@ pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
     }
     let mut counts = vec![0; width * height];
     for polygon in polygons {
-        let mut scan = Scan::new(polygon, 0..height, width);
-        while let Some((row, from, to)) = scan.next_span() {
+        for (row, from, to) in spans(polygon, 0..height, width) {
             for pixel in &mut counts[row * width + from..row * width + to] {
                 *pixel += 1;
             }
@@ -51,8 +66,7 @@ fn assert_small(polygon: &Polygon, [width, height]: [usize; 2]) {
     let simd = baseline().expect("every machine has them");
     let bits = covered(simd, [a, b, c], [0, 0], SMALL);
     let mut expected = [0; SMALL];
-    let mut scan = Scan::new(polygon, 0..SMALL.min(height), SMALL.min(width));
-    while let Some((row, from, to)) = scan.next_span() {
+    for (row, from, to) in spans(polygon, 0..SMALL.min(height), SMALL.min(width)) {
         expected[row] = (1 << to) - (1 << from);
     }
     for (bits, expected) in bits.into_iter().zip(expected).take(height) {

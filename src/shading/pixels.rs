@@ -1,0 +1,155 @@
+//! The pixels of a square that are evaluated one by one: a list, so that any sixteen of them fill the lanes.
+
+use std::ops::Range;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16, mask32x16, u32x16};
+use glam::DVec3;
+
+use super::display::{counted, display};
+use super::square::MAX_SIDE;
+use crate::simd::{three, two};
+
+/// The most pixels of a square, and room for the lanes beyond the last.
+const MOST: usize = MAX_SIDE * MAX_SIDE + 16;
+
+/// Pixels of one square in a band.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixels {
+    count: usize,
+    /// Right and down from the square's middle, in pixels.
+    places: [[f32; MOST]; 2],
+    /// The indices in the buffers of the band.
+    indices: [u32; MOST],
+    levels: [[f32; MOST]; 3],
+    /// Whether a level may be not a number, which marks a pixel that f32 does not suffice for.
+    marked: bool,
+}
+
+impl Default for Pixels {
+    fn default() -> Self {
+        Pixels {
+            count: 0,
+            places: [[0.0; MOST]; 2],
+            indices: [0; MOST],
+            levels: [[0.0; MOST]; 3],
+            marked: false,
+        }
+    }
+}
+
+impl Pixels {
+    /// Empties the list.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// The number of pixels.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Adds the pixels of a row; the first is at `x`, `y` from the square's middle.
+    #[inline(always)]
+    pub fn extend<S: Simd>(&mut self, simd: S, [x, y]: [f32; 2], indices: Range<usize>) {
+        const LANES: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+        let (lanes, y) = (u32x16::simd_from(simd, LANES), f32x16::splat(simd, y));
+        for first in (0..indices.len()).step_by(16) {
+            // Lanes beyond the row are overwritten by the next.
+            let new = self.count + first..self.count + first + 16;
+            let right = counted(simd, first) + x;
+            self.places[0][new.clone()].copy_from_slice(right.as_slice());
+            self.places[1][new.clone()].copy_from_slice(y.as_slice());
+            let index = lanes + (indices.start + first) as u32;
+            self.indices[new].copy_from_slice(index.as_slice());
+        }
+        self.count += indices.len();
+    }
+
+    /// Adds those pixels of a row that are `seen`; the argument is the distance from the first.
+    pub fn extend_seen(
+        &mut self,
+        [x, y]: [f32; 2],
+        indices: Range<usize>,
+        seen: impl Fn(usize) -> bool,
+    ) {
+        for (pixel, index) in indices.enumerate().filter(|(pixel, _)| seen(*pixel)) {
+            self.places[0][self.count] = x + pixel as i32 as f32;
+            self.places[1][self.count] = y;
+            self.indices[self.count] = index as u32;
+            self.count += 1;
+        }
+    }
+
+    /// Evaluates all pixels; the arguments of `evaluate` are places from -1 to 1 over the square of these half extents.
+    #[inline(always)]
+    pub fn evaluate<S: Simd>(
+        &mut self,
+        simd: S,
+        half: [f64; 2],
+        evaluate: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3],
+    ) {
+        let scale = half.map(|half| (1.0 / half) as f32);
+        let mut marked = mask32x16::splat(simd, false);
+        for first in (0..self.count).step_by(16) {
+            let lanes = first..first + 16;
+            let levels = evaluate(two!(|axis| {
+                f32x16::from_slice(simd, &self.places[axis][lanes.clone()]) * scale[axis]
+            }));
+            marked |= !levels[0].simd_eq(levels[0]);
+            for channel in 0..3 {
+                self.levels[channel][lanes.clone()].copy_from_slice(levels[channel].as_slice());
+            }
+        }
+        self.marked = marked.any_true();
+    }
+
+    /// Marks all pixels.
+    pub fn forget(&mut self) {
+        self.levels[0][..self.count].fill(f32::NAN);
+        self.marked = true;
+    }
+
+    /// Evaluates the marked pixels one by one; the arguments of `define` are places from the picture's middle, in pixels, and
+    /// the first argument is the place of the square's middle.
+    pub fn define(&mut self, [right, down]: [f64; 2], define: impl Fn(f64, f64) -> DVec3) {
+        if !self.marked {
+            return;
+        }
+        for pixel in 0..self.count {
+            if self.levels[0][pixel].is_nan() {
+                let [x, y] = two!(|axis| f64::from(self.places[axis][pixel]));
+                let levels = define(x + right, y + down).as_vec3();
+                for channel in 0..3 {
+                    self.levels[channel][pixel] = levels[channel];
+                }
+            }
+        }
+    }
+
+    /// The indices of the pixels and their levels.
+    pub fn levels(&self) -> impl Iterator<Item = (usize, [f32; 3])> {
+        let levels = |pixel: usize| three!(|channel| self.levels[channel][pixel]);
+        (0..self.count).map(move |pixel| (self.indices[pixel] as usize, levels(pixel)))
+    }
+
+    /// Writes the display step of the levels to the buffer of a band.
+    #[inline(always)]
+    pub fn show<S: Simd>(&self, simd: S, buffer: &mut [u32]) {
+        for first in (0..self.count).step_by(16) {
+            let pixels = display(three!(|channel| {
+                let levels = &self.levels[channel][first..first + 16];
+                f32x16::from_slice(simd, levels)
+            }));
+            let indices = &self.indices[first..self.count.min(first + 16)];
+            let start = indices[0] as usize;
+            if indices.len() == 16 && indices[15] as usize == start + 15 {
+                buffer[start..start + 16].copy_from_slice(pixels.as_slice());
+            } else {
+                for (index, pixel) in indices.iter().zip(pixels.as_array()) {
+                    buffer[*index as usize] = *pixel;
+                }
+            }
+        }
+    }
+}
