@@ -13,6 +13,7 @@
 //! of several surfaces. Each of them is compared with the nearest possible colour of the same face in the other
 //! picture, or with all its possible colours if that face is not there.
 
+pub mod bits;
 mod command;
 mod least;
 mod share;

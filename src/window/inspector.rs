@@ -93,6 +93,38 @@ impl App {
         if self.desk.left_out != before {
             self.facts.without = Job::default();
         }
+        ui.separator();
+        self.bits_section(ui);
+    }
+
+    /// A row for each stage of the model: the fewest bits, and the errors of three formats.
+    fn bits_section(&self, ui: &mut Ui) {
+        ui.label("The fewest bits of significand that each stage needs, the others being in f64.");
+        progress(ui, &self.facts.bits.state, "rounding stage by stage");
+        let ink = ink(&self.facts.bits);
+        let stages = self.facts.bits.value.iter().flatten();
+        Grid::new("bits").num_columns(5).striped(true).show(ui, |ui| {
+            for head in ["stage", "bits", "f16", "bf16", "f32"] {
+                ui.weak(head);
+            }
+            ui.end_row();
+            for row in stages {
+                ui.label(row.stage);
+                let bits = row.bits.map_or("> 24".to_owned(), |bits| bits.to_string());
+                ui.colored_label(ink, bits).on_hover_text(format!(
+                    "The largest error is {} levels of 255, proven.",
+                    short(row.largest_error)
+                ));
+                for format in [row.f16, row.bf16, row.f32] {
+                    let text = ui.colored_label(ink, format.text());
+                    text.on_hover_text(
+                        "Whether the format keeps the tolerance, and its largest error in levels of \
+                         255, proven.",
+                    );
+                }
+                ui.end_row();
+            }
+        });
     }
 
     fn proof_tab(&mut self, ui: &mut Ui) {
