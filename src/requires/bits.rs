@@ -29,8 +29,8 @@ use serde::Serialize;
 
 use super::{FaceLevels, error, rows, without};
 use crate::components::{
-    FileOrder, Light, LightKind, Material, Mesh, Projection, ShadingMode, TRIANGLES, Transform,
-    View, in_file_order,
+    FACES, FileOrder, Light, LightKind, Material, Mesh, Projection, ShadingMode, TRIANGLES,
+    Transform, View, in_file_order,
 };
 use crate::reference::{Interval, Reference, Spot};
 use crate::scene::Scene;
@@ -352,7 +352,7 @@ pub fn bits(
             };
             let object = &model.objects[cuboid];
             let corners = TRIANGLES[triangle].map(usize::from);
-            let face = Some((cuboid * TRIANGLES.len() + triangle) / 2);
+            let face = Some(cuboid * FACES.len() + triangle / 2);
             for (stage, trials) in trials.iter().enumerate() {
                 let mut breaks = |index: usize| {
                     let trial = trials[index];

@@ -124,8 +124,10 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::{Config, RngSeed, TestRunner};
 
+    use super::super::kernel::DOUBLE;
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
     use super::super::specular::{POWER_ERROR, QUADRATIC};
+    use super::super::{bound, field, interpolation};
     use super::*;
 
     /// A vector of length one at the middle of a square, which moves by that much to the right and down.
@@ -281,5 +283,18 @@ mod tests {
         assert!(quadratic.contains(&format!("|p - P| <= {QUADRATIC}b-24 }}")));
         let power = goal(include_str!("../../proofs/power.v"), "Goal");
         assert!(power.contains(&format!("<= {}/1.", POWER_ERROR / U)));
+        let rows = goal(include_str!("../../proofs/rows.v"), "Goal");
+        let thousandths = (1000.0 * interpolation::ROUNDING / U).round();
+        assert!(rows.contains(&format!("- 1) <= {thousandths}/1000 * u.")));
+        let fixed = goal(include_str!("../../proofs/fixed.g"), "->");
+        assert!(fixed.contains(&format!(
+            "(M + v + w)| <= {}b-9",
+            512.0 * interpolation::FIXED
+        )));
+        let side = goal(include_str!("../../proofs/side.g"), "->");
+        assert!(side.contains(&format!("<= {}b-53 }}", bound::ROUNDING / DOUBLE)));
+        let cross = goal(include_str!("../../proofs/cross.g"), "->");
+        assert!(cross.contains("<= 34b-53 }"));
+        assert!((6e-8..field::CROSS_ERROR).contains(&(34.0 * DOUBLE).sqrt()));
     }
 }

@@ -186,6 +186,33 @@ fn the_tabs_of_the_inspector_open_by_their_names() {
 }
 
 #[test]
+fn the_required_tab_has_a_row_for_each_stage_with_the_errors_of_three_formats() {
+    let size = [1000, 300];
+    let mut harness = widgets(app(default_scene(), size, Level::new()), size);
+    harness.key_press(Key::N);
+    harness.run_ok();
+    harness.state_mut().order_jobs();
+    harness.run_ok();
+    let rows = harness.state().facts.bits.current().cloned();
+    let rows = rows.expect("an answer");
+    let labels = harness.query_all_by(|node| node.role() == Role::Label);
+    let texts: Vec<String> = labels
+        .filter_map(|node| node.accesskit_node().value())
+        .collect();
+    for row in &rows {
+        let name = texts.iter().position(|text| text == row.stage);
+        let name = name.unwrap_or_else(|| panic!("{row:?} in {texts:?}"));
+        let formats = [row.f16, row.bf16, row.f32].map(|format| format.text());
+        assert_eq!(texts[name + 2..name + 5], formats, "{row:?}");
+        assert_eq!(
+            Some(&texts[name + 1]),
+            row.bits.map(|bits| bits.to_string()).as_ref()
+        );
+    }
+    assert!(!rows[1].f16.keeps && rows[1].f32.keeps, "{:?}", rows[1]);
+}
+
+#[test]
 fn entities_are_added_copied_renamed_and_deleted() {
     let mut harness = open();
     harness.key_press(Key::E);
