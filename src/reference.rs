@@ -38,7 +38,7 @@ use illumination::{Lit, Open, Surface, TIES, blend};
 pub use interval::Interval;
 pub use real::Real;
 pub use rule::Rule;
-pub use sample::{LightSample, Sample, Spot, at_pixel, in_row};
+pub use sample::{LightSample, Sample, at_pixel, in_row};
 use sight::{Line, Meeting, Place, Sight, Solid};
 use vector::Vector;
 
@@ -140,19 +140,14 @@ impl<R: Real> Reference<R> {
     /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel
     /// may show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
-        let cuboids: Vec<_> = self.in_row(y).collect();
+        let here = |cuboid: &&Cuboid<R>| cuboid.solid.rows.contains(&y);
+        let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.width {
             self.meet([x, y], &cuboids, &mut met);
             self.see(&met, &mut seen);
             each(x, &seen);
         }
-    }
-
-    /// The cuboids that may be visible in row `y`.
-    fn in_row(&self, y: usize) -> impl Iterator<Item = &Cuboid<R>> {
-        let cuboids = self.cuboids.iter();
-        cuboids.filter(move |cuboid| cuboid.solid.rows.contains(&y))
     }
 
     /// The surfaces that the pixel [x, y] may show.

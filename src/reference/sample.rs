@@ -5,10 +5,10 @@ use hecs::World;
 use serde::Serialize;
 
 use super::illumination::{blend, reflection};
-use super::sight::{Place, Solid};
+use super::sight::Solid;
 use super::vector::Vector;
 use super::{Cuboid, Met, Reference};
-use crate::components::{FileOrder, Light, LightKind, Name, TRIANGLES, View, in_file_order};
+use crate::components::{FileOrder, Light, LightKind, Name, View, in_file_order};
 
 /// The evaluation of one pixel. Vectors are unit vectors in world space.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +17,8 @@ pub struct Sample {
     pub object: usize,
     /// The triangle's index in [`crate::components::TRIANGLES`].
     pub triangle: usize,
+    /// The barycentric weights of its corners on the triangle; their sum is 1.
+    pub weights: [f64; 3],
     /// The visible point, in world units.
     pub position: DVec3,
     /// n under Phong: interpolated and normalised.
@@ -81,44 +83,7 @@ pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Op
     columns.collect()
 }
 
-/// The place of a pixel on a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct Spot {
-    /// The cuboid's index in the file, from 0.
-    pub cuboid: usize,
-    /// The triangle's index in [`crate::components::TRIANGLES`].
-    pub triangle: usize,
-    /// The barycentric weights of its corners on the triangle; their sum is 1.
-    pub weights: [f64; 3],
-}
-
-impl Met<'_, f64> {
-    /// The place that is visible, and where on its triangle it is.
-    fn spot(&self) -> Option<(Place<f64>, Spot)> {
-        let face = self.meeting.faces().next()?;
-        let place = self.cuboid.solid.place(face, &self.line);
-        let is_first = place.is_on_first?;
-        let spot = Spot {
-            cuboid: self.cuboid.number,
-            triangle: 2 * face + usize::from(!is_first),
-            weights: Solid::weights(face, is_first, &place).1,
-        };
-        Some((place, spot))
-    }
-}
-
 impl Reference<f64> {
-    /// The place that each pixel of row `y` shows; `None` for the background.
-    pub fn spots(&self, y: usize) -> Vec<Option<Spot>> {
-        let cuboids: Vec<_> = self.in_row(y).collect();
-        let mut met = Vec::new();
-        let spot = |x| {
-            self.meet([x, y], &cuboids, &mut met);
-            met.first()?.spot().map(|(_, spot)| spot)
-        };
-        (0..self.width).map(spot).collect()
-    }
-
     /// What is seen where a line of sight meets a cuboid; the names are those of the lights that are on.
     fn sample(&self, met: &Met<f64>, names: &[String]) -> Option<Sample> {
         let Cuboid {
@@ -127,8 +92,10 @@ impl Reference<f64> {
             mesh,
             ..
         } = met.cuboid;
-        let (place, spot) = met.spot()?;
-        let (corners, weights) = (TRIANGLES[spot.triangle].map(usize::from), spot.weights);
+        let face = met.meeting.faces().next()?;
+        let place = solid.place(face, &met.line);
+        let is_first = place.is_on_first?;
+        let (corners, weights) = Solid::weights(face, is_first, &place);
         let (normal, to_eye) = (place.share.unit(), place.to_eye);
         let to_world = |v: Vector<f64>| {
             let [x, y, z] = v.0;
@@ -158,8 +125,9 @@ impl Reference<f64> {
         let on_screen = met.cuboid.shortcut_weights(corners, weights);
         let normals = corners.map(|corner| Vector::exact(mesh.corners[corner].signum()).unit());
         Some(Sample {
-            object: spot.cuboid,
-            triangle: spot.triangle,
+            object: met.cuboid.number,
+            triangle: 2 * face + usize::from(!is_first),
+            weights,
             position: self.sight.eye + to_world(place.point),
             normal: to_world(normal),
             to_eye: to_world(to_eye),

@@ -56,7 +56,9 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
     });
     print(&record, as_json, || {
         let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
-        let bits = [table_of_bits(&stages), wrapped(LEGEND_OF_BITS)];
+        let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
+        let cells: Vec<_> = stages.iter().map(StageBits::cells).collect();
+        let bits = [aligned(&head, &cells), wrapped(LEGEND_OF_BITS)];
         [&parts[..], &bits[..]].concat().join("\n\n")
     })?;
     match least_scene {
@@ -113,23 +115,6 @@ fn table(rows: &[PartRow]) -> String {
     };
     let head = ["part", "largest error", "pixels", "time", "required"];
     aligned(&head, &sorted.iter().map(cells).collect::<Vec<_>>())
-}
-
-/// The table of stages, in the order of evaluation.
-fn table_of_bits(stages: &[StageBits]) -> String {
-    let cells = |row: &StageBits| {
-        vec![
-            row.stage.to_owned(),
-            row.bits
-                .map_or_else(|| "> 24".to_owned(), |bits| bits.to_string()),
-            short(Some(row.largest_error)),
-            row.f16.text(),
-            row.bf16.text(),
-            row.f32.text(),
-        ]
-    };
-    let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
-    aligned(&head, &stages.iter().map(cells).collect::<Vec<_>>())
 }
 
 /// An interval as text: a single number if both ends read the same.

@@ -16,6 +16,7 @@ use super::jobs::{Job, State};
 use super::style::{BAD, GOOD, INK, STALE};
 use crate::components::{Inspector, Tab, Tolerance};
 use crate::prove::Proof;
+use crate::requires::bits::StageBits;
 
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
@@ -99,28 +100,21 @@ impl App {
 
     /// A row for each stage of the model: the fewest bits, and the errors of three formats.
     fn bits_section(&self, ui: &mut Ui) {
-        ui.label("The fewest bits of significand that each stage needs, the others being in f64.");
+        ui.label(
+            "The fewest bits of significand that each stage needs, with the largest error in levels of \
+             255, proven; and whether f16, bf16 and f32 keep the tolerance. The other stages are in f64.",
+        );
         progress(ui, &self.facts.bits.state, "rounding stage by stage");
         let ink = ink(&self.facts.bits);
         let stages = self.facts.bits.value.iter().flatten();
-        Grid::new("bits").num_columns(5).striped(true).show(ui, |ui| {
-            for head in ["stage", "bits", "f16", "bf16", "f32"] {
-                ui.weak(head);
-            }
-            ui.end_row();
-            for row in stages {
-                ui.label(row.stage);
-                let bits = row.bits.map_or("> 24".to_owned(), |bits| bits.to_string());
-                ui.colored_label(ink, bits).on_hover_text(format!(
-                    "The largest error is {} levels of 255, proven.",
-                    short(row.largest_error)
-                ));
-                for format in [row.f16, row.bf16, row.f32] {
-                    let text = ui.colored_label(ink, format.text());
-                    text.on_hover_text(
-                        "Whether the format keeps the tolerance, and its largest error in levels of \
-                         255, proven.",
-                    );
+        let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
+        Grid::new("bits").striped(true).show(ui, |ui| {
+            for cells in [head.to_vec()]
+                .into_iter()
+                .chain(stages.map(StageBits::cells))
+            {
+                for cell in cells {
+                    ui.colored_label(ink, cell);
                 }
                 ui.end_row();
             }
