@@ -138,6 +138,9 @@ and f64 (f32 throughout instead). Both pictures are enclosed by interval arithme
 error lies between the two numbers printed. A part is required unless its largest error is proven to be
 within the tolerance (0.05 level at tolerance 0).
 
+Then it rounds one stage of the model at a time after each of its operations, with all others in f64: the
+fewest bits of significand that keep the tolerance, and whether f16, bf16 and f32 do.
+
 With -o it leaves out several lights, cuboids and Phong of cuboids together as long as the tolerance is
 kept, and writes the remaining scene with the active camera alone.")]
     Requires(RequiresOptions),

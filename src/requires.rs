@@ -12,7 +12,10 @@
 //! A part is required unless the picture without it is proven to keep the tolerance. Near an edge a pixel may show one
 //! of several surfaces. Each of them is compared with the nearest possible colour of the same face in the other
 //! picture, or with all its possible colours if that face is not there.
+//!
+//! [`bits`] rounds one stage of the model at a time, and compares in the same way.
 
+pub mod bits;
 mod command;
 mod least;
 mod share;

@@ -17,6 +17,8 @@ pub struct Sample {
     pub object: usize,
     /// The triangle's index in [`crate::components::TRIANGLES`].
     pub triangle: usize,
+    /// The barycentric weights of its corners on the triangle; their sum is 1.
+    pub weights: [f64; 3],
     /// The visible point, in world units.
     pub position: DVec3,
     /// n under Phong: interpolated and normalised.
@@ -125,6 +127,7 @@ impl Reference<f64> {
         Some(Sample {
             object: met.cuboid.number,
             triangle: 2 * face + usize::from(!is_first),
+            weights,
             position: self.sight.eye + to_world(place.point),
             normal: to_world(normal),
             to_eye: to_world(to_eye),

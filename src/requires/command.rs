@@ -6,6 +6,7 @@ use anyhow::Context;
 use serde::Serialize;
 use serde_json::json;
 
+use super::bits::{StageBits, bits};
 use super::share::time_share;
 use super::{Change, Part, changes, least, parts, without};
 use crate::components::View;
@@ -32,21 +33,33 @@ const LEGEND: &str = "One part is left out at a time. largest error: in levels o
     above the tolerance, proven; time: the part's share of the shortest frame time on one thread, - if the renderer \
     cannot draw without it; required: not proven to keep the tolerance without it.";
 
-/// Prints the parts that a picture requires, and writes the least scene to `least_scene`.
+const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
+    fewest bits of significand, 2 to 24, that keep the tolerance; largest error: with so many bits, in levels of 255, \
+    proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
+
+/// Prints the parts and the bits that a picture requires, and writes the least scene to `least_scene`.
 ///
 /// # Errors
 /// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
     let rows = rows(drawing, &view)?;
+    let stages = with_bar(|on_progress| {
+        let progress = |share| on_progress("rounding", share);
+        bits(&drawing.scene, &view, &|| false, &progress).context("the search was cancelled")
+    })?;
     let record = json!({
         "scene": drawing.scene.name,
         "tolerance": view.tolerance,
         "parts": rows,
+        "bits": stages,
     });
     print(&record, as_json, || {
-        let texts = [subject.clone(), table(&rows), wrapped(LEGEND)];
-        texts.join("\n\n")
+        let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
+        let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
+        let cells: Vec<_> = stages.iter().map(StageBits::cells).collect();
+        let bits = [aligned(&head, &cells), wrapped(LEGEND_OF_BITS)];
+        [&parts[..], &bits[..]].concat().join("\n\n")
     })?;
     match least_scene {
         Some(output) => write_least(&subject, &drawing.scene, &view, rows, output),

@@ -46,6 +46,8 @@
 //! Where s <= 0 the highlight is zero, and so are its derivatives. From rho = 3 on its second derivative is Lipschitz at
 //! s = 0, which is all that the error of a quadratic asks for. Below that a square where s may reach 0 has no bound.
 //!
+//! Coq proves the theorems above, and `proofs/README.md` lists the steps by hand: `proofs/theorems`.
+//!
 //! Rule: four squares are bounded side by side, each as it would be alone. Whatever is not a number bounds nothing; a maximum
 //! or minimum may lose it, and then stands for a bound of its own or is part of a sum that has it still.
 
@@ -114,8 +116,8 @@ pub struct Side<S: Simd> {
     pub dark: mask64x4<S>,
 }
 
-/// More than the rounding error of the product of two unit vectors in f64.
-const ROUNDING: f64 = 1e-15;
+/// The error of the product of two unit vectors in f64: `proofs/side.g`.
+pub(super) const ROUNDING: f64 = 15.0 / (1_u64 << 53) as f64;
 
 /// n.l moves by no more than n and l do, and a unit vector by no more than the arc asin(radius).
 #[inline(always)]

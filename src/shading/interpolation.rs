@@ -77,10 +77,11 @@ pub fn sampled<S: Simd>(
 ///   term that crosses      3     a product and two sums more
 ///   display                2     the byte may be that of the next float
 /// ```
-const ROUNDING: f64 = 14.0 * U;
+/// and, as each rounding enlarges the errors before it, a thousandth: `proofs/rows.v`.
+pub(super) const ROUNDING: f64 = 14.001 * U;
 
-/// The error of multiples of 1/256 level: three roundings to the nearest multiple.
-const FIXED: f64 = 1.5 / 256.0;
+/// The error of multiples of 1/256 level: three roundings to the nearest multiple, `proofs/fixed.g`.
+pub(super) const FIXED: f64 = 1.5 / 256.0;
 
 /// The levels that multiples of 1/256 can hold without a clamp: with a half added they stay within 0..256.
 const FIXED_RANGE: [f64; 2] = [0.0, 255.49];

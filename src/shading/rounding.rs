@@ -116,6 +116,7 @@ mod tests {
     use super::super::affine::Affine;
     use super::super::field::{MAX_RADIUS, Places};
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
+    use super::super::{bound, field, interpolation};
     use super::*;
     use crate::simd::{Baseline, token};
 
@@ -275,5 +276,18 @@ mod tests {
         assert!(chord.contains(&format!("+ unit <= {CHORD}b-24 }}")));
         let power = goal(include_str!("../../proofs/power.v"), "Goal");
         assert!(power.contains(&format!("<= {POWER_ERROR}/1.")));
+        let rows = goal(include_str!("../../proofs/rows.v"), "Goal");
+        let thousandths = (1000.0 * interpolation::ROUNDING / U).round();
+        assert!(rows.contains(&format!("- 1) <= {thousandths}/1000 * u.")));
+        let fixed = goal(include_str!("../../proofs/fixed.g"), "->");
+        assert!(fixed.contains(&format!(
+            "(M + v + w)| <= {}b-9",
+            512.0 * interpolation::FIXED
+        )));
+        let side = goal(include_str!("../../proofs/side.g"), "->");
+        assert!(side.contains(&format!("<= {}b-53 }}", bound::ROUNDING * (1_u64 << 53) as f64)));
+        let cross = goal(include_str!("../../proofs/cross.g"), "->");
+        assert!(cross.contains("<= 34b-53 }"));
+        assert!((6e-8..field::CROSS_ERROR).contains(&(34.0 / (1_u64 << 53) as f64).sqrt()));
     }
 }

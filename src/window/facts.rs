@@ -11,6 +11,7 @@ use crate::components::{Inspector, Probed, ShadingMode, Show, Side, Tab, Toleran
 use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::requires::PartChange;
+use crate::requires::bits::StageBits;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
 
@@ -34,6 +35,7 @@ pub struct Facts {
     pub comparison: Job<Box<Comparison>>,
     pub proof: Job<Box<Proof>>,
     pub required: Job<Vec<PartChange>>,
+    pub bits: Job<Vec<StageBits>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Job<Vec<Measurement>>,
     /// The passes of [`PASSES`] that were made.
@@ -48,6 +50,7 @@ impl Facts {
             Task::Compare,
             Task::Prove,
             Task::Require,
+            Task::Bits,
         ] {
             *self.state(task) = State::Idle;
         }
@@ -65,6 +68,7 @@ impl Facts {
             Task::Compare => &mut self.comparison.state,
             Task::Prove => &mut self.proof.state,
             Task::Require => &mut self.required.state,
+            Task::Bits => &mut self.bits.state,
             Task::Measure => &mut self.trade.state,
         }
     }
@@ -96,6 +100,7 @@ impl App {
             wanted(Task::Measure, measures && self.facts.passes == 0),
             wanted(Task::Prove, is_live || tab == Some(Tab::Proof)),
             wanted(Task::Require, tab == Some(Tab::Required)),
+            wanted(Task::Bits, tab == Some(Tab::Required)),
             wanted(Task::Measure, measures && self.facts.passes > 0),
         ];
         let is_open = |task: &Task| match self.facts.state(*task) {
@@ -230,6 +235,7 @@ impl App {
                 facts.proof.finish(proof);
             }
             Answer::Require(parts) => facts.required.finish(parts),
+            Answer::Bits(stages) => facts.bits.finish(stages),
             Answer::Measure(measured) => {
                 facts.trade.finish(measured);
                 facts.passes += 1;

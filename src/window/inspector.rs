@@ -16,6 +16,7 @@ use super::jobs::{Job, State};
 use super::style::{BAD, GOOD, INK, STALE};
 use crate::components::{Inspector, Tab, Tolerance};
 use crate::prove::Proof;
+use crate::requires::bits::StageBits;
 
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
@@ -93,6 +94,31 @@ impl App {
         if self.desk.left_out != before {
             self.facts.without = Job::default();
         }
+        ui.separator();
+        self.bits_section(ui);
+    }
+
+    /// A row for each stage of the model: the fewest bits, and the errors of three formats.
+    fn bits_section(&self, ui: &mut Ui) {
+        ui.label(
+            "The fewest bits of significand that each stage needs, with the largest error in levels of \
+             255, proven; and whether f16, bf16 and f32 keep the tolerance. The other stages are in f64.",
+        );
+        progress(ui, &self.facts.bits.state, "rounding stage by stage");
+        let ink = ink(&self.facts.bits);
+        let stages = self.facts.bits.value.iter().flatten();
+        let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
+        Grid::new("bits").striped(true).show(ui, |ui| {
+            for cells in [head.to_vec()]
+                .into_iter()
+                .chain(stages.map(StageBits::cells))
+            {
+                for cell in cells {
+                    ui.colored_label(ink, cell);
+                }
+                ui.end_row();
+            }
+        });
     }
 
     fn proof_tab(&mut self, ui: &mut Ui) {

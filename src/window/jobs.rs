@@ -18,6 +18,7 @@ use crate::components::{Show, View, get, viewer};
 use crate::drawing::all_cores;
 use crate::probe::{self, Probe};
 use crate::prove::{Proof, prove};
+use crate::requires::bits::{StageBits, bits};
 use crate::requires::{self, Part, PartChange};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
@@ -33,6 +34,8 @@ pub enum Task {
     Compare,
     Prove,
     Require,
+    /// The bits that each stage of the model requires.
+    Bits,
     Measure,
 }
 
@@ -47,6 +50,7 @@ pub enum Answer {
     Prove(Box<Proof>),
     /// The part that matters most first.
     Require(Vec<PartChange>),
+    Bits(Vec<StageBits>),
     Measure(Vec<Measurement>),
     /// The share of the task that is done, 0..=1.
     Progress(f64),
@@ -237,6 +241,7 @@ fn answer(
             proof.map(|it| Answer::Prove(Box::new(it)))
         }
         Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),
+        Task::Bits => bits(scene, view, cancelled, progress).map(Answer::Bits),
         Task::Measure => {
             let request = trade::Request {
                 camera: String::new(),

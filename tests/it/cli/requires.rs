@@ -87,6 +87,22 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
             .contains(&part["part"].as_str().unwrap().split(' ').next().unwrap());
         assert_eq!(part["time_share"].is_number(), is_timed, "{part}");
     }
+    let stages = found["bits"].as_array().expect("a list");
+    assert_eq!(stages.len(), 6);
+    for stage in stages {
+        assert!(
+            (2..=24).contains(&stage["bits"].as_u64().unwrap()),
+            "{stage}"
+        );
+        assert!(stage["largest_error"].as_f64().unwrap() <= 4.0, "{stage}");
+        for (index, name) in ["f16", "bf16", "f32"].into_iter().enumerate() {
+            let format = &stage["formats"][index];
+            let error = format["largest_error"].as_f64().unwrap();
+            assert_eq!(format["keeps"], error <= 4.0, "{stage}");
+            assert_eq!(format["format"], name);
+        }
+    }
+    assert_eq!(stages[1]["stage"], "normals");
 }
 
 #[test]
@@ -103,6 +119,7 @@ fn the_table_has_a_row_for_every_part_with_the_largest_error_first() {
     };
     assert!(place("cuboid emerald") < place("light ambient"));
     assert!(place("light ambient") < place("near plane"));
+    assert!(place("near plane") < place("positions") && place("positions") < place("sum"));
     assert!(
         table.lines().all(|line| line.chars().count() <= 100),
         "{table}"

@@ -69,11 +69,12 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
             &facts.section.state,
             &facts.comparison.state,
             &facts.required.state,
+            &facts.bits.state,
         ]
         .map(Clone::clone)
     };
     window.step(Vec::new());
-    assert_eq!(states(&window), [const { State::Done }; 3]);
+    assert_eq!(states(&window), [const { State::Done }; 4]);
     for key in [
         Key::F2,
         Key::F6,
@@ -87,7 +88,7 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
         window.press(key);
         assert_eq!(
             states(&window),
-            [const { State::Done }; 3],
+            [const { State::Done }; 4],
             "{key:?} changes no picture"
         );
     }
@@ -104,10 +105,12 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
         let facts = &mut window.app.facts;
         facts.comparison.state = State::Done;
         facts.required.state = State::Done;
+        facts.bits.state = State::Done;
         window.press(key);
         let facts = &window.app.facts;
         assert_eq!(facts.comparison.state, State::Idle, "{key:?}");
         assert_eq!(facts.required.state, State::Idle, "{key:?}");
+        assert_eq!(facts.bits.state, State::Idle, "{key:?}");
         assert!(facts.comparison.current().is_none() && facts.comparison.value.is_some());
     }
     let facts = &mut window.app.facts;

@@ -1,0 +1,182 @@
+(* Products of unit vectors and the power of a highlight, `bound::product` and `Highlight::error`.
+
+   Vectors are triples of functions; a, b, ... are lengths. By hand: r = R l for the half-turn R about n, whose derivatives are
+   those of direction.v, so Leibniz' rule below holds for R l with lengths of operators. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+Open Scope R_scope.
+
+Record vec := V { X : R; Y : R; Z : R }.
+Definition dot u v := X u * X v + Y u * Y v + Z u * Z v.
+Definition at_most (u : vec) m := 0 <= m /\ dot u u <= m * m.
+Definition derives (f f' : R -> vec) t :=
+  is_derive (fun t => X (f t)) t (X (f' t)) /\ is_derive (fun t => Y (f t)) t (Y (f' t)) /\
+  is_derive (fun t => Z (f t)) t (Z (f' t)).
+
+Lemma lagrange u v : dot u v * dot u v <= dot u u * dot v v.
+Proof.
+destruct u as [a b c], v as [x y z]. unfold dot; simpl.
+assert (0 <= (a * y - b * x) * (a * y - b * x)) by apply Rle_0_sqr.
+assert (0 <= (a * z - c * x) * (a * z - c * x)) by apply Rle_0_sqr.
+assert (0 <= (b * z - c * y) * (b * z - c * y)) by apply Rle_0_sqr. nra.
+Qed.
+
+Lemma cauchy u v a b : at_most u a -> at_most v b -> Rabs (dot u v) <= a * b.
+Proof.
+intros [A U] [B W]. rewrite <- (Rabs_pos_eq (a * b)) by (apply Rmult_le_pos; assumption).
+apply Rsqr_le_abs_0. unfold Rsqr. assert (L := lagrange u v).
+assert (D : forall w, 0 <= dot w w) by (intros [x y z]; unfold dot; simpl; nra).
+assert (dot u u * dot v v <= a * a * (b * b)) by (apply Rmult_le_compat; auto). nra.
+Qed.
+
+Lemma is_product f g f' g' t : is_derive f t f' -> is_derive g t g' -> is_derive (fun u => f u * g u) t (f' * g t + f t * g').
+Proof. intros F G. apply (is_derive_mult f g); [exact F | exact G | exact Rmult_comm]. Qed.
+
+Lemma d_dot f f' g g' t : derives f f' t -> derives g g' t ->
+  is_derive (fun t => dot (f t) (g t)) t (dot (f' t) (g t) + dot (f t) (g' t)).
+Proof.
+intros [FX [FY FZ]] [GX [GY GZ]]. unfold dot.
+replace (X (f' t) * X (g t) + Y (f' t) * Y (g t) + Z (f' t) * Z (g t) + (X (f t) * X (g' t) + Y (f t) * Y (g' t) + Z (f t) * Z (g' t)))
+  with (X (f' t) * X (g t) + X (f t) * X (g' t) + (Y (f' t) * Y (g t) + Y (f t) * Y (g' t)) + (Z (f' t) * Z (g t) + Z (f t) * Z (g' t))) by ring.
+apply (is_derive_plus (fun t => X (f t) * X (g t) + Y (f t) * Y (g t)) (fun t => Z (f t) * Z (g t))).
+- apply (is_derive_plus (fun t => X (f t) * X (g t)) (fun t => Y (f t) * Y (g t))); apply is_product; assumption.
+- apply is_product; assumption.
+Qed.
+
+Section Leibniz.
+Variables f f1 f2 f3 g g1 g2 g3 : R -> vec.
+Hypothesis df : forall t, derives f f1 t /\ derives f1 f2 t /\ derives f2 f3 t.
+Hypothesis dg : forall t, derives g g1 t /\ derives g1 g2 t /\ derives g2 g3 t.
+Definition p1 t := dot (f1 t) (g t) + dot (f t) (g1 t).
+Definition p2 t := dot (f2 t) (g t) + 2 * dot (f1 t) (g1 t) + dot (f t) (g2 t).
+Definition p3 t := dot (f3 t) (g t) + 3 * dot (f2 t) (g1 t) + 3 * dot (f1 t) (g2 t) + dot (f t) (g3 t).
+
+Theorem leibniz t : is_derive (fun t => dot (f t) (g t)) t (p1 t) /\ is_derive p1 t (p2 t) /\ is_derive p2 t (p3 t).
+Proof.
+destruct (df t) as [F [F1 F2]]. destruct (dg t) as [G [G1 G2]]. refine (conj _ (conj _ _)).
+- apply d_dot; assumption.
+- replace (p2 t) with (dot (f2 t) (g t) + dot (f1 t) (g1 t) + (dot (f1 t) (g1 t) + dot (f t) (g2 t))) by (unfold p2; ring).
+  apply (is_derive_plus (fun t => dot (f1 t) (g t)) (fun t => dot (f t) (g1 t))); apply d_dot; assumption.
+- replace (p3 t) with (dot (f3 t) (g t) + dot (f2 t) (g1 t) + 2 * (dot (f2 t) (g1 t) + dot (f1 t) (g2 t))
+    + (dot (f1 t) (g2 t) + dot (f t) (g3 t))) by (unfold p3; ring).
+  apply (is_derive_plus (fun t => dot (f2 t) (g t) + 2 * dot (f1 t) (g1 t)) (fun t => dot (f t) (g2 t))); [|apply d_dot; assumption].
+  apply (is_derive_plus (fun t => dot (f2 t) (g t)) (fun t => 2 * dot (f1 t) (g1 t))); [apply d_dot; assumption|].
+  apply (is_derive_scal (fun t => dot (f1 t) (g1 t))). apply d_dot; assumption.
+Qed.
+
+Theorem leibniz_bound t a1 a2 a3 b1 b2 b3 :
+  at_most (f t) 1 -> at_most (f1 t) a1 -> at_most (f2 t) a2 -> at_most (f3 t) a3 ->
+  at_most (g t) 1 -> at_most (g1 t) b1 -> at_most (g2 t) b2 -> at_most (g3 t) b3 ->
+  Rabs (p3 t) <= a3 + (a2 * b1 + a1 * b2) * 3 + b3.
+Proof.
+intros F F1 F2 F3 G G1 G2 G3. unfold p3.
+assert (A := cauchy _ _ _ _ F3 G). assert (B := cauchy _ _ _ _ F2 G1).
+assert (C := cauchy _ _ _ _ F1 G2). assert (D := cauchy _ _ _ _ F G3).
+apply Rabs_le_between in A. apply Rabs_le_between in B. apply Rabs_le_between in C. apply Rabs_le_between in D.
+apply Rabs_le. lra.
+Qed.
+End Leibniz.
+
+(* s = 1 - |e|^2 / 2, e = r - o: its derivatives are those of Leibniz' rule for e and e. *)
+Theorem cosine e e1 e2 e3 : (forall t, derives e e1 t /\ derives e1 e2 t /\ derives e2 e3 t) -> forall t : R,
+  let s t := 1 - dot (e t) (e t) / 2 in
+  let s1 t := - dot (e t) (e1 t) in
+  let s2 t := - dot (e1 t) (e1 t) - dot (e t) (e2 t) in
+  let s3 t := - 3 * dot (e1 t) (e2 t) - dot (e t) (e3 t) in
+  is_derive s t (s1 t) /\ is_derive s1 t (s2 t) /\ is_derive s2 t (s3 t).
+Proof.
+intros H t s s1 s2 s3. destruct (H t) as [E [E1 E2]].
+assert (S : forall u v, dot u v = dot v u) by (intros [a b c] [x y z]; unfold dot; simpl; ring).
+refine (conj _ (conj _ _)).
+- assert (Q : s1 t = 0 - / 2 * (dot (e1 t) (e t) + dot (e t) (e1 t))) by (unfold s1; rewrite (S (e1 t) (e t)); field). rewrite Q. unfold s.
+  apply (is_derive_minus (fun _ => 1) (fun t => dot (e t) (e t) / 2)); [apply (is_derive_const 1)|].
+  apply (is_derive_ext (fun t => / 2 * dot (e t) (e t))); [intro u; apply Rmult_comm|].
+  apply (is_derive_scal (fun t => dot (e t) (e t))). apply d_dot; assumption.
+- replace (s2 t) with (- (dot (e1 t) (e1 t) + dot (e t) (e2 t))) by (unfold s2; ring).
+  apply (is_derive_opp (fun t => dot (e t) (e1 t))). apply d_dot; assumption.
+- replace (s3 t) with (- (dot (e2 t) (e1 t) + dot (e1 t) (e2 t)) - (dot (e1 t) (e2 t) + dot (e t) (e3 t)))
+    by (unfold s3; rewrite (S (e2 t) (e1 t)); ring).
+  apply (is_derive_minus (fun t => - dot (e1 t) (e1 t)) (fun t => dot (e t) (e2 t))); [|apply d_dot; assumption].
+  apply (is_derive_opp (fun t => dot (e1 t) (e1 t))). apply d_dot; assumption.
+Qed.
+
+(* s^rho for s > 0. *)
+Lemma d_power s s' k t : 0 < s t -> is_derive s t s' -> is_derive (fun t => Rpower (s t) k) t (k * Rpower (s t) (k - 1) * s').
+Proof.
+intros P D. rewrite Rmult_comm.
+apply (is_derive_comp (fun x => Rpower x k) s t (k * Rpower (s t) (k - 1)) s'); [|exact D].
+apply is_derive_Reals, derivable_pt_lim_power, P.
+Qed.
+
+Theorem power s s1 s2 s3 k : (forall t, 0 < s t /\ is_derive s t (s1 t) /\ is_derive s1 t (s2 t) /\ is_derive s2 t (s3 t)) ->
+  let q1 t := k * Rpower (s t) (k - 1) * s1 t in
+  let q2 t := k * Rpower (s t) (k - 1) * s2 t + k * (k - 1) * Rpower (s t) (k - 2) * (s1 t * s1 t) in
+  let q3 t := k * Rpower (s t) (k - 1) * s3 t + 3 * (k * (k - 1)) * Rpower (s t) (k - 2) * (s1 t * s2 t)
+    + k * (k - 1) * (k - 2) * Rpower (s t) (k - 3) * (s1 t * s1 t * s1 t) in
+  forall t : R, is_derive (fun t => Rpower (s t) k) t (q1 t) /\ is_derive q1 t (q2 t) /\ is_derive q2 t (q3 t).
+Proof.
+intros H q1 q2 q3 t. destruct (H t) as [P [D [D1 D2]]].
+assert (E : forall j, is_derive (fun t => Rpower (s t) j) t (j * Rpower (s t) (j - 1) * s1 t)) by (intro j; apply d_power; assumption).
+assert (E1 := E (k - 1)). assert (E2 := E (k - 2)).
+replace (k - 1 - 1) with (k - 2) in E1 by ring. replace (k - 2 - 1) with (k - 3) in E2 by ring.
+assert (S : forall c f f', is_derive f t f' -> is_derive (fun t => c * f t) t (c * f')) by (intros c f f'; apply (is_derive_scal f)).
+refine (conj _ (conj _ _)).
+- apply E.
+- replace (q2 t) with (k * ((k - 1) * Rpower (s t) (k - 2) * s1 t) * s1 t + k * Rpower (s t) (k - 1) * s2 t) by (unfold q2; ring).
+  apply (is_product (fun t => k * Rpower (s t) (k - 1)) s1); [apply S, E1 | exact D1].
+- replace (q3 t) with (k * ((k - 1) * Rpower (s t) (k - 2) * s1 t) * s2 t + k * Rpower (s t) (k - 1) * s3 t
+    + (k * (k - 1) * ((k - 2) * Rpower (s t) (k - 3) * s1 t) * (s1 t * s1 t)
+    + k * (k - 1) * Rpower (s t) (k - 2) * (s2 t * s1 t + s1 t * s2 t))) by (unfold q3; ring).
+  apply (is_derive_plus (fun t => k * Rpower (s t) (k - 1) * s2 t) (fun t => k * (k - 1) * Rpower (s t) (k - 2) * (s1 t * s1 t))).
+  + apply (is_product (fun t => k * Rpower (s t) (k - 1)) s2); [apply S, E1 | exact D2].
+  + apply (is_product (fun t => k * (k - 1) * Rpower (s t) (k - 2)) (fun t => s1 t * s1 t)); [apply S, E2 | apply is_product; exact D1].
+Qed.
+
+(* A derivative of a unit vector o is perpendicular to it: |o'.r| <= |o'| sin(theta), cos(theta) = o.r. *)
+Theorem perpendicular o o1 r m sine : dot o o = 1 -> dot r r = 1 -> dot o o1 = 0 -> at_most o1 m ->
+  0 <= sine -> 1 - dot o r * dot o r <= sine * sine -> Rabs (dot o1 r) <= m * sine.
+Proof.
+intros O R P M S H.
+set (v := V (X r - dot o r * X o) (Y r - dot o r * Y o) (Z r - dot o r * Z o)).
+replace (dot o1 r) with (dot o1 v).
+- apply cauchy; [exact M|]. split; [exact S|].
+  replace (dot v v) with (dot r r - 2 * (dot o r * dot o r) + dot o r * dot o r * dot o o) by (unfold v, dot; simpl; ring).
+  rewrite O, R. lra.
+- replace (dot o1 v) with (dot o1 r - dot o r * dot o o1) by (unfold v, dot; simpl; ring). rewrite P. ring.
+Qed.
+
+(* The third derivative of s^rho from rho = 2 on: two of its terms have opposite signs. x, y, z stand for rho s^(rho-1),
+   3 rho (rho-1) s^(rho-2) and rho (rho-1) (rho-2) s^(rho-3); u = |e'|^2 and v = e.e''. *)
+Theorem highlight x y z s1 s3 u v sine c e1 e2 e3 :
+  0 <= x -> 0 <= y -> 0 <= z -> 0 <= sine -> 0 <= c -> 0 <= e1 -> 0 <= e2 -> 0 <= e3 ->
+  Rabs s1 <= e1 * sine -> Rabs s3 <= 3 * e1 * e2 + c * e3 -> 0 <= u <= e1 * e1 -> Rabs v <= c * e2 ->
+  Rabs (x * s3 + y * (s1 * (- u - v)) + z * (s1 * s1 * s1))
+  <= x * (3 * e1 * e2 + c * e3) + y * sine * c * e1 * e2 + Rmax (y * sine) (z * (sine * sine * sine)) * (e1 * e1 * e1).
+Proof.
+intros x0 y0 z0 sine0 c0 e10 e20 e30 S1 S3 [u0 U] V'.
+assert (A : Rabs (x * s3) <= x * (3 * e1 * e2 + c * e3)).
+{ rewrite Rabs_mult, (Rabs_pos_eq x x0). apply Rmult_le_compat_l; assumption. }
+assert (B : Rabs (y * (s1 * v)) <= y * sine * c * e1 * e2).
+{ rewrite !Rabs_mult, (Rabs_pos_eq y y0). replace (y * sine * c * e1 * e2) with (y * (e1 * sine * (c * e2))) by ring.
+  apply Rmult_le_compat_l; [assumption|]. apply Rmult_le_compat; auto using Rabs_pos. }
+assert (C : Rabs (z * (s1 * s1 * s1) - y * (s1 * u)) <= Rmax (y * sine) (z * (sine * sine * sine)) * (e1 * e1 * e1)).
+{ set (k := e1 * sine) in *. assert (K : 0 <= k) by (apply Rmult_le_pos; assumption).
+  assert (E3 : 0 <= e1 * e1 * e1) by (repeat apply Rmult_le_pos; assumption).
+  assert (P : y * (k * (e1 * e1)) <= Rmax (y * sine) (z * (sine * sine * sine)) * (e1 * e1 * e1)).
+  { replace (y * (k * (e1 * e1))) with (y * sine * (e1 * e1 * e1)) by (unfold k; ring). apply Rmult_le_compat_r; [exact E3 | apply Rmax_l]. }
+  assert (Q : z * (k * k * k) <= Rmax (y * sine) (z * (sine * sine * sine)) * (e1 * e1 * e1)).
+  { replace (z * (k * k * k)) with (z * (sine * sine * sine) * (e1 * e1 * e1)) by (unfold k; ring).
+    apply Rmult_le_compat_r; [exact E3 | apply Rmax_r]. }
+  assert (T : forall w, 0 <= w <= k -> 0 <= z * (w * w * w) <= z * (k * k * k) /\ 0 <= y * (w * u) <= y * (k * (e1 * e1))).
+  { intros w [W WK]. assert (w * w <= k * k) by (apply Rmult_le_compat; assumption).
+    assert (0 <= w * w) by (apply Rmult_le_pos; assumption).
+    repeat split; try (repeat apply Rmult_le_pos; assumption); apply Rmult_le_compat_l; try assumption; apply Rmult_le_compat; assumption. }
+  apply Rabs_le. destruct (Rle_dec 0 s1).
+  - rewrite Rabs_pos_eq in S1 by assumption. destruct (T s1 (conj r S1)). lra.
+  - rewrite Rabs_left in S1 by lra. destruct (T (- s1)) as [F G]; [lra|].
+    replace (s1 * s1 * s1) with (- (- s1 * - s1 * - s1)) by ring. replace (s1 * u) with (- (- s1 * u)) by ring. lra. }
+replace (x * s3 + y * (s1 * (- u - v)) + z * (s1 * s1 * s1))
+  with (x * s3 + - (y * (s1 * v)) + (z * (s1 * s1 * s1) - y * (s1 * u))) by ring.
+eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact C].
+eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
+Qed.

@@ -1,0 +1,332 @@
+//! The bits of significand that each stage of the model requires.
+//!
+//! ```text
+//! scene --reference in f64--> triangle, weights --textbook, one stage rounded--> levels of each pixel ---+
+//!    |                                                                                                   +--> error
+//!    '----reference over intervals--> levels of each pixel ----------------------------------------------+
+//! ```
+//! The textbook's formula is evaluated in world space, as a shader does. One stage at a time is rounded: each number of
+//! the scene that it uses, and the result of each of its operations, to nearest. It takes the results of the other stages
+//! as f64 has them, so every rounding belongs to one stage:
+//!
+//! ```text
+//! positions                  P = a P1 + b P2 + c P3          (Gouraud: the corners)
+//! normals                    n = unit(a n1 + b n2 + c n3)    (Gouraud: the corners')
+//! vectors to light and eye   l = unit(L - P), o = unit(O - P)
+//! dot products               n.l, r = 2 (n.l) n - l, o.r
+//! power                      2^(rho log2(o.r))
+//! sum                        sum of levels * factor          (Gouraud: and a I1 + b I2 + c I3)
+//! ```
+//! The error of a pixel is the upper bound of the distance from its enclosure. More bits do not always err less, so the
+//! search starts at 24 bits and ends at the first number that breaks the tolerance at any pixel.
+
+use std::array::from_fn;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::DVec3;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::{error, rows, without};
+use crate::components::{
+    FACES, LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View,
+};
+use crate::reference::{Interval, LightSample, Reference, Sample, in_row};
+use crate::scene::{CuboidRecord, Scene, SceneRecord};
+use crate::shading::limit;
+use crate::trade::metrics::ends;
+use crate::trade::words::short;
+
+/// A stage of the model, in the order of [`STAGES`].
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    Positions,
+    Normals,
+    Vectors,
+    Products,
+    Power,
+    Sum,
+}
+
+/// The stages in the order of evaluation.
+#[rustfmt::skip]
+const STAGES: [(Stage, &str); 6] = [
+    (Stage::Positions, "positions"), (Stage::Normals, "normals"), (Stage::Vectors, "vectors to light and eye"),
+    (Stage::Products, "dot products"), (Stage::Power, "power"), (Stage::Sum, "sum"),
+];
+
+/// A format of floating-point numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Format {
+    /// Bits of significand, the leading one included, 2..=24.
+    pub bits: u32,
+    /// The largest exponent of two; the least one of normal numbers is 1 minus this (IEEE 754).
+    pub exponent: i32,
+}
+
+/// The formats that are tried by name.
+#[rustfmt::skip]
+pub const FORMATS: [(&str, Format); 3] = [
+    ("f16", Format { bits: 11, exponent: 15 }),
+    ("bf16", Format { bits: 8, exponent: 127 }),
+    ("f32", Format { bits: 24, exponent: 127 }),
+];
+
+/// Formats that are tried: [`FORMATS`], then those of 2 to 24 bits with exponents that no scene exceeds.
+const TRIALS: usize = FORMATS.len() + 23;
+
+impl Format {
+    fn of_trial(trial: usize) -> Self {
+        let of_bits = || Format {
+            bits: trial as u32 - 1,
+            exponent: 900,
+        };
+        FORMATS
+            .get(trial)
+            .map_or_else(of_bits, |(_, format)| *format)
+    }
+
+    /// The nearest number of the format; of two, the even one. Beyond the largest it is infinite.
+    ///
+    /// An operation on numbers of at most 24 bits that is rounded to f64 first is rounded as if directly (Figueroa 1995).
+    pub fn round(self, value: f64) -> f64 {
+        /// 1.5 * 2^52: a smaller number added to it is rounded to an integer.
+        const INTEGERS: f64 = 6_755_399_441_055_744.0;
+        let power_of_two = |exponent: i32| f64::from_bits(((exponent + 1023) as u64) << 52);
+        let exponent = (value.to_bits() >> 52 & 0x7ff) as i32 - 1023;
+        let last = power_of_two(exponent.max(1 - self.exponent) + 1 - self.bits as i32);
+        let rounded = (value / last + INTEGERS - INTEGERS) * last;
+        if rounded.abs() < power_of_two(self.exponent + 1) {
+            rounded
+        } else {
+            rounded * f64::INFINITY
+        }
+    }
+}
+
+/// What a stage requires. Errors are in levels of 255, proven.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StageBits {
+    pub stage: &'static str,
+    /// The fewest bits from which on all numbers up to 24 keep the tolerance; `None` if 24 do not.
+    pub bits: Option<usize>,
+    /// The largest error with so many bits, or with 24.
+    pub largest_error: f64,
+    pub formats: [FormatError; 3],
+}
+
+/// The largest error in a format, in levels of 255, and whether it keeps the tolerance.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FormatError {
+    pub format: &'static str,
+    pub largest_error: f64,
+    pub keeps: bool,
+}
+
+impl StageBits {
+    /// The cells of a table: stage, bits, largest error, formats.
+    pub fn cells(&self) -> Vec<String> {
+        let bits = self.bits.map_or("> 24".to_owned(), |bits| bits.to_string());
+        let mut cells = vec![self.stage.to_owned(), bits, short(Some(self.largest_error))];
+        cells.extend(self.formats.iter().map(|format| {
+            let answer = if format.keeps { "yes" } else { "no" };
+            format!("{answer}, {}", short(Some(format.largest_error)))
+        }));
+        cells
+    }
+}
+
+/// The formula with one stage in a format.
+#[derive(Clone, Copy)]
+struct Trial {
+    stage: Stage,
+    format: Format,
+}
+
+impl Trial {
+    /// The result of an operation of a stage.
+    fn one(self, stage: Stage, value: f64) -> f64 {
+        if stage == self.stage {
+            self.format.round(value)
+        } else {
+            value
+        }
+    }
+
+    fn all(self, stage: Stage, vector: DVec3) -> DVec3 {
+        DVec3::from(vector.to_array().map(|value| self.one(stage, value)))
+    }
+
+    fn dot(self, stage: Stage, one: DVec3, other: DVec3) -> f64 {
+        let [x, y, z] = self.all(stage, one * other).to_array();
+        self.one(stage, self.one(stage, x + y) + z)
+    }
+
+    fn unit(self, stage: Stage, vector: DVec3) -> DVec3 {
+        let length = self.one(stage, self.dot(stage, vector, vector).sqrt());
+        self.all(stage, vector / length)
+    }
+
+    /// The weighted sum of the values at three corners.
+    fn blend(self, stage: Stage, values: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
+        let [a, b, c] = from_fn(|i| self.all(stage, self.all(stage, values[i]) * weights[i]));
+        self.all(stage, self.all(stage, a + b) + c)
+    }
+
+    /// The model at a point of the cuboid that a pixel shows. A direction that is not a number, as that of a light at the
+    /// point, lights nothing.
+    fn lit(
+        self,
+        scene: &SceneRecord,
+        view: &View,
+        sample: &Sample,
+        [point, normal]: [DVec3; 2],
+    ) -> DVec3 {
+        use Stage::{Power, Products, Sum, Vectors};
+        let towards = |place: DVec3| {
+            let way = self.all(Vectors, self.all(Vectors, place) - point);
+            self.unit(Vectors, way)
+        };
+        let power = |base: f64| {
+            let shininess = scene.cuboid[sample.object].material.shininess;
+            let [log, rho] = [base.max(0.0).log2(), shininess].map(|it| self.one(Power, it));
+            // 0^0 is 1.
+            let exponent = if rho == 0.0 {
+                0.0
+            } else {
+                self.one(Power, log * rho)
+            };
+            self.one(Power, exponent.exp2())
+        };
+        let mut levels = DVec3::ZERO;
+        for (light, LightSample { strength, .. }) in scene.light.iter().zip(&sample.lights) {
+            let to_light = towards(light.position.unwrap_or_default());
+            let cosine = self.dot(Products, normal, to_light);
+            let factor = match light.kind {
+                LightKind::Ambient => 1.0,
+                LightKind::Diffuse => cosine.max(0.0),
+                LightKind::Specular if cosine > 0.0 => {
+                    let along = self.all(Products, normal * (2.0 * cosine));
+                    let reflected = self.all(Products, along - to_light);
+                    let to_eye = match view.projection {
+                        Projection::Perspective => towards(view.viewpoint.position),
+                        Projection::Orthographic => self.all(Vectors, sample.to_eye),
+                    };
+                    power(self.dot(Products, to_eye, reflected))
+                }
+                LightKind::Specular => 0.0,
+            };
+            let term = self.all(Sum, self.all(Sum, *strength) * factor);
+            levels = self.all(Sum, levels + term);
+        }
+        levels
+    }
+}
+
+/// The bits that each stage of the picture requires, computed on rayon's current threads. `None` as soon as `cancelled`
+/// returns true. `progress` receives the finished share, 0..=1.
+///
+/// Each cuboid keeps its own shading; that of the view is not used.
+pub fn bits(
+    scene: &Scene,
+    view: &View,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    progress: &(dyn Fn(f64) + Sync),
+) -> Option<Vec<StageBits>> {
+    let view = &View {
+        shading: None,
+        ..*view
+    };
+    let mut record = SceneRecord::of(&scene.world);
+    record.light.retain(|light| light.on);
+    let corners = |cuboid: &CuboidRecord| {
+        let (position, rotation) = (cuboid.position, cuboid.rotation);
+        let axes = Transform { position, rotation }.turned(view.turned).axes();
+        let corner = |c: DVec3| [position + axes * c, axes * c.signum().normalize()];
+        Mesh::cuboid(cuboid.size).corners.map(corner)
+    };
+    let corners: Vec<_> = record.cuboid.iter().map(corners).collect();
+    let world = &without(scene, &[]).world;
+    let enclosures = rows(Reference::<Interval>::new(world, view));
+    let limit = limit(view.tolerance);
+    let columns: Vec<usize> = (0..view.size[0]).collect();
+    // By stage: the trial of the fewest bits that no pixel has ruled out so far.
+    let fewest = STAGES.map(|_| AtomicUsize::new(FORMATS.len()));
+    let done = AtomicUsize::new(0);
+    let row = |y: usize| {
+        if cancelled() {
+            return None;
+        }
+        let mut errors = [[0.0_f64; TRIALS]; STAGES.len()];
+        let mut at_corners = HashMap::new();
+        for (full, sample) in enclosures(y).iter().zip(in_row(world, view, y, &columns)) {
+            let Some(sample) = sample else { continue };
+            let Sample {
+                object,
+                triangle,
+                weights,
+                ..
+            } = sample;
+            let is_gouraud = record.cuboid[object].shading == ShadingMode::Gouraud;
+            let vertices = TRIANGLES[triangle].map(usize::from);
+            let [points, normals] =
+                [0, 1].map(|part| vertices.map(|vertex| corners[object][vertex][part]));
+            for (number, (stage, _)) in STAGES.into_iter().enumerate() {
+                let mut breaks = |index: usize| {
+                    let format = Format::of_trial(index);
+                    let trial = Trial { stage, format };
+                    let levels = if is_gouraud {
+                        let lit = from_fn(|i| {
+                            let lit = at_corners.entry([number, index, object, vertices[i]]);
+                            *lit.or_insert_with(|| {
+                                let point = trial.all(Stage::Positions, points[i]);
+                                let normal = trial.all(Stage::Normals, normals[i]);
+                                trial.lit(&record, view, &sample, [point, normal])
+                            })
+                        });
+                        trial.blend(Stage::Sum, lit, weights)
+                    } else {
+                        let point = trial.blend(Stage::Positions, points, weights);
+                        let normal = trial.blend(Stage::Normals, normals, weights);
+                        let normal = trial.unit(Stage::Normals, normal);
+                        trial.lit(&record, view, &sample, [point, normal])
+                    };
+                    let face = Some(object * FACES.len() + triangle / 2);
+                    let [_, error] = error(full, &[(face, ends(levels.to_array()))], false);
+                    errors[number][index] = errors[number][index].max(error);
+                    error > limit
+                };
+                for format in 0..FORMATS.len() {
+                    breaks(format);
+                }
+                let mut left = fewest[number].load(Ordering::Relaxed)..TRIALS;
+                if let Some(index) = left.rfind(|index| breaks(*index)) {
+                    fewest[number].fetch_max(index + 1, Ordering::Relaxed);
+                }
+            }
+        }
+        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / view.size[1] as f64);
+        Some(errors)
+    };
+    let by_row = (0..view.size[1]).into_par_iter().map(row);
+    let by_row: Vec<_> = by_row.collect::<Option<_>>()?;
+    let of_stage = |(number, fewest): (usize, AtomicUsize)| {
+        let largest = |index: usize| {
+            let errors = by_row.iter().map(|row| row[number][index]);
+            errors.fold(0.0, f64::max)
+        };
+        let fewest = fewest.into_inner();
+        StageBits {
+            stage: STAGES[number].1,
+            bits: (fewest < TRIALS).then(|| fewest - 1),
+            largest_error: largest(fewest.min(TRIALS - 1)),
+            formats: from_fn(|index| FormatError {
+                format: FORMATS[index].0,
+                largest_error: largest(index),
+                keeps: largest(index) <= limit,
+            }),
+        }
+    };
+    Some(fewest.into_iter().enumerate().map(of_stage).collect())
+}
