@@ -1,9 +1,8 @@
-//! Scenes at the ends of what numbers can be, and whether their pictures are right.
+//! Scenes with numbers at the ends of their ranges, and proofs of their pictures.
 //!
-//! Each file of `assets/extremes` is a scene, built in as `extremes/NAME`; its first line says what is extreme and what must
-//! be seen. Every pixel of its pictures is proven: from each camera, in both projections and modes, exactly and within half
-//! a level. `index.toml` says where a picture has another size, where some of the pictures mean nothing, and what is known
-//! of them on paper.
+//! Each file of `assets/extremes` is a scene, built in as `extremes/NAME`. Its first line describes the extreme and the right
+//! picture. Every pixel of its pictures is proven: from each camera, in both projections and modes, exactly and within half a
+//! level. `index.toml` lists the exceptions: another size, fewer pictures, and levels known on paper.
 
 pub mod stability;
 
@@ -18,22 +17,23 @@ use crate::components::{Camera, Projection, ShadingMode, View, names};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::output::print;
 use crate::prove::{Proof, Verdict, prove};
+use crate::report::Monitor;
+use crate::report::progress::with_bar;
 use crate::scene::{EXTREMES, Scene};
 use crate::shading::limit;
 use crate::systems;
-use crate::trade::progress::{OnProgress, with_bar};
 
 /// The folder of the built-in names.
 const FOLDER: &str = "extremes/";
 
-/// The least number of pixels, over the pictures from one camera, that show a cuboid: fewer prove little.
+/// The least number of pixels that show a cuboid, in all pictures from one camera: fewer prove little.
 const MIN_COVERED: u64 = 100;
 
-/// A scene and what is expected of it, which the index says where it is not the rule.
+/// A scene and its expectations: those of the index, or the defaults.
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Extreme {
-    /// Its built-in name without the folder.
+    /// The built-in name without the folder.
     #[serde(skip)]
     pub name: &'static str,
     /// Width and height of the pictures in pixels.
@@ -55,13 +55,13 @@ impl Default for Extreme {
     }
 }
 
-/// What is known of every picture on paper.
+/// A property of every picture, known on paper.
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Fact {
-    /// No cuboid is seen.
+    /// No cuboid is visible.
     Background,
-    /// No cuboid but this one is seen, counted from 0 in the order of the file.
+    /// Only this cuboid is visible, counted from 0 in the order of the file.
     Cuboid(u32),
     /// Each channel of a pixel that shows a cuboid has this level.
     Everywhere(f64),
@@ -69,12 +69,12 @@ enum Fact {
     Pixel { at: [usize; 2], levels: [f64; 3] },
 }
 
-/// How an extreme went.
+/// The result of an extreme.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Outcome {
     pub name: &'static str,
     pub expected: String,
-    /// How far the pictures may err, or the first pixel that is wrong.
+    /// The largest proven errors, or the first wrong pixel.
     pub observed: String,
     pub pass: bool,
 }
@@ -82,7 +82,7 @@ pub struct Outcome {
 /// Every extreme, ordered by name.
 ///
 /// # Panics
-/// When the index is wrong; it is built in.
+/// If the index, which is built in, is wrong.
 pub fn table() -> Vec<Extreme> {
     let index = include_str!("../assets/extremes/index.toml");
     let mut index: BTreeMap<&str, Extreme> = toml::from_str(index).expect("the index is right");
@@ -99,7 +99,7 @@ pub fn table() -> Vec<Extreme> {
 /// The extremes of these names, with or without their folder; all if there are none.
 ///
 /// # Errors
-/// When there is no extreme of a name.
+/// If there is no extreme of a name.
 pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     let mut table = table();
     let names: Vec<&str> = names
@@ -116,16 +116,10 @@ pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     Ok(table)
 }
 
-/// Proves the pictures of extremes with the instructions of `level`, on rayon's current threads; unless all are wanted,
-/// every second one.
-pub fn examine(
-    extremes: &[Extreme],
-    level: Level,
-    all: bool,
-    on_progress: OnProgress,
-) -> Vec<Outcome> {
+/// Proves the pictures of extremes on rayon's current threads: `all` of them, or every second one.
+pub fn examine(extremes: &[Extreme], level: Level, all: bool, monitor: Monitor) -> Vec<Outcome> {
     let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
-        on_progress("proving extremes", index as f64 / extremes.len() as f64);
+        (monitor.progress)("proving extremes", index as f64 / extremes.len() as f64);
         let observed = extreme.observe(level, all);
         Outcome {
             name: extreme.name,
@@ -137,17 +131,17 @@ pub fn examine(
     outcomes.collect()
 }
 
-/// The command: proves extremes and prints how they went; returns how many failed.
+/// The command: proves extremes, prints the outcomes, and returns the number of failures.
 ///
 /// # Errors
-/// When the result cannot be printed.
+/// If the result cannot be printed.
 pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<usize> {
-    let outcomes = with_bar(|progress| anyhow::Ok(examine(extremes, level, true, progress)))?;
+    let outcomes = with_bar(|monitor| Ok(examine(extremes, level, true, monitor)))?;
     print(&outcomes, as_json, || text(&outcomes))?;
     Ok(outcomes.iter().filter(|outcome| !outcome.pass).count())
 }
 
-/// A line for each outcome, and how many passed.
+/// A line for each outcome, and the number of those that passed.
 pub fn text(outcomes: &[Outcome]) -> String {
     let lines = outcomes.iter().map(|outcome| {
         let verdict = if outcome.pass { "pass" } else { "FAIL" };
@@ -165,7 +159,7 @@ pub fn text(outcomes: &[Outcome]) -> String {
 }
 
 impl Extreme {
-    /// What is expected, in words.
+    /// The expectation in words.
     fn expected(&self) -> String {
         match self.fact {
             None => "proven".to_owned(),
@@ -176,7 +170,7 @@ impl Extreme {
         }
     }
 
-    /// Proves the pictures and checks what is known of them; how far they may err, in words.
+    /// Proves the pictures and checks the fact. Returns the largest proven errors in words.
     fn observe(&self, level: Level, all: bool) -> anyhow::Result<String> {
         let mut scene = Scene::load(Some(&format!("{FOLDER}{}", self.name)))?;
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
@@ -210,7 +204,7 @@ impl Extreme {
         ))
     }
 
-    /// The pictures from the present camera, each exactly and then within half a level.
+    /// The views of the active camera, each at tolerance 0 and then at 0.5.
     fn views(&self, world: &World) -> Vec<View> {
         let mut views = Vec::new();
         for &projection in &self.projections {
@@ -225,12 +219,12 @@ impl Extreme {
         views
     }
 
-    /// Proves a picture and compares it with what is known of it.
+    /// Proves a picture and checks the fact.
     fn check(&self, world: &mut World, view: &View, frame: &mut Frame) -> anyhow::Result<Proof> {
         let level = frame.workers().level();
-        let proof = prove(world, view, None, level, &|| false, &|_| ())?;
-        let proof = proof.context("the proof was cancelled")?;
-        // Intervals need not decide a pixel that is decided on paper.
+        // No monitor: the progress of one picture among many is not shown.
+        let proof = prove(world, view, None, level, Monitor::NONE)?;
+        // Intervals need not decide a pixel that is known on paper.
         let known = match self.fact {
             Some(Fact::Pixel { at, .. }) => Some(at),
             _ => None,

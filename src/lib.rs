@@ -124,13 +124,13 @@
 //! let truth = reference::picture(&scene.world, &view, 0..240, &|| false, &|_| ()).expect("not cancelled");
 //! let error = compare(Picture::from(&frame), Picture::from(&truth)).error.expect("a cuboid is there");
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
-//! # use shadetrade::prove::prove;
+//! # use shadetrade::{prove::prove, report::Monitor};
 //!
 //! // The same as a fact: no value of any pixel's enclosure is farther away than half a level.
 //! let level = fearless_simd::Level::new();
-//! let proof = prove(&mut scene.world, &view, None, level, &|| false, &|_| ())?.expect("not cancelled");
+//! let proof = prove(&mut scene.world, &view, None, level, Monitor::NONE)?;
 //! assert_eq!(proof.proven, 320 * 240);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), anyhow::Error>(())
 //! ```
 //!
 //! Two such pictures, one without a part of the model, prove what that part is worth: [`mod@requires`] leaves out each
@@ -171,6 +171,7 @@
 //! cli          window       extremes
 //! prove        requires     pictures     probe
 //! trade
+//! report
 //! drawing      systems      reference
 //! frame
 //! shading      scene        output
@@ -178,8 +179,7 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
-//! components and the number that stands for no triangle, never a formula of the renderer's; [`extremes`] takes
-//! tables and the paper of its plots from [`trade`]; [`cli`] takes what a command's options are made into; minifb is
+//! components and the number that stands for no triangle, never a formula of the renderer's; [`report`] takes nothing of ours; [`cli`] takes what a command's options are made into; minifb is
 //! named in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the
 //! error map of [`trade`].
 //!
@@ -202,6 +202,7 @@ pub mod pictures;
 pub mod probe;
 pub mod prove;
 pub mod reference;
+pub mod report;
 pub mod requires;
 pub mod scene;
 pub mod shading;

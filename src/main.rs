@@ -41,8 +41,8 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Some(Command::Trade(options)) => {
             let (request, folder) = (options.request()?, options.output.as_deref());
             let done = match options.batch {
-                Some(number) => trade::process::run(&request, number),
-                None => trade::run(request, folder),
+                Some(number) => trade::batch::run(&request, number),
+                None => trade::run(&request, folder),
             };
             Ok(done?)
         }
@@ -51,12 +51,17 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let map = options.output.as_ref();
             let mut drawing = options.drawing.open_for(map)?;
             let picture = options.read_picture()?;
-            Ok(prove::run(&mut drawing, picture, map, options.json)?)
+            Ok(prove::command::run(
+                &mut drawing,
+                picture,
+                map,
+                options.json,
+            )?)
         }
         Some(Command::Requires(options)) => {
             let least = options.output.as_ref();
             let drawing = options.drawing.open_for(least)?;
-            Ok(requires::run(&drawing, least, options.json)?)
+            Ok(requires::command::run(&drawing, least, options.json)?)
         }
         Some(Command::Extremes(options)) => extremes(&options),
         Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),

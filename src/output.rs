@@ -5,6 +5,7 @@
 //! It is no error if the reader of standard output closes it early.
 
 mod animation;
+mod png;
 
 use std::borrow::Cow;
 use std::fs::{self, File, OpenOptions};
@@ -12,11 +13,10 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageError};
 use serde::Serialize;
 
 pub use animation::Animation;
+pub use png::encode_png;
 
 /// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,29 +79,44 @@ impl Output {
     }
 }
 
-/// Creates the folder `path` unless it exists. Its parent must exist.
+/// Creates the folder `path` unless it exists, and checks that files can be written into it. Its parent must exist.
 ///
 /// # Errors
-/// If `path` exists and is not a folder, or the folder cannot be created.
+/// If `path` exists and is not a folder, or the folder cannot be created or written to.
 pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     match fs::create_dir(path) {
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            ensure!(
-                path.is_dir(),
-                "{} is there already and is not a folder",
-                path.display()
-            );
-            Ok(())
-        }
-        Err(error) if error.kind() == ErrorKind::NotFound => {
-            bail!(
-                "cannot make the folder {}: there is no folder {}",
-                path.display(),
-                folder_of(path).display()
-            )
-        }
-        made => made.with_context(|| format!("cannot make the folder {}", path.display())),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => ensure!(
+            path.is_dir(),
+            "{} is there already and is not a folder",
+            path.display()
+        ),
+        Err(error) if error.kind() == ErrorKind::NotFound => bail!(
+            "cannot make the folder {}: there is no folder {}",
+            path.display(),
+            folder_of(path).display()
+        ),
+        made => made.with_context(|| format!("cannot make the folder {}", path.display()))?,
     }
+    tempfile::tempfile_in(path).with_context(|| format!("cannot write into {}", path.display()))?;
+    Ok(())
+}
+
+/// Writes texts, each with the name of its file, into an existing folder.
+///
+/// # Errors
+/// As [`Output::write`].
+pub fn write_texts(folder: &Path, files: &[(&str, String)]) -> anyhow::Result<()> {
+    files.iter().try_for_each(|(name, text)| {
+        Output::File(folder.join(name)).write(|writer| writer.write_all(text.as_bytes()))
+    })
+}
+
+/// A record as JSON text with a final line break.
+///
+/// # Errors
+/// None in practice: the records contain nothing that JSON cannot express.
+pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
+    Ok(serde_json::to_string_pretty(record)? + "\n")
 }
 
 /// Prints a record to standard output, as JSON or as `text`.
@@ -114,11 +129,11 @@ pub fn print<T: Serialize>(
     text: impl FnOnce() -> String,
 ) -> anyhow::Result<()> {
     let text = if as_json {
-        serde_json::to_string_pretty(record)?
+        json(record)?
     } else {
-        printable(&text())
+        printable(&text()) + "\n"
     };
-    Output::Stdout.write(|writer| writeln!(writer, "{text}"))
+    Output::Stdout.write(|writer| writer.write_all(text.as_bytes()))
 }
 
 /// Prints a line to standard error, so that standard output holds the result alone.
@@ -245,34 +260,4 @@ fn folder_of(path: &Path) -> &Path {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
-}
-
-/// Writes a PNG of 0x00RRGGBB pixels. A copy of 3 bytes per pixel is held meanwhile.
-pub(crate) fn encode_png(
-    writer: &mut dyn Write,
-    pixels: &[u32],
-    [width, height]: [usize; 2],
-) -> io::Result<()> {
-    PngEncoder::new(writer)
-        .write_image(
-            &rgb(pixels)?,
-            width as u32,
-            height as u32,
-            ExtendedColorType::Rgb8,
-        )
-        .map_err(|error| match error {
-            ImageError::IoError(error) => error,
-            other => io::Error::other(other),
-        })
-}
-
-/// Red, green and blue of every pixel.
-fn rgb(pixels: &[u32]) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    bytes.try_reserve_exact(3 * pixels.len())?;
-    bytes.extend(pixels.iter().flat_map(|pixel| {
-        let [_, red, green, blue] = pixel.to_be_bytes();
-        [red, green, blue]
-    }));
-    Ok(bytes)
 }

@@ -9,13 +9,15 @@ pub use figures::figures;
 
 use std::time::{Duration, Instant};
 
+use anyhow::Context;
+
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
 use crate::memory::{self, OutOfMemory};
 use crate::output::{Output, say};
+use crate::report::progress::with_bar;
+use crate::report::words::counted;
 use crate::trade::budget;
-use crate::trade::progress::with_bar;
-use crate::trade::words::counted;
 use crate::{reference, simd, systems};
 
 /// Draws one picture into `output` and reports it, with the time of a frame, on standard error.
@@ -58,28 +60,16 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let [width, height] = view.size;
     let (mut pixels, mut covered) = (memory::reserve_pixels(view.size)?, 0);
     let begin = Instant::now();
-    // In bands, because the reference takes seven times the memory of the picture.
-    let rows_at_once = (PIXELS_AT_ONCE / width).max(1);
-    with_bar(|on_progress| -> anyhow::Result<()> {
-        for first in (0..height).step_by(rows_at_once) {
-            let rows = first..height.min(first + rows_at_once);
-            let done = |rows: usize| {
-                let share = (first + rows) as f64 / height as f64;
-                on_progress("drawing the reference", share);
-            };
-            let Some(truth) =
-                reference::picture(&drawing.scene.world, &view, rows, &|| false, &done)
-            else {
-                break;
-            };
-            covered += truth
-                .triangles
-                .iter()
-                .filter(|&&triangle| triangle != NO_TRIANGLE)
-                .count();
+    let world = &drawing.scene.world;
+    with_bar(|monitor| {
+        monitor.in_bands("drawing the reference", height, |rows| {
+            let truth = reference::picture(world, &view, rows, monitor.is_cancelled, &|_| ());
+            let truth = truth.context("the work was cancelled")?;
+            let covered_here = truth.triangles.iter().filter(|it| **it != NO_TRIANGLE);
+            covered += covered_here.count();
             pixels.extend(truth.levels.iter().copied().map(display_pixel));
-        }
-        Ok(())
+            Ok(())
+        })
     })?;
     let time = begin.elapsed();
     output.write_png(&pixels, view.size)?;
@@ -91,9 +81,6 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     ));
     Ok(())
 }
-
-/// Pixels that the reference draws at once, 28 bytes each.
-const PIXELS_AT_ONCE: usize = 1 << 20;
 
 /// The median time of a frame by `draw`, and the number of frames, which is odd, so that the median is one of the times.
 fn warm_frame(

@@ -1,19 +1,20 @@
-//! The proof of a picture: every pixel is compared with intervals that hold its exact levels.
+//! The proof of a picture: every pixel is compared with intervals that enclose its exact levels.
 //!
 //! ```text
 //! World --FRAME--> levels, bytes, faces ---+
 //!  or a PNG of any program --> bytes ------+--judge--> proven, refuted or undecided
 //! World --reference over intervals--> faces that each pixel may show, and their levels
-//!       --reference over f64--> its own error
+//!       --reference over f64--> the reference's own error
 //! ```
 //! A pixel is proven if it shows a face that it may show, and every value of that face's interval is within the limit of
 //! the drawn levels; bytes have half a level more, for their rounding. It is refuted if it shows another face, or no value
 //! is within the limit. Else it is undecided. A PNG does not say which face a pixel shows: each one that the pixel may
 //! show is tried. Differences are rounded outwards.
 
-mod command;
+pub mod command;
 mod png;
 
+use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
 use rayon::prelude::*;
@@ -21,25 +22,22 @@ use serde::Serialize;
 
 use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
-use crate::memory::{self, OutOfMemory};
+use crate::memory;
 use crate::reference::{Interval, Reference, Seen};
+use crate::report::Monitor;
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::{difference, displayed, ends};
-pub use command::run;
 pub use png::{Picture, read as read_png};
 
-/// Rows that are drawn, enclosed and judged at once.
-const BAND: usize = 64;
-
-/// The most pixels that are kept as examples.
+/// The most pixels in the list of examples.
 const EXAMPLES: usize = 10;
 
 /// The colours of pixels that are undecided and refuted, 0x00RRGGBB.
 pub const UNDECIDED: u32 = 0x00ff_d500;
 pub const REFUTED: u32 = 0x00ff_2020;
 
-/// How a pixel was judged, the best first.
+/// The judgement of a pixel, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
@@ -61,13 +59,13 @@ impl Verdict {
     }
 }
 
-/// One pixel's judgement.
+/// The judgement of a pixel and its kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mark {
     pub verdict: Verdict,
-    /// An edge is so near that it may show either side.
+    /// Whether an edge is so near that the pixel may show either side.
     pub is_outline: bool,
-    /// It shows a cuboid.
+    /// Whether the pixel shows a cuboid.
     pub is_covered: bool,
 }
 
@@ -80,46 +78,46 @@ pub struct Example {
     pub drawn: [f64; 3],
     /// The least and the largest displayed level, by channel.
     pub enclosure: [[f64; 2]; 3],
-    /// The least and the largest error that the enclosure leaves possible, in levels of 255.
+    /// The least and the largest possible error, in levels of 255.
     pub error: [f64; 2],
-    /// Cuboid * 6 + face whose enclosure this is; `None` is the background.
+    /// The face of the enclosure, cuboid * 6 + face; `None` is the background.
     pub face: Option<usize>,
 }
 
-/// A picture's proof, or what it lacks. Errors and widths are between displayed levels.
+/// The proof of a picture. Errors and widths are between displayed levels.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
     pub proven: u64,
     pub refuted: u64,
     pub undecided: u64,
-    /// How many pixels an edge is so near to that they may show either side.
+    /// Pixels with an edge so near that they may show either side.
     pub outline: u64,
-    /// How many pixels show a cuboid.
+    /// Pixels that show a cuboid.
     pub covered: u64,
-    /// The largest error of a proven pixel that its enclosure leaves possible.
+    /// The largest possible error of a proven pixel.
     pub worst: f64,
     pub widest_enclosure: f64,
-    /// The largest error of the f64 reference that the enclosures leave possible.
+    /// The largest possible error of the f64 reference.
     pub reference_error: f64,
-    /// The pixels that are not proven and err most, the worst first.
+    /// The pixels with the largest errors that are not proven, the worst first.
     pub examples: Vec<Example>,
     /// Row by row from the top.
     #[serde(skip)]
     pub marks: Vec<Mark>,
 }
 
-/// What a renderer made of a pixel.
+/// A pixel as a renderer draws it.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
     /// Cuboid * 6 + face; `None` is the background.
     pub face: Option<usize>,
     pub levels: [f64; 3],
-    /// As a window gets them; `None` where there are none to judge.
+    /// The bytes for a window; `None` if there are none to judge.
     pub bytes: Option<[u8; 3]>,
 }
 
 impl Shown {
-    /// What two frames of one picture show at a pixel, one of levels and one as a window gets it.
+    /// A pixel of two frames of one picture, one with levels and one with the bytes for a window.
     pub fn at(pixel: usize, levels: &Frame, display: &Frame) -> Self {
         let [_, bytes @ ..] = display.pixels()[pixel].to_be_bytes();
         Shown {
@@ -129,7 +127,7 @@ impl Shown {
         }
     }
 
-    /// A pixel of a picture without faces, 0x00RRGGBB: it shows the face that suits its bytes best.
+    /// A pixel of a picture without faces, 0x00RRGGBB. Its face is the one that fits its bytes best.
     fn of_bytes(pixel: u32, seen: &[Seen<Interval>], limit: f64) -> Self {
         let [_, levels @ ..] = pixel.to_be_bytes().map(f64::from);
         let faces = seen.iter().map(Seen::face);
@@ -146,13 +144,13 @@ impl Shown {
     }
 }
 
-/// The face that a triangle's id shows.
+/// The face of a triangle: cuboid * 6 + face.
 pub fn shown_face(triangle: u32) -> Option<usize> {
     (triangle != NO_TRIANGLE).then_some(face(triangle) as usize)
 }
 
-/// The least and the largest error that `levels` may have against what `seen` has of the face shown; of several, each end of
-/// the nearest. `None` if the pixel may not show it.
+/// The least and the largest possible error of `levels` against the enclosures of the face shown. Of several enclosures, each
+/// end is that of the nearest. `None` if the pixel may not show this face.
 pub fn nearest(
     shown: Option<usize>,
     levels: [f64; 3],
@@ -163,7 +161,7 @@ pub fn nearest(
         .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
 }
 
-/// Judges a pixel by what it may show; also the largest error that is possible.
+/// Judges a pixel by the surfaces that it may show. Returns also the largest possible error.
 pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
     let levels = nearest(shown.face, shown.levels, seen);
     let bytes = shown.bytes.map(|bytes| bytes.map(f64::from));
@@ -179,7 +177,7 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
 }
 
 impl Proof {
-    /// Adds what follows below.
+    /// Adds the proof of the rows below.
     fn append(&mut self, below: Proof) {
         self.proven += below.proven;
         self.refuted += below.refuted;
@@ -229,35 +227,25 @@ impl Proof {
         }
         self.marks.push(mark);
     }
-
-    /// Notes what the f64 reference makes of a pixel.
-    fn add_reference(&mut self, face: Option<usize>, levels: [f64; 3], seen: &[Seen<Interval>]) {
-        let error = nearest(face, levels, seen).map_or(255.0, |[_, most]| most);
-        self.reference_error = self.reference_error.max(error);
-    }
 }
 
-/// The largest error that a pixel may have, in levels of 255. A byte is a level that was rounded.
+/// The largest allowed error of a pixel, in levels of 255. Bytes are rounded levels and may err by half a level more.
 fn limit_of(view: &View, is_bytes: bool) -> f64 {
     limit(view.tolerance) + if is_bytes { 0.5 } else { 0.0 }
 }
 
-/// Proves `picture`, 0x00RRGGBB row by row from the top, on rayon's current threads. Without one, draws the picture that
-/// `view` asks for with the instructions of `level`, and proves that.
-///
-/// `cancelled` is asked before every row, and a yes makes the result `None`; `progress` is told the share of the rows that
-/// is done.
+/// Proves `picture`, 0x00RRGGBB row by row from the top, on rayon's current threads. Without one, proves the picture that
+/// the renderer draws of `view` at the SIMD level.
 ///
 /// # Errors
-/// When the picture does not fit in memory.
+/// If the picture does not fit in memory, or the work is cancelled.
 pub fn prove(
     world: &mut World,
     view: &View,
     picture: Option<&[u32]>,
     level: Level,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(f64) + Sync),
-) -> Result<Option<Proof>, OutOfMemory> {
+    monitor: Monitor,
+) -> anyhow::Result<Proof> {
     let [width, height] = view.size;
     let [mut drawn, mut displayed] =
         [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level)));
@@ -268,43 +256,35 @@ pub fn prove(
         marks: memory::reserve_pixels(view.size)?,
         ..Proof::default()
     };
-    for start in (0..height).step_by(BAND) {
-        let rows = start..height.min(start + BAND);
+    monitor.in_bands("proving", height, |rows| {
         if picture.is_none() {
             systems::draw_rows(world, view, rows.clone(), &mut drawn)?;
             systems::draw_rows(world, view, rows.clone(), &mut displayed)?;
         }
-        let Some(truth) = reference.picture(rows.clone(), cancelled, &|_| ()) else {
-            return Ok(None);
-        };
+        let truth = reference.picture(rows.clone(), monitor.is_cancelled, &|_| ());
+        let truth = truth.context("the work was cancelled")?;
         let prove_row = |y: usize| {
-            if cancelled() {
-                return None;
-            }
+            monitor.check()?;
             let mut row = Proof::default();
             enclosures.row(y, |x, seen| {
-                let pixel = (y - start) * width + x;
+                let pixel = (y - rows.start) * width + x;
                 let shown = match picture {
                     Some(picture) => Shown::of_bytes(picture[y * width + x], seen, limit),
                     None => Shown::at(pixel, &drawn, &displayed),
                 };
                 row.add([x, y], shown, seen, limit);
-                row.add_reference(
-                    shown_face(truth.triangles[pixel]),
-                    truth.levels[pixel],
-                    seen,
-                );
+                let face = shown_face(truth.triangles[pixel]);
+                let error = nearest(face, truth.levels[pixel], seen);
+                let most = error.map_or(255.0, |[_, most]| most);
+                row.reference_error = row.reference_error.max(most);
             });
-            Some(row)
+            Ok(row)
         };
-        let proven: Option<Vec<Proof>> = rows.clone().into_par_iter().map(prove_row).collect();
-        let Some(proven) = proven else {
-            return Ok(None);
-        };
-        for row in proven {
+        let proven = rows.clone().into_par_iter().map(prove_row);
+        for row in proven.collect::<anyhow::Result<Vec<Proof>>>()? {
             proof.append(row);
         }
-        progress(rows.end as f64 / height as f64);
-    }
-    Ok(Some(proof))
+        Ok(())
+    })?;
+    Ok(proof)
 }

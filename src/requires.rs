@@ -16,8 +16,8 @@
 //! [`bits`] rounds one stage of the model at a time, and compares in the same way.
 
 pub mod bits;
-mod command;
-mod least;
+pub mod command;
+pub mod least;
 mod share;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -31,8 +31,6 @@ use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::limit;
 use crate::trade::metrics::{difference, ends};
-pub use command::run;
-pub use least::least;
 
 /// A part of the model. Cuboids and lights are given by their index in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,8 +43,9 @@ pub enum Part {
     EveryPixel(usize),
     /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
-    /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. No step is adapted to f32,
-    /// so the error is that of the textbook's formula. Only the bounds of a cuboid on the screen stay intervals.
+    /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. A formula that does not
+    /// subtract positions first, as the reference does, may err more. Only the bounds of a cuboid on the screen stay
+    /// intervals.
     F64SetUp,
 }
 

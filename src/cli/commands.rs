@@ -17,7 +17,7 @@ use crate::output::{Output, quoted};
 use crate::prove::{Picture, read_png};
 use crate::scene::Scene;
 use crate::shading::METHODS;
-use crate::trade::{self, process};
+use crate::trade;
 
 /// The options of `view`.
 #[derive(Args, Clone, Debug)]
@@ -139,7 +139,7 @@ impl TradeOptions {
         };
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
         let time = if self.quick {
-            trade::QUICK_TIME
+            Duration::ZERO
         } else {
             self.seconds.unwrap_or(trade::USUAL_TIME)
         };
@@ -147,7 +147,6 @@ impl TradeOptions {
         let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
         let command = format!("shadetrade {}", words.join(" "));
         let mut request = trade::Request::new(drawing, time, command);
-        request.time_batch = process::in_a_process;
         if let Some(ids) = &self.methods {
             request
                 .methods

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use png::{BitDepth, BlendOp, ColorType, Compression, Encoder, EncodingError, Writer};
 
-use super::rgb;
+use super::png::rgb;
 use crate::memory;
 
 /// An animated PNG that is being written.

@@ -2,9 +2,9 @@
 
 use super::{Drawn, Surface};
 use crate::components::{LightKind, ShadingMode};
+use crate::report::words::short;
 use crate::shading::TileKind;
 use crate::trade::metrics::displayed;
-use crate::trade::words::short;
 
 /// Levels that differ by less than this agree: no eye tells them apart.
 const AGREE: f64 = 1.0;

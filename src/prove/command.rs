@@ -1,8 +1,8 @@
-//! The command: a proof as text, JSON and a map. It fails where a pixel is refuted.
+//! The command `prove`: prints a proof as text or JSON, and writes a map of the verdicts. It fails if a pixel is refuted.
 
 use std::time::Instant;
 
-use anyhow::{Context, bail};
+use anyhow::bail;
 use serde::Serialize;
 
 use super::png::Picture;
@@ -11,13 +11,13 @@ use crate::components::{Mesh, names};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep};
 use crate::output::{Output, print};
+use crate::report::progress::with_bar;
 use crate::systems;
-use crate::trade::progress::with_bar;
 
-/// The colour of pixels that are proven to show one side of an edge.
+/// The colour of proven pixels beside an edge, 0x00RRGGBB.
 const OUTLINE: u32 = 0x0026_5a78;
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Serialize)]
 struct Record<'a> {
     scene: &'a str,
@@ -36,10 +36,10 @@ struct Record<'a> {
 /// The faces of a cuboid by the direction of their normals, before rotation.
 const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 
-/// Proves the picture that is drawn, or `picture` instead, and prints the proof; `map` takes a picture of the verdicts.
+/// Proves the picture of `drawing`, or `picture` instead, prints the proof, and writes a picture of the verdicts to `map`.
 ///
 /// # Errors
-/// When a pixel is refuted, the picture does not fit in memory, or something cannot be written.
+/// If a pixel is refuted, the picture does not fit in memory, or the output cannot be written.
 pub fn run(
     drawing: &mut Drawing,
     picture: Option<Picture>,
@@ -51,12 +51,7 @@ pub fn run(
     let view = drawing.view();
     let begin = Instant::now();
     let (world, level) = (&mut drawing.scene.world, drawing.level);
-    let proof = with_bar(|on_progress| {
-        let progress = |share| on_progress("proving", share);
-        let pixels = pixels.as_deref();
-        prove(world, &view, pixels, level, &|| false, &progress)
-    })?
-    .context("the proof was cancelled")?;
+    let proof = with_bar(|monitor| prove(world, &view, pixels.as_deref(), level, monitor))?;
     if let Some(output) = map {
         let mut frame = Frame::new(Keep::Display, drawing.workers()?);
         if pixels.is_none() {
@@ -86,7 +81,7 @@ pub fn run(
     Ok(())
 }
 
-/// A proven pixel is dimmed, so that the others stand out.
+/// The colour of a pixel in the map. A proven pixel is darker than in the picture.
 fn color(pixel: u32, mark: Mark) -> u32 {
     match mark.verdict {
         Verdict::Refuted => REFUTED,
@@ -97,31 +92,33 @@ fn color(pixel: u32, mark: Mark) -> u32 {
 }
 
 fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
-    let proof = record.proof;
-    let mut lines = vec![
-        drawing.subject(),
-        format!("proven     {} of {} pixels", proof.proven, record.pixels),
-        format!("refuted    {}", proof.refuted),
-        format!("undecided  {}", proof.undecided),
-        format!(
-            "outline    {} pixels are so near an edge that they may show either side",
-            proof.outline
-        ),
-        format!(
-            "largest error     {:.6} levels at most, where {} are allowed",
-            proof.worst, record.limit
-        ),
-        format!("widest enclosure  {:.1e} levels", proof.widest_enclosure),
-        format!(
-            "f64 reference     {:.1e} levels off at most",
-            proof.reference_error
-        ),
-        format!("time              {:.2} s", record.seconds),
-    ];
-    if !proof.examples.is_empty() {
+    let Proof {
+        proven,
+        refuted,
+        undecided,
+        outline,
+        worst,
+        widest_enclosure,
+        reference_error,
+        ..
+    } = record.proof;
+    let (subject, pixels, limit) = (drawing.subject(), record.pixels, record.limit);
+    let mut lines = vec![format!(
+        "{subject}\n\
+         proven     {proven} of {pixels} pixels\n\
+         refuted    {refuted}\n\
+         undecided  {undecided}\n\
+         outline    {outline} pixels are so near an edge that they may show either side\n\
+         largest error     {worst:.6} levels at most, where {limit} are allowed\n\
+         widest enclosure  {widest_enclosure:.1e} levels\n\
+         f64 reference     {reference_error:.1e} levels off at most\n\
+         time              {:.2} s",
+        record.seconds
+    )];
+    if !record.proof.examples.is_empty() {
         lines.push("The pixels that are not proven and err most:".to_owned());
     }
-    for example in &proof.examples {
+    for example in &record.proof.examples {
         let [x, y] = example.pixel;
         let verdict = format!("{:?}", example.verdict).to_lowercase();
         let [least, most] = example.error;
@@ -129,11 +126,8 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
             "pixel {x},{y} is {verdict}, {}: off by {least:.3} to {most:.3} levels",
             face(drawing, example)
         ));
-        for ((channel, drawn), [least, largest]) in ["red", "green", "blue"]
-            .iter()
-            .zip(example.drawn)
-            .zip(example.enclosure)
-        {
+        let channels = ["red", "green", "blue"].iter().zip(example.drawn);
+        for ((channel, drawn), [least, largest]) in channels.zip(example.enclosure) {
             lines.push(format!(
                 "  {channel:<5}  drawn {drawn:>11.6}, exact {least:>11.6} to {largest:>11.6}"
             ));
@@ -142,7 +136,7 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     lines
 }
 
-/// The cuboid and the face that an example is compared with.
+/// The name of the cuboid and of the face with which an example is compared.
 fn face(drawing: &Drawing, example: &Example) -> String {
     let Some(face) = example.face else {
         return "background".to_owned();

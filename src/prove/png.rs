@@ -1,4 +1,4 @@
-//! A picture that another program drew, read from a PNG file.
+//! The picture of another program, read from a PNG file.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -17,7 +17,7 @@ pub type Picture = (Vec<u32>, [usize; 2]);
 /// Reads a PNG with 8 bits a channel. A grey one has three equal channels.
 ///
 /// # Errors
-/// When there is no such file, it is no PNG, has 16 bits a channel or transparent pixels, or does not fit in memory.
+/// If there is no such file, it is no PNG, has 16 bits a channel or transparent pixels, or does not fit in memory.
 pub fn read(path: &Path) -> anyhow::Result<Picture> {
     let name = path.display();
     let file = File::open(path).with_context(|| format!("cannot read {name}"))?;

@@ -7,15 +7,16 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::bits::{StageBits, bits};
+use super::least::least;
 use super::share::time_share;
-use super::{Change, Part, changes, least, parts, without};
+use super::{Change, Part, changes, parts, without};
 use crate::components::View;
 use crate::drawing::Drawing;
 use crate::output::{Output, print, say};
+use crate::report::progress::with_bar;
+use crate::report::tables::{aligned, wrapped};
+use crate::report::words::short;
 use crate::scene::{Scene, SceneRecord, updated};
-use crate::trade::progress::with_bar;
-use crate::trade::tables::{aligned, wrapped};
-use crate::trade::words::short;
 
 /// A part in the table and in the output of `--json`.
 #[derive(Serialize)]
@@ -71,21 +72,17 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
 fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartRow>> {
     let scene = &drawing.scene;
     let parts = parts(scene);
-    let time_shares: Vec<_> = with_bar(|on_progress| {
+    let time_shares: Vec<_> = with_bar(|monitor| {
         let of_part = |(index, (part, _)): (usize, &(Part, _))| {
-            on_progress("timing", index as f64 / parts.len() as f64);
+            (monitor.progress)("timing", index as f64 / parts.len() as f64);
             time_share(scene, view, *part, drawing.level)
         };
-        parts
-            .iter()
-            .enumerate()
-            .map(of_part)
-            .collect::<Result<_, _>>()
+        parts.iter().enumerate().map(of_part).collect()
     })?;
     let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = with_bar(|on_progress| {
-        let progress = |share| on_progress("leaving out", share);
-        changes(scene, view, &left_out, &|| false, &progress)
+    let changes = with_bar(|monitor| {
+        let progress = |share| (monitor.progress)("leaving out", share);
+        changes(scene, view, &left_out, monitor.is_cancelled, &progress)
             .context("the comparison was cancelled")
     })?;
     let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| PartRow {
@@ -141,9 +138,9 @@ fn write_least(
     });
     rows.sort_by(|left, right| left.change.most().total_cmp(&right.change.most()));
     let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
-    let (left_out, change) = with_bar(|on_progress| {
-        let progress = |share| on_progress("looking for the least scene", share);
-        let least = least(scene, view, &candidates, &|| false, &progress);
+    let (left_out, change) = with_bar(|monitor| {
+        let progress = |share| (monitor.progress)("looking for the least scene", share);
+        let least = least(scene, view, &candidates, monitor.is_cancelled, &progress);
         least.context("the search was cancelled")
     })?;
     rows.retain(|row| left_out.contains(&row.left_out));

@@ -9,15 +9,13 @@ use fearless_simd::Level;
 use super::{Part, without};
 use crate::components::{Mesh, View, ordered};
 use crate::frame::{Frame, Keep, Workers};
-use crate::memory::OutOfMemory;
 use crate::reference::Rule;
 use crate::scene::Scene;
 use crate::systems;
 use crate::trade::timing;
 
-/// Time spent on each part, and the least number of samples.
+/// Time spent on each part.
 const TIME: Duration = Duration::from_millis(250);
-const MIN_SAMPLES: usize = 16;
 
 /// 1 - (time without the part) / (time with it); negative if a frame without the part takes longer. `None` if the
 /// renderer cannot draw without the part. The shortest time of each counts, because other programs only add to a time.
@@ -29,7 +27,7 @@ pub fn time_share(
     view: &View,
     part: Part,
     level: Level,
-) -> Result<Option<f64>, OutOfMemory> {
+) -> anyhow::Result<Option<f64>> {
     match part {
         // A scene with one cuboid is drawn without a depth buffer.
         Part::Rule(Rule::DepthTest) if ordered::<Mesh>(&scene.world).len() == 1 => {
@@ -43,9 +41,9 @@ pub fn time_share(
             let frame = Frame::new(Keep::Display, Workers::alone(level));
             (scene.world, frame)
         });
-        timing::batch(number, 2, MIN_SAMPLES, TIME, |which| {
+        timing::batch(number, 2, TIME, |which| {
             let (world, frame) = &mut drawn[which];
-            systems::draw(world, view, frame)
+            Ok(systems::draw(world, view, frame)?)
         })
     };
     let times = timing::of_batches(batch, |_| ())?;

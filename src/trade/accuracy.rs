@@ -1,117 +1,131 @@
-//! Every method's picture against the reference's.
+//! The picture of each method compared with the reference.
 //!
 //! ```text
-//! method --draw--> levels, triangles --+-- exact Phong in f64 ------> error, FLIP, error map
-//!                                      +-- its own mode in f64 -----> own error
-//! specular lights alone: its bytes over those of exact Phong in f64 > share of the highlight that it keeps
+//! method --draw--> levels, triangles --+-- exact Phong in f64 ----> error, FLIP, error map
+//!                                      +-- its own mode in f64 ---> own error
+//! its highlights --draw--> bytes --------- those of exact Phong --> share of the highlight that it keeps
 //! ```
-//!
-//! Rule: nothing here is timed, so all cores work; the figures are the same however many there are.
+//! Nothing here is timed, so all cores work. The figures do not depend on their number.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
+use std::ops::Range;
 
+use anyhow::Context;
 use glam::DVec3;
+use hecs::World;
 use serde::Serialize;
 
-use super::error_map::ErrorMap;
+use super::error_map::{Scale, compared};
 use super::flip;
+use super::measurement::Request;
 use super::metrics::{self, Error, Picture};
-use super::record::error_keys;
-use super::{IsCancelled, TradeError};
 use crate::components::{Light, LightKind, ShadingMode, View};
-use crate::frame::{Frame, Keep, Workers, display_step};
-use crate::memory::{self, OutOfMemory};
+use crate::drawing::all_cores;
+use crate::frame::{Counts, Frame, Keep, Workers, display_step};
+use crate::memory;
 use crate::reference::{self, Truth};
+use crate::report::Monitor;
 use crate::scene::Scene;
-use crate::shading::{METHODS, Method};
+use crate::shading::METHODS;
 use crate::systems;
 
-/// How true a method's picture is.
+/// How true the picture of a method is.
 #[derive(Clone, Debug, Serialize)]
 pub struct Accuracy {
-    /// Against exact Phong.
-    pub error: PhongError,
-    /// Against the exact evaluation of its own mode; `None` where nothing can be compared.
-    #[serde(serialize_with = "error_keys")]
+    /// The error against exact Phong; `None` if no pixel can be compared.
+    pub error: Option<PhongError>,
+    /// The error against the exact evaluation of the method's own mode; `None` if no pixel can be compared.
     pub own_error: Option<Error>,
-    /// How much of the highlight is where it ought to be, 0..=1; `None` where exact Phong shows none.
+    /// The share of the highlight that is in its place, 0..=1; `None` if exact Phong shows none.
     pub highlight_kept: Option<f64>,
-    /// Pixels where the method and exact Phong show different faces.
+    /// Pixels at which the method and exact Phong show different faces.
     pub edge_pixels: u64,
-    /// Where the error against exact Phong lies.
+    /// The error against exact Phong in the colours of [`Scale::WIDEST`], 0x00RRGGBB.
     #[serde(skip)]
-    pub map: ErrorMap,
+    pub map: Vec<u32>,
 }
 
-/// How far a picture is from exact Phong; `None` where nothing can be compared.
+/// The error against exact Phong.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PhongError {
-    #[serde(flatten, serialize_with = "error_keys")]
-    pub levels: Option<Error>,
-    /// Mean FLIP, 0..=1, of the displayed bytes.
-    pub flip_mean: Option<f64>,
+    #[serde(flatten)]
+    pub levels: Error,
+    /// Mean FLIP of the displayed bytes, 0..=1.
+    pub flip_mean: f64,
 }
 
-/// What a pixel takes at most while pictures are compared, in bytes: three truths of 28, a frame with depths of 25, two lists
-/// of errors of 16, and a map of 1 for every method.
-const BYTES_PER_PIXEL: usize = 3 * 28 + 25 + 2 * 16 + METHODS.len();
+/// The most bytes for a pixel during the comparison: three reference pictures of 28, a frame with depths of 25, two lists
+/// of errors of 16, and a map of 4 for each method.
+const BYTES_PER_PIXEL: usize = 3 * 28 + 25 + 2 * 16 + 4 * METHODS.len();
 
-/// Whether there is room to compare pictures of this size.
-///
 /// # Errors
-/// When there is not.
-pub(super) fn check_memory(size: [usize; 2]) -> Result<(), OutOfMemory> {
-    let room: Vec<[u8; BYTES_PER_PIXEL]> = memory::reserve_pixels(size)?;
-    // Without it the compiler may leave out an allocation that nobody uses.
+/// If pictures of this size cannot be compared for lack of memory.
+pub fn check_memory(size: [usize; 2]) -> anyhow::Result<()> {
+    let room = memory::reserve_pixels::<[u8; BYTES_PER_PIXEL]>(size);
+    let room = room.context("the methods cannot be compared")?;
+    // Otherwise the compiler may remove an allocation that nobody uses.
     std::hint::black_box(&room);
     Ok(())
 }
 
-/// The accuracy of `methods`, in their order; `on_progress` is told, from any thread, the share done, 0..=1.
+/// Rows of the reference in `mode`; `progress` receives the number of finished rows.
 ///
 /// # Errors
-/// When the picture does not fit in memory, or `cancelled` says yes.
-pub(super) fn of_methods(
-    methods: &[Method],
-    scene: &mut Scene,
+/// If the work is cancelled.
+pub fn exact(
+    world: &World,
     view: &View,
-    workers: Workers,
-    cancelled: IsCancelled,
-    on_progress: &(dyn Fn(f64) + Sync),
-) -> Result<Vec<Accuracy>, TradeError> {
-    let [_, height] = view.size;
+    mode: ShadingMode,
+    rows: Range<usize>,
+    monitor: Monitor,
+    progress: impl Fn(usize) + Sync,
+) -> anyhow::Result<Truth> {
+    let view = view.shaded(mode);
+    let exact = reference::picture(world, &view, rows, monitor.is_cancelled, &progress);
+    exact.context("the work was cancelled")
+}
+
+/// The work for each method's picture, and its accuracy, in the order of the methods of `request`.
+///
+/// # Errors
+/// If the pictures do not fit in memory, or the work is cancelled.
+pub fn of_methods(request: &Request, monitor: Monitor) -> anyhow::Result<Vec<(Counts, Accuracy)>> {
+    let Request { methods, view, .. } = request;
+    let height = view.size[1];
+    let workers = Workers::new(all_cores(), request.level);
+    let workers = workers.context("cannot start the threads that draw")?;
     let mut frame = Frame::new(Keep::Levels, workers);
-    let modes: HashSet<ShadingMode> = methods
-        .iter()
-        .map(|method| method.mode)
-        .chain([ShadingMode::Phong])
-        .collect();
+    let mut scene = request.scene.snapshot();
+    let (mut highlight, black) = highlight_of(&scene, view);
+    let mut modes = vec![ShadingMode::Phong];
+    for method in methods {
+        if !modes.contains(&method.mode) {
+            modes.push(method.mode);
+        }
+    }
     let steps = 1 + modes.len() + methods.len();
-    let told = |done: usize, share: f64| on_progress((done as f64 + share) / steps as f64);
-    let truth = |scene: &Scene, view: &View, done: usize| {
+    let told = |done: usize, share: f64| {
+        (monitor.progress)("comparing pictures", (done as f64 + share) / steps as f64);
+    };
+    let truth = |done: usize, world: &World, view: &View, mode| {
         let row_done = |rows| told(done, rows as f64 / height as f64);
-        reference::picture(&scene.world, view, 0..height, cancelled, &row_done)
-            .ok_or(TradeError::Cancelled)
+        exact(world, view, mode, 0..height, monitor, row_done)
     };
-    let highlights = {
-        let (mut scene, view) = highlight_of(scene, view);
-        let whole = truth(&scene, &view.shaded(ShadingMode::Phong), 0)?;
-        let kept = methods.iter().map(|method| {
-            systems::draw(&mut scene.world, &method.view(&view), &mut frame)?;
-            Ok(share_kept(frame.levels(), &whole.levels))
-        });
-        kept.collect::<Result<Vec<_>, OutOfMemory>>()?
-    };
+    let mut kept = Vec::new();
+    let whole = truth(0, &highlight.world, &black, ShadingMode::Phong)?;
+    for method in methods {
+        systems::draw(&mut highlight.world, &method.view(&black), &mut frame)?;
+        kept.push(share(light_kept(frame.levels(), &whole.levels)));
+    }
+    drop(whole);
     let truths = (1..)
-        .zip(modes)
-        .map(|(done, mode)| Ok((mode, truth(scene, &view.shaded(mode), done)?)));
-    let truths: HashMap<ShadingMode, Truth> = truths.collect::<Result<_, TradeError>>()?;
+        .zip(&modes)
+        .map(|(done, mode)| Ok((*mode, truth(done, &scene.world, view, *mode)?)));
+    let truths: HashMap<ShadingMode, Truth> = truths.collect::<anyhow::Result<_>>()?;
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
     let mut accuracies = Vec::with_capacity(methods.len());
-    for (method, highlight_kept) in methods.iter().zip(highlights) {
-        if cancelled() {
-            return Err(TradeError::Cancelled);
-        }
+    for (method, highlight_kept) in methods.iter().zip(kept) {
+        monitor.check()?;
         systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
         let own = Picture::from(&truths[&method.mode]);
@@ -119,26 +133,26 @@ pub(super) fn of_methods(
             || flip::mean(drawn, exact, flip::PIXELS_PER_DEGREE),
             || {
                 let [error, own_error] = [exact, own].map(|truth| metrics::compare(drawn, truth));
-                (error, own_error.error, ErrorMap::between(drawn, exact))
+                let map = compared(drawn, exact).map(|it| Scale::WIDEST.color(it));
+                (error, own_error.error, map.collect())
             },
         );
-        accuracies.push(Accuracy {
-            error: PhongError {
-                levels: error.error,
-                flip_mean,
-            },
+        let error_and_flip = error.error.zip(flip_mean);
+        let accuracy = Accuracy {
+            error: error_and_flip.map(|(levels, flip_mean)| PhongError { levels, flip_mean }),
             own_error,
             highlight_kept,
             edge_pixels: error.edge_pixels,
             map,
-        });
+        };
+        accuracies.push((frame.counts(), accuracy));
         told(1 + truths.len() + accuracies.len(), 0.0);
     }
     Ok(accuracies)
 }
 
-/// The scene with its specular lights alone, before black.
-pub(super) fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
+/// The scene with only its specular lights on, and the view with a black background.
+pub fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
     let mut scene = scene.snapshot();
     for light in scene.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;
@@ -150,19 +164,13 @@ pub(super) fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
     (scene, view)
 }
 
-/// The part of the displayed light of `whole` that `kept` shows too, at the same pixel and channel; `None` where there is
-/// none.
-pub fn share_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> Option<f64> {
-    share(light_kept(kept, whole))
-}
-
-/// The first light as a share of the second, 0..=1; `None` where there is none.
-pub(super) fn share([common, all]: [u64; 2]) -> Option<f64> {
+/// The first light as a share of the second, 0..=1; `None` if the second is 0.
+pub fn share([common, all]: [u64; 2]) -> Option<f64> {
     (all > 0).then(|| common as f64 / all as f64)
 }
 
-/// The displayed light that both pictures show, and all that `whole` shows, summed over pixels and channels.
-pub(super) fn light_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> [u64; 2] {
+/// The displayed light that both pictures show at the same pixel and channel, and all that `whole` shows.
+pub fn light_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> [u64; 2] {
     let (mut common, mut all) = (0, 0);
     for (kept, whole) in kept.as_flattened().iter().zip(whole.as_flattened()) {
         let [kept, whole] = [f64::from(*kept), *whole].map(|it| u64::from(display_step(it)));

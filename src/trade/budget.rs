@@ -1,35 +1,35 @@
-//! The most exact method that draws a frame in a time.
+//! The most exact method that draws a frame within a budget of time.
 //!
 //! ```text
 //! costs of the front, fastest first    0.2  0.31  0.36  0.41  1.0       the budget: 0.4 ms
 //! at rest                                           *                    the last that fits
-//! a frame of 0.5 ms                          *                           at once: the method predicted to fit, with room
-//! frames of 0.2 ms                                  *                    after enough of them
+//! after a frame of 0.5 ms                    *                           the last that is predicted to fit, with room
+//! after many frames of 0.2 ms                       *
 //! ```
-//! The choice is a function of numbers: clocks are read elsewhere.
+//! The choice is a function of numbers; clocks are read elsewhere.
 
 use std::time::Duration;
 
-use super::Request;
-use super::live::{self, Measurement};
-use super::progress::with_bar;
-use super::words::{capital, method_name, short};
+use super::live;
+use super::measurement::{Measurement, Request};
+use super::verdict::method_name;
 use crate::components::ShadingMode;
 use crate::drawing::Drawing;
+use crate::report::progress::with_bar;
+use crate::report::words::{capital, short};
 use crate::shading::Method;
 
-/// The share of the budget that the prediction for another method must keep. The rest is for the noise of two frames.
+/// The predicted time of another method must be within this share of the budget. The rest is for noise.
 const ROOM: f64 = 0.8;
-/// The frames that must leave room for a more exact method until it is taken.
+/// A more exact method is taken after this number of frames that leave room for it.
 const PATIENCE: u32 = 45;
-/// How many of these frames one without room takes back. A more exact method is thus taken where more than four of five
-/// frames leave room; a lone interruption does not keep it away.
+/// A frame without room takes back this number of them, so that more than four of five frames must leave room. A lone
+/// interruption does not keep a more exact method away.
 const SETBACK: u32 = 4;
-/// How long the frames of all methods are timed together before one picture is drawn.
+/// The time for timing frames, of all methods together, before one picture is drawn.
 const MEASURING_TIME: Duration = Duration::from_secs(1);
 
-/// The methods of the front and their milliseconds, the fastest and least exact first. The assignment's shortcut, which no
-/// scene asks for, is left out.
+/// The methods of the front and their milliseconds, the fastest and least exact first, without the assignment's shortcut.
 pub fn ladder(measured: &[Measurement]) -> (Vec<Method>, Vec<f64>) {
     let is_step = |it: &&Measurement| it.on_front && it.method.mode != ShadingMode::UnitVectors;
     let mut steps: Vec<_> = measured.iter().filter(is_step).collect();
@@ -38,7 +38,7 @@ pub fn ladder(measured: &[Measurement]) -> (Vec<Method>, Vec<f64>) {
     steps.unzip()
 }
 
-/// The place of the most exact method that fits; that of the fastest where none does.
+/// The index of the most exact method that fits, or of the fastest if none fits.
 pub fn fitting(costs: &[f64], budget: f64) -> usize {
     costs.iter().rposition(|cost| *cost <= budget).unwrap_or(0)
 }
@@ -46,7 +46,7 @@ pub fn fitting(costs: &[f64], budget: f64) -> usize {
 /// The choice of a method from frame to frame while things move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hold {
-    /// The place among the costs.
+    /// The index of its cost.
     pub place: usize,
     /// The frames that left room for a more exact method, less the setbacks.
     calm: u32,
@@ -55,7 +55,7 @@ pub struct Hold {
 }
 
 impl Hold {
-    /// Begins at a place.
+    /// Begins with the method at `place`.
     pub fn at(place: usize) -> Hold {
         Hold {
             place,
@@ -64,8 +64,7 @@ impl Hold {
         }
     }
 
-    /// The choice after a frame at [`Hold::place`] took `last`, in milliseconds as the budget. Costs are those of a view
-    /// before, of which the ratios still count.
+    /// The choice after a frame of `last` milliseconds. The costs may be those of an earlier view; only their ratios count.
     #[must_use]
     pub fn after(self, last: f64, costs: &[f64], budget: f64) -> Hold {
         let place = self.place.min(costs.len().saturating_sub(1));
@@ -89,7 +88,7 @@ impl Hold {
     }
 }
 
-/// The method that holds a budget, and what is to be said of it.
+/// The method that holds a budget, and its time and error in words. `None` if nothing is drawn.
 pub fn held(measured: &[Measurement], budget: f64) -> Option<(&Measurement, String)> {
     let (methods, costs) = ladder(measured);
     let place = fitting(&costs, budget);
@@ -111,20 +110,16 @@ pub fn held(measured: &[Measurement], budget: f64) -> Option<(&Measurement, Stri
     ))
 }
 
-/// Measures the methods of `drawing`; returns the one that holds the budget, in milliseconds, and what is to be said of
-/// it. `None` where nothing is drawn.
+/// Measures the methods of `drawing` and returns the result of [`held`] for a budget in milliseconds.
 ///
 /// # Errors
-/// When memory or threads do not suffice.
+/// If memory or threads do not suffice.
 pub fn choose(drawing: &Drawing, budget: f64) -> anyhow::Result<Option<(Method, String)>> {
     let drawn = Drawing {
         scene: drawing.scene.snapshot(),
         ..*drawing
     };
     let request = Request::new(drawn, MEASURING_TIME, String::new());
-    let measured = with_bar(|on_progress| {
-        let told = |share| on_progress("measuring", share);
-        live::measure(&request, &[], &|| false, &told)
-    })?;
+    let measured = with_bar(|monitor| live::measure(&request, &[], monitor))?;
     Ok(held(&measured, budget).map(|(one, text)| (one.method, text)))
 }

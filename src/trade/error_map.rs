@@ -1,24 +1,25 @@
-//! Where the error of a picture lies: two pictures in, one picture of their difference out.
+//! The errors of a picture in colours, and the legend of the colours.
 //!
-//! Rule: a map's scale is stated in its legend: from 0 to its top, even in log(1 + 1020 error / top), which shows half of
-//! 255 levels as well as a thousandth. Maps in files have the widest one, so that colours of any two of them compare; a
-//! window takes the narrowest that holds what it shows.
+//! A scale runs from 0 to its top, evenly in log(1 + 1020 error / top), so it shows half a level of 255 and a thousandth of a
+//! level alike. All files have the widest scale, so their colours can be compared. The window takes the narrowest scale that
+//! holds its errors.
 
-mod legend;
+use egui::{Align2, Color32, FontId, Painter, Rect, StrokeKind, pos2, vec2};
 
 use super::metrics::{Picture, pixel_error};
 use crate::frame::{NO_TRIANGLE, display_pixel};
+use crate::paint::{annotate, color};
 
-/// The colour of a pixel where neither picture shows anything.
+/// The colour of a pixel at which neither picture shows a cuboid, 0x00RRGGBB.
 pub const NOTHING: u32 = 0x005c_6166;
 
-/// The colour of a pixel where the pictures show different faces, so that there is no error to show.
+/// The colour of a pixel at which the pictures show different faces, 0x00RRGGBB.
 pub const EDGE: u32 = 0x0035_c28a;
 
 /// Coefficients of 1, t, t^2, ... for red, green and blue, 0..=1.
 ///
-/// Fitted by least squares to every eighth colour of magma (van der Walt and Smith 2015, matplotlib, CC0), from which
-/// it differs by less than 6 of 255.
+/// Fitted by least squares to every eighth colour of magma (van der Walt and Smith 2015, matplotlib, CC0). The difference to
+/// magma is less than 6 of 255.
 const MAGMA: [[f64; 7]; 3] = [
     [
         -0.0011, 0.2559, 8.0863, -26.0652, 48.3106, -46.6983, 17.1074,
@@ -27,65 +28,18 @@ const MAGMA: [[f64; 7]; 3] = [
     [0.0023, 2.207, 2.4994, -20.8892, 24.8291, -5.2793, -2.6193],
 ];
 
-/// What a pixel of two pictures says.
+/// The comparison of one pixel of two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pixel {
-    /// How far they are apart, in levels, 0..=255.
+    /// The error in levels, 0..=255.
     Error(f32),
-    /// They show different faces there.
+    /// The pictures show different faces.
     Edge,
-    /// Neither shows anything there.
+    /// Neither picture shows a cuboid.
     Nothing,
 }
 
-/// Which colours errors have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
-    /// The largest error that has a colour of its own, in levels.
-    top: f64,
-}
-
-impl Scale {
-    /// All errors there are.
-    pub const WIDEST: Scale = Scale { top: 255.0 };
-    const NARROW_TOPS: [f64; 5] = [0.001, 0.01, 0.1, 1.0, 10.0];
-    /// The top over the error well below which the scale is even in the error itself, and above in its logarithm.
-    const RANGE: f64 = 1020.0;
-
-    /// The narrowest one that holds errors up to this one.
-    pub fn holding(error: f64) -> Scale {
-        let mut tops = Scale::NARROW_TOPS.into_iter();
-        let top = tops.find(|top| error <= *top);
-        top.map_or(Scale::WIDEST, |top| Scale { top })
-    }
-
-    /// The errors that are written beside the colours, in levels.
-    pub fn ticks(self) -> Vec<f64> {
-        if self == Scale::WIDEST {
-            vec![0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0]
-        } else {
-            [0.0, 5.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
-                .map(|thousandths| thousandths * self.top / 1000.0)
-                .to_vec()
-        }
-    }
-
-    /// How far up the scale an error in levels stands, 0..=1.
-    pub fn position(self, error: f64) -> f64 {
-        ((error / self.top * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
-    }
-
-    /// The colour of a pixel, 0x00RRGGBB.
-    pub fn color(self, pixel: Pixel) -> u32 {
-        match pixel {
-            Pixel::Error(error) => color_at(self.position(f64::from(error))),
-            Pixel::Edge => EDGE,
-            Pixel::Nothing => NOTHING,
-        }
-    }
-}
-
-/// What two pictures of one size say, pixel by pixel.
+/// Compares two pictures of one size, pixel by pixel.
 pub fn compared<T, U>(left: Picture<T>, right: Picture<U>) -> impl Iterator<Item = Pixel>
 where
     T: Into<f64> + Copy,
@@ -102,6 +56,78 @@ where
     })
 }
 
+/// The colours of errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The largest error with its own colour, in levels.
+    top: f64,
+}
+
+impl Scale {
+    /// Holds all errors.
+    pub const WIDEST: Scale = Scale { top: 255.0 };
+    const NARROW_TOPS: [f64; 5] = [0.001, 0.01, 0.1, 1.0, 10.0];
+    /// Well below the top divided by this number the scale is even in the error, and above it in the error's logarithm.
+    const RANGE: f64 = 1020.0;
+
+    /// The narrowest scale that holds errors up to this one.
+    pub fn holding(error: f64) -> Scale {
+        let mut tops = Scale::NARROW_TOPS.into_iter();
+        let top = tops.find(|top| error <= *top);
+        top.map_or(Scale::WIDEST, |top| Scale { top })
+    }
+
+    /// The errors with a label, in levels.
+    pub fn ticks(self) -> Vec<f64> {
+        if self == Scale::WIDEST {
+            vec![0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0]
+        } else {
+            [0.0, 5.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
+                .map(|thousandths| thousandths * self.top / 1000.0)
+                .to_vec()
+        }
+    }
+
+    /// The place of an error in levels on the scale, 0..=1.
+    pub fn position(self, error: f64) -> f64 {
+        ((error / self.top * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
+    }
+
+    /// The colour of a pixel, 0x00RRGGBB.
+    pub fn color(self, pixel: Pixel) -> u32 {
+        match pixel {
+            Pixel::Error(error) => color_at(self.position(f64::from(error))),
+            Pixel::Edge => EDGE,
+            Pixel::Nothing => NOTHING,
+        }
+    }
+
+    /// Draws the colours from left to right, and the errors of its ticks, in levels, below them.
+    pub fn draw(self, painter: &Painter, row: Rect, ink: Color32) {
+        let (top, middle, half) = (row.top(), row.center().y, row.height() / 2.0);
+        let column = |x: f32, top: f32| Rect::from_x_y_ranges(x..=x + 1.0, top..=middle);
+        // Half of the last label is to the right of its tick.
+        let last = row.width() - row.height();
+        for x in (0..=last as u16).map(f32::from) {
+            let shade = color(color_at(f64::from(x / last)));
+            painter.rect_filled(column(row.left() + x, top), 0.0, shade);
+        }
+        // A label that would touch the one to its right is left out.
+        let mut free = row.right();
+        for tick in self.ticks().into_iter().rev() {
+            let x = row.left() + (self.position(tick) as f32 * last).round();
+            painter.rect_filled(column(x, middle - half / 4.0), 0.0, ink);
+            let font = FontId::monospace(half * 0.8);
+            let label = painter.layout_no_wrap(tick.to_string(), font, ink);
+            let left = (x - label.size().x / 2.0).max(row.left());
+            if left + label.size().x < free {
+                painter.galley(pos2(left, middle), label, ink);
+                free = left;
+            }
+        }
+    }
+}
+
 fn color_at(position: f64) -> u32 {
     display_pixel(MAGMA.map(|coefficients| {
         let powers = coefficients.iter().rev();
@@ -109,72 +135,55 @@ fn color_at(position: f64) -> u32 {
     }))
 }
 
-/// The errors of a picture, each as one of 254 steps of the widest scale.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ErrorMap {
-    width: usize,
-    steps: Vec<u8>,
-}
+/// The least width of a map with its legend, in pixels.
+const WIDTH: usize = 640;
+/// The height of the legend, in pixels.
+const HEIGHT: usize = 104;
+/// The longest scale, in pixels.
+const LONGEST: f32 = 1200.0;
+/// 0x00RRGGBB.
+const PAPER: u32 = 0x0014_1518;
+const INK: Color32 = Color32::from_gray(230);
+const MARGIN: f32 = 20.0;
 
-impl ErrorMap {
-    /// Colours that tell errors apart; the two codes above are no errors.
-    const STEPS: u8 = 254;
-    const EDGE: u8 = 254;
-    const NOTHING: u8 = 255;
-
-    /// The map of two pictures of one size.
-    pub fn between<T, U>(left: Picture<T>, right: Picture<U>) -> Self
-    where
-        T: Into<f64> + Copy,
-        U: Into<f64> + Copy,
-    {
-        let width = left.width;
-        let step = |pixel| match pixel {
-            Pixel::Error(error) => {
-                let position = Scale::WIDEST.position(f64::from(error));
-                (position * f64::from(ErrorMap::STEPS - 1)).round() as u8
-            }
-            Pixel::Edge => ErrorMap::EDGE,
-            Pixel::Nothing => ErrorMap::NOTHING,
+/// A map of [`Scale::WIDEST`] with a title and the legend below it: the pixels and the new size. A narrow map is extended to
+/// the right.
+pub fn with_legend(
+    map: &[u32],
+    [width, height]: [usize; 2],
+    title: &str,
+) -> (Vec<u32>, [usize; 2]) {
+    let wide = width.max(WIDTH);
+    let mut pixels = vec![PAPER; wide * (height + HEIGHT)];
+    for (row, line) in map.chunks_exact(width).enumerate() {
+        pixels[row * wide..][..width].copy_from_slice(line);
+    }
+    annotate(&mut pixels[wide * height..], [wide, HEIGHT], |painter| {
+        let write = |x: f32, y: f32, size: f32, text: &str| {
+            let font = FontId::proportional(size);
+            painter.text(pos2(x, y), Align2::LEFT_CENTER, text, font, INK)
         };
-        ErrorMap {
-            width,
-            steps: compared(left, right).map(step).collect(),
+        write(MARGIN, 15.0, 16.0, title);
+        let length = (wide as f32 - 2.0 * MARGIN).min(LONGEST);
+        let row = Rect::from_min_size(pos2(MARGIN, 30.0), vec2(length, 32.0));
+        Scale::WIDEST.draw(painter, row, INK);
+        let mut x = MARGIN;
+        for (ink, meaning) in [
+            (color_at(0.0), "no error"),
+            (EDGE, "another face: not compared"),
+            (NOTHING, "nothing drawn"),
+        ] {
+            let swatch = Rect::from_min_size(pos2(x, 78.0), vec2(14.0, 14.0));
+            painter.rect(swatch, 0.0, color(ink), (1.0, INK), StrokeKind::Inside);
+            x = write(x + 22.0, 85.0, 15.0, meaning).right() + 24.0;
         }
-    }
-
-    /// The map as pixels, 0x00RRGGBB, row by row from the top.
-    pub fn pixels(&self) -> Vec<u32> {
-        let palette: [u32; 256] = std::array::from_fn(|step| match step as u8 {
-            ErrorMap::EDGE => EDGE,
-            ErrorMap::NOTHING => NOTHING,
-            step => color_at(f64::from(step) / f64::from(ErrorMap::STEPS - 1)),
-        });
-        let steps = self.steps.iter();
-        steps.map(|step| palette[usize::from(*step)]).collect()
-    }
-
-    /// The map with `title` and its scale below: pixels and size. A narrow map gets room for them beside it.
-    pub fn with_legend(&self, title: &str) -> (Vec<u32>, [usize; 2]) {
-        let width = self.width.max(legend::WIDTH);
-        let height = self.steps.len() / self.width;
-        let mut pixels = vec![legend::PAPER; width * (height + legend::HEIGHT)];
-        for (row, line) in self.pixels().chunks_exact(self.width).enumerate() {
-            pixels[row * width..][..self.width].copy_from_slice(line);
-        }
-        legend::draw(&mut pixels[width * height..], width, title);
-        (pixels, [width, height + legend::HEIGHT])
-    }
+    });
+    (pixels, [wide, height + HEIGHT])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn channels(color: u32) -> [i32; 3] {
-        let [_, red, green, blue] = color.to_be_bytes();
-        [red, green, blue].map(i32::from)
-    }
 
     #[test]
     fn the_colours_are_magma() {
@@ -184,25 +193,18 @@ mod tests {
             (128.0 / 255.0, [183, 55, 121]),
             (1.0, [252, 253, 191]),
         ] {
-            let found = channels(color_at(at));
-            let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= 6);
+            let [_, found @ ..] = color_at(at).to_be_bytes();
+            let near = found.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 6);
             assert!(near, "{found:?} is not {expected:?}");
         }
     }
 
     #[test]
-    fn the_scale_runs_from_none_to_all_and_shows_half_a_level() {
+    fn the_scale_runs_from_none_to_all() {
         let scale = Scale::WIDEST;
-        assert_eq!(scale.position(0.0), 0.0);
-        assert_eq!(scale.position(255.0), 1.0);
+        assert_eq!([0.0, 255.0].map(|it| scale.position(it)), [0.0, 1.0]);
         // ln(1 + 1020 0.5 / 255) / ln(1 + 1020) = ln 3 / ln 1021.
         assert!((scale.position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
-        let sum = |error| {
-            channels(scale.color(Pixel::Error(error)))
-                .iter()
-                .sum::<i32>()
-        };
-        assert!(sum(0.5) > sum(0.0) + 60);
     }
 
     #[test]
@@ -225,26 +227,44 @@ mod tests {
 
     #[test]
     fn background_edges_and_errors_are_told_apart() {
-        let levels = [[0.0; 3], [0.0; 3], [9.0; 3], [300.0; 3]];
         let left = Picture {
             width: 2,
-            levels: &levels,
+            levels: &[[0.0; 3], [0.0; 3], [9.0; 3], [300.0; 3]],
             triangles: &[NO_TRIANGLE, 0, 1, 1],
         };
         let right = Picture {
             levels: &[[0.0; 3]; 4],
-            triangles: &[NO_TRIANGLE, 2, 1, 1],
+            triangles: &[NO_TRIANGLE, 2, 1, 0],
             ..left
         };
-        let map = ErrorMap::between(left, right);
-        assert_eq!(map.pixels()[..2], [NOTHING, EDGE]);
-        assert_eq!(map.pixels()[3], Scale::WIDEST.color(Pixel::Error(255.0)));
-        let (pixels, size) = map.with_legend("title");
-        assert_eq!(size, [legend::WIDTH, 2 + legend::HEIGHT]);
-        assert_eq!(pixels.len(), size[0] * size[1]);
-        assert_eq!(
-            pixels[legend::WIDTH..][..3],
-            [map.pixels()[2], map.pixels()[3], legend::PAPER]
-        );
+        let found: Vec<Pixel> = compared(left, right).collect();
+        let errors = [9.0, 255.0].map(Pixel::Error);
+        assert_eq!(found, [Pixel::Nothing, Pixel::Edge, errors[0], errors[1]]);
+        let colors = found.into_iter().map(|it| Scale::WIDEST.color(it));
+        let expected = [NOTHING, EDGE, color_at(0.506_5), color_at(1.0)];
+        for (color, expected) in colors.zip(expected) {
+            let [color, expected] = [color, expected].map(u32::to_be_bytes);
+            let near = color.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 8);
+            assert!(near, "{color:?} is not {expected:?}");
+        }
+    }
+
+    #[test]
+    fn a_narrow_map_has_the_scale_below_it_and_paper_beside_it() {
+        let (pixels, size) = with_legend(&[1, 2, 3, 4], [2, 2], "title");
+        assert_eq!(size, [WIDTH, 2 + HEIGHT]);
+        let row = |y: usize| &pixels[y * WIDTH..][..WIDTH];
+        assert_eq!(row(1)[..3], [3, 4, PAPER]);
+        let [first, last] = [20, 588];
+        for (x, &pixel) in row(2 + 30).iter().enumerate() {
+            let share = (x as f64 - first as f64) / (last - first) as f64;
+            let inside = (first..=last).contains(&x);
+            let expected = if inside { color_at(share) } else { PAPER };
+            assert_eq!(pixel, expected, "column {x}");
+        }
+        assert!(row(2 + 29).iter().all(|pixel| *pixel == PAPER));
+        // The ends of the scale have ticks in the lowest rows of the colours.
+        let ink = |x: usize| color(row(2 + 45)[x]) == INK;
+        assert!(ink(first) && ink(last) && !ink(first + 1) && !ink(last - 1));
     }
 }

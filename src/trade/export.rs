@@ -1,25 +1,12 @@
-//! A report as `trade.json`, as `trade.md` and as the terminal's table.
-//!
-//! JSON holds every field of the record. Markdown and the terminal show the figures of `COLUMNS`.
+//! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
-use serde::Serialize;
-
-use super::live::Measurement;
 use super::record::{MethodReport, Report};
-use super::tables::{self, aligned, wrapped};
 use super::timing::BATCHES;
 use super::verdict::verdict;
-use super::words::{counted, short};
+use crate::report::tables::{self, aligned, wrapped};
+use crate::report::words::{counted, short};
 
-/// A record as JSON text: `trade.json` of a [`Report`].
-///
-/// # Errors
-/// Never in practice: a record has nothing that JSON cannot hold.
-pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
-    Ok(serde_json::to_string_pretty(record)? + "\n")
-}
-
-/// A column of a table for people: its head, and its cell for a method.
+/// The head of a column, and its cell for a method.
 type Column = (&'static str, fn(&MethodReport) -> String);
 
 const COLUMNS: [Column; 6] = [
@@ -36,40 +23,32 @@ const COLUMNS: [Column; 6] = [
     }),
 ];
 
-/// One batch is a run of its own.
+/// Each batch is a run.
 const RANGE: &str = "range of 8 runs";
 const _: () = assert!(BATCHES == 8);
 
-/// What a terminal shows: verdict, what was measured and where, the table, and what its columns mean.
+/// The text for a terminal: the verdict, the view and the machine, the table, and the meaning of its columns.
 pub fn table(report: &Report) -> String {
     let paragraphs = [
-        wrapped(&said(report)),
+        wrapped(&verdict(&report.measurements())),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), &rows(report)),
-        wrapped(&stages(report)),
         wrapped(&legend()),
     ];
     paragraphs.join("\n\n") + "\n"
 }
 
-/// The same for a README.
+/// The same text in Markdown, with the command line.
 pub fn markdown(report: &Report) -> String {
     format!(
-        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}\n\n{}\n",
-        said(report),
+        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}\n",
+        verdict(&report.measurements()),
         subject(report),
         place(report),
         report.subject.command,
         tables::markdown(&head(), &rows(report)),
-        stages(report),
         legend()
     )
-}
-
-/// What the measurements come to, in words.
-fn said(report: &Report) -> String {
-    let measured: Vec<Measurement> = report.methods.iter().map(Measurement::from).collect();
-    verdict(&measured)
 }
 
 fn head() -> [&'static str; COLUMNS.len()] {
@@ -81,30 +60,16 @@ fn rows(report: &Report) -> Vec<Vec<String>> {
     report.methods.iter().map(row).collect()
 }
 
-/// What was measured.
-pub(super) fn subject(report: &Report) -> String {
+/// The view in words.
+pub fn subject(report: &Report) -> String {
     let covered = counted(report.covered_pixels as usize, "covered pixel");
     format!("{}: {covered}", report.subject.view())
 }
 
-/// Where it was measured.
-pub(super) fn place(report: &Report) -> String {
+/// The machine in words.
+pub fn place(report: &Report) -> String {
     let threads = report.methods.first().map_or(1, |one| one.threads);
     report.subject.place(&counted(threads, "thread"))
-}
-
-/// How a frame of the last method divides into stages.
-pub(crate) fn stages(report: &Report) -> String {
-    let Some(last) = report.methods.last() else {
-        return String::new();
-    };
-    let stage = |(name, ms): &(&str, f64)| format!("{name} {}", short(Some(*ms)));
-    let stages: Vec<String> = last.stages.iter().map(stage).collect();
-    format!(
-        "Stages of {}, in ms: {}.",
-        last.method.id,
-        stages.join(", ")
-    )
 }
 
 fn legend() -> String {

@@ -1,7 +1,7 @@
-//! Two pictures in, how different they look when one is flipped for the other out: LDR-FLIP.
+//! LDR-FLIP: the difference that a person sees who alternates between two pictures.
 //!
-//! After Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild, "FLIP: A Difference Evaluator for
-//! Alternating Images", HPG 2020, with the constants of the authors' code (github.com/NVlabs/flip).
+//! After Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild, "FLIP: A Difference Evaluator for Alternating
+//! Images", HPG 2020, with the constants of the authors' code (github.com/NVlabs/flip).
 //!
 //! ```text
 //! bytes --> opponent colours --+-- contrast filters -> Hunt-adjusted Lab ---- colour difference --+
@@ -9,8 +9,8 @@
 //!                              +-- edge and point filters of the luminance -- feature difference -+
 //! ```
 //!
-//! Rule: a picture against itself gives exactly 0, the order of the two makes no difference, and any number of threads
-//! gives the same bits.
+//! A picture against itself gives exactly 0. The bits depend neither on the order of the pictures nor on the number of
+//! threads.
 
 mod color;
 mod filter;
@@ -24,7 +24,7 @@ use crate::frame::display_step;
 use color::{distance, hunt_lab, linear_from_opponent, opponent_from_srgb};
 use filter::{Filter, Plane};
 
-/// Pixels per degree of sight if nothing else is known: 3840 pixels on 0.7 m, seen from 0.7 m (67.02).
+/// Pixels per degree for a usual screen: 3840 pixels on 0.7 m, seen from 0.7 m (67.02).
 pub const PIXELS_PER_DEGREE: f64 = 0.7 * (3840.0 / 0.7) * (std::f64::consts::PI / 180.0);
 
 /// The paper's exponent of colour differences, `q_c`, and of feature differences, `q_f`.
@@ -34,14 +34,14 @@ const FEATURE_EXPONENT: f32 = 0.5;
 const SHARE: f32 = 0.4;
 const TARGET: f32 = 0.95;
 
-/// Rows evaluated at once: few enough to stay in the cache, many enough to outweigh the filters' overhang.
+/// Rows evaluated at once: few enough for the cache, many more than the filters add at both ends.
 const BAND: usize = 64;
 
-/// Mean FLIP, 0..=1, over the pixels where both pictures show the same face; `None` where there is no such pixel.
+/// Mean FLIP, 0..=1, over the pixels that show the same face in both pictures; `None` if there is none.
 ///
-/// The pictures are of one size; their levels are taken as displayed bytes, and as sRGB. Only the rectangle around
-/// the pixels of the mean is evaluated, though what lies beside them (background, edges) takes part as surroundings.
-/// Beyond the border of the picture its outermost pixels repeat. `pixels_per_degree` is at least 1.
+/// The pictures have one size. Their displayed bytes are taken as sRGB. Only the rectangle around the pixels of the mean is
+/// evaluated, but all pixels within the reach of the filters have an effect. Beyond the border of the picture its outermost
+/// pixels repeat. `pixels_per_degree` is at least 1.
 pub fn mean<T, U>(left: Picture<T>, right: Picture<U>, pixels_per_degree: f64) -> Option<f64>
 where
     T: Into<f64> + Copy + Sync,
@@ -79,23 +79,23 @@ fn rectangle(width: usize, pixels: impl Iterator<Item = usize>) -> Option<[Range
         })
 }
 
-/// What a pixel looks like.
+/// The appearance of a pixel.
 struct Look {
     /// Hunt-adjusted L*a*b*, after the eye's blur.
     color: [f32; 3],
-    /// How much of an edge and how much of a point is here, in shares of white's luminance.
+    /// The strength of an edge and of a point, in shares of white's luminance.
     features: [f32; 2],
 }
 
-/// An eye at some distance.
+/// An eye at a certain distance.
 struct Observer {
     /// Contrast sensitivity in luminance, red-green and blue-yellow.
     contrast: [Filter; 3],
     /// Edges and points, each across the columns and down the rows.
     features: [[Filter; 2]; 2],
-    /// How far the filters reach, in pixels.
+    /// The reach of the filters, in pixels.
     reach: usize,
-    /// The largest colour difference there is, that between green and blue, after the exponent.
+    /// The largest possible colour difference, between green and blue, after the exponent.
     largest: f32,
 }
 
@@ -112,7 +112,7 @@ impl Observer {
         }
     }
 
-    /// What these pixels of the picture look like, row by row.
+    /// The appearance of these pixels, row by row.
     fn looks<T: Into<f64> + Copy>(
         &self,
         picture: &Picture<T>,
@@ -139,7 +139,7 @@ impl Observer {
             .collect()
     }
 
-    /// The opponent colours of these pixels and of all that the filters reach from them.
+    /// The opponent colours of these pixels and of those within the reach of the filters.
     fn opponent_colors<T: Into<f64> + Copy>(
         &self,
         picture: &Picture<T>,

@@ -1,4 +1,4 @@
-//! Where a measurement was made: what a reader must know before comparing times.
+//! The machine of a measurement, which a reader must know before comparing times.
 
 use std::env::consts::{ARCH, OS};
 use std::fs;
@@ -9,12 +9,12 @@ use serde::Serialize;
 use crate::drawing::all_cores;
 use crate::simd;
 
-/// What the times depend on besides the program.
+/// The machine and the build, on which times depend.
 #[derive(Clone, Debug, Serialize)]
 pub struct Machine {
-    /// The processor's own name where the system tells it, else its architecture.
+    /// The name of the processor if the system tells it, otherwise its architecture.
     pub cpu: String,
-    /// Threads it runs at once.
+    /// The threads that it runs in parallel.
     pub cores: usize,
     /// The SIMD level that drew.
     pub lanes: &'static str,
@@ -22,12 +22,12 @@ pub struct Machine {
     pub os: String,
     /// The compiler.
     pub rustc: &'static str,
-    /// `release`, or `debug` where assertions are on.
+    /// `release`, or `debug` with assertions.
     pub profile: &'static str,
 }
 
 impl Machine {
-    /// This one, drawing at `level`.
+    /// This machine with a SIMD level.
     pub fn this(level: Level) -> Self {
         let read = |path, key, otherwise: &str| {
             let text = fs::read_to_string(path).unwrap_or_default();
@@ -49,7 +49,7 @@ impl Machine {
     }
 }
 
-/// What stands after `key` and `=` or `:` in the first line that begins so, without quotes.
+/// The value after `key` and `=` or `:` in the first such line, without quotes.
 fn value_of<'a>(key: &str, text: &'a str) -> Option<&'a str> {
     let after_key = |line: &'a str| {
         line.strip_prefix(key)?

@@ -1,10 +1,10 @@
-//! Two pictures in, how far they are apart out.
+//! The difference of two pictures.
 //!
 //! The error of a pixel is the largest difference of its three channels as displayed: both clamped to 0..=255, neither
-//! rounded. Every figure here is a statistic of that one error over the pixels where both pictures show the same face;
-//! where they do not, no error is taken and the pixel counts as an edge pixel. The diagonal of a face is no edge.
+//! rounded. All figures are statistics of this error over the pixels at which both pictures show the same face. The other
+//! pixels are edge pixels and have no error. The diagonal of a face is no edge.
 //!
-//! Rule: every figure is a finite number or `None`. A level that is not a number is displayed, and compared, as 0.
+//! A level that is NaN is displayed, and compared, as 0. So every figure is finite.
 
 use serde::Serialize;
 
@@ -42,14 +42,14 @@ impl<'a> From<&'a Truth> for Picture<'a, f64> {
     }
 }
 
-/// How far two pictures are apart.
+/// The comparison of two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
-    /// Over the pixels where both show the same face; `None` where there is no such pixel.
+    /// `None` if no pixel shows the same face in both.
     pub error: Option<Error>,
-    /// How many pixels that is.
+    /// Pixels that show the same face in both.
     pub compared_pixels: u64,
-    /// Pixels where they show different faces, or one shows a face and the other background.
+    /// Pixels that show different faces, or a face in one picture and the background in the other.
     pub edge_pixels: u64,
 }
 
@@ -70,7 +70,7 @@ pub struct Error {
     pub over_1_level: f64,
 }
 
-/// A level as it is displayed, short of rounding; 0 where it is not a number.
+/// A level as it is displayed, before rounding; NaN gives 0.
 pub fn displayed(level: f64) -> f64 {
     if level.is_nan() {
         0.0
@@ -79,7 +79,7 @@ pub fn displayed(level: f64) -> f64 {
     }
 }
 
-/// The displayed endpoints of levels, by channel: they are the same where a level is one number.
+/// The displayed endpoints of levels, by channel. Those of a float are equal.
 pub fn ends<R: Real>(levels: [R; 3]) -> [[f64; 2]; 3] {
     levels.map(|level| level.endpoints().map(displayed))
 }
@@ -111,7 +111,7 @@ impl<T> Picture<'_, T> {
     }
 }
 
-/// Compares two pictures of one size; which is which makes no difference.
+/// Compares two pictures of one size. Their order does not matter.
 pub fn compare<T, U>(left: Picture<T>, right: Picture<U>) -> Difference
 where
     T: Into<f64> + Copy,
@@ -130,7 +130,7 @@ where
     }
 }
 
-/// The statistics of the errors of these pixels, which are left in another order.
+/// The statistics of the errors of these pixels. Changes the order of `errors`.
 fn statistics(errors: &mut [(f64, usize)], width: usize) -> Option<Error> {
     let first_worst =
         |worst: (f64, usize), next: (f64, usize)| if next.0 > worst.0 { next } else { worst };

@@ -1,35 +1,32 @@
-//! What was measured, and where: the one record that JSON, Markdown and the terminal's table are made of.
+//! The report of a measurement, from which JSON, Markdown, table and plot are made.
 //!
-//! Rule: a figure is computed once and stands here once, under the name that `trade.json` gives it; every key is there in
-//! every report, and a quantity that does not exist is `null`.
+//! Each figure is computed once and stands here once, under its name in `trade.json`. A figure that does not exist is
+//! `null` there.
 
-use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
-use serde_json::{Value, json};
+use serde_json::json;
 
-use super::Request;
 use super::accuracy::Accuracy;
 use super::machine::Machine;
-use super::metrics::Error;
+use super::measurement::{Measurement, Request};
 use super::timing::Timing;
-use super::words::counted;
 use crate::components::Projection;
 use crate::frame::Counts;
-use crate::shading::{Method, TileKind};
+use crate::report::words::counted;
+use crate::shading::Method;
 
-/// What was measured.
+/// A measurement of all methods.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    /// Of which view, and where.
     #[serde(flatten)]
     pub subject: Subject,
-    /// Pixels on which something is drawn.
+    /// Pixels that show a cuboid.
     pub covered_pixels: u64,
     /// In the order of [`crate::shading::METHODS`].
     pub methods: Vec<MethodReport>,
 }
 
-/// Of which view, and where: what a reader needs to judge times, and to repeat them.
+/// The view and the machine: enough to judge the times and to repeat the measurement.
 #[derive(Clone, Debug, Serialize)]
 pub struct Subject {
     pub machine: Machine,
@@ -42,39 +39,54 @@ pub struct Subject {
     pub size: [usize; 2],
 }
 
-/// What one method costs and how far it errs.
+/// The cost and the error of one method.
 #[derive(Clone, Debug, Serialize)]
 pub struct MethodReport {
     #[serde(flatten)]
     pub method: Method,
-    /// How many threads drew.
+    /// The threads that drew.
     pub threads: usize,
     /// Milliseconds of a whole warm frame.
     #[serde(rename = "ms")]
     pub timing: Timing,
-    /// Nanoseconds of a frame for each pixel on which something is drawn; `None` where nothing is.
+    /// Nanoseconds of a frame for each covered pixel; `None` if there is none.
     pub ns_per_covered_pixel: Option<f64>,
-    /// The median milliseconds of each stage of a frame, in order.
-    #[serde(serialize_with = "map")]
-    pub stages: Vec<(&'static str, f64)>,
-    /// What a frame evaluates; the same on every machine.
-    #[serde(serialize_with = "count_keys")]
+    /// The work for a frame; the same on every machine.
+    #[serde(serialize_with = "evaluations")]
     pub counts: Counts,
     #[serde(flatten)]
     pub accuracy: Accuracy,
-    /// Whether nothing beats it in error and time both.
+    /// Whether no other method beats it in error and time both.
     pub on_front: bool,
 }
 
+impl Report {
+    /// The measurements of the methods without their other figures.
+    pub fn measurements(&self) -> Vec<Measurement> {
+        self.methods.iter().map(MethodReport::measurement).collect()
+    }
+}
+
 impl MethodReport {
-    /// The largest error against exact Phong, in levels; `None` where nothing can be compared.
+    /// The largest error against exact Phong, in levels; `None` if no pixel can be compared.
     pub fn max_error(&self) -> Option<f64> {
-        self.accuracy.error.levels.map(|error| error.max)
+        self.accuracy.error.map(|error| error.levels.max)
+    }
+
+    fn measurement(&self) -> Measurement {
+        Measurement {
+            method: self.method,
+            timing: self.timing.clone(),
+            error: self.max_error(),
+            worst: self.accuracy.error.map(|error| error.levels.max_pixel),
+            highlight_kept: self.accuracy.highlight_kept,
+            on_front: self.on_front,
+        }
     }
 }
 
 impl Subject {
-    /// Of a measurement on this machine.
+    /// The view of `request` on this machine.
     pub fn of(request: &Request) -> Self {
         Subject {
             machine: Machine::this(request.level),
@@ -86,7 +98,7 @@ impl Subject {
         }
     }
 
-    /// What was measured, in words.
+    /// The view in words.
     pub fn view(&self) -> String {
         let [width, height] = self.size;
         format!(
@@ -97,10 +109,10 @@ impl Subject {
         )
     }
 
-    /// Where, in words, with how many `threads` drew.
+    /// The machine in words, with the number of `threads` that drew.
     pub fn place(&self, threads: &str) -> String {
         let machine = &self.machine;
-        // The name and the number; what follows is a commit.
+        // The name and the version, without the commit.
         let rustc: Vec<&str> = machine.rustc.split(' ').take(2).collect();
         format!(
             "{}, {}, {}, {threads}, {}, {}, {} build",
@@ -114,30 +126,10 @@ impl Subject {
     }
 }
 
-fn map<S: Serializer>(pairs: &[(&'static str, f64)], to: S) -> Result<S::Ok, S::Error> {
-    to.collect_map(pairs.iter().copied())
-}
-
-fn count_keys<S: Serializer>(counts: &Counts, to: S) -> Result<S::Ok, S::Error> {
-    let names = TileKind::ALL.iter().map(|kind| kind.name());
-    let tiles: serde_json::Map<String, Value> = names
-        .zip(counts.tiles)
-        .map(|(name, tiles)| (name.to_owned(), tiles.into()))
-        .collect();
+fn evaluations<S: Serializer>(counts: &Counts, to: S) -> Result<S::Ok, S::Error> {
     json!({
         "model_evaluations": counts.model_evaluations,
         "specular_evaluations": counts.specular_evaluations,
-        "tiles": tiles,
     })
     .serialize(to)
-}
-
-/// The keys of an error; each is `null` where there is none.
-#[expect(clippy::ref_option, reason = "serde hands a reference")]
-pub(super) fn error_keys<S: Serializer>(error: &Option<Error>, to: S) -> Result<S::Ok, S::Error> {
-    let mut keys = serde_json::to_value(error.unwrap_or_default()).map_err(S::Error::custom)?;
-    if let (None, Value::Object(keys)) = (error, &mut keys) {
-        keys.values_mut().for_each(|value| *value = Value::Null);
-    }
-    keys.serialize(to)
 }

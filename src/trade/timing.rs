@@ -1,7 +1,6 @@
-//! Frames drawn by the clock in, robust statistics of their times out.
+//! The clock of drawn frames, and robust statistics of their times.
 //!
-//! A run has [`BATCHES`]; each starts with a new frame and a new copy of the scene, and the command `trade` has each timed
-//! by a process of its own, so that what varies between runs varies between batches too. In a batch the methods take turns
+//! A run consists of [`BATCHES`]. Each starts with a new frame and a new copy of the scene. In a batch the methods take turns
 //! in random order, so that a slow moment of the machine meets all alike. The first frame of a turn warms caches and branch
 //! predictors and is not timed.
 //!
@@ -11,7 +10,7 @@
 //! batch 2   turn 1   ...
 //! ```
 //!
-//! Rule: two times differ only where their intervals do not overlap.
+//! Two times differ only if their intervals do not overlap.
 
 use std::time::{Duration, Instant};
 
@@ -20,7 +19,10 @@ use serde::Serialize;
 /// Batches of a run; see [`Timing::interval`].
 pub const BATCHES: usize = 8;
 
-/// Samples of each method however much time there is: more would say nothing new.
+/// The least samples of each method, however short the time: a median of fewer says little.
+pub const MIN_SAMPLES: usize = 30;
+
+/// The most samples of each method: more say nothing new.
 pub const MAX_SAMPLES: usize = 9_999;
 
 /// Statistics of the times of a frame, in milliseconds.
@@ -36,7 +38,7 @@ pub struct Timing {
     /// means; Law, Simulation Modeling and Analysis, 9.5.3).
     pub interval: [f64; 2],
     pub min: f64,
-    /// Every sample in order.
+    /// All samples, in order.
     pub raw: Vec<f64>,
 }
 
@@ -44,14 +46,13 @@ impl Timing {
     /// The statistics of the samples of these batches.
     ///
     /// # Panics
-    /// When a batch is empty, or there is none.
+    /// If a batch is empty, or there is none.
     pub fn of(batches: &[Vec<f64>]) -> Self {
         let raw = batches.concat();
-        let median = median(&raw);
-        let medians = batches.iter().map(|batch| self::median(batch));
+        let medians = batches.iter().map(|batch| median(batch));
         Timing {
             samples: raw.len(),
-            median,
+            median: median(&raw),
             interval: [
                 medians.clone().fold(f64::INFINITY, f64::min),
                 medians.fold(0.0, f64::max),
@@ -61,7 +62,7 @@ impl Timing {
         }
     }
 
-    /// Whether this is less than `other` beyond doubt.
+    /// Whether this time is less than `other` beyond doubt.
     pub fn is_measurably_less_than(&self, other: &Timing) -> bool {
         self.interval[1] < other.interval[0]
     }
@@ -70,7 +71,7 @@ impl Timing {
 /// The middle value, or the mean of the middle two.
 ///
 /// # Panics
-/// When there are none.
+/// If there are none.
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_unstable_by(f64::total_cmp);
@@ -80,29 +81,28 @@ pub fn median(values: &[f64]) -> f64 {
 /// The milliseconds of the frames of one batch, by method.
 pub type Batch = Vec<Vec<f64>>;
 
-/// Times `draw(0)` to `draw(methods - 1)` in one batch: as many turns as fit into its part of `time`, but so many that all
-/// batches together have at least `min_samples` and at most [`MAX_SAMPLES`] of each method.
+/// Times `draw(0)` to `draw(methods - 1)` in one batch, for an eighth of `time`, but at least once. All batches together take
+/// [`MIN_SAMPLES`] to [`MAX_SAMPLES`] of each method.
 ///
 /// # Errors
-/// The first that `draw` gives.
-pub fn batch<E>(
+/// The first error of `draw`.
+pub fn batch(
     number: usize,
     methods: usize,
-    min_samples: usize,
     time: Duration,
-    mut draw: impl FnMut(usize) -> Result<(), E>,
-) -> Result<Batch, E> {
-    let frames_of_turn = min_samples.div_ceil(BATCHES).max(1);
-    let max_turns = (MAX_SAMPLES / BATCHES / frames_of_turn).max(1);
+    mut draw: impl FnMut(usize) -> anyhow::Result<()>,
+) -> anyhow::Result<Batch> {
+    const FRAMES_OF_TURN: usize = MIN_SAMPLES.div_ceil(BATCHES);
+    const MAX_TURNS: usize = MAX_SAMPLES / BATCHES / FRAMES_OF_TURN;
     let mut samples = vec![Vec::new(); methods];
     let mut order: Vec<usize> = (0..methods).collect();
-    let mut random = Random(number as u64);
+    let mut random = fastrand::Rng::with_seed(number as u64);
     let begin = Instant::now();
-    for turn in 1..=max_turns {
+    for turn in 1..=MAX_TURNS {
         random.shuffle(&mut order);
         for &method in &order {
             draw(method)?;
-            for _ in 0..frames_of_turn {
+            for _ in 0..FRAMES_OF_TURN {
                 let start = Instant::now();
                 draw(method)?;
                 samples[method].push(start.elapsed().as_nanos() as f64 / 1e6);
@@ -116,52 +116,32 @@ pub fn batch<E>(
     Ok(samples)
 }
 
-/// The times of all methods, batch by batch; `on_progress` is told the share done, 0..=1.
+/// The times of all methods, batch by batch. `progress` receives the finished share, 0..=1.
 ///
 /// # Errors
-/// The first that a batch gives.
-pub fn of_batches<E>(
-    mut batch: impl FnMut(usize) -> Result<Batch, E>,
-    on_progress: impl Fn(f64),
-) -> Result<Vec<Timing>, E> {
-    let mut by_method: Vec<Vec<Vec<f64>>> = Vec::new();
-    for number in 0..BATCHES {
-        let samples = batch(number)?;
-        by_method.resize(samples.len(), Vec::new());
-        for (batches, own) in by_method.iter_mut().zip(samples) {
-            batches.push(own);
-        }
-        on_progress((number + 1) as f64 / BATCHES as f64);
-    }
-    Ok(by_method
-        .iter()
-        .map(|batches| Timing::of(batches))
-        .collect())
-}
-
-/// The same sequence every time: SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ mixed >> 31
-    }
-
-    /// Fisher and Yates's.
-    fn shuffle(&mut self, list: &mut [usize]) {
-        for last in (1..list.len()).rev() {
-            list.swap(last, (self.next() % (last as u64 + 1)) as usize);
-        }
-    }
+/// The first error of a batch.
+pub fn of_batches(
+    batch: impl Fn(usize) -> anyhow::Result<Batch>,
+    progress: impl Fn(f64),
+) -> anyhow::Result<Vec<Timing>> {
+    let batches = (0..BATCHES).map(|number| {
+        let batch = batch(number)?;
+        progress((number + 1) as f64 / BATCHES as f64);
+        Ok(batch)
+    });
+    let batches = batches.collect::<anyhow::Result<Vec<Batch>>>()?;
+    let of_method = |method: usize| {
+        let samples: Vec<_> = batches.iter().map(|it| it[method].clone()).collect();
+        Timing::of(&samples)
+    };
+    Ok((0..batches[0].len()).map(of_method).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use std::cell::RefCell;
-    use std::convert::Infallible;
+
+    use anyhow::bail;
 
     use super::*;
 
@@ -171,17 +151,17 @@ mod tests {
         let shares = RefCell::new(Vec::new());
         let time = |number| {
             drawn.borrow_mut().push(Vec::new());
-            batch(number, 3, 30, Duration::ZERO, |method| {
+            batch(number, 3, Duration::ZERO, |method| {
                 let mut batches = drawn.borrow_mut();
                 batches.last_mut().expect("it was begun").push(method);
-                Ok::<_, Infallible>(())
+                Ok(())
             })
         };
-        let Ok(timings) = of_batches(time, |share| shares.borrow_mut().push(share));
-        assert_eq!(timings.len(), 3);
+        let timings = of_batches(time, |share| shares.borrow_mut().push(share));
+        let timings = timings.expect("nothing fails");
         // Four of each of eight batches: the fewest that are at least thirty.
-        assert!(timings.iter().all(|timing| timing.samples == 32));
-        assert!(timings.iter().all(|timing| timing.raw.len() == 32));
+        let samples = timings.iter().map(|it| [it.samples, it.raw.len()]);
+        assert_eq!(samples.collect::<Vec<_>>(), [[32; 2]; 3]);
 
         let batches = drawn.into_inner();
         assert_eq!(batches.len(), BATCHES);
@@ -195,31 +175,28 @@ mod tests {
             assert_eq!(order, [0, 1, 2]);
         }
         assert_eq!(first, [true; 3], "each comes first in some batch");
-        let shares = shares.into_inner();
-        assert!(shares.is_sorted() && shares.iter().all(|share| (0.0..=1.0).contains(share)));
-        assert_eq!(shares.last(), Some(&1.0));
+        let eighths = (1..=8).map(|eighth| f64::from(eighth) / 8.0);
+        assert_eq!(shares.into_inner(), eighths.collect::<Vec<_>>());
     }
 
     #[test]
-    fn there_are_only_so_many_samples_and_the_first_error_ends_it() {
-        let time = |number| batch(number, 1, 30, Duration::MAX, |_| Ok::<_, Infallible>(()));
-        let Ok(timings) = of_batches(time, |_| ());
+    fn the_number_of_samples_is_limited_and_the_first_error_ends_the_run() {
+        let time = |number| batch(number, 1, Duration::MAX, |_| Ok(()));
+        let timings = of_batches(time, |_| ()).expect("nothing fails");
         assert!((9_000..=MAX_SAMPLES).contains(&timings[0].samples));
-        assert_eq!(batch(0, 2, 30, Duration::ZERO, |_| Err("no")), Err("no"));
-        assert_eq!(of_batches(|_| Err("no"), |_| ()), Err("no"));
+        assert!(batch(0, 2, Duration::ZERO, |_| bail!("no")).is_err());
+        assert!(of_batches(|_| bail!("no"), |_| ()).is_err());
     }
 
     #[test]
-    fn the_interval_holds_the_median_of_a_skewed_distribution_as_often_as_it_says() {
-        let mut random = Random(7);
+    fn the_interval_holds_the_median_of_a_skewed_distribution_at_its_confidence() {
+        let mut random = fastrand::Rng::with_seed(7);
         let mut held = 0;
         let runs = 4000;
         for _ in 0..runs {
             // 1 / (1 - u): a Pareto distribution without a variance; its median is 2.
-            let mut sample = || 1.0 / (1.0 - (random.next() >> 11) as f64 / (1_u64 << 53) as f64);
-            let batches: Vec<Vec<f64>> = (0..BATCHES)
-                .map(|_| (0..5).map(|_| sample()).collect())
-                .collect();
+            let mut sample = || 1.0 / (1.0 - random.f64());
+            let batches = [(); BATCHES].map(|()| [(); 5].map(|()| sample()).to_vec());
             let [low, high] = Timing::of(&batches).interval;
             held += i32::from((low..=high).contains(&2.0));
         }

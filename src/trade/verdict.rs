@@ -1,21 +1,21 @@
 //! The trade of a method in a sentence.
 //!
-//! Every word follows from a measured number. Times whose intervals overlap are called the same.
+//! Every word follows from a measured number. Times with overlapping intervals are called the same.
 
-use super::live::Measurement;
-use super::words::{capital, method_name, short, times};
+use super::measurement::Measurement;
 use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
+use crate::report::words::{capital, short};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
 pub const UNSEEN: f64 = 0.5;
-/// Times that this factor parts are not called alike, however wide their intervals.
+/// Times with a larger ratio are not called alike, however wide their intervals are.
 const ALIKE: f64 = 1.2;
 /// Smaller errors are those of f32, in levels.
 const ROUNDING: f64 = 1e-3;
 const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
 
-/// The sentences about Gouraud, exact Phong and the assignment's shortcut, as far as they were measured.
+/// The sentences about Gouraud, exact Phong and the assignment's shortcut, if they were measured.
 pub fn verdict(measured: &[Measurement]) -> String {
     if measured.iter().all(|it| it.error.is_none()) {
         return NOTHING.to_owned();
@@ -26,7 +26,7 @@ pub fn verdict(measured: &[Measurement]) -> String {
     sentences.collect::<Vec<String>>().join(" ")
 }
 
-/// What `shown` costs and errs against its alternatives; `None` where it was not measured.
+/// The cost and the error of `shown` against its alternatives; `None` if it was not measured.
 pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     let shown = find(measured, shown.mode, shown.tolerance)?;
     Some(match shown.error {
@@ -40,7 +40,7 @@ fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&
     measured.iter().find(|it| it.method == method)
 }
 
-/// Gouraud as it is usually drawn.
+/// Gouraud at its usual tolerance.
 fn gouraud(measured: &[Measurement]) -> Option<&Measurement> {
     find(measured, Gouraud, UNSEEN).or_else(|| find(measured, Gouraud, 0.0))
 }
@@ -99,7 +99,7 @@ fn is_faster(one: &Measurement, other: &Measurement) -> bool {
     one.timing.is_measurably_less_than(&other.timing)
 }
 
-/// Whether `one` takes as long as `exact`, or longer. Intervals that overlap because they are wide do not say so.
+/// Whether `one` takes as long as `exact`, or longer. Intervals that overlap only because they are wide do not count.
 fn saves_nothing(one: &Measurement, exact: &Measurement) -> bool {
     !is_faster(one, exact) && one.timing.median * ALIKE >= exact.timing.median
 }
@@ -118,7 +118,30 @@ fn pace(one: &Measurement, other: &Measurement) -> String {
     } else {
         return "about as fast as".to_owned();
     };
-    // The smaller of two times may be too short for the clock, and then there is no ratio.
+    // If the smaller time is too short for the clock, the ratio is not finite.
     let ratio = ratio.map_or(String::new(), |ratio| format!("{ratio} times "));
     format!("{ratio}{word} than")
+}
+
+/// `value` / `base` in two significant digits; `None` if it is not finite.
+fn times(value: f64, base: f64) -> Option<String> {
+    let ratio = value / base;
+    let digits = if ratio < 1.1 { 2 } else { 1 };
+    let rounded: f64 = format!("{ratio:.digits$e}").parse().ok()?;
+    ratio.is_finite().then(|| rounded.to_string())
+}
+
+/// A method in words: "Phong within half a level".
+pub fn method_name(method: Method) -> String {
+    match (method.mode, method.tolerance) {
+        (UnitVectors, _) => "interpolated unit vectors".to_owned(),
+        (Gouraud, 0.0) => "exact Gouraud".to_owned(),
+        // Its tolerance is against itself, and says nothing about its error against Phong.
+        (Gouraud, UNSEEN) => "Gouraud".to_owned(),
+        (Gouraud, levels) => format!("Gouraud ({levels} of its own)"),
+        (Phong, 0.0) => "exact Phong".to_owned(),
+        (Phong, UNSEEN) => "Phong within half a level".to_owned(),
+        (Phong, 1.0) => "Phong within 1 level".to_owned(),
+        (Phong, levels) => format!("Phong within {levels} levels"),
+    }
 }

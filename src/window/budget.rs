@@ -8,8 +8,9 @@ use super::app::App;
 use super::inspector::{format_number, keep_digits, short, two_digits};
 use super::keys::Command;
 use crate::components::{Budget, ShadingMode, Tolerance};
+use crate::report::words::capital;
 use crate::trade::budget::{Hold, fitting, held, ladder};
-use crate::trade::words::{capital, method_name};
+use crate::trade::verdict::method_name;
 
 /// The factor of a press of a key.
 const STEP: f64 = 1.25;

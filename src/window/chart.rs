@@ -22,14 +22,15 @@ use super::style::{BAD, GOURAUD, INK, PHONG, STALE};
 use crate::components::{ShadingMode, Show, Side, Tolerance, ViewMode};
 use crate::paint::color;
 use crate::prove::{REFUTED, UNDECIDED};
+use crate::report::chart::ticks;
+use crate::report::words::capital;
 use crate::shading::{Method, TileKind};
 use crate::trade::Measurement;
 use crate::trade::budget::ladder;
-use crate::trade::chart::ticks;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
 use crate::trade::plot::FLOOR;
+use crate::trade::verdict::method_name;
 use crate::trade::verdict::{UNSEEN, sentence};
-use crate::trade::words::{capital, method_name};
 
 /// The heights of the sentence and of the chart, in points: neither moves what lies below.
 const SENTENCE: f32 = 66.0;

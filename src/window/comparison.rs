@@ -5,15 +5,14 @@ use hecs::World;
 
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_pixel};
-use crate::memory::{self, OutOfMemory};
+use crate::memory;
 use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
-use crate::reference;
+use crate::report::Monitor;
 use crate::systems;
+use crate::trade::accuracy::exact;
 use crate::trade::error_map::{self, Scale};
 use crate::trade::metrics::{self, Picture};
 
-/// Rows that are compared at once, which bounds the memory that a comparison takes.
-const BAND: usize = 64;
 /// Steps of a level in which differences are kept until the largest is known.
 const STEPS: f64 = 128.0;
 
@@ -25,7 +24,7 @@ pub struct Comparison {
     /// The error against exact Phong in the colours of `scale`.
     pub error_map: Vec<u32>,
     pub scale: Scale,
-    /// The difference to exact Phong from grey, so many times as large as it is that it is seen.
+    /// The difference to exact Phong, times `amplification`, added to grey; 0x00RRGGBB.
     pub difference: Vec<u32>,
     pub amplification: f64,
     /// The largest error, in levels of 255; `None` where nothing can be compared.
@@ -33,30 +32,24 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the picture of `view`; `None` as soon as `cancelled` says yes.
+    /// Compares the picture of `view`.
     ///
     /// # Errors
-    /// When memory does not suffice.
+    /// If the picture does not fit in memory, or the work is cancelled.
     pub fn of(
         world: &mut World,
         view: &View,
         level: Level,
-        cancelled: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Option<Comparison>, OutOfMemory> {
-        let height = view.size[1];
+        monitor: Monitor,
+    ) -> anyhow::Result<Comparison> {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
-        let phong = view.shaded(ShadingMode::Phong);
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
         let mut errors = memory::reserve_pixels(view.size)?;
         let mut steps = memory::reserve_pixels(view.size)?;
         let mut largest: Option<f64> = None;
-        for start in (0..height).step_by(BAND) {
-            let rows = start..(start + BAND).min(height);
+        monitor.in_bands("comparing", view.size[1], |rows| {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
-            let exact = reference::picture(world, &phong, rows, cancelled, &|_| ());
-            let Some(exact) = exact else {
-                return Ok(None);
-            };
+            let exact = exact(world, view, ShadingMode::Phong, rows, monitor, |_| ())?;
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
             let error = metrics::compare(drawn, compared).error;
             if let Some(error) = error {
@@ -71,10 +64,11 @@ impl Comparison {
                 }
             }));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
-        }
+            Ok(())
+        })?;
         let scale = Scale::holding(largest.unwrap_or(0.0));
         let amplification = amplification(largest.unwrap_or(0.0));
-        Ok(Some(Comparison {
+        Ok(Comparison {
             exact: exact_pixels,
             error_map: errors.into_iter().map(|it| scale.color(it)).collect(),
             scale,
@@ -84,7 +78,7 @@ impl Comparison {
                 .collect(),
             amplification,
             error: largest,
-        }))
+        })
     }
 
     /// Marks the pixels that are not proven in the error map.

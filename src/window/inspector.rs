@@ -202,7 +202,7 @@ pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
 
 /// Three digits that matter, or fewer.
 pub fn short(value: f64) -> String {
-    crate::trade::words::short(Some(value))
+    crate::report::words::short(Some(value))
 }
 
 /// Two digits that matter: the movement of a hand means no more.

@@ -19,10 +19,11 @@ use crate::drawing::all_cores;
 use crate::probe::{self, Probe};
 use crate::prove::{Proof, prove};
 use crate::requires::bits::{StageBits, bits};
+use crate::report::Monitor;
 use crate::requires::{self, Part, PartChange};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
-use crate::trade::{self, Measurement, TradeError, live};
+use crate::trade::{Measurement, Request, live};
 
 /// One question about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -204,46 +205,60 @@ pub fn answer_all(
     let view = View::of(&scene.world, order.size);
     let view = order.held.map_or(view.clone(), |method| method.view(&view));
     for task in &order.tasks {
-        let progress = |share| tell(*task, Answer::Progress(share));
-        match answer(*task, order, &mut scene, &view, level, cancelled, &progress) {
+        let progress = |_, share| tell(*task, Answer::Progress(share));
+        let monitor = Monitor {
+            is_cancelled: cancelled,
+            progress: &progress,
+        };
+        match answer(*task, order, &mut scene, &view, level, monitor) {
             _ if cancelled() => return,
-            Ok(answer) => answer.into_iter().for_each(|answer| tell(*task, answer)),
+            Ok(answer) => tell(*task, answer),
             Err(error) => tell(*task, Answer::Failed(format!("{error:#}"))),
         }
     }
 }
 
-/// The answer to one question; `None` if it was cancelled.
+/// The answer to one question.
 fn answer(
     task: Task,
     order: &Order,
     scene: &mut Scene,
     view: &View,
     level: Level,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(f64) + Sync),
-) -> anyhow::Result<Option<Answer>> {
+    monitor: Monitor,
+) -> anyhow::Result<Answer> {
+    let (cancelled, progress) = (monitor.is_cancelled, |share| (monitor.progress)("", share));
     Ok(match task {
         Task::Probe(pixel) => {
             let show: Show = get(&scene.world, viewer(&scene.world)).unwrap_or_default();
             let view = view_at(&show, view, pixel[0]);
-            Some(Answer::Probe(probe::section(scene, &view, pixel, level)?))
+            Answer::Probe(probe::section(scene, &view, pixel, level)?)
         }
         Task::LeaveOut(part) => {
-            requires::picture_without(scene, view, part, cancelled).map(Answer::LeaveOut)
+            let picture = requires::picture_without(scene, view, part, cancelled);
+            Answer::LeaveOut(picture.context("the work was cancelled")?)
         }
         Task::Compare => {
-            let comparison = Comparison::of(&mut scene.world, view, level, cancelled)?;
-            comparison.map(|it| Answer::Compare(Box::new(it)))
+            let comparison = Comparison::of(&mut scene.world, view, level, monitor)?;
+            Answer::Compare(Box::new(comparison))
         }
-        Task::Prove => {
-            let proof = prove(&mut scene.world, view, None, level, cancelled, progress)?;
-            proof.map(|it| Answer::Prove(Box::new(it)))
+        Task::Prove => Answer::Prove(Box::new(prove(
+            &mut scene.world,
+            view,
+            None,
+            level,
+            monitor,
+        )?)),
+        Task::Require => {
+            let parts = requires::ranked(scene, view, cancelled, &progress);
+            Answer::Require(parts.context("the work was cancelled")?)
         }
-        Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),
-        Task::Bits => bits(scene, view, cancelled, progress).map(Answer::Bits),
+        Task::Bits => {
+            let stages = bits(scene, view, cancelled, &progress);
+            Answer::Bits(stages.context("the work was cancelled")?)
+        }
         Task::Measure => {
-            let request = trade::Request {
+            let request = Request {
                 camera: String::new(),
                 scene: scene.snapshot(),
                 view: view.clone(),
@@ -251,13 +266,9 @@ fn answer(
                 threads: order.threads,
                 level,
                 time: order.time,
-                time_batch: trade::time_batch,
                 command: String::new(),
             };
-            match live::measure(&request, &order.known, cancelled, progress) {
-                Err(TradeError::Cancelled) => None,
-                measured => Some(Answer::Measure(measured?)),
-            }
+            Answer::Measure(live::measure(&request, &order.known, monitor)?)
         }
     })
 }

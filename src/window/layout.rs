@@ -12,7 +12,8 @@ use super::inspector::short;
 use super::keys::{BINDINGS, SECTIONS};
 use super::style::{BAD, GOOD, STALE};
 use crate::components::{Inspector, Show, Tab, Tolerance, ViewMode};
-use crate::trade::words::{capital, method_name};
+use crate::report::words::capital;
+use crate::trade::verdict::method_name;
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;

@@ -13,8 +13,8 @@ use super::recording::{Event, Frame, Log, patched};
 use crate::drawing::Drawing;
 use crate::memory;
 use crate::output::{Animation, Output, say};
+use crate::report::progress::with_bar;
 use crate::scene::{Scene, SceneRecord};
-use crate::trade::progress::with_bar;
 
 /// How long the last frame of an animation is shown.
 const LAST: Duration = Duration::from_secs(2);
@@ -105,11 +105,11 @@ pub fn run(
         [width.max(size[0]), height.max(size[1])]
     });
     let mut hashes = String::new();
-    with_bar(|on_progress| {
+    with_bar(|monitor| {
         let mut note = |drawn: &Drawn| {
             let hash = hash(&drawn.app.shown());
             let done = drawn.index + 1;
-            on_progress("replaying", done as f64 / count as f64);
+            (monitor.progress)("replaying", done as f64 / count as f64);
             writeln!(hashes, "{:.3} {hash:016x}", drawn.time.as_secs_f64())
         };
         match output {

@@ -9,9 +9,10 @@ use super::pictures::divider_column;
 use super::style::{BAD, EXACT, GOURAUD, INK, PHONG, SHORTCUT, STALE};
 use super::viewport::DIVIDER_MARGIN;
 use crate::components::{Inspector, Probed, ShadingMode, Show, Side, Tab, ViewMode};
+use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
-use crate::trade::words::{capital, method_name};
+use crate::trade::verdict::method_name;
 
 /// The width of a tag, and its distance from the divider and from the upper edge, in points.
 const WIDTH: f32 = 188.0;

@@ -4,12 +4,15 @@ use std::sync::LazyLock;
 
 use fearless_simd::Level;
 use serde::Deserialize;
-use shadetrade::extremes::stability::{Curve, EVALUATIONS, SWEEPS, measure, table};
+use shadetrade::extremes::stability::curve::{Curve, EVALUATIONS, table};
+use shadetrade::extremes::stability::{measure, sweeps::SWEEPS};
+use shadetrade::output::json;
 use shadetrade::prove::Verdict;
-use shadetrade::trade::export::json;
+use shadetrade::report::Monitor;
 
-static CURVES: LazyLock<Vec<Curve>> =
-    LazyLock::new(|| measure(SWEEPS, Level::new(), &|_, _| ()).expect("every value makes a scene"));
+static CURVES: LazyLock<Vec<Curve>> = LazyLock::new(|| {
+    measure(SWEEPS, Level::new(), Monitor::NONE).expect("every value makes a scene")
+});
 
 fn of(evaluation: &str) -> impl Iterator<Item = &'static Curve> {
     CURVES
@@ -107,14 +110,12 @@ struct ReadPoint {
 
 #[test]
 fn json_holds_every_point() {
-    let read: Vec<Read> =
-        serde_json::from_str(&json(&*CURVES).expect("it is text")).expect("it holds curves");
+    let text = json(&*CURVES).expect("it is text");
+    let read: Vec<Read> = serde_json::from_str(&text).expect("it holds curves");
     assert_eq!(read.len(), CURVES.len());
     for (read, curve) in read.iter().zip(CURVES.iter()) {
-        assert_eq!(
-            [&read.number, &read.unit, &read.evaluation],
-            [curve.number, curve.unit, curve.evaluation]
-        );
+        let names = [&read.number, &read.unit, &read.evaluation];
+        assert_eq!(names, [curve.number, curve.unit, curve.evaluation]);
         assert_eq!((read.limit, read.keeps), (curve.limit, curve.keeps));
         assert_eq!(read.points.len(), curve.points.len());
         for (read, point) in read.points.iter().zip(&curve.points) {
@@ -124,29 +125,29 @@ fn json_holds_every_point() {
     }
 }
 
-/// The longest run of proven points, found by trying all runs.
+/// The range has only proven points, and no longer run of points has.
 #[test]
 fn the_kept_range_is_the_longest_run_of_proven_points() {
     for curve in CURVES.iter() {
-        let points = &curve.points;
-        let runs = (0..points.len()).flat_map(|from| {
-            (from..points.len())
-                .map(move |to| from..to + 1)
-                .filter(|run| {
-                    points[run.clone()]
-                        .iter()
-                        .all(|point| point.error[1] <= curve.limit)
-                })
+        let is_proven = |range: &[f64; 2]| {
+            let points = curve.points.iter();
+            let mut within = points.filter(|it| (range[0]..=range[1]).contains(&it.value));
+            within.all(|point| point.error[1] <= curve.limit)
+        };
+        let kept = curve.keeps.inspect(|kept| assert!(is_proven(kept)));
+        let kept = kept.map_or(0, |kept| {
+            let within = curve.points.iter();
+            within
+                .filter(|it| (kept[0]..=kept[1]).contains(&it.value))
+                .count()
         });
-        let longest = runs.map(|run| run.len()).max();
-        let kept = curve.keeps.map(|[from, to]| {
-            let within = points
-                .iter()
-                .filter(|point| (from..=to).contains(&point.value));
-            assert!(within.clone().all(|point| point.error[1] <= curve.limit));
-            within.count()
-        });
-        assert_eq!(kept, longest, "{}, {}", curve.number, curve.evaluation);
+        for run in curve.points.windows(kept + 1) {
+            assert!(
+                !is_proven(&[run[0].value, run[kept].value]),
+                "{}",
+                curve.number
+            );
+        }
     }
 }
 

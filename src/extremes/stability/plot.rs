@@ -1,4 +1,4 @@
-//! Curves in, the text of `stability.svg` out: a panel for each number, a line for each evaluation.
+//! `stability.svg`: a panel for each number, a line for each evaluation.
 //!
 //! ```text
 //!  error |      /   textbook
@@ -6,16 +6,15 @@
 //!        |____/_________       ours
 //!        +-------------- number
 //! ```
-//! Rule: all axes are logarithmic, and all panels have the same axis of errors. Where a point is not decided the panel is
-//! shaded.
+//! All axes are logarithmic, and all panels have the same axis of errors. A panel is shaded at undecided points.
 
 use std::ops::Range;
 
 use plotters::prelude::*;
 
-use super::{Curve, EVALUATIONS, Point};
+use super::curve::{Curve, EVALUATIONS, Point};
 use crate::prove::Verdict;
-use crate::trade::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
+use crate::report::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
 
 const SIZE: (u32, u32) = (1080, 900);
 const HEADER: u32 = 84;
@@ -23,16 +22,16 @@ const HEADER: u32 = 84;
 const ABOUT: &str = "Phong, each pixel against an interval that encloses its exact value; one number of a scene \
     varies in each panel.";
 
-/// By evaluation.
+/// In the order of [`EVALUATIONS`].
 const COLORS: [RGBColor; 4] = [ORANGE, BLUE, PURPLE, GREEN];
 
-/// The axis of errors, in levels. What is less is drawn at its lower end.
+/// The axis of errors, in levels. Smaller errors are drawn at its lower end.
 const ERRORS: Range<f64> = 1e-15..1e3;
 
 /// The plot as SVG.
 ///
 /// # Errors
-/// When the plotting library gives one; it has no reason to.
+/// The plotting library gives none in practice.
 pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
     chart::svg(SIZE, |area| {
         let (header, panels) = area.split_vertically(HEADER);
@@ -45,7 +44,7 @@ pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
     })
 }
 
-/// Which colour is which evaluation.
+/// Draws the legend of the colours.
 fn key(area: &Area) -> anyhow::Result<()> {
     let mut x = 24;
     for ((id, limit), color) in EVALUATIONS.into_iter().zip(COLORS) {
@@ -60,21 +59,16 @@ fn key(area: &Area) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The shade of what is not decided.
+/// The shade at undecided points.
 const UNDECIDED: RGBColor = RGBColor(0xdd, 0xdf, 0xe2);
 
-/// One panel: its number, the axes, the limits and the lines.
+/// Draws one panel: its number, the axes, the limits and the lines.
 fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
     area.draw_text(curves[0].number, &text_style(13.0, INK), (58, 8))?;
     let [from, to] = curves[0].range();
     let axes = [(curves[0].unit, from..to * 1.0001), ("levels", ERRORS)];
-    let [across, up] = axes.map(|(name, range)| Axis {
-        name,
-        ticks: decades(&range),
-        range,
-        label: &|value| power(*value),
-    });
-    let mut chart = chart::on(&area.margin(30, 6, 6, 34), [40, 52], 10.0, across, up)?;
+    let axes = axes.map(|(name, range)| Axis { name, range });
+    let mut chart = chart::on(&area.margin(30, 6, 6, 34), [40, 52], 10.0, axes)?;
     let undecided = curves.iter().flat_map(|curve| &curve.points);
     let undecided = undecided.filter(|point| point.verdict == Verdict::Undecided);
     let step = (to / from).powf(0.5 / (curves[0].points.len() - 1) as f64);
@@ -91,31 +85,11 @@ fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
         let beside = (x - columns.start + 4, y - rows.start - 6);
         area.draw_text(&limit.to_string(), &text_style(9.0, INK), beside)?;
     }
-    // The reference first, the others over it.
+    // The reference is below the others.
     for (curve, color) in curves.iter().zip(COLORS).rev() {
         let at = |point: &Point| (point.value, point.error[1].max(ERRORS.start));
         let line: Vec<(f64, f64)> = curve.points.iter().map(at).collect();
         chart.draw_series([PathElement::new(line, color.stroke_width(2))])?;
     }
     Ok(())
-}
-
-/// At most eight powers of ten, evenly spaced.
-fn decades(range: &Range<f64>) -> Vec<f64> {
-    let exponents = range.start.log10().ceil() as i32..=range.end.log10().floor() as i32;
-    let count = exponents.clone().count() as i32;
-    let steps = [1, 2, 3, 5, 10, 20, 30, 50];
-    let step = steps.into_iter().find(|step| count <= 7 * step);
-    let step = step.unwrap_or(100);
-    let exponents = exponents.filter(|exponent| exponent % step == 0);
-    exponents.map(|exponent| 10.0_f64.powi(exponent)).collect()
-}
-
-/// A power of ten as it is written.
-fn power(value: f64) -> String {
-    if (0.1..=1000.0).contains(&value) {
-        value.to_string()
-    } else {
-        format!("1e{}", value.log10().round())
-    }
 }

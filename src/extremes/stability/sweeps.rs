@@ -7,13 +7,13 @@ use glam::DVec3;
 use crate::components::LightKind;
 use crate::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
-/// Decades above which there is one value a decade instead of three.
+/// A range of more decades has one value for each of them instead of three.
 const MANY_DECADES: f64 = 24.0;
 
 /// A number and its range.
 pub struct Sweep {
     pub number: &'static str,
-    /// Empty where it has none.
+    /// Empty if it has none.
     pub unit: &'static str,
     pub range: [f64; 2],
     /// Whether only whole numbers make sense.
@@ -39,7 +39,7 @@ const fn sweep(
 /// Every number that is swept.
 pub const SWEEPS: &[Sweep] = &[
     sweep("shininess", "", [1e-3, 1e6], set_shininess),
-    // Lights and eye follow; the longest edge is 4 units long.
+    // Lights and eye follow. The longest edge is 4 units long.
     sweep("edge length", "units", [1e-97, 1e97], |scene, edge| {
         scene.cuboid[0].size *= edge / 4.0;
         scene.camera[0].height *= edge / 4.0;
@@ -61,7 +61,7 @@ pub const SWEEPS: &[Sweep] = &[
             });
         },
     ),
-    // From above and aside, the lens as narrow as keeps the cuboid in the picture.
+    // The farther the eye, the narrower the lens.
     sweep(
         "distance of the eye",
         "units",
@@ -73,7 +73,7 @@ pub const SWEEPS: &[Sweep] = &[
             camera.fov = 2.0 * (3.0 / distance).atan().to_degrees().min(30.0);
         },
     ),
-    // From near by.
+    // The eye is near the face.
     sweep(
         "height of a light over a face",
         "units",
@@ -113,14 +113,14 @@ pub const SWEEPS: &[Sweep] = &[
 ];
 
 impl Sweep {
-    /// From the one end to the other, in even steps of the logarithm.
+    /// The values from one end to the other, in even steps of the logarithm.
     pub fn values(&self) -> Vec<f64> {
         let [from, to] = self.range.map(f64::log10);
         let a_decade = if to - from > MANY_DECADES { 1.0 } else { 3.0 };
         let steps = ((to - from) * a_decade).ceil();
         let values = (0..=steps as u32).map(|step| {
             let share = f64::from(step) / steps;
-            // The ends as they are written.
+            // The ends are exact.
             let value = match share {
                 0.0 => self.range[0],
                 1.0 => self.range[1],
@@ -131,8 +131,8 @@ impl Sweep {
         values.collect()
     }
 
-    /// An emerald under a white light of each kind, with the number set.
-    pub(super) fn scene(&self, value: f64) -> SceneRecord {
+    /// A cuboid under a white light of each kind, with the number set.
+    pub fn scene(&self, value: f64) -> SceneRecord {
         let mut scene = SceneRecord {
             cuboid: vec![CuboidRecord::new("cuboid", [4.0, 3.0, 2.0], DVec3::ZERO)],
             light: lights_at(DVec3::splat(10.0)),

@@ -1,11 +1,12 @@
-//! Phong's levels by the formula as a textbook has it, in f32 from the scene's numbers on.
+//! Phong's levels by the formula as a student writes it, in f32 from the scene's numbers on.
 //!
 //! ```text
 //! model matrix --> world places and normals of the corners --+-- weights in the pixel --> P, n --> I
 //! view, projection matrix --> clip coordinates --------------'
 //! ```
 //!
-//! Nothing is done for numerical stability. In exact arithmetic every value is right.
+//! No step is adapted to f32. The reference in f32 is not the same: it subtracts positions first and evaluates each cuboid in
+//! its own coordinates, which are free of errors that this formula makes.
 
 use glam::camera::rh::{proj, view};
 use glam::{DVec3, Mat3, Mat4, Vec3};
@@ -30,7 +31,7 @@ struct Cuboid {
 }
 
 impl<'a> Textbook<'a> {
-    /// What the first camera sees.
+    /// The view of the first camera.
     pub fn new(scene: &'a SceneRecord, size: [usize; 2]) -> Self {
         let lens = &scene.camera[0];
         let [eye, target, up] = [lens.position, lens.target, lens.up].map(DVec3::as_vec3);

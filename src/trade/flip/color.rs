@@ -1,7 +1,6 @@
-//! sRGB in, the colour spaces of FLIP out: opponent colours (`YCxCz`) to blur in, Hunt-adjusted L*a*b* to compare in.
+//! The colour spaces of FLIP: opponent colours (`YCxCz`) for the filters, Hunt-adjusted L*a*b* for comparisons.
 //!
-//! Rule: values are per pixel, white is D65, and `linear_from_opponent` undoes `opponent_from_srgb` except for the sRGB
-//! curve.
+//! White is D65. `linear_from_opponent` is the inverse of `opponent_from_srgb` except for the sRGB curve.
 
 /// From linear sRGB to X, Y and Z in shares of D65 white's: the fractions of the authors' code, each row divided by its
 /// sum, which is white.
@@ -48,7 +47,7 @@ pub fn opponent_from_srgb(srgb: [f32; 3]) -> [f32; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Linear sRGB of opponent colours; outside 0..=1 where a blur has left the colours a screen can show.
+/// Linear sRGB of opponent colours. After a filter it may be outside 0..=1.
 pub fn linear_from_opponent([luminance, red_green, blue_yellow]: [f32; 3]) -> [f32; 3] {
     let y = (luminance + 16.0) / 116.0;
     transform(
@@ -75,7 +74,7 @@ pub fn hunt_lab(linear: [f32; 3]) -> [f32; 3] {
     ]
 }
 
-/// The `HyAB` distance, which suits large differences (Abasi, Amani Tehran and Fairchild 2020).
+/// The `HyAB` distance, which is made for large differences (Abasi, Amani Tehran and Fairchild 2020).
 pub fn distance(left: [f32; 3], right: [f32; 3]) -> f32 {
     (left[0] - right[0]).abs() + (left[1] - right[1]).hypot(left[2] - right[2])
 }

@@ -1,7 +1,7 @@
-//! A plane of values in, the same filtered out: what an eye resolves, and the edges and points it finds.
+//! The filters of FLIP: the contrast that an eye resolves, and the edges and points that it finds.
 //!
-//! Rule: every filter is a sum of products of one across the columns and one down the rows, so its cost grows with its
-//! width and not with its area. All filters of an eye have one reach, and a plane shrinks by it on every side.
+//! A filter is a sum of products of a filter across the columns and one down the rows, so its cost grows with its width and
+//! not with its area. All filters of an eye have one reach, and a filtered plane is smaller by it on every side.
 
 use std::f64::consts::PI;
 
@@ -31,12 +31,12 @@ pub struct Plane {
     pub values: Vec<f32>,
 }
 
-/// How far contrast filters extend, in pixels: three standard deviations of the widest.
+/// The radius of the contrast filters in pixels: three standard deviations of the widest.
 pub fn contrast_radius(pixels_per_degree: f64) -> usize {
     (3.0 * (WIDEST / (2.0 * PI * PI)).sqrt() * pixels_per_degree).ceil() as usize
 }
 
-/// How far feature filters extend, in pixels: three standard deviations.
+/// The radius of the feature filters in pixels: three standard deviations.
 pub fn feature_radius(pixels_per_degree: f64) -> usize {
     (3.0 * 0.5 * FEATURE_WIDTH * pixels_per_degree).ceil() as usize
 }
@@ -81,7 +81,7 @@ pub fn features(pixels_per_degree: f64, reach: usize) -> [[Filter; 2]; 2] {
     })
 }
 
-/// The weight at every pixel as far as `radius`, and none beyond.
+/// The weight at every pixel up to `radius`, and 0 beyond.
 fn weights(radius: usize, reach: usize, weight: impl Fn(f64) -> f64) -> Vec<f64> {
     let places = (0..=2 * reach).map(|index| index as f64 - reach as f64);
     places
@@ -108,7 +108,7 @@ fn balanced(weights: &[f64], sum: f64) -> Taps {
 }
 
 impl Plane {
-    /// The plane filtered, without the filter's reach on every side.
+    /// The filtered plane, smaller by the filter's reach on every side.
     pub fn filtered(&self, filter: &Filter) -> Plane {
         let reach = filter.0[0][0].len() - 1;
         let width = self.width - reach;

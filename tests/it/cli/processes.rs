@@ -1,6 +1,7 @@
 //! The batches of `trade` run in separate processes, which read the scene from standard input.
 
 use std::fs;
+use std::process::{Command, Stdio};
 
 use serde_json::Value;
 use shadetrade::scene::BUILT_IN;
@@ -36,4 +37,20 @@ fn a_batch_measures_only_the_scene_on_standard_input() {
 
     let output = in_shell(folder.path(), &format!("{line} < /dev/null"));
     assert!(!output.status.success(), "there was no scene");
+}
+
+#[test]
+fn a_measurement_goes_on_if_the_program_is_removed() {
+    let folder = folder();
+    let program = folder.path().join("program");
+    fs::copy(env!("CARGO_BIN_EXE_shadetrade"), &program).expect("there is room for it");
+    let child = Command::new(&program)
+        .args("trade --quick --size 64x48 --methods phong-0".split(' '))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    fs::remove_file(&program).expect("it is there");
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.status.success(), "{}", said(&output));
 }

@@ -6,7 +6,7 @@ use shadetrade::components::{Material, Mesh, Projection, ShadingMode, Transform,
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 
 use crate::stability::life::{Bits, still_life, views};
-use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, view};
 
 const MATERIAL: Material = Material {
     ambient: DVec3::splat(0.3),
@@ -127,7 +127,7 @@ fn a_near_plane_in_the_plane_of_a_face_clips_nothing_of_it() {
             MATERIAL,
         );
         for kind in shadetrade::components::LightKind::ALL {
-            spawn_light(&mut world, kind, DVec3::splat(90.0), DVec3::splat(10.0));
+            shine(&mut world, kind, 90.0, DVec3::splat(10.0));
         }
         let views = Projection::ALL.into_iter().flat_map(|projection| {
             let mut view = view([64, 48], DVec3::Z * 10.0, DVec3::ZERO, projection);

@@ -2,18 +2,19 @@
 
 use std::cmp::Ordering;
 
+use shadetrade::prove::Verdict::{Proven, Refuted, Undecided};
 use shadetrade::prove::{Mark, Shown, Verdict, judge};
 use shadetrade::reference::{Interval, Real, Seen};
 
-fn interval(least: f64, largest: f64) -> Interval {
+fn interval([least, largest]: [f64; 2]) -> Interval {
     Interval::of(least).either(Interval::of(largest))
 }
 
 /// A face or the background with the same enclosure in every channel.
-fn seen(face: Option<usize>, [least, largest]: [f64; 2]) -> Seen<Interval> {
+fn seen(face: Option<usize>, ends: [f64; 2]) -> Seen<Interval> {
     Seen {
         triangle: face.map(|face| 2 * face),
-        levels: [interval(least, largest); 3],
+        levels: [interval(ends); 3],
     }
 }
 
@@ -33,62 +34,50 @@ fn verdict(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> Verdict {
 fn the_verdict_depends_on_whether_all_some_or_no_values_are_within_the_limit() {
     let seen = [seen(Some(3), [100.0, 101.0])];
     for (level, expected, largest) in [
-        (98.0, Verdict::Refuted, 3.0),
-        (98.5, Verdict::Undecided, 2.5),
-        (99.0, Verdict::Undecided, 2.0),
-        (99.5, Verdict::Proven, 1.5),
-        (100.5, Verdict::Proven, 0.5),
-        (101.5, Verdict::Proven, 1.5),
-        (102.5, Verdict::Undecided, 2.5),
-        (102.6, Verdict::Refuted, 2.6),
+        (98.0, Refuted, 3.0),
+        (98.5, Undecided, 2.5),
+        (99.0, Undecided, 2.0),
+        (99.5, Proven, 1.5),
+        (100.5, Proven, 0.5),
+        (101.5, Proven, 1.5),
+        (102.5, Undecided, 2.5),
+        (102.6, Refuted, 2.6),
     ] {
         let (mark, error) = judge(shown(Some(3), level), &seen, 1.5);
-        assert_eq!(mark.verdict, expected, "{level}");
         assert!((error - largest).abs() < 1e-12, "{level}: {error}");
         let quiet = Mark {
             verdict: expected,
             is_outline: false,
             is_covered: true,
         };
-        assert_eq!(mark, quiet);
-    }
-}
-
-#[test]
-fn one_wrong_channel_refutes_a_pixel() {
-    let seen = [seen(Some(0), [100.0, 100.0])];
-    for channel in 0..3 {
-        let mut shown = shown(Some(0), 100.0);
-        shown.levels[channel] = 101.1;
-        assert_eq!(verdict(shown, &seen, 1.0), Verdict::Refuted);
+        assert_eq!(mark, quiet, "{level}");
+        // One wrong channel suffices, and NaN is displayed as 0.
+        for channel in 0..3 {
+            let mut one = shown(Some(3), 100.5);
+            one.levels[channel] = level;
+            assert_eq!(verdict(one, &seen, 1.5), expected, "{level}");
+            one.levels[channel] = f64::NAN;
+            assert_eq!(verdict(one, &seen, 1.5), Refuted);
+        }
     }
 }
 
 #[test]
 fn the_display_clamps_both_sides() {
-    for (level, enclosure) in [
-        (300.0, [256.0, 1e9]),
-        (-5.0, [-1e9, 0.0]),
-        (f64::INFINITY, [255.0, 400.0]),
+    for (level, enclosure, limit, expected) in [
+        (300.0, [256.0, 1e9], 0.0, Proven),
+        (-5.0, [-1e9, 0.0], 0.0, Proven),
+        (f64::NAN, [-1e9, 0.0], 0.0, Proven),
+        (f64::INFINITY, [255.0, 400.0], 0.0, Proven),
+        (1e5, [254.0, 300.0], 0.5, Undecided),
     ] {
         let seen = [seen(Some(0), enclosure)];
-        assert_eq!(verdict(shown(Some(0), level), &seen, 0.0), Verdict::Proven);
+        assert_eq!(
+            verdict(shown(Some(0), level), &seen, limit),
+            expected,
+            "{level}"
+        );
     }
-    let seen = [seen(Some(0), [254.0, 300.0])];
-    assert_eq!(verdict(shown(Some(0), 1e5), &seen, 0.5), Verdict::Undecided);
-}
-
-#[test]
-fn nan_is_displayed_and_judged_as_0() {
-    let [dark, bright] = [[0.0, 0.01], [5.0, 5.0]].map(|enclosure| [seen(Some(0), enclosure)]);
-    assert_eq!(
-        verdict(shown(Some(0), f64::NAN), &dark, 0.5),
-        Verdict::Proven
-    );
-    assert_eq!(
-        verdict(shown(Some(0), f64::NAN), &bright, 0.5),
-        Verdict::Refuted
-    );
 }
 
 #[test]
@@ -98,83 +87,50 @@ fn the_enclosure_of_all_numbers_proves_and_refutes_nothing() {
             triangle: Some(0),
             levels: [levels; 3],
         }];
-        assert_eq!(
-            verdict(shown(Some(0), 40.0), &seen, 8.0),
-            Verdict::Undecided
-        );
+        assert_eq!(verdict(shown(Some(0), 40.0), &seen, 8.0), Undecided);
         // Half of the displayed range is within reach of every level of it.
-        assert_eq!(
-            verdict(shown(Some(0), 127.5), &seen, 127.5),
-            Verdict::Proven
-        );
+        assert_eq!(verdict(shown(Some(0), 127.5), &seen, 127.5), Proven);
     }
 }
 
 #[test]
-fn another_face_or_none_is_refuted_with_any_levels() {
-    let face = [seen(Some(3), [100.0, 100.0])];
-    let background = [seen(None, [100.0, 100.0])];
-    assert_eq!(
-        verdict(shown(Some(2), 100.0), &face, 255.0),
-        Verdict::Refuted
-    );
-    assert_eq!(verdict(shown(None, 100.0), &face, 255.0), Verdict::Refuted);
-    assert_eq!(
-        verdict(shown(Some(3), 100.0), &background, 255.0),
-        Verdict::Refuted
-    );
-    assert_eq!(
-        verdict(shown(None, 100.0), &background, 0.0),
-        Verdict::Proven
-    );
-}
-
-#[test]
-fn an_outline_may_show_either_side_but_only_in_its_own_levels() {
-    let sides = [seen(Some(3), [100.0, 100.0]), seen(None, [20.0, 20.0])];
-    for (face, level, expected) in [
-        (Some(3), 100.0, Verdict::Proven),
-        (None, 20.0, Verdict::Proven),
-        (Some(3), 20.0, Verdict::Refuted),
-        (None, 100.0, Verdict::Refuted),
-        (Some(4), 100.0, Verdict::Refuted),
+fn a_pixel_shows_one_of_its_faces_in_the_levels_of_that_face() {
+    let (face, background) = ([100.0, 100.0], [20.0, 20.0]);
+    let one = [seen(Some(3), face)];
+    let none = [seen(None, face)];
+    let outline = [seen(Some(3), face), seen(None, background)];
+    let tied = [seen(Some(3), face), seen(Some(3), [180.0, 180.0])];
+    // The wide enclosure does not refute a level outside of the narrow one.
+    let wide = [seen(Some(3), face), seen(Some(3), [0.0, 255.0])];
+    for (seen, face, level, limit, expected) in [
+        (&one[..], Some(2), 100.0, 255.0, Refuted),
+        (&one, None, 100.0, 255.0, Refuted),
+        (&none, Some(3), 100.0, 255.0, Refuted),
+        (&none, None, 100.0, 0.0, Proven),
+        (&outline, Some(3), 100.0, 0.5, Proven),
+        (&outline, None, 20.0, 0.5, Proven),
+        (&outline, Some(3), 20.0, 0.5, Refuted),
+        (&outline, None, 100.0, 0.5, Refuted),
+        (&outline, Some(4), 100.0, 0.5, Refuted),
+        (&tied, Some(3), 100.0, 0.5, Proven),
+        (&tied, Some(3), 180.0, 0.5, Proven),
+        (&tied, Some(3), 140.0, 0.5, Refuted),
+        (&wide, Some(3), 140.0, 0.5, Undecided),
     ] {
-        let (mark, _) = judge(shown(face, level), &sides, 0.5);
-        assert_eq!(mark.verdict, expected, "{face:?} {level}");
-        assert!(mark.is_outline);
+        let (mark, _) = judge(shown(face, level), seen, limit);
+        assert_eq!(mark.verdict, expected, "{seen:?} {face:?} {level}");
+        assert_eq!(
+            mark.is_outline,
+            seen[0].face() != seen[seen.len() - 1].face()
+        );
         assert_eq!(mark.is_covered, face.is_some());
     }
 }
 
 #[test]
-fn a_tied_gate_may_be_open_or_closed_but_not_between() {
-    let ways = [seen(Some(3), [100.0, 100.0]), seen(Some(3), [180.0, 180.0])];
-    for (level, expected) in [
-        (100.0, Verdict::Proven),
-        (180.0, Verdict::Proven),
-        (140.0, Verdict::Refuted),
-    ] {
-        let (mark, _) = judge(shown(Some(3), level), &ways, 0.5);
-        assert_eq!(mark.verdict, expected, "{level}");
-        assert!(!mark.is_outline);
-    }
-    // The wide enclosure does not refute a level outside of the narrow one.
-    let ways = [seen(Some(3), [100.0, 100.0]), seen(Some(3), [0.0, 255.0])];
-    assert_eq!(
-        verdict(shown(Some(3), 140.0), &ways, 0.5),
-        Verdict::Undecided
-    );
-}
-
-#[test]
 fn bytes_may_err_by_half_a_level_more() {
     let seen = [seen(Some(0), [100.5, 100.5])];
-    for (byte, expected) in [
-        (99, Verdict::Refuted),
-        (100, Verdict::Proven),
-        (101, Verdict::Proven),
-        (102, Verdict::Refuted),
-    ] {
+    for (byte, expected) in [(99, Refuted), (100, Proven), (101, Proven), (102, Refuted)] {
         let shown = Shown {
             bytes: Some([byte; 3]),
             ..shown(Some(0), 100.5)
@@ -185,38 +141,36 @@ fn bytes_may_err_by_half_a_level_more() {
 
 #[test]
 fn a_sign_is_known_if_all_of_the_interval_has_it() {
-    let signs = [
-        ([1.0, 2.0], Some(Ordering::Greater)),
-        ([-2.0, -1.0], Some(Ordering::Less)),
-        ([0.0, 1.0], None),
-        ([-1.0, 0.0], None),
-        ([-1.0, 1.0], None),
+    for (ends, margin, expected) in [
+        ([1.0, 2.0], 0.5, Some(Ordering::Greater)),
+        ([-2.0, -1.0], 0.5, Some(Ordering::Less)),
+        ([0.0, 1.0], 0.5, None),
+        ([-1.0, 0.0], 0.5, None),
+        ([-1.0, 1.0], 0.5, None),
         // Within the margin.
-        ([0.4, 2.0], None),
-        ([-2.0, -0.4], None),
-        ([0.0, 0.0], None),
-    ];
-    for ([least, largest], expected) in signs {
-        assert_eq!(interval(least, largest).sign(0.5), expected);
+        ([0.4, 2.0], 0.5, None),
+        ([-2.0, -0.4], 0.5, None),
+        ([0.0, 0.0], 0.5, None),
+        ([0.4, 2.0], 0.0, Some(Ordering::Greater)),
+        ([0.0, 0.0], 0.0, Some(Ordering::Equal)),
+    ] {
+        assert_eq!(interval(ends).sign(margin), expected, "{ends:?}");
     }
-    assert_eq!(interval(0.4, 2.0).sign(0.0), Some(Ordering::Greater));
-    assert_eq!(interval(0.0, 0.0).sign(0.0), Some(Ordering::Equal));
     assert_eq!(Interval::ALL.sign(0.0), None);
 }
 
 #[test]
 fn a_gate_is_open_closed_tied_or_undecided() {
-    let gates = [
+    for (ends, expected) in [
         ([2e-6, 1.0], [Some(true); 2]),
         ([-1.0, 0.0], [Some(false); 2]),
         ([-1e-7, 1e-7], [Some(false), Some(true)]),
         ([0.0, 0.0], [Some(false), Some(true)]),
         ([-1e-7, 1.0], [None; 2]),
         ([-1.0, 1e-7], [None; 2]),
-    ];
-    for ([least, largest], expected) in gates {
-        let facing = interval(least, largest);
-        assert_eq!([false, true].map(|tied| facing.gate(tied)), expected);
+    ] {
+        let gate = [false, true].map(|tied| interval(ends).gate(tied));
+        assert_eq!(gate, expected, "{ends:?}");
     }
     assert_eq!(Interval::ALL.gate(true), None);
 }
@@ -225,11 +179,11 @@ fn a_gate_is_open_closed_tied_or_undecided() {
 fn either_of_two_is_unknown_if_one_of_them_is() {
     let [one, two] = [1.0, 2.0].map(Interval::of);
     assert_eq!(one.either(two).endpoints(), [1.0, 2.0]);
-    for unknown in [one.either(Interval::ALL), Interval::ALL.either(one)] {
+    for unknown in [
+        one.either(Interval::ALL),
+        Interval::ALL.either(one),
+        one.both(two),
+    ] {
         assert_eq!(unknown.endpoints(), [f64::NEG_INFINITY, f64::INFINITY]);
     }
-    assert_eq!(
-        one.both(two).endpoints(),
-        [f64::NEG_INFINITY, f64::INFINITY]
-    );
 }

@@ -4,6 +4,7 @@ use fearless_simd::Level;
 use shadetrade::components::{Projection, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::{Proof, Verdict, prove};
+use shadetrade::report::Monitor;
 use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::systems;
 
@@ -17,17 +18,8 @@ fn drawn(scene: &mut Scene, view: &View) -> Vec<u32> {
 }
 
 fn judged(scene: &mut Scene, view: &View, picture: &[u32]) -> Proof {
-    let level = Level::new();
-    prove(
-        &mut scene.world,
-        view,
-        Some(picture),
-        level,
-        &|| false,
-        &|_| (),
-    )
-    .expect("a small picture fits")
-    .expect("it is not cancelled")
+    let (level, monitor) = (Level::new(), Monitor::NONE);
+    prove(&mut scene.world, view, Some(picture), level, monitor).expect("a small picture fits")
 }
 
 fn exact(scene: &Scene, mode: ShadingMode, projection: Projection) -> View {

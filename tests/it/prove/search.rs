@@ -16,7 +16,7 @@ use shadetrade::trade::metrics::pixel_error;
 
 use super::proof;
 use crate::support::random::Random;
-use crate::support::scene::{self, empty, spawn_cuboid, spawn_light};
+use crate::support::scene::{self, empty, shine, spawn_cuboid, spawn_light};
 
 const SIZE: [usize; 2] = [48, 36];
 
@@ -70,12 +70,7 @@ fn build(numbers: &Numbers, (tolerance, mode): Asked) -> (World, View) {
         rotation: DVec3::new(n(4), n(5), n(6)) * 360.0,
     };
     spawn_cuboid(&mut world, size, transform, material);
-    spawn_light(
-        &mut world,
-        LightKind::Ambient,
-        DVec3::splat(200.0),
-        DVec3::ZERO,
-    );
+    shine(&mut world, LightKind::Ambient, 200.0, DVec3::ZERO);
     let lights = [(LightKind::Diffuse, 7), (LightKind::Specular, 11)];
     for (kind, from) in lights {
         let levels = DVec3::splat(scaled(n(from + 3), [0.1, 400.0]));

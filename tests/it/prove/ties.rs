@@ -5,7 +5,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Trans
 
 use super::proof;
 use crate::support::random::Random;
-use crate::support::scene::{empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{empty, shine, spawn_cuboid, view};
 
 const SHINY: Material = Material {
     ambient: DVec3::ZERO,
@@ -30,10 +30,10 @@ fn corners_of_one_face_may_decide_a_tie_independently() {
         let axes = transform.axes();
         let mut world = empty();
         spawn_cuboid(&mut world, DVec3::splat(2.0), transform, SHINY);
-        spawn_light(
+        shine(
             &mut world,
             LightKind::Specular,
-            DVec3::splat(200.0),
+            200.0,
             axes * (3.0 * DVec3::Z),
         );
         let mut view = view(

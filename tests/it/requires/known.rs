@@ -10,7 +10,7 @@ use shadetrade::requires::{Change, Part};
 use shadetrade::scene::Scene;
 
 use super::{WHITE, change, required, scene_of};
-use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{at, empty, shine, spawn_cuboid, view};
 
 /// Odd sides, so that the middle of the picture is a pixel centre.
 const SIZE: [usize; 2] = [49, 37];
@@ -36,7 +36,7 @@ fn cube() -> World {
 }
 
 fn lit(world: &mut World, kind: LightKind, levels: f64, position: DVec3) {
-    spawn_light(world, kind, DVec3::splat(levels), position);
+    shine(world, kind, levels, position);
 }
 
 /// Asserts that the largest error encloses the known one, narrowly.
@@ -77,10 +77,7 @@ fn a_faint_light_is_required_where_the_tolerance_is_less_than_it_adds() {
     let view = from_z(8.0);
     let scene = scene_of(world, &view);
     for (tolerance, is_required) in [(0.5, false), (0.201, false), (0.199, true), (0.0, true)] {
-        let view = View {
-            tolerance,
-            ..view.clone()
-        };
+        let view = view.with_tolerance(tolerance);
         let light = change(&scene, &view, Part::Light(0));
         assert_error(light, 0.2);
         assert_eq!(!light.keeps(tolerance), is_required, "{tolerance}");

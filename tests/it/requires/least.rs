@@ -5,7 +5,7 @@ use shadetrade::components::{LightKind, Projection, View};
 use shadetrade::requires::{self, Part, changes, without};
 
 use super::{WHITE, scene_of};
-use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{at, empty, shine, spawn_cuboid, view};
 
 /// A cuboid under ambient lights of these levels, and another cuboid behind it.
 fn least(levels: &[f64], candidates: &[Part]) -> Vec<Part> {
@@ -14,12 +14,7 @@ fn least(levels: &[f64], candidates: &[Part]) -> Vec<Part> {
         spawn_cuboid(&mut world, DVec3::splat(2.0), at(place), WHITE);
     }
     for levels in levels {
-        spawn_light(
-            &mut world,
-            LightKind::Ambient,
-            DVec3::splat(*levels),
-            DVec3::ZERO,
-        );
+        shine(&mut world, LightKind::Ambient, *levels, DVec3::ZERO);
     }
     let view = View {
         tolerance: 0.5,
@@ -32,7 +27,7 @@ fn least(levels: &[f64], candidates: &[Part]) -> Vec<Part> {
         )
     };
     let scene = scene_of(world, &view);
-    let found = requires::least(&scene, &view, candidates, &|| false, &|_| ());
+    let found = requires::least::least(&scene, &view, candidates, &|| false, &|_| ());
     let (left_out, change) = found.expect("nobody cancels it");
     assert!(change.keeps(0.5), "{change:?}");
     // The remaining parts are those of the full scene minus those left out.

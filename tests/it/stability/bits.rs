@@ -5,12 +5,12 @@ use std::ops::Range;
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Light, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{Light, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::{simd, systems};
 
 use super::life::{Bits, still_life, views};
-use crate::support::scene::{at, draw, spawn_cuboid, view};
+use crate::support::scene::{at, draw, spawn_cuboid, view, white};
 
 const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
 
@@ -67,12 +67,7 @@ fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
             f64::from(index / 26) - 10.0,
             3.0,
         );
-        let material = Material {
-            ambient: DVec3::ONE,
-            diffuse: DVec3::ONE,
-            specular: DVec3::ONE,
-            shininess: 20.0,
-        };
+        let material = white(20.0);
         let transform = Transform {
             rotation: DVec3::splat(7.0 * f64::from(index)),
             ..at(place)
@@ -141,48 +136,6 @@ fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
                     };
                     assert!(same, "rows {rows:?} of {cuboids}, {keep:?}, {view:?}");
                 }
-            }
-        }
-    }
-}
-
-#[test]
-fn a_frame_that_held_other_pictures_has_the_same_bits() {
-    let views = views([90, 70]);
-    let closer = |view: &View| {
-        let mut view = view.clone();
-        view.viewpoint.position *= 0.5;
-        view
-    };
-    let away = |view: &View| {
-        let mut view = view.clone();
-        view.viewpoint.camera.target = DVec3::splat(100.0);
-        view
-    };
-    let coloured = |view: &View| View {
-        background: DVec3::new(255.0, 0.0, 90.0),
-        ..view.clone()
-    };
-    let narrow = |view: &View| View {
-        size: [50, 70],
-        ..view.clone()
-    };
-    let others: [&dyn Fn(&View) -> View; 4] = [&closer, &away, &coloured, &narrow];
-    for keep in KEEPS {
-        for cuboids in [1, 3] {
-            let mut world = still_life(cuboids);
-            let mut other_world = still_life(4 - cuboids);
-            let mut used = frame(keep, 1, Level::new());
-            for view in &views {
-                let expected = bits(&mut world, view, &mut frame(keep, 1, Level::new()));
-                for other in others {
-                    bits(&mut world, &other(view), &mut used);
-                    assert!(bits(&mut world, view, &mut used) == expected, "{view:?}");
-                    bits(&mut other_world, &other(view), &mut used);
-                    assert!(bits(&mut world, view, &mut used) == expected, "{view:?}");
-                }
-                rows_of(&mut world, view, 11..60, &mut used);
-                assert!(bits(&mut world, view, &mut used) == expected, "{view:?}");
             }
         }
     }

@@ -9,7 +9,7 @@ use glam::DVec3;
 use shadetrade::components::{LightKind, Material, Projection, Transform, View};
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 
-use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, view};
 
 /// A cuboid: its size, position and rotation.
 type Body = ([f64; 3], [f64; 3], [f64; 3]);
@@ -44,12 +44,7 @@ fn drawing(bodies: &[Body], view: &View) -> String {
         material.ambient[index] = 1.0;
         spawn_cuboid(&mut world, size.into(), transform, material);
     }
-    spawn_light(
-        &mut world,
-        LightKind::Ambient,
-        DVec3::splat(100.0),
-        DVec3::ZERO,
-    );
+    shine(&mut world, LightKind::Ambient, 100.0, DVec3::ZERO);
     let frame = draw(&mut world, view, Keep::Levels);
     let letters = frame
         .levels()

@@ -6,7 +6,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Trans
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 
 use crate::support::random::Random;
-use crate::support::scene::{draw, empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{draw, empty, spawn_cuboid, spawn_light, view, white};
 
 const MODES: [ShadingMode; 3] = [
     ShadingMode::Gouraud,
@@ -17,22 +17,12 @@ const MODES: [ShadingMode; 3] = [
 /// Every term has at most 100 levels, each in its own channel.
 fn one_term_a_channel(size: DVec3, transform: Transform, light: DVec3) -> World {
     let mut world = empty();
-    let material = Material {
-        ambient: DVec3::ONE,
-        diffuse: DVec3::ONE,
-        specular: DVec3::ONE,
-        shininess: 2.0,
-    };
+    let material = white(2.0);
     spawn_cuboid(&mut world, size, transform, material);
     spawn_light(&mut world, LightKind::Diffuse, DVec3::X * 100.0, light);
     spawn_light(&mut world, LightKind::Specular, DVec3::Y * 100.0, light);
     spawn_light(&mut world, LightKind::Ambient, DVec3::Z * 100.0, light);
     world
-}
-
-fn vector(random: &mut Random, reach: f64) -> DVec3 {
-    let [x, y, z] = std::array::from_fn(|_| random.within(-reach, reach));
-    DVec3::new(x, y, z)
 }
 
 #[test]
@@ -41,10 +31,10 @@ fn the_near_plane_removes_pixels_and_changes_none() {
     let mut taken = 0;
     for _ in 0..60 {
         let transform = Transform {
-            position: vector(&mut random, 0.5),
-            rotation: vector(&mut random, 180.0),
+            position: random.around(0.5),
+            rotation: random.around(180.0),
         };
-        let light = vector(&mut random, 9.0);
+        let light = random.around(9.0);
         let mut world = one_term_a_channel(DVec3::new(4.0, 3.0, 2.0), transform, light);
         for projection in Projection::ALL {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
@@ -92,11 +82,11 @@ fn needles_and_sheets_have_colours_within_the_range_of_their_lights() {
         let size =
             [DVec3::new(4.0, thin, thin), DVec3::new(4.0, 3.0, thin)][(thin * 1e9) as usize % 2];
         let transform = Transform {
-            position: vector(&mut random, 0.5),
-            rotation: vector(&mut random, 180.0),
+            position: random.around(0.5),
+            rotation: random.around(180.0),
         };
-        let light = vector(&mut random, 10.0);
-        let eye = vector(&mut random, 10.0) + DVec3::Z * 14.0;
+        let light = random.around(10.0);
+        let eye = random.around(10.0) + DVec3::Z * 14.0;
         let mut world = one_term_a_channel(size, transform, light);
         for projection in Projection::ALL {
             let view = view([64, 48], eye, DVec3::ZERO, projection);
@@ -124,10 +114,7 @@ fn no_level_is_ever_undefined() {
         let (mut world, view) = extreme_scene(&mut Random(seed));
         for mode in MODES {
             for tolerance in [0.0, 0.5] {
-                let view = View {
-                    tolerance,
-                    ..view.shaded(mode)
-                };
+                let view = view.shaded(mode).with_tolerance(tolerance);
                 let frame = draw(&mut world, &view, Keep::Levels);
                 let defined = frame.levels().iter().flatten().all(|level| !level.is_nan());
                 assert!(defined, "seed {seed}, {mode:?} at tolerance {tolerance}");
@@ -156,8 +143,8 @@ fn extreme_scene(random: &mut Random) -> (World, View) {
         };
         let reach = pick(random, &[0.0, 3.0]);
         let transform = Transform {
-            position: vector(random, reach) * scale,
-            rotation: vector(random, 1.0) * pick(random, &[0.0, 180.0, 1e9]),
+            position: random.around(reach) * scale,
+            rotation: random.around(1.0) * pick(random, &[0.0, 180.0, 1e9]),
         };
         spawn_cuboid(&mut world, size * scale, transform, material);
     }
@@ -168,12 +155,12 @@ fn extreme_scene(random: &mut Random) -> (World, View) {
         );
         let strength = pick(random, &[0.0, 1e-38, 100.0, 1e30, 1e60, 1e90]);
         let reach = pick(random, &[0.0, 1e-8, 1.0, 10.0, 1e8]);
-        let place = vector(random, reach) * scale;
+        let place = random.around(reach) * scale;
         spawn_light(&mut world, kind, DVec3::new(strength, 100.0, 1e-300), place);
     }
     let distance = pick(random, &[0.0, 0.3, 1.0, 5.0, 100.0, 1e6]);
-    let eye = (vector(random, 1.0) + DVec3::Z * distance) * scale;
-    let target = vector(random, 1.0) * scale;
+    let eye = (random.around(1.0) + DVec3::Z * distance) * scale;
+    let target = random.around(1.0) * scale;
     let mut view = view([33, 21], eye, target, pick(random, &Projection::ALL));
     view.viewpoint.camera.fov = pick(random, &[1e-3, 10.0, 60.0, 120.0, 179.0]);
     view.viewpoint.camera.height = pick(random, &[1e-6, 1.0, 10.0, 1e6]) * scale;

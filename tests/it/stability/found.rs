@@ -1,12 +1,24 @@
 //! Faults found by fuzzing.
 
 use glam::DVec3;
+use hecs::World;
+use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::{
-    LightKind, Material, Polygon, Projected, Projection, ShadingMode, Transform, View,
+    Material, Polygon, Projected, Projection, ShadingMode, Transform, View,
 };
 use shadetrade::frame::Keep;
 
-use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, spawn_light, view, white};
+
+/// Asserts that every level of a picture that shows a cuboid is defined.
+fn assert_defined(world: &mut World, view: &View, modes: &[ShadingMode]) {
+    for mode in modes {
+        let frame = draw(world, &view.shaded(*mode), Keep::Levels);
+        assert!(frame.counts().covered_pixels > 0);
+        let undefined = frame.levels().as_flattened().iter().any(|it| it.is_nan());
+        assert!(!undefined, "{mode:?}: {:?}", frame.levels());
+    }
+}
 
 /// An infinite slope in f32 times a reach of zero gave NaN: a tile of one pixel, on a corner where the weight of the
 /// bright corner is 0.
@@ -15,35 +27,18 @@ fn on_a_corner_without_weight_of_others_every_level_is_defined() {
     for bright in [1e30, 1e60, 1e90] {
         let mut world = empty();
         let material = Material {
-            ambient: DVec3::ONE,
-            diffuse: DVec3::ONE,
             specular: DVec3::ZERO,
-            shininess: 0.0,
+            ..white(0.0)
         };
         spawn_cuboid(&mut world, DVec3::ONE, at(DVec3::ONE), material);
-        spawn_light(
-            &mut world,
-            LightKind::Ambient,
-            DVec3::splat(100.0),
-            DVec3::ZERO,
-        );
-        for place in [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| 9.0 - 16.0 * axis) {
-            let levels = DVec3::splat(bright);
-            spawn_light(&mut world, LightKind::Diffuse, levels, place);
+        shine(&mut world, Ambient, 100.0, DVec3::ZERO);
+        for axis in DVec3::AXES {
+            shine(&mut world, Diffuse, bright, 9.0 - 16.0 * axis);
         }
-        for projection in [Projection::Perspective, Projection::Orthographic] {
-            let view = View {
-                tolerance: 0.0,
-                ..view([1, 1], DVec3::ZERO, DVec3::ONE, projection)
-            };
-            for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-                let frame = draw(&mut world, &view.shaded(mode), Keep::Levels);
-                assert_eq!(frame.counts().covered_pixels, 1);
-                let [levels] = frame.levels() else {
-                    panic!("one pixel was asked for")
-                };
-                assert!(!levels.iter().any(|level| level.is_nan()), "{levels:?}");
-            }
+        for projection in Projection::ALL {
+            let view = view([1, 1], DVec3::ZERO, DVec3::ONE, projection);
+            let modes = [ShadingMode::Gouraud, ShadingMode::Phong];
+            assert_defined(&mut world, &view, &modes);
         }
     }
 }
@@ -53,22 +48,13 @@ fn on_a_corner_without_weight_of_others_every_level_is_defined() {
 #[test]
 fn beside_a_corner_beyond_f32_every_level_is_defined() {
     for bright in [1e37, 1e39, 1e60] {
-        let material = Material {
-            ambient: DVec3::ONE,
-            diffuse: DVec3::ONE,
-            specular: DVec3::ONE,
-            shininess: 2.0,
-        };
         let mut world = empty();
-        spawn_cuboid(&mut world, DVec3::ONE, at(DVec3::ZERO), material);
+        spawn_cuboid(&mut world, DVec3::ONE, at(DVec3::ZERO), white(2.0));
         let levels = DVec3::new(bright, 100.0, 100.0);
-        spawn_light(&mut world, LightKind::Specular, levels, DVec3::splat(8.0));
+        spawn_light(&mut world, Specular, levels, DVec3::splat(8.0));
         let eye = DVec3::splat(-8.0);
         let view = view([11, 11], eye, DVec3::ZERO, Projection::Perspective);
-        let frame = draw(&mut world, &view.shaded(ShadingMode::Gouraud), Keep::Levels);
-        assert!(frame.counts().covered_pixels > 0);
-        let undefined = frame.levels().iter().flatten().any(|level| level.is_nan());
-        assert!(!undefined, "{bright:e}: {:?}", frame.levels());
+        assert_defined(&mut world, &view, &[ShadingMode::Gouraud]);
     }
 }
 
@@ -77,23 +63,18 @@ fn beside_a_corner_beyond_f32_every_level_is_defined() {
 fn the_largest_floors_stay_in_the_guard_band() {
     for thickness in [1e-9, 0.5, 1e9] {
         let mut world = empty();
-        let size = DVec3::new(1e100, 1e100, thickness);
+        let place = at(DVec3::new(-10.5, -7e16, 5.0));
         spawn_cuboid(
             &mut world,
-            size,
-            at(DVec3::new(-10.5, -7e16, 5.0)),
-            Material {
-                ambient: DVec3::ONE,
-                diffuse: DVec3::ONE,
-                specular: DVec3::ONE,
-                shininess: 1.0,
-            },
+            DVec3::new(1e100, 1e100, thickness),
+            place,
+            white(1.0),
         );
         for (eye, target) in [
             (DVec3::new(-3.5, -12.0, 15.0), DVec3::new(0.0, 0.0, 1.4)),
             (DVec3::splat(10.5), DVec3::new(7.4, 7.375, 1.0)),
         ] {
-            for projection in [Projection::Perspective, Projection::Orthographic] {
+            for projection in Projection::ALL {
                 let view = view([5, 25], eye, target, projection);
                 draw(&mut world, &view, Keep::Levels);
                 for projected in world.query_mut::<&Projected>() {
@@ -129,28 +110,15 @@ fn the_shortcut_is_defined_outside_its_triangles() {
         material,
     );
     for (kind, at) in [
-        (
-            LightKind::Specular,
-            DVec3::new(3.5, -1.757_080_078_125, 3.5),
-        ),
-        (LightKind::Diffuse, DVec3::new(3.5, 3.5, 1.756_835_937_5)),
+        (Specular, [3.5, -1.757_080_078_125, 3.5]),
+        (Diffuse, [3.5, 3.5, 1.756_835_937_5]),
     ] {
-        spawn_light(
-            &mut world,
-            kind,
-            DVec3::new(600.0, 1200.0, 1200.0),
-            at * 1e-90,
-        );
+        let levels = DVec3::new(600.0, 1200.0, 1200.0);
+        spawn_light(&mut world, kind, levels, DVec3::from(at) * 1e-90);
     }
     let [eye, target] = [6.5, 3.5].map(|z| DVec3::new(3.5, 3.5, z) * 1e-90);
     let mut view = view([27, 16], eye, target, Projection::Orthographic);
     view.viewpoint.camera.up = DVec3::ONE;
     view.viewpoint.camera.height = 8e-90;
-    let frame = draw(
-        &mut world,
-        &view.shaded(ShadingMode::UnitVectors),
-        Keep::Levels,
-    );
-    assert!(frame.counts().covered_pixels > 0);
-    assert!(!frame.levels().iter().flatten().any(|level| level.is_nan()));
+    assert_defined(&mut world, &view, &[ShadingMode::UnitVectors]);
 }

@@ -1,5 +1,7 @@
 //! Random numbers that are equal on every machine (splitmix64; Steele, Lea and Flood 2014).
 
+use glam::DVec3;
+
 /// A stream of random numbers, given by its seed.
 pub struct Random(pub u64);
 
@@ -15,5 +17,15 @@ impl Random {
     /// A number in `from..to`, evenly distributed.
     pub fn within(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    /// A whole number in `0..count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        self.within(0.0, count as f64) as usize
+    }
+
+    /// A vector with coordinates in `-reach..reach`.
+    pub fn around(&mut self, reach: f64) -> DVec3 {
+        DVec3::from_array([(); 3].map(|()| self.within(-reach, reach)))
     }
 }

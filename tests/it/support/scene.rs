@@ -43,6 +43,21 @@ pub fn spawn_light(world: &mut World, kind: LightKind, levels: DVec3, position: 
     world.spawn((Name(format!("{kind:?}")), order, at(position), light));
 }
 
+/// Adds a white light of `levels`.
+pub fn shine(world: &mut World, kind: LightKind, levels: f64, position: DVec3) {
+    spawn_light(world, kind, DVec3::splat(levels), position);
+}
+
+/// A material that reflects all light.
+pub const fn white(shininess: f64) -> Material {
+    Material {
+        ambient: DVec3::ONE,
+        diffuse: DVec3::ONE,
+        specular: DVec3::ONE,
+        shininess,
+    }
+}
+
 /// A position without rotation.
 pub fn at(position: DVec3) -> Transform {
     Transform::at(position)

@@ -1,12 +1,12 @@
 //! Invented measurements with simple numbers.
 
-use shadetrade::components::{Projection, ShadingMode};
+use shadetrade::components::Projection;
+use shadetrade::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
 use shadetrade::frame::Counts;
 use shadetrade::shading::Method;
 use shadetrade::trade::accuracy::{Accuracy, PhongError};
-use shadetrade::trade::error_map::ErrorMap;
 use shadetrade::trade::machine::Machine;
-use shadetrade::trade::metrics::{Error, Picture};
+use shadetrade::trade::metrics::Error;
 use shadetrade::trade::record::Subject;
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Measurement, MethodReport, Report};
@@ -23,68 +23,22 @@ pub fn timing(median: f64) -> Timing {
 }
 
 /// Errors with the largest error `max`.
-pub fn error(max: f64) -> Error {
-    Error {
+pub fn error(max: f64) -> PhongError {
+    let levels = Error {
         max,
         max_pixel: [1, 0],
         mean: max / 8.0,
         rmse: max / 4.0,
         p999: max / 2.0,
         over_1_level: if max > 1.0 { 0.25 } else { 0.0 },
+    };
+    PhongError {
+        levels,
+        flip_mean: max / 512.0,
     }
 }
 
-/// The measurement of a method with a thousand covered pixels.
-pub fn measurement(
-    (id, mode, tolerance): (&'static str, ShadingMode, f64),
-    median: f64,
-    [max, own_max]: [f64; 2],
-    highlight_kept: Option<f64>,
-    on_front: bool,
-) -> MethodReport {
-    let pixel = Picture {
-        width: 1,
-        levels: &[[max; 3]],
-        triangles: &[0],
-    };
-    let black = Picture {
-        levels: &[[0.0; 3]],
-        ..pixel
-    };
-    MethodReport {
-        method: Method {
-            id,
-            mode,
-            tolerance,
-        },
-        threads: 1,
-        timing: timing(median),
-        ns_per_covered_pixel: Some(median * 1e6 / 1000.0),
-        stages: vec![
-            ("lighting", 0.25 * median),
-            ("rasterization", 0.75 * median),
-        ],
-        counts: Counts {
-            covered_pixels: 1000,
-            model_evaluations: 8,
-            specular_evaluations: 4,
-            ..Counts::default()
-        },
-        accuracy: Accuracy {
-            error: PhongError {
-                levels: Some(error(max)),
-                flip_mean: Some(max / 512.0),
-            },
-            own_error: Some(error(own_max)),
-            highlight_kept,
-            edge_pixels: 1,
-            map: ErrorMap::between(pixel, black),
-        },
-        on_front,
-    }
-}
-
-/// A measurement of a method in the window.
+/// A measurement of a method on the front.
 pub fn live(method: Method, median: f64, error: f64) -> Measurement {
     Measurement {
         method,
@@ -96,72 +50,69 @@ pub fn live(method: Method, median: f64, error: f64) -> Measurement {
     }
 }
 
-/// A view and a machine for a measurement that did not take place.
-pub fn subject(command: &str) -> Subject {
-    Subject {
-        machine: Machine {
-            cpu: "Some CPU".to_owned(),
-            cores: 4,
-            lanes: "avx2",
-            os: "Some OS".to_owned(),
-            rustc: "rustc 1.99.0 (0123abcd 2030-01-01)",
-            profile: "release",
-        },
-        command: command.to_owned(),
-        scene: "cuboid".to_owned(),
-        camera: "1".to_owned(),
-        projection: Projection::Perspective,
-        size: [40, 30],
-    }
-}
+/// Mode, tolerance, time, largest error and own error, share of the highlight.
+type Row = (ShadingMode, f64, f64, [f64; 2], f64);
 
-/// Gouraud, the shortcut and two kinds of Phong: 2, 6, 3 and 8 ns per pixel.
+/// Gouraud, the shortcut and two kinds of Phong with a thousand covered pixels: 2, 6, 3 and 8 ns per pixel.
 pub fn report() -> Report {
-    use ShadingMode::{Gouraud, Phong, UnitVectors};
+    let rows = [
+        (Gouraud, 0.5, 0.002, [163.0, 0.25], 0.0),
+        (UnitVectors, 0.0, 0.006, [171.0, 0.0], 0.04),
+        (Phong, 0.5, 0.003, [0.4, 0.4], 1.0),
+        (Phong, 0.0, 0.008, [0.0, 0.0], 1.0),
+    ];
+    let method = |(mode, tolerance, median, [max, own], kept): Row| MethodReport {
+        method: Method::of(mode, tolerance),
+        threads: 1,
+        timing: timing(median),
+        ns_per_covered_pixel: Some(median * 1e6 / 1000.0),
+        counts: Counts {
+            covered_pixels: 1000,
+            model_evaluations: 8,
+            specular_evaluations: 4,
+            ..Counts::default()
+        },
+        accuracy: Accuracy {
+            error: Some(error(max)),
+            own_error: Some(error(own).levels),
+            highlight_kept: Some(kept),
+            edge_pixels: 1,
+            map: Vec::new(),
+        },
+        on_front: mode != UnitVectors,
+    };
     Report {
-        subject: subject("shadetrade trade"),
+        subject: Subject {
+            machine: Machine {
+                cpu: "Some CPU".to_owned(),
+                cores: 4,
+                lanes: "avx2",
+                os: "Some OS".to_owned(),
+                rustc: "rustc 1.99.0 (0123abcd 2030-01-01)",
+                profile: "release",
+            },
+            command: "shadetrade trade".to_owned(),
+            scene: "cuboid".to_owned(),
+            camera: "1".to_owned(),
+            projection: Projection::Perspective,
+            size: [40, 30],
+        },
         covered_pixels: 1000,
-        methods: vec![
-            measurement(
-                ("gouraud-0.5", Gouraud, 0.5),
-                0.002,
-                [163.0, 0.25],
-                Some(0.0),
-                true,
-            ),
-            measurement(
-                ("phong-unit-vectors", UnitVectors, 0.0),
-                0.006,
-                [171.0, 0.0],
-                Some(0.04),
-                false,
-            ),
-            measurement(
-                ("phong-0.5", Phong, 0.5),
-                0.003,
-                [0.4, 0.4],
-                Some(1.0),
-                true,
-            ),
-            measurement(("phong-0", Phong, 0.0), 0.008, [0.0, 0.0], Some(1.0), true),
-        ],
+        methods: rows.map(method).to_vec(),
     }
 }
 
-/// The same view without any cuboid in the picture.
+/// The same view without a cuboid in the picture.
 pub fn empty_report() -> Report {
     let mut report = report();
     report.covered_pixels = 0;
-    for measurement in &mut report.methods {
-        measurement.counts = Counts::default();
-        measurement.ns_per_covered_pixel = None;
-        measurement.accuracy.error = PhongError {
-            levels: None,
-            flip_mean: None,
-        };
-        measurement.accuracy.own_error = None;
-        measurement.accuracy.highlight_kept = None;
-        measurement.on_front = false;
+    for one in &mut report.methods {
+        one.counts = Counts::default();
+        one.ns_per_covered_pixel = None;
+        one.accuracy.error = None;
+        one.accuracy.own_error = None;
+        one.accuracy.highlight_kept = None;
+        one.on_front = false;
     }
     report
 }

@@ -1,9 +1,7 @@
-//! The words of verdict and table, which must agree with the numbers.
+//! The words of the verdict, which must agree with the numbers.
 
 use shadetrade::components::ShadingMode::{self, Gouraud, Phong};
 use shadetrade::shading::Method;
-use shadetrade::trade::export::table;
-use shadetrade::trade::tables::WIDTH;
 use shadetrade::trade::verdict::{sentence, verdict};
 use shadetrade::trade::{Measurement, Report};
 
@@ -26,95 +24,61 @@ fn measured(trade: Trade) -> Vec<Measurement> {
     methods.into_iter().zip(trade).map(measurement).collect()
 }
 
-/// A trade, the method on screen, and parts of the sentence that are in it and that are not.
-type Row = (
-    Trade,
-    (ShadingMode, f64),
-    &'static [&'static str],
-    &'static [&'static str],
-);
+/// A trade, the method on screen, and parts of the sentence that are in it and that are not, each with a bar between.
+type Row = (Trade, (ShadingMode, f64), &'static str, &'static str);
 
 #[test]
 fn the_sentence_states_only_measured_facts() {
     let [gouraud, half, exact] = [(Gouraud, 0.5), (Phong, 0.5), (Phong, 0.0)];
+    let alike: Trade = [(0.2, 165.0), (0.201, 0.5), (1.0, 0.0)];
+    let exact_is_as_fast: Trade = [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)];
+    let exact_is_faster: Trade = [(0.2, 165.0), (0.46, 0.5), (0.3, 0.0)];
+    let invisible: Trade = [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)];
+    let too_short: Trade = [(0.0, 165.0), (0.46, 0.5), (1.0, 0.0)];
     let rows: [Row; 11] = [
         (
             USUAL,
             gouraud,
-            &["2.3 times faster", "half a level", "but off by 165"],
-            &[ALIKE],
+            "2.3 times faster|half a level|but off by 165",
+            ALIKE,
         ),
         (
             USUAL,
             half,
-            &["2.3 times slower", "330 times more exact"],
-            &["but", NOTHING],
+            "2.3 times slower|330 times more exact",
+            "but|nothing to trade",
         ),
         (
             USUAL,
             exact,
-            &["5 times slower", "rounding", "2.2 times faster"],
-            &[NOTHING],
+            "5 times slower|rounding|2.2 times faster",
+            NOTHING,
         ),
-        // Within the intervals of each other.
+        (alike, gouraud, "about as fast|and off by 165", "times|but"),
+        (exact_is_as_fast, gouraud, "exact Phong|2.3 times", "half"),
         (
-            [(0.2, 165.0), (0.201, 0.5), (1.0, 0.0)],
-            gouraud,
-            &[ALIKE, "and off by 165"],
-            &["times", "but"],
-        ),
-        // Exact Phong is as fast as Phong at tolerance 0.5, or faster.
-        (
-            [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)],
-            gouraud,
-            &["exact Phong", "2.3 times"],
-            &["half"],
-        ),
-        (
-            [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)],
+            exact_is_as_fast,
             half,
-            &[ALIKE, NOTHING],
-            &[],
+            "about as fast|nothing to trade",
+            "times more",
         ),
+        (exact_is_as_fast, exact, NOTHING, "2.2"),
         (
-            [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)],
-            exact,
-            &[NOTHING],
-            &["2.2"],
-        ),
-        (
-            [(0.2, 165.0), (0.46, 0.5), (0.3, 0.0)],
+            exact_is_faster,
             half,
-            &["1.5 times faster", NOTHING],
-            &[],
+            "1.5 times faster|nothing to trade",
+            "as fast",
         ),
-        // An invisible error.
-        (
-            [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)],
-            gouraud,
-            &["2.3 times faster", "0.310"],
-            &["but"],
-        ),
-        (
-            [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)],
-            half,
-            &["2.3 times slower", "0.200"],
-            &["more exact"],
-        ),
-        // Too short for the resolution of the clock.
-        (
-            [(0.0, 165.0), (0.46, 0.5), (1.0, 0.0)],
-            gouraud,
-            &["faster"],
-            &["times", "inf", "NaN"],
-        ),
+        (invisible, gouraud, "2.3 times faster|0.310", "but"),
+        (invisible, half, "2.3 times slower|0.200", "more exact"),
+        (too_short, gouraud, "faster", "times|inf|NaN"),
     ];
     for (trade, (mode, tolerance), says, hides) in rows {
         let text = sentence(&measured(trade), Method::of(mode, tolerance)).expect("it is measured");
-        for part in says {
+        for part in says.split('|') {
             assert!(text.contains(part), "{part:?} is not in {text:?}");
         }
-        for part in hides {
+        for part in hides.split('|') {
             assert!(!text.contains(part), "{part:?} is in {text:?}");
         }
     }
@@ -161,8 +125,7 @@ fn the_verdict_states_only_measured_facts() {
     let report = |change: fn(&mut Report)| {
         let mut report = example::report();
         change(&mut report);
-        let measured: Vec<Measurement> = report.methods.iter().map(Measurement::from).collect();
-        verdict(&measured)
+        verdict(&report.measurements())
     };
     let whole = report(|_| ());
     for part in ["Gouraud", "163", "xact Phong", "unit vectors", "171"] {
@@ -178,63 +141,5 @@ fn the_verdict_states_only_measured_facts() {
     assert!(
         !nothing.contains("off by") && !nothing.is_empty(),
         "{nothing:?}"
-    );
-}
-
-#[test]
-fn the_table_has_the_figures_of_every_method() {
-    let text = table(&example::report());
-    for row in [
-        "gouraud-0.5 0.002 0.002 to 0.002 163 0 % yes",
-        "phong-unit-vectors 0.006 0.006 to 0.006 171 4 %",
-        "phong-0 0.008 0.008 to 0.008 0 100 % yes",
-    ] {
-        let mut rows = text.lines().map(|line| line.split_whitespace());
-        assert!(
-            rows.any(|words| words.eq(row.split(' '))),
-            "{row:?} is not in\n{text}"
-        );
-    }
-    for part in [
-        "40x30",
-        "1000 covered pixels",
-        "Some CPU",
-        "1 thread,",
-        "1/255",
-    ] {
-        assert!(text.contains(part), "{part:?} is not in\n{text}");
-    }
-}
-
-#[test]
-fn the_table_fits_its_columns_whatever_the_numbers() {
-    let mut report = example::report();
-    for (index, measurement) in report.methods.iter_mut().enumerate() {
-        measurement.method.id = "phong-unit-vectors";
-        measurement.timing = example::timing([1e-7, 0.999_9, 99.99, 12_345.6][index]);
-        measurement.timing.interval[1] *= 3.0;
-        measurement.accuracy.error.levels =
-            Some(example::error([1e-9, 0.999, 9.999, 254.9][index]));
-    }
-    for report in [report, example::report(), example::empty_report()] {
-        let text = table(&report);
-        for line in text.lines() {
-            assert!(line.chars().count() <= WIDTH, "{line}");
-        }
-        assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    }
-}
-
-#[test]
-fn the_table_shows_a_dash_for_what_does_not_exist() {
-    let text = table(&example::empty_report());
-    let row = text
-        .lines()
-        .find(|line| line.starts_with("phong-0 "))
-        .expect("there is a row of phong-0");
-    let cells: Vec<&str> = row.split_whitespace().collect();
-    assert_eq!(
-        cells,
-        ["phong-0", "0.008", "0.008", "to", "0.008", "-", "-"]
     );
 }

@@ -4,6 +4,7 @@ use egui::{Key, Pos2};
 use fearless_simd::Level;
 use shadetrade::components::{Inspector, ShadingMode, Tab, View};
 use shadetrade::frame::Keep;
+use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
 use shadetrade::window::jobs::State;
@@ -19,10 +20,7 @@ const SMALL: [usize; 2] = [130, 100];
 fn compared(window: &Window) -> Comparison {
     let mut world = window.app.state.spawn();
     let view = View::of(&world, window.app.picture_size());
-    let comparison = Comparison::of(&mut world, &view, Level::new(), &|| false);
-    comparison
-        .expect("a small picture fits")
-        .expect("nobody cancels")
+    Comparison::of(&mut world, &view, Level::new(), Monitor::NONE).expect("a small picture fits")
 }
 
 #[test]

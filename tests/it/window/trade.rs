@@ -6,6 +6,7 @@ use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{Budget, Show, Side, Tolerance, View, ViewMode};
 use shadetrade::drawing::Drawing;
 use shadetrade::frame::Keep;
+use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::Measurement;
@@ -333,8 +334,8 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     let shown = app.measured(Phong, 0.7).expect("it is measured");
     let mut world = app.state.spawn();
     let view = View::of(&world, app.picture_size());
-    let compared = Comparison::of(&mut world, &view, Level::new(), &|| false);
-    let compared = compared.expect("it fits").expect("nobody cancels");
+    let compared = Comparison::of(&mut world, &view, Level::new(), Monitor::NONE);
+    let compared = compared.expect("it fits");
     assert_eq!(shown.error, compared.error);
     let [low, high] = shown.timing.interval;
     assert!(0.0 < low && low <= shown.timing.median && shown.timing.median <= high);

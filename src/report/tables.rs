@@ -1,15 +1,15 @@
-//! Tables and paragraphs for a terminal, at most [`WIDTH`] columns wide where cells allow, and tables in Markdown.
+//! Tables and paragraphs for a terminal, and tables in Markdown.
 
 use comfy_table::{CellAlignment, ContentArrangement, Table, TableComponent, presets};
 
-/// Columns of the terminal.
+/// The width of a paragraph, in columns of the terminal.
 pub const WIDTH: usize = 100;
 
-/// Between two columns of a table.
+/// Columns of the terminal between two columns of a table.
 const GAP: u16 = 2;
 
-/// A table for a terminal, its first column to the left and the others to the right.
-pub(crate) fn aligned(head: &[impl ToString], rows: &[Vec<String>]) -> String {
+/// A table for a terminal. Its first column is aligned to the left, the others to the right.
+pub fn aligned(head: &[impl ToString], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
     table.set_style(TableComponent::HeaderLines, '\u{2500}');
@@ -26,16 +26,16 @@ pub(crate) fn aligned(head: &[impl ToString], rows: &[Vec<String>]) -> String {
     table.trim_fmt()
 }
 
-/// The same in Markdown.
-pub(super) fn markdown(head: &[&str], rows: &[Vec<String>]) -> String {
+/// The same table in Markdown.
+pub fn markdown(head: &[&str], rows: &[Vec<String>]) -> String {
     let row = |cells: &str| format!("| {cells} |\n");
     let rule = format!("|---{}|\n", "|---:".repeat(head.len() - 1));
     let rows: Vec<String> = rows.iter().map(|cells| row(&cells.join(" | "))).collect();
     row(&head.join(" | ")) + &rule + &rows.concat()
 }
 
-/// The same words in lines of at most [`WIDTH`] columns.
-pub(crate) fn wrapped(text: &str) -> String {
+/// The words of a text in lines of at most [`WIDTH`] columns.
+pub fn wrapped(text: &str) -> String {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).add_row([text]);
     table.set_content_arrangement(ContentArrangement::Dynamic);

@@ -1,7 +1,6 @@
-//! Axes and a heading in, the paper that plots are drawn on out: SVG of one look.
+//! The style of all charts in files: SVG with a heading, logarithmic axes and a grid.
 //!
-//! Rule: both axes are logarithmic, every tick prints as it is written, and colours can be told apart by people who see
-//! few of them (Okabe and Ito 2008).
+//! The colours can be told apart by colour-blind people (Okabe and Ito 2008).
 
 use std::ops::Range;
 
@@ -18,7 +17,7 @@ pub const ORANGE: RGBColor = RGBColor(0xd5, 0x5e, 0x00);
 pub const GREEN: RGBColor = RGBColor(0x00, 0x9e, 0x73);
 pub const PURPLE: RGBColor = RGBColor(0xcc, 0x79, 0xa7);
 
-/// What is drawn on.
+/// A part of the picture.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 type Logarithmic = WithKeyPoints<LogCoord<f64>>;
@@ -29,7 +28,7 @@ pub type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Logarithmic, L
 /// A picture of `size` pixels as SVG.
 ///
 /// # Errors
-/// Those of `draw`, and of the plotting library, which has no reason to give one.
+/// Those of `draw`. The plotting library gives none in practice.
 pub fn svg(
     size: (u32, u32),
     draw: impl FnOnce(&Area) -> anyhow::Result<()>,
@@ -49,16 +48,19 @@ pub const fn font(pixels: f64) -> f64 {
     1.24 * pixels
 }
 
-/// Letters of a size in pixels.
+/// The font of a text, with a size in pixels.
 pub fn text_style(pixels: f64, color: RGBColor) -> TextStyle<'static> {
     ("sans-serif", font(pixels)).into_font().color(&color)
 }
 
-/// What a plot is about, in the upper left corner: a title, and lines that may hold names out of files.
+/// Writes a title and the lines below it into the upper left corner. The lines may contain names from files.
+///
+/// # Errors
+/// The plotting library gives none in practice.
 pub fn heading(area: &Area, title: &str, lines: &[&str]) -> anyhow::Result<()> {
     area.draw_text(title, &text_style(18.0, INK), (24, 16))?;
     for (line, y) in lines.iter().zip((42..).step_by(18)) {
-        // What XML has no place for.
+        // XML does not allow these characters.
         let line = line.replace(
             |letter: char| letter.is_control() || "\u{fffe}\u{ffff}".contains(letter),
             "\u{fffd}",
@@ -70,35 +72,33 @@ pub fn heading(area: &Area, title: &str, lines: &[&str]) -> anyhow::Result<()> {
 
 /// One of the two axes.
 pub struct Axis<'a> {
-    /// What it shows, and in what unit.
+    /// The quantity and its unit.
     pub name: &'a str,
-    /// Where it begins and ends, above 0.
+    /// Both ends are above 0.
     pub range: Range<f64>,
-    /// Where lines cross it.
-    pub ticks: Vec<f64>,
-    /// What is written there.
-    pub label: &'a dyn Fn(&f64) -> String,
 }
 
-/// Draws the axes and their grid, so many pixels left for the labels below and for those on the left, whose ticks have
-/// letters of this size; an axis' name is a pixel larger.
+/// Draws the axes and their grid. The labels take `below` and `left` pixels, and the labels of the ticks have this font
+/// size; the names of the axes are a pixel larger.
 ///
 /// # Errors
-/// Those of the plotting library, which has no reason to give one.
+/// Those of the plotting library, which gives none in practice.
 pub fn on<'a>(
     area: &Area<'a>,
     [below, left]: [u32; 2],
     letters: f64,
-    x: Axis,
-    y: Axis,
+    [x, y]: [Axis; 2],
 ) -> anyhow::Result<Chart<'a>> {
+    let [columns, rows] = [&x, &y].map(|it| {
+        it.range
+            .clone()
+            .log_scale()
+            .with_key_points(ticks(&it.range))
+    });
     let mut chart = ChartBuilder::on(area)
         .x_label_area_size(below)
         .y_label_area_size(left)
-        .build_cartesian_2d(
-            x.range.log_scale().with_key_points(x.ticks),
-            y.range.log_scale().with_key_points(y.ticks),
-        )?;
+        .build_cartesian_2d(columns, rows)?;
     chart
         .configure_mesh()
         .bold_line_style(GRID)
@@ -108,21 +108,30 @@ pub fn on<'a>(
         .axis_desc_style(text_style(letters + 1.0, INK))
         .x_desc(x.name)
         .y_desc(y.name)
-        .x_label_formatter(x.label)
-        .y_label_formatter(y.label)
+        .x_label_formatter(&|value| label(*value))
+        .y_label_formatter(&|value| label(*value))
         .draw()?;
     Ok(chart)
 }
 
-/// Round numbers within the axis: 1, 2 and 5 times the powers of ten, or every digit where these are too few.
+/// Round numbers on the axis: powers of ten, at most eight, or 1, 2 and 5 times them on a short axis, or every digit on
+/// a shorter one.
 pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
-    let decades = axis.start.log10().floor() as i32..=axis.end.log10().floor() as i32;
+    let [start, end] = [axis.start, axis.end].map(f64::log10);
+    let steps = [1, 2, 3, 5, 10, 20, 30, 50];
+    let step = steps
+        .into_iter()
+        .find(|step| end - start <= f64::from(7 * step));
     let of = |digits: &[f64]| -> Vec<f64> {
-        let all = decades
-            .clone()
-            .flat_map(|decade| digits.iter().map(move |digit| scaled(*digit, decade)));
-        all.filter(|number| axis.contains(number)).collect()
+        let decades = start.floor() as i32..=end.floor() as i32;
+        let decades = decades.filter(|decade| decade % step.unwrap_or(100) == 0);
+        let all = decades.flat_map(|decade| digits.iter().map(move |digit| scaled(*digit, decade)));
+        all.filter(|number| (axis.start..=axis.end).contains(number))
+            .collect()
     };
+    if end - start >= 3.0 {
+        return of(&[1.0]);
+    }
     let few = of(&[1.0, 2.0, 5.0]);
     if few.len() < 3 {
         of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
@@ -131,11 +140,20 @@ pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
     }
 }
 
-/// `digit` times a power of ten, rounded once, so that it prints as it is written.
+/// `digit` times a power of ten, rounded once, so that its decimal form is short.
 fn scaled(digit: f64, decade: i32) -> f64 {
     if decade < 0 {
         digit / 10_f64.powi(-decade)
     } else {
         digit * 10_f64.powi(decade)
+    }
+}
+
+/// A tick as text; a power of ten with its exponent where it is long.
+fn label(value: f64) -> String {
+    if (0.001..=1000.0).contains(&value) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
     }
 }

@@ -1,0 +1,116 @@
+//! The errors of an evaluation over the range of a number, and their table for a terminal.
+
+use serde::Serialize;
+
+use super::sweeps::Sweep;
+use crate::prove::Verdict;
+use crate::report::tables::{aligned, wrapped};
+use crate::shading::EXACT;
+
+/// The evaluations of Phong's model that are compared, and the error in levels that each is to keep.
+pub const EVALUATIONS: [(&str, f64); 4] = [
+    ("textbook-f32", EXACT),
+    ("phong-0", EXACT),
+    ("phong-0.5", 0.5),
+    ("reference-f64", EXACT),
+];
+
+/// The errors of an evaluation over the range of a number.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Curve {
+    pub number: &'static str,
+    pub unit: &'static str,
+    pub evaluation: &'static str,
+    pub limit: f64,
+    /// The ends of the longest run of points that are proven to keep the limit.
+    pub keeps: Option<[f64; 2]>,
+    pub points: Vec<Point>,
+}
+
+/// The error of an evaluation at one value.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Point {
+    pub value: f64,
+    /// The lower and the upper bound of the largest error of a small picture, in levels.
+    pub error: [f64; 2],
+    /// Whether the limit is kept.
+    pub verdict: Verdict,
+}
+
+/// The bounds of the largest error of one picture, by evaluation.
+pub type Errors = [[f64; 2]; EVALUATIONS.len()];
+
+impl Curve {
+    /// The curve of the evaluation with this index.
+    pub fn new(sweep: &Sweep, evaluation: usize, errors: &[(f64, Errors)]) -> Self {
+        let (id, limit) = EVALUATIONS[evaluation];
+        let points = errors.iter().map(|(value, errors)| {
+            let error = errors[evaluation];
+            Point {
+                value: *value,
+                error,
+                verdict: Verdict::of(error, limit),
+            }
+        });
+        let points: Vec<Point> = points.collect();
+        let runs = points.split(|point| point.verdict != Verdict::Proven);
+        let longest = runs.max_by_key(|run| run.len()).unwrap_or_default();
+        Curve {
+            number: sweep.number,
+            unit: sweep.unit,
+            evaluation: id,
+            limit,
+            keeps: ends(longest),
+            points,
+        }
+    }
+
+    /// The least and the largest value.
+    pub fn range(&self) -> [f64; 2] {
+        ends(&self.points).unwrap_or([1.0; 2])
+    }
+
+    /// The range in which the limit is kept, as text.
+    fn kept(&self) -> String {
+        let has = |verdict| self.points.iter().any(|point| point.verdict == verdict);
+        match self.keeps {
+            None => "none".to_owned(),
+            Some(ends) if has(Verdict::Refuted) => span(ends),
+            Some(ends) if has(Verdict::Undecided) => span(ends) + " ?",
+            Some(_) => "all".to_owned(),
+        }
+    }
+}
+
+fn ends(points: &[Point]) -> Option<[f64; 2]> {
+    Some([points.first()?.value, points.last()?.value])
+}
+
+/// The table for a terminal: for each number, the range in which each evaluation keeps its limit.
+pub fn table(curves: &[Curve]) -> String {
+    let ids = EVALUATIONS.map(|(id, _)| id);
+    let head = [&["number", "swept"][..], &ids].concat();
+    let rows = curves.chunks(EVALUATIONS.len()).map(|curves| {
+        let start = [curves[0].number.to_owned(), span(curves[0].range())];
+        start
+            .into_iter()
+            .chain(curves.iter().map(Curve::kept))
+            .collect()
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    format!("{}\n\n{}", aligned(&head, &rows), wrapped(LEGEND))
+}
+
+const LEGEND: &str = "The range in which the largest error of a picture is proven to be within 0.05 level of the exact \
+    value, for phong-0.5 within 0.5. textbook-f32: the formula in f32 throughout; phong-0, phong-0.5: this renderer at \
+    tolerance 0 and 0.5; reference-f64: the reference. A ? marks ranges outside of which nothing is refuted, but f64 does \
+    not suffice to decide.";
+
+/// A range as text.
+fn span(ends: [f64; 2]) -> String {
+    let rounded = |value| match value {
+        1.0..1e4 => format!("{value:.0}"),
+        _ => format!("{value:.1e}").replace(".0e", "e"),
+    };
+    ends.map(rounded).join(" to ")
+}

@@ -1,0 +1,84 @@
+//! The progress of long work, and the bar on standard error that shows it.
+
+use std::fmt::Write;
+use std::ops::Range;
+
+use anyhow::{Context, ensure};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+
+/// Rows of a picture that are evaluated at once. They bound the memory of a comparison.
+const BAND: usize = 64;
+
+/// The caller of long work.
+#[derive(Clone, Copy)]
+pub struct Monitor<'a> {
+    /// Returns true once the result is not wanted any more. It is called before every row and every frame.
+    pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
+    /// Receives the present step and its finished share, 0..=1, from any thread.
+    pub progress: &'a (dyn Fn(&'static str, f64) + Sync),
+}
+
+impl Monitor<'_> {
+    /// A caller that waits for the result and shows no progress.
+    pub const NONE: Monitor<'static> = Monitor {
+        is_cancelled: &|| false,
+        progress: &|_, _| (),
+    };
+
+    /// # Errors
+    /// If the work is cancelled.
+    pub fn check(&self) -> anyhow::Result<()> {
+        ensure!(!(self.is_cancelled)(), "the work was cancelled");
+        Ok(())
+    }
+
+    /// Does `work` for each band of a picture with `height` rows, from the top.
+    ///
+    /// # Errors
+    /// The first error of `work`, or that the work is cancelled.
+    pub fn in_bands(
+        &self,
+        step: &'static str,
+        height: usize,
+        mut work: impl FnMut(Range<usize>) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
+        for start in (0..height).step_by(BAND) {
+            self.check()?;
+            let end = height.min(start + BAND);
+            work(start..end)?;
+            (self.progress)(step, end as f64 / height as f64);
+        }
+        Ok(())
+    }
+}
+
+/// Does `work` while a bar shows the share of its present step. The bar disappears at the end.
+///
+/// # Errors
+/// Those of `work`.
+pub fn with_bar<T>(work: impl FnOnce(Monitor) -> anyhow::Result<T>) -> anyhow::Result<T> {
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %{left}")
+        .context("the template of the progress bar is wrong")?;
+    // An estimate of less than a second is not shown.
+    let style = style.with_key("left", |state: &ProgressState, text: &mut dyn Write| {
+        let seconds = state.eta().as_secs();
+        if seconds > 0 {
+            let _ = write!(text, ", {seconds} s left");
+        }
+    });
+    let bar = ProgressBar::new(1000).with_style(style);
+    let progress = |step, share: f64| {
+        if bar.message() != step {
+            bar.set_message(step);
+            bar.reset();
+            bar.tick();
+        }
+        bar.set_position((1000.0 * share) as u64);
+    };
+    let done = work(Monitor {
+        progress: &progress,
+        ..Monitor::NONE
+    })?;
+    bar.finish_and_clear();
+    Ok(done)
+}
