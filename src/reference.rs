@@ -81,7 +81,7 @@ struct ReferenceCuboid<R> {
 /// A surface, or the background, that a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
-    /// ReferenceCuboid * 12 + triangle; `None` is the background. Under Phong the two triangles of a face do not differ, so near
+    /// Cuboid * 12 + triangle; `None` is the background. Under Phong the two triangles of a face do not differ, so near
     /// the diagonal this is the first one.
     pub triangle: Option<usize>,
     /// Unclamped levels of 255.
@@ -89,7 +89,7 @@ pub struct Seen<R> {
 }
 
 impl<R> Seen<R> {
-    /// ReferenceCuboid * 6 + face; `None` is the background.
+    /// Cuboid * 6 + face; `None` is the background.
     pub fn face(&self) -> Option<usize> {
         self.triangle.map(|triangle| triangle / 2)
     }

@@ -6,7 +6,7 @@ use crate::shading::TileKind;
 use crate::trade::metrics::displayed;
 use crate::trade::words::short;
 
-/// ReferenceLevels that differ by less than this agree: no eye tells them apart.
+/// Levels that differ by less than this agree: no eye tells them apart.
 const AGREE: f64 = 1.0;
 /// A vertex lies outside a highlight if its factor is less than this share of the pixel's.
 const OUTSIDE: f64 = 0.1;

@@ -16,15 +16,6 @@ use shadetrade::scene::range::{
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
-const VIEW_MODES: [ViewMode; 5] = [
-    ViewMode::Picture,
-    ViewMode::Wipe,
-    ViewMode::Error,
-    ViewMode::Difference,
-    ViewMode::Tiles,
-];
-const TABS: [Tab; 4] = [Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof];
-
 /// A number as often near 0 as far from it, and sometimes an end of its range.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
     let (least, most) = range.into_inner();
@@ -149,6 +140,9 @@ fn side() -> impl Strategy<Value = Side> {
 
 /// A view. Its camera is chosen where the cameras are known.
 pub fn view() -> impl Strategy<Value = ViewRecord> {
+    use ViewMode::{Difference, Error, Picture, Tiles, Wipe};
+    let view_modes = vec![Picture, Wipe, Error, Difference, Tiles];
+    let tabs = vec![Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof];
     let pixel = || [0..16_384_usize, 0..16_384_usize];
     let magnifier = (0..7, pixel()).prop_map(|(power, corner)| Magnifier {
         scale: 1_usize << power,
@@ -160,12 +154,8 @@ pub fn view() -> impl Strategy<Value = ViewRecord> {
         of(number(Milliseconds::RANGE)),
         0..360_u32,
     );
-    let show = (
-        select(VIEW_MODES.to_vec()),
-        [side(), side()],
-        number(Share::RANGE),
-    );
-    let window = (of(pixel()), magnifier, of(select(TABS.to_vec())));
+    let show = (select(view_modes), [side(), side()], number(Share::RANGE));
+    let window = (of(pixel()), magnifier, of(select(tabs)));
     let changed = (picture, show, window).prop_map(
         |(
             (projection, tolerance, budget, turned),
