@@ -22,9 +22,9 @@ use crate::simd;
 /// The scene and the view on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct DrawingOptions {
-    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME [default: cuboid]
-    #[arg(value_name = "SCENE")]
-    pub scene: Option<PathBuf>,
+    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME
+    #[arg(value_name = "SCENE", default_value = scene::BUILT_IN[0].0)]
+    pub scene: PathBuf,
     /// The camera of the scene [default: as the scene says]
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
@@ -72,10 +72,10 @@ impl DrawingOptions {
     /// # Errors
     /// [`Failure::Usage`] also if `output` is the file of the scene.
     pub fn open_for(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
-        if let (Some(scene), Some(output)) = (&self.scene, output)
-            && !scene::is_built_in(scene)
+        if let Some(output) = output
+            && !scene::is_built_in(&self.scene)
         {
-            refuse_to_replace(scene, "scene", output)?;
+            refuse_to_replace(&self.scene, "scene", output)?;
         }
         self.open()
     }
@@ -85,11 +85,7 @@ impl DrawingOptions {
     /// # Errors
     /// [`Failure::Usage`] if the scene is wrong, or has no such camera or light.
     pub fn open(&self) -> Result<Drawing, Failure> {
-        let scene = match &self.scene {
-            Some(path) => Scene::load_path(path),
-            None => Scene::load(None),
-        }
-        .map_err(Failure::Usage)?;
+        let scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
         if let Some(warning) = &scene.warning {
             say(&format!("warning: {warning}"));
         }
