@@ -56,7 +56,6 @@ pub enum Command {
 Examples:
   shadetrade view
   shadetrade view assignment --camera 2 --shading phong
-  shadetrade view bench-far --lights white,ambient --projection orthographic
   shadetrade view --record lesson.log
 
 Without a display, plain `shadetrade` or `shadetrade view` draws the figures instead, as `shadetrade
@@ -67,7 +66,6 @@ figures` does. A recording has one event per line; `shadetrade replay` plays it.
 Examples:
   shadetrade render -o cuboid.png
   shadetrade render bench-close -o close.png --shading phong --size 1920x1080
-  shadetrade render -o exact.png --shading phong --tolerance 0 --threads 1
   shadetrade render -o - --lights white,ambient > white.png
   shadetrade render -o truth.png --shading phong --reference
 
@@ -92,7 +90,6 @@ ambient lights alone, each from both cameras; the components of the light; and a
 Examples:
   shadetrade trade --quick
   shadetrade trade bench-close -o close
-  shadetrade trade assignment --size 640x480 --threads 4 --seconds 5 -o results
   shadetrade trade --methods gouraud-0.5,phong-0.5
 
 Prints a verdict and a table. With -o it also writes trade.json, trade.md, trade.svg (error against
@@ -102,7 +99,6 @@ time) and an error map of each method. Errors are in levels of 255, against Phon
     #[command(after_help = "\
 Examples:
   shadetrade probe --pixel 480,300
-  shadetrade probe bench-far --pixel 500,400 --tolerance 0
   shadetrade probe --pixel 480,300 --json > pixel.json
 
 Levels are unclamped. The row `drawn` comes from the renderer, all else is evaluated in f64.")]
@@ -112,7 +108,6 @@ Levels are unclamped. The row `drawn` comes from the renderer, all else is evalu
 Examples:
   shadetrade prove
   shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
-  shadetrade prove assignment --projection orthographic --json > proof.json
   shadetrade prove --shading phong --picture other.png -o judged.png
 
 Encloses the exact levels of every pixel by interval arithmetic, from the scene's numbers on, and
@@ -129,7 +124,6 @@ Examples:
   shadetrade requires
   shadetrade requires bench-close --shading phong --tolerance 4
   shadetrade requires my.toml -o least.toml
-  shadetrade requires assignment --json > requires.json
 
 Leaves out one part at a time: each light, the specular gate (n.l > 0), the normalisation of
 interpolated normals, Phong of each cuboid (Gouraud instead), perspective-correct interpolation (linear
@@ -150,7 +144,6 @@ Examples:
   shadetrade extremes
   shadetrade extremes eye-inside horizon-1e12
   shadetrade view extremes/horizon-1e12
-  shadetrade extremes --json > extremes.json
   shadetrade extremes --chart -o stability
 
 Every pixel is proven as by `prove`: from each camera, in both projections and both modes, at
@@ -168,7 +161,6 @@ f32, this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the ran
 Examples:
   shadetrade replay lesson.log
   shadetrade replay lesson.log -o lesson.apng --idle 5
-  shadetrade replay lesson.log -o last.png
   shadetrade replay lesson.log --hash --simd fallback
 
 A frame is the window without the times, which differ between machines. All lines with the same time
@@ -181,7 +173,6 @@ threads.")]
     #[command(after_help = "\
 Examples:
   shadetrade completions bash > shadetrade.bash
-  shadetrade completions fish > shadetrade.fish
 
 Put the script into the folder of the shell's completions, or read it in the start-up file:
   echo 'source /path/to/shadetrade.bash' >> ~/.bashrc")]

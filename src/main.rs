@@ -109,16 +109,26 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     let mut drawing = options.drawing.open()?;
     options.budget.apply_to(&mut drawing);
     let scene = drawing.scene.name.clone();
-    match window::run(drawing, options.record.as_deref()) {
-        Err(missing) if missing.is::<NoDisplay>() && is_plain => {
-            output::say(&format!("{missing}; drawing the figures instead"));
-            Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?)
-        }
-        Err(missing) if missing.is::<NoDisplay>() => Err(Failure::Work(anyhow!(
-            "{missing}; `shadetrade render {scene} -o FILE.png` draws a picture without one"
-        ))),
-        closed => Ok(closed?),
+    let closed = window::run(drawing, options.record.as_deref());
+    if let Err(missing) = &closed
+        && missing.is::<NoDisplay>()
+        && is_plain
+    {
+        output::say(&format!("{missing}; drawing the figures instead"));
+        return Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?);
     }
+    let render = format!("`shadetrade render {scene} -o FILE.png` draws a picture without one");
+    advise(closed, &render)
+}
+
+/// Adds the advice if the window failed for lack of a display.
+fn advise(closed: anyhow::Result<()>, advice: &str) -> Result<(), Failure> {
+    closed.map_err(|error| {
+        if error.is::<NoDisplay>() {
+            return Failure::Work(anyhow!("{error}; {advice}"));
+        }
+        Failure::Work(error)
+    })
 }
 
 /// Plays a recording in a window, or draws it into a file or prints hashes if the options say so.
@@ -140,21 +150,18 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
         ));
     }
     let drawing = log.drawing(options.workers.threads(), options.workers.simd);
-    if !plays {
-        let (output, animated) = (options.output.as_ref(), options.animated());
-        return Ok(replaying::run(
-            &log,
-            drawing,
-            output,
-            animated,
-            options.hash,
-        )?);
+    if plays {
+        let log_name = output::quoted(&name);
+        let replay =
+            format!("`shadetrade replay {log_name} -o FILE.apng` draws an animation without one");
+        return advise(window::play(&log, drawing), &replay);
     }
-    match window::play(&log, drawing) {
-        Err(missing) if missing.is::<NoDisplay>() => Err(Failure::Work(anyhow!(
-            "{missing}; `shadetrade replay {} -o FILE.apng` draws an animation without one",
-            output::quoted(&name)
-        ))),
-        closed => Ok(closed?),
-    }
+    let (output, animated) = (options.output.as_ref(), options.animated());
+    Ok(replaying::run(
+        &log,
+        drawing,
+        output,
+        animated,
+        options.hash,
+    )?)
 }

@@ -34,13 +34,13 @@ use crate::components::{
     FileOrder, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View, in_file_order,
 };
 use crate::frame::NO_TRIANGLE;
-use illumination::{Lit, Open, Surface, TIES, blend};
+use illumination::{Lit, Open, ReferenceSurface, TIES, blend};
 pub use interval::Interval;
 pub use real::Real;
 pub use rule::Rule;
 pub use sample::{LightSample, Sample, at_pixel, in_row};
-use sight::{Line, Meeting, Place, Sight, Solid};
-use vector::Vector;
+use sight::{CuboidGeometry, FacePoint, Line, Meeting, Sight};
+use vector::RealVector;
 
 /// Relative difference of depths below which two cuboids tie; the cuboid earlier in the file is then visible. Rounding
 /// in f64 separates two coplanar faces by far less, and a visible gap is far larger.
@@ -62,17 +62,17 @@ pub struct Reference<R> {
     /// The rule that is left out, if any.
     without: Option<Rule>,
     sight: Sight<R>,
-    cuboids: Vec<Cuboid<R>>,
-    background: Vector<R>,
+    cuboids: Vec<ReferenceCuboid<R>>,
+    background: RealVector<R>,
     width: usize,
 }
 
 /// A cuboid: its geometry (`solid`) and its illumination (`surface`).
-struct Cuboid<R> {
+struct ReferenceCuboid<R> {
     /// Its index in the file, which does not change when other cuboids are removed.
     number: usize,
-    solid: Solid<R>,
-    surface: Surface<R>,
+    solid: CuboidGeometry<R>,
+    surface: ReferenceSurface<R>,
     mesh: Mesh,
     mode: ShadingMode,
     is_perspective_correct: bool,
@@ -115,11 +115,14 @@ impl<R: Real> Reference<R> {
             .iter()
             .map(|(order, transform, mesh, material, mode)| {
                 let transform = &transform.turned(view.turned);
-                let solid = Solid::new(&sight, transform, mesh, enclosed.bounds(transform, mesh));
+                let solid =
+                    CuboidGeometry::new(&sight, transform, mesh, enclosed.bounds(transform, mesh));
                 let places = (sight.eye, transform.position);
-                let cuboid = Cuboid {
+                let cuboid = ReferenceCuboid {
                     number: order.0 as usize,
-                    surface: Surface::new(&solid, mesh, material, &lights, places, without),
+                    surface: ReferenceSurface::new(
+                        &solid, mesh, material, &lights, places, without,
+                    ),
                     solid,
                     mesh: *mesh,
                     mode: view.mode(*mode),
@@ -132,7 +135,7 @@ impl<R: Real> Reference<R> {
             without,
             sight,
             cuboids,
-            background: Vector::exact(view.background),
+            background: RealVector::exact(view.background),
             width: view.size[0],
         }
     }
@@ -140,7 +143,7 @@ impl<R: Real> Reference<R> {
     /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel
     /// may show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
-        let here = |cuboid: &&Cuboid<R>| cuboid.solid.rows.contains(&y);
+        let here = |cuboid: &&ReferenceCuboid<R>| cuboid.solid.rows.contains(&y);
         let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.width {
@@ -190,7 +193,12 @@ impl<R: Real> Reference<R> {
     }
 
     /// Overwrites `met` with those of the cuboids that may be visible at pixel (`x`, `y`), in file order.
-    fn meet<'a>(&self, [x, y]: [usize; 2], cuboids: &[&'a Cuboid<R>], met: &mut Vec<Met<'a, R>>) {
+    fn meet<'a>(
+        &self,
+        [x, y]: [usize; 2],
+        cuboids: &[&'a ReferenceCuboid<R>],
+        met: &mut Vec<Met<'a, R>>,
+    ) {
         met.clear();
         for &cuboid in cuboids {
             if !cuboid.solid.columns.contains(&x) {
@@ -200,28 +208,30 @@ impl<R: Real> Reference<R> {
             let Some(meeting) = cuboid.solid.meet(&line) else {
                 continue;
             };
-            let depth = |met: &Met<R>| met.cuboid.solid.depth(met.meeting, &met.line);
             let new = Met {
                 cuboid,
                 line,
                 meeting,
             };
-            let mut is_hidden = false;
-            met.retain(|other| {
-                let order = depth(other)
-                    .zip(depth(&new))
-                    .and_then(|(other, new)| (other * R::of(1.0 - DEPTH_TIE) - new).sign(0.0));
-                let is_painted_over = self.without == Some(Rule::DepthTest);
-                match order {
-                    _ if is_painted_over => !meeting.is_certain,
-                    Some(Ordering::Greater) => !meeting.is_certain,
-                    Some(_) => {
-                        is_hidden |= other.meeting.is_certain;
-                        true
-                    }
-                    None => true,
-                }
-            });
+            if self.without == Some(Rule::DepthTest) {
+                met.retain(|_| !meeting.is_certain);
+                met.push(new);
+                continue;
+            }
+            let depth = new.depth();
+            // The order of another depth to the new one; a tie counts as less, so that the earlier cuboid is visible.
+            let order = |other: &Met<R>| {
+                let (other, new) = other.depth().zip(depth)?;
+                (other * R::of(1.0 - DEPTH_TIE) - new).sign(0.0)
+            };
+            let is_before = |other: &Met<R>| {
+                other.meeting.is_certain
+                    && order(other).is_some_and(|order| order != Ordering::Greater)
+            };
+            let is_hidden = met.iter().any(is_before);
+            if meeting.is_certain {
+                met.retain(|other| order(other) != Some(Ordering::Greater));
+            }
             if !is_hidden {
                 met.push(new);
             }
@@ -231,14 +241,21 @@ impl<R: Real> Reference<R> {
 
 /// A cuboid that a line of sight may hit.
 struct Met<'a, R> {
-    cuboid: &'a Cuboid<R>,
+    cuboid: &'a ReferenceCuboid<R>,
     line: Line<R>,
     meeting: Meeting,
 }
 
-impl<R: Real> Cuboid<R> {
+impl<R: Real> Met<'_, R> {
+    /// Along the view direction, in world units.
+    fn depth(&self) -> Option<R> {
+        self.cuboid.solid.depth(self.meeting, &self.line)
+    }
+}
+
+impl<R: Real> ReferenceCuboid<R> {
     /// Adds the levels at a place on a face, once for each state of the tied gates.
-    fn see(&self, face: usize, place: &Place<R>, seen: &mut Vec<Seen<R>>) {
+    fn see(&self, face: usize, place: &FacePoint<R>, seen: &mut Vec<Seen<R>>) {
         for &is_first in self.triangles(place) {
             let mut see = |open| {
                 let lit = self.lit(face, is_first, place, open);
@@ -259,7 +276,7 @@ impl<R: Real> Cuboid<R> {
 
     /// Whether the place may be on the first triangle of its face, on the second, or on both (near the diagonal). Under
     /// perspective-correct Phong the triangles do not differ, and the first stands for both.
-    fn triangles(&self, place: &Place<R>) -> &'static [bool] {
+    fn triangles(&self, place: &FacePoint<R>) -> &'static [bool] {
         match place.is_on_first {
             None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
                 &[true, false]
@@ -270,11 +287,11 @@ impl<R: Real> Cuboid<R> {
     }
 
     /// The levels at a place on a triangle of a face, or on the triangle's plane beyond the diagonal.
-    fn lit(&self, face: usize, is_first: bool, place: &Place<R>, open: Open) -> Lit<R> {
+    fn lit(&self, face: usize, is_first: bool, place: &FacePoint<R>, open: Open) -> Lit<R> {
         if self.mode == ShadingMode::Phong && self.is_perspective_correct {
             return self.surface.phong(place, open);
         }
-        let (corners, weights) = Solid::weights(face, is_first, place);
+        let (corners, weights) = CuboidGeometry::weights(face, is_first, place);
         if self.mode == ShadingMode::UnitVectors {
             let weights = self.shortcut_weights(corners, weights);
             return self.surface.unit_vectors(corners, weights);
@@ -296,12 +313,12 @@ impl<R: Real> Cuboid<R> {
     }
 
     /// The place interpolated between the corners.
-    fn blended(&self, corners: [usize; 3], weights: [R; 3]) -> Place<R> {
-        let [a, b, c] = corners.map(|corner| Vector::exact(self.mesh.corners[corner]));
-        let share = |corner: usize| Vector::exact(self.mesh.corners[corner].signum() / 2.0);
+    fn blended(&self, corners: [usize; 3], weights: [R; 3]) -> FacePoint<R> {
+        let [a, b, c] = corners.map(|corner| RealVector::exact(self.mesh.corners[corner]));
+        let share = |corner: usize| RealVector::exact(self.mesh.corners[corner].signum() / 2.0);
         // Only differences of corners are weighted: weights of a distant eye would cost precision.
         let point = a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2];
-        Place {
+        FacePoint {
             point,
             share: blend(corners.map(share), weights),
             to_eye: self.solid.to_eye(point),
@@ -314,7 +331,7 @@ impl<R: Real> Cuboid<R> {
 ///
 /// A weight is the area opposite its corner, which perspective divides by the depths of the other two corners.
 fn on_screen<R: Real>(weights: [R; 3], depths: [R; 3]) -> [R; 3] {
-    let [a, b, c] = Vector(weights).zip(Vector(depths), R::mul).0;
+    let [a, b, c] = RealVector(weights).zip(RealVector(depths), R::mul).0;
     [a, b, c].map(|weight| weight / (a + b + c))
 }
 

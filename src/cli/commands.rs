@@ -158,7 +158,7 @@ impl TradeOptions {
 
 fn scene_from_stdin() -> anyhow::Result<Scene> {
     let text = io::read_to_string(io::stdin()).context("cannot read the scene")?;
-    Ok(Scene::parse("standard input", &text)?)
+    Scene::parse("standard input", &text)
 }
 
 fn seconds(text: &str) -> Result<Duration, &'static str> {
@@ -183,13 +183,12 @@ pub struct ProbeOptions {
     pub json: bool,
 }
 
-fn pixel(text: &str) -> Result<[usize; 2], String> {
-    let coordinate = |text: &str| {
-        text.parse()
-            .map_err(|_| "it is X,Y in whole pixels from 0, such as 480,300".to_owned())
-    };
-    let (x, y) = text.split_once(',').unwrap_or((text, ""));
-    Ok([coordinate(x)?, coordinate(y)?])
+fn pixel(text: &str) -> Result<[usize; 2], &'static str> {
+    let (x, y) = text.split_once(',').unwrap_or_default();
+    let pixel = x.parse().ok().zip(y.parse().ok());
+    pixel
+        .map(<[usize; 2]>::from)
+        .ok_or("it is X,Y in whole pixels from 0, such as 480,300")
 }
 
 /// The options of `prove`.

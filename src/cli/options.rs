@@ -3,28 +3,28 @@
 //! Values are checked before anything is allocated. A message about a wrong value names the legal values.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValuesParser, RangedU64ValueParser, TypedValueParser};
 use fearless_simd::Level;
 use serde::de::DeserializeOwned;
 
 use super::Failure;
+use crate::components::range::Milliseconds;
 use crate::components::{Budget, Projection, ShadingMode, Tolerance, overwrite};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::{Output, say};
-use crate::scene::{self, LightChoice, MAX_SIDE, Scene, SceneError};
+use crate::scene::{self, MAX_SIDE, Scene};
 use crate::simd;
 
 /// The scene and the view on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct DrawingOptions {
-    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME [default: cuboid]
-    #[arg(value_name = "SCENE")]
-    pub scene: Option<PathBuf>,
+    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME
+    #[arg(value_name = "SCENE", default_value = scene::BUILT_IN[0].0)]
+    pub scene: PathBuf,
     /// The camera of the scene [default: as the scene says]
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
@@ -36,7 +36,7 @@ pub struct DrawingOptions {
     pub shading: Option<ShadingMode>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
-    pub lights: Option<LightChoice>,
+    pub lights: Option<String>,
     /// The largest error of a pixel, in levels of 255: 0 (exact), or 0.0001 to 255 [default: as the scene says, else 0.5]
     #[arg(long, value_name = "LEVELS", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
@@ -55,7 +55,7 @@ pub struct WorkerOptions {
     #[arg(long, default_value = "auto", value_name = "LEVEL", value_parser = level())]
     pub simd: Level,
     /// The number of threads, 1 to 1024 [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = threads(), allow_negative_numbers = true)]
     pub threads: Option<usize>,
 }
 
@@ -72,10 +72,10 @@ impl DrawingOptions {
     /// # Errors
     /// [`Failure::Usage`] also if `output` is the file of the scene.
     pub fn open_for(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
-        if let (Some(scene), Some(output)) = (&self.scene, output)
-            && !scene::is_built_in(scene)
+        if let Some(output) = output
+            && !scene::is_built_in(&self.scene)
         {
-            refuse_to_replace(scene, "scene", output)?;
+            refuse_to_replace(&self.scene, "scene", output)?;
         }
         self.open()
     }
@@ -83,19 +83,9 @@ impl DrawingOptions {
     /// Loads the scene and applies the options to it.
     ///
     /// # Errors
-    /// [`Failure::Usage`] if the scene is wrong, or has no such camera or light; [`Failure::Work`] if it does not fit in
-    /// memory.
+    /// [`Failure::Usage`] if the scene is wrong, or has no such camera or light.
     pub fn open(&self) -> Result<Drawing, Failure> {
-        let scene = match &self.scene {
-            Some(path) => Scene::load_path(path),
-            None => Scene::load(None),
-        }
-        .map_err(|error| match &error {
-            SceneError::Unreadable { cause, .. } if cause.kind() == ErrorKind::OutOfMemory => {
-                Failure::Work(error.into())
-            }
-            _ => Failure::Usage(error.into()),
-        })?;
+        let scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
         if let Some(warning) = &scene.warning {
             say(&format!("warning: {warning}"));
         }
@@ -132,16 +122,16 @@ impl DrawingOptions {
     }
 }
 
-/// The time that a picture may take, as the command line says it.
+/// The longest time of a frame on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct BudgetOption {
-    /// Draws with the most exact method whose frame takes no longer than so many milliseconds here [default: as the scene says]
+    /// The longest time of a frame, in milliseconds: the most exact method within it draws [default: as the scene says]
     #[arg(long, value_name = "MS", value_parser = budget, allow_negative_numbers = true, conflicts_with = "tolerance")]
     pub budget: Option<f64>,
 }
 
 impl BudgetOption {
-    /// Has the drawing hold the budget instead of a tolerance, if there is one.
+    /// Sets the budget in place of the tolerance, if one is given.
     pub fn apply_to(&self, drawing: &mut Drawing) {
         if self.budget.is_some() {
             overwrite(&mut drawing.scene.world, &Tolerance::default());
@@ -195,98 +185,30 @@ fn level() -> impl TypedValueParser<Value = Level> {
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(levels) if Tolerance::is_legal(levels) => Ok(levels),
-        _ => Err(format!(
-            "it is 0 (exact) or a number of levels from {} to 255",
-            Tolerance::LEAST
-        )),
-    }
+    let levels = text.parse().ok();
+    levels
+        .filter(|it| Tolerance::is_legal(*it))
+        .ok_or_else(|| "it is 0 (exact) or a number of levels from 0.0001 to 255".to_owned())
 }
 
 fn budget(text: &str) -> Result<f64, String> {
-    let (least, most) = Budget::RANGE.into_inner();
     let milliseconds = text.parse().ok();
     milliseconds
-        .filter(|it| Budget::RANGE.contains(it))
-        .ok_or_else(|| format!("it is a number of milliseconds from {least} to {most}"))
+        .filter(|it| Milliseconds::RANGE.contains(it))
+        .ok_or_else(|| "it is a number of milliseconds from 0.001 to 10000".to_owned())
 }
 
 fn size(text: &str) -> Result<[usize; 2], String> {
-    let (width, height) = text
-        .split_once('x')
-        .ok_or("it is WIDTHxHEIGHT in pixels, such as 960x720")?;
-    whole_number(width, MAX_SIDE)
-        .zip(whole_number(height, MAX_SIDE))
-        .map(<[usize; 2]>::from)
-        .ok_or_else(|| format!("it is WIDTHxHEIGHT in pixels, 1x1 to {MAX_SIDE}x{MAX_SIDE}"))
+    let is_legal = |size: &[usize; 2]| size.iter().all(|side| (1..=MAX_SIDE).contains(side));
+    let (width, height) = text.split_once('x').unwrap_or_default();
+    let size = width.parse().ok().zip(height.parse().ok());
+    size.map(<[usize; 2]>::from)
+        .filter(is_legal)
+        .ok_or_else(|| {
+            "it is WIDTHxHEIGHT in pixels, 1x1 to 16384x16384, such as 960x720".to_owned()
+        })
 }
 
-fn threads(text: &str) -> Result<usize, String> {
-    whole_number(text, MAX_THREADS)
-        .ok_or_else(|| format!("it is a whole number from 1 to {MAX_THREADS}"))
-}
-
-/// A number in 1..=`most` that is written in digits alone.
-pub(super) fn whole_number(text: &str, most: usize) -> Option<usize> {
-    let digits = text.bytes().all(|byte| byte.is_ascii_digit());
-    text.parse()
-        .ok()
-        .filter(|number| digits && (1..=most).contains(number))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sizes_end_at_one_pixel_and_at_16384() {
-        assert_eq!(size("1x1"), Ok([1, 1]));
-        assert_eq!(size("16384x16384"), Ok([16_384, 16_384]));
-        assert_eq!(size("0640x480"), Ok([640, 480]));
-        for wrong in [
-            "0x1",
-            "1x0",
-            "16385x1",
-            "1x16385",
-            "99999999999999999999x1",
-            "-1x1",
-            "+1x1",
-            "1x",
-            "x1",
-            "1x1x1",
-        ] {
-            assert!(
-                size(wrong).is_err_and(|text| text.contains("16384x16384")),
-                "{wrong}"
-            );
-        }
-        for wrong in ["", "640", "640X480", "640,480"] {
-            assert!(
-                size(wrong).is_err_and(|text| text.contains("960x720")),
-                "{wrong}"
-            );
-        }
-    }
-
-    #[test]
-    fn tolerances_are_numbers_of_levels() {
-        assert_eq!(tolerance("0"), Ok(0.0));
-        assert_eq!(tolerance("255"), Ok(255.0));
-        assert_eq!(tolerance("1e-4"), Ok(0.0001));
-        for wrong in [
-            "-0.1", "9.9e-5", "1e-300", "255.001", "nan", "inf", "-inf", "", "half",
-        ] {
-            assert!(tolerance(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn threads_are_counted_from_one() {
-        assert_eq!(threads("1"), Ok(1));
-        assert_eq!(threads("1024"), Ok(1024));
-        for wrong in ["0", "1025", "-1", "+2", "2.5", "", "99999999999999999999"] {
-            assert!(threads(wrong).is_err(), "{wrong}");
-        }
-    }
+fn threads() -> impl TypedValueParser<Value = usize> {
+    RangedU64ValueParser::new().range(1..=MAX_THREADS as u64)
 }

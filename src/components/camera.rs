@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Orbit, Transform, get, length, unit};
 
-/// A camera; it stands at its [`super::Transform`]'s position.
+/// A camera. Its position is that of its [`Transform`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The point it looks at, in world units.
@@ -33,7 +33,7 @@ impl Camera {
     }
 }
 
-/// How the picture is formed from the camera.
+/// The projection of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Projection {
@@ -48,7 +48,7 @@ impl Projection {
     /// The usual one first.
     pub const ALL: [Projection; 2] = [Projection::Perspective, Projection::Orthographic];
 
-    /// What the command line, reports and the window call it.
+    /// The name on the command line, in reports and in the window.
     pub const fn name(self) -> &'static str {
         match self {
             Projection::Perspective => "perspective",
@@ -57,7 +57,7 @@ impl Projection {
     }
 }
 
-/// A camera resolved for one frame: where it stands and what it sees.
+/// The camera of one frame, with its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewpoint {
     /// The eye, in world units.
@@ -67,19 +67,19 @@ pub struct Viewpoint {
 }
 
 impl Viewpoint {
-    /// From where a camera sees once its [`Orbit`] has moved it.
+    /// The viewpoint of a camera moved by its [`Orbit`].
     ///
     /// # Panics
-    /// When the entity is no camera.
+    /// If the entity is no camera.
     pub fn of(world: &World, camera: Entity) -> Viewpoint {
         let orbit: Orbit = get(world, camera).unwrap_or_default();
         Viewpoint::own(world, camera).orbited(&orbit)
     }
 
-    /// From where a camera sees at its own place, whatever its [`Orbit`].
+    /// The viewpoint of a camera without its [`Orbit`].
     ///
     /// # Panics
-    /// When the entity is no camera.
+    /// If the entity is no camera.
     pub fn own(world: &World, camera: Entity) -> Viewpoint {
         let mut query = world.query_one::<(&Transform, &Camera)>(camera);
         let (at, camera) = query.get().expect("the entity is a camera");
@@ -112,7 +112,7 @@ impl Viewpoint {
     }
 }
 
-/// A [`super::View`]'s camera, ready to project: what every stage of one frame sees through.
+/// The camera of one [`View`](super::View) in the form that projects points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lens {
     /// Right, up and forward: unit vectors in world space.

@@ -1,17 +1,17 @@
-//! Pixels of the picture seen as squares of one size that fill an area of the window.
+//! The magnified picture in an area of the window: every pixel is a square of one size.
 
 use serde::{Deserialize, Serialize};
 
-use super::form;
+use super::range;
 
-/// How large pixels are seen, and which one is in the upper left corner.
+/// The size of a pixel in the window, and the pixel in the upper left corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Magnifier {
     /// Pixels of the window across one of the picture: a power of two up to [`Magnifier::MAX_SCALE`].
     pub scale: usize,
     /// The pixel of the picture in the upper left corner.
-    #[serde(deserialize_with = "form::array")]
+    #[serde(deserialize_with = "range::array")]
     pub corner: [usize; 2],
 }
 
@@ -25,10 +25,10 @@ impl Default for Magnifier {
 }
 
 impl Magnifier {
-    /// The largest scale, at which there is room for a pixel's bytes in it.
+    /// The largest scale. It has room for the bytes of a pixel.
     pub const MAX_SCALE: usize = 64;
 
-    /// The nearest one that shows a picture of `size` pixels in an area as large.
+    /// The nearest magnifier that fills an area of `size` pixels with a picture of that size.
     #[must_use]
     pub fn within(self, size: [usize; 2]) -> Self {
         let scale = 1 << self.scale.clamp(1, Self::MAX_SCALE).ilog2();
@@ -44,13 +44,13 @@ impl Magnifier {
         [0, 1].map(|axis| self.corner[axis] + place[axis].max(0) as usize / self.scale)
     }
 
-    /// The place of a pixel's middle; it may lie outside of the area.
+    /// The place of the middle of a pixel, which may lie outside the area.
     pub fn place(self, pixel: [i32; 2]) -> [i32; 2] {
         let scale = self.scale as i32;
         [0, 1].map(|axis| (pixel[axis] - self.corner[axis] as i32) * scale + scale / 2)
     }
 
-    /// This many powers of two larger, the pixel at `place` staying there.
+    /// The magnifier with a scale of `steps` more powers of two. The pixel at `place` stays there.
     #[must_use]
     pub fn stepped(self, steps: i32, place: [i32; 2], size: [usize; 2]) -> Self {
         let power = (self.scale.ilog2() as i32).saturating_add(steps);
@@ -61,7 +61,7 @@ impl Magnifier {
         Magnifier { scale, corner }.within(size)
     }
 
-    /// The picture moved by this many pixels of the window, right and down.
+    /// The magnifier with the picture moved right and down, in pixels of the window.
     #[must_use]
     pub fn panned(self, by: [i32; 2], size: [usize; 2]) -> Self {
         let scale = self.scale as i32;

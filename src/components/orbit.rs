@@ -1,32 +1,36 @@
-//! A camera's way around its target, and the limits that keep the scene in view.
+//! The movement of a camera around its target, and the limits that keep the scene in view.
 //!
-//! No orbit is the scene's own viewpoint bit for bit. Every other one stays short of the poles, which are the camera's `up`
-//! and its opposite, and keeps looking at the target.
+//! The default orbit leaves the camera's viewpoint unchanged, bit for bit. All others look at the target and stay short of
+//! the poles, which are the camera's `up` and its opposite.
 
 use glam::DVec3;
 use hecs::World;
 use serde::{Deserialize, Serialize};
 
+use super::range::{OrbitAngle, Zoom};
 use super::{Mesh, Spin, Transform, Viewpoint, active_camera, get, length, unit, viewer};
 
-/// How close to a pole an orbit comes, in degrees, unless the camera's own place is closer.
+/// The least distance of an orbit from a pole, in degrees, unless the camera's own place is closer.
 const POLE_DISTANCE: f64 = 1.0;
-/// What one step of zoom does to the distance and to the height seen.
+/// The factor of distance and height in one step of zoom.
 const ZOOM_STEP: f64 = 1.1;
-/// Where the near plane alone would stop it, the camera comes no closer than this part of the scene's size.
+/// The least distance from the target, as a share of the scene's size.
 const CLOSEST: f64 = 0.001;
-/// The camera goes no further away than this many times the scene's size, nor sees more than this many times its height.
+/// The largest distance and the largest height, as multiples of the scene's size.
 const FARTHEST: f64 = 30.0;
 
-/// How far a camera has gone from its own place.
+/// The movement of a camera from its own place.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Orbit {
     /// Degrees about `up`, to the right as seen from the camera, -180..=180.
+    #[serde(deserialize_with = "OrbitAngle::one")]
     pub azimuth: f64,
     /// Degrees towards `up`.
+    #[serde(deserialize_with = "OrbitAngle::one")]
     pub elevation: f64,
     /// Factor of the distance and of the height seen, > 0; smaller is closer.
+    #[serde(deserialize_with = "Zoom::one")]
     pub zoom: f64,
 }
 
@@ -80,7 +84,7 @@ impl Orbit {
 }
 
 impl Viewpoint {
-    /// What is seen from where `orbit` moves the camera that stands here.
+    /// The viewpoint moved by `orbit`.
     #[must_use]
     pub fn orbited(&self, orbit: &Orbit) -> Viewpoint {
         if *orbit == Orbit::default() {
@@ -101,15 +105,15 @@ impl Viewpoint {
         moved
     }
 
-    /// How far above its target the camera stands, in degrees.
+    /// The angle of the camera above its target, in degrees.
     fn own_elevation(&self) -> f64 {
         let offset = unit(self.position - self.camera.target);
         let up = unit(self.camera.up);
         offset.dot(up).atan2(offset.cross(up).length()).to_degrees()
     }
 
-    /// `elevation`, in degrees from the camera's own, as far as it stays short of the poles; a camera that stands closer
-    /// to one than an orbit goes keeps its place.
+    /// The nearest elevation that stays short of the poles, in degrees from the camera's own. A camera that stands closer
+    /// to a pole keeps its place.
     pub fn elevation_short_of_poles(&self, elevation: f64) -> f64 {
         let own = self.own_elevation();
         let limit = (90.0 - POLE_DISTANCE).max(own.abs());
@@ -117,7 +121,7 @@ impl Viewpoint {
     }
 }
 
-/// How far zooming may go.
+/// The limits of zooming.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Eye to target in the scene, world units.
@@ -129,13 +133,13 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// How far the active camera may zoom.
+    /// The limits of the active camera.
     pub fn of(world: &World) -> Self {
         let from = Viewpoint::own(world, active_camera(world));
         let spin: Spin = get(world, viewer(world)).unwrap_or_default();
         let target = from.camera.target;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        // How far the cuboid around the target reaches from it, 0 where there is none.
+        // The distance from the target to the farthest corner of the cuboid around it; 0 if there is none.
         let mut clearance: f64 = 0.0;
         let mut cuboids = world.query::<(&Mesh, &Transform)>();
         for (mesh, transform) in cuboids.iter() {
@@ -154,7 +158,7 @@ impl Limits {
         }
         let size = length(high - low);
         let distance = length(from.position - target);
-        // A camera that stands closer than the farthest corner is meant to: only the near plane stops it.
+        // A camera that starts closer than the farthest corner is stopped only by the near plane.
         let clearance = if distance > clearance { clearance } else { 0.0 };
         let closest = clearance.max(size * CLOSEST);
         let closest = match from.camera.near {
@@ -170,7 +174,7 @@ impl Limits {
         }
     }
 
-    /// Whether a zoom by `factor` keeps the eye between the near plane and thirty times the scene's size.
+    /// Whether a zoom by `factor` keeps the eye within the limits.
     fn allow(&self, factor: f64) -> bool {
         let distance = self.distance * factor;
         if factor < 1.0 {

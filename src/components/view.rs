@@ -1,22 +1,22 @@
-//! One frame's view: from where, how large and how precisely a picture is drawn.
+//! The view of one frame: viewpoint, size and precision of a picture.
 
 use glam::DVec3;
 use hecs::World;
 
 use super::{Background, Projection, ShadingMode, Spin, Tolerance, Viewpoint, active_camera};
 
-/// How one frame is to be drawn.
+/// The settings of one frame.
 #[derive(Clone, Debug)]
 pub struct View {
     /// Width and height of the picture in pixels, each at least 1.
     pub size: [usize; 2],
-    /// Where from.
+    /// The camera and its position.
     pub viewpoint: Viewpoint,
-    /// How it is projected.
+    /// Perspective or orthographic.
     pub projection: Projection,
-    /// The colour where nothing is drawn, in levels.
+    /// The colour of pixels without a cuboid, in levels.
     pub background: DVec3,
-    /// How far all cuboids have turned about their own x axes, in degrees.
+    /// The rotation of all cuboids about their own x axes, in degrees.
     pub turned: u32,
     /// The mode of every object; `None` leaves each its own [`ShadingMode`].
     pub shading: Option<ShadingMode>,
@@ -25,10 +25,10 @@ pub struct View {
 }
 
 impl View {
-    /// What the viewer asks for, in a picture of that size.
+    /// The view of the viewer in a picture of this size.
     ///
     /// # Panics
-    /// When there is no viewer or no camera.
+    /// If there is no viewer or no camera.
     pub fn of(world: &World, size: [usize; 2]) -> View {
         let mut viewers = world.query::<(&Projection, &Background, &Spin, &Tolerance)>();
         let viewer = viewers.iter().next().expect("a scene has a viewer");
@@ -44,12 +44,12 @@ impl View {
         }
     }
 
-    /// How a cuboid is shaded whose own mode is `own`.
+    /// The mode of a cuboid whose own mode is `own`.
     pub fn mode(&self, own: ShadingMode) -> ShadingMode {
         self.shading.unwrap_or(own)
     }
 
-    /// The same with all cuboids shaded so.
+    /// The view with one mode for all cuboids.
     pub fn shaded(&self, mode: ShadingMode) -> View {
         View {
             shading: Some(mode),
@@ -57,7 +57,7 @@ impl View {
         }
     }
 
-    /// The same within so many levels.
+    /// The view with another tolerance, in levels.
     pub fn with_tolerance(&self, levels: f64) -> View {
         View {
             tolerance: levels,

@@ -1,8 +1,4 @@
-//! The viewer: one entity whose components say how the scene is looked at.
-
-use std::fmt;
-use std::ops::RangeInclusive;
-use std::str::FromStr;
+//! The viewer: one entity with the settings of the picture and of the window.
 
 use glam::DVec3;
 use hecs::{Entity, World};
@@ -10,11 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::{Camera, ShadingMode, ordered};
 
-/// The camera that is looked through.
+/// The camera of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ActiveCamera(pub Entity);
 
-/// The colour where nothing is drawn, in levels.
+/// The colour of pixels without a cuboid, in levels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Background(pub DVec3);
 
@@ -23,133 +19,100 @@ pub struct Background(pub DVec3);
 pub struct Tolerance(pub f64);
 
 impl Tolerance {
-    /// The least but 0, in levels: levels are f32, which near 255 are 1.5e-5 apart.
+    /// The least tolerance above 0, in levels. Levels are f32, which near 255 are 1.5e-5 apart.
     pub const LEAST: f64 = 1e-4;
 
-    /// Whether a picture can be drawn within this many levels.
+    /// Whether the tolerance is 0 or in range.
     pub fn is_legal(levels: f64) -> bool {
         levels == 0.0 || (Tolerance::LEAST..=255.0).contains(&levels)
     }
 }
 
 impl Default for Tolerance {
-    /// It changes a byte by one at most.
+    /// It changes a byte by at most one.
     fn default() -> Self {
         Tolerance(0.5)
     }
 }
 
-/// The longest time of a frame, in milliseconds: where there is one, the most exact method that holds it draws, and the
-/// tolerance is the usual one where no time was measured. `None` holds the tolerance.
+/// The longest time of a frame, in milliseconds. The most exact method within it draws; before times are measured it is
+/// the default tolerance. `None` keeps the tolerance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Budget(pub Option<f64>);
 
-impl Budget {
-    /// In milliseconds.
-    pub const RANGE: RangeInclusive<f64> = 0.001..=10_000.0;
-}
-
-/// How far all cuboids have turned about their own x axes since the scene was loaded.
+/// The rotation of all cuboids about their own x axes since the scene was loaded.
 ///
-/// Whole degrees counted from the scene's own angle: nothing drifts, and a full turn ends where it began, bit for bit.
+/// It counts whole degrees from the scene's own angle, so a full turn ends where it began, bit for bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spin {
     /// 0..360.
     pub degrees: u32,
-    /// Whether they go on turning.
+    /// Whether the cuboids keep turning.
     pub on: bool,
 }
 
-/// What the window shows of the scene.
+/// The view in the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ViewMode {
-    /// The picture as it is shaded.
+    /// The picture.
     #[default]
     Picture,
-    /// One side left of a divider, the other right of it.
+    /// Two pictures, left and right of a divider.
     Wipe,
-    /// How far the picture errs from exact Phong.
+    /// The error against exact Phong.
     Error,
-    /// The difference to exact Phong, amplified until it is seen.
+    /// The amplified difference to exact Phong.
     Difference,
-    /// The picture, each tile tinted by how it was drawn.
+    /// The picture; a tint shows how each tile was drawn.
     Tiles,
-}
-
-impl ViewMode {
-    pub const ALL: [ViewMode; 5] = [
-        ViewMode::Picture,
-        ViewMode::Wipe,
-        ViewMode::Error,
-        ViewMode::Difference,
-        ViewMode::Tiles,
-    ];
-
-    /// What scene files call it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            ViewMode::Picture => "picture",
-            ViewMode::Wipe => "wipe",
-            ViewMode::Error => "error",
-            ViewMode::Difference => "difference",
-            ViewMode::Tiles => "tiles",
-        }
-    }
 }
 
 /// One side of a wipe.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub enum Side {
-    /// The picture as the rest of the state says.
+    /// The picture of the viewer's own settings.
     Picture,
-    /// Every cuboid shaded so, within so many levels.
+    /// One mode for all cuboids, and a tolerance in levels.
     Method { mode: ShadingMode, tolerance: f64 },
     /// Exact Phong in f64, drawn independently of the renderer.
     Reference,
 }
 
-/// What a side's text calls the modes that take a tolerance.
-const MODES: [(&str, ShadingMode); 2] = [
-    ("gouraud-", ShadingMode::Gouraud),
-    ("phong-", ShadingMode::Phong),
-];
-
-impl fmt::Display for Side {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Side::Picture => formatter.write_str("picture"),
-            Side::Reference => formatter.write_str("reference"),
+impl From<Side> for String {
+    fn from(side: Side) -> String {
+        match side {
+            Side::Picture => "picture".to_owned(),
+            Side::Reference => "reference".to_owned(),
             Side::Method {
                 mode: ShadingMode::UnitVectors,
                 ..
-            } => formatter.write_str("phong-unit-vectors"),
-            Side::Method { mode, tolerance } => write!(formatter, "{}-{tolerance}", mode.name()),
+            } => "phong-unit-vectors".to_owned(),
+            Side::Method { mode, tolerance } => format!("{}-{tolerance}", mode.name()),
         }
     }
 }
 
-impl FromStr for Side {
-    type Err = String;
+impl TryFrom<String> for Side {
+    type Error = String;
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "picture" => return Ok(Side::Picture),
-            "reference" => return Ok(Side::Reference),
-            "phong-unit-vectors" => {
-                return Ok(Side::Method {
-                    mode: ShadingMode::UnitVectors,
-                    tolerance: 0.0,
-                });
-            }
-            _ => {}
-        }
-        let method = |(prefix, mode): (&str, ShadingMode)| {
-            let tolerance = text.strip_prefix(prefix)?.parse().ok()?;
-            Tolerance::is_legal(tolerance).then_some(Side::Method { mode, tolerance })
+    fn try_from(text: String) -> Result<Self, String> {
+        let method = |mode, tolerance| Side::Method { mode, tolerance };
+        let with_tolerance = |mode: ShadingMode| {
+            let tolerance = text.strip_prefix(mode.name())?.strip_prefix('-')?;
+            let tolerance = tolerance.parse().ok()?;
+            Tolerance::is_legal(tolerance).then_some(method(mode, tolerance))
         };
-        MODES.into_iter().find_map(method).ok_or_else(|| {
+        let side = match &*text {
+            "picture" => Some(Side::Picture),
+            "reference" => Some(Side::Reference),
+            "phong-unit-vectors" => Some(method(ShadingMode::UnitVectors, 0.0)),
+            _ => {
+                with_tolerance(ShadingMode::Gouraud).or_else(|| with_tolerance(ShadingMode::Phong))
+            }
+        };
+        side.ok_or_else(|| {
             format!(
                 "invalid value: string {text:?}, expected \"picture\", \"reference\", \"phong-unit-vectors\", or \
                  \"gouraud-\" or \"phong-\" and a tolerance, such as \"phong-0.5\""
@@ -158,27 +121,13 @@ impl FromStr for Side {
     }
 }
 
-impl From<Side> for String {
-    fn from(side: Side) -> String {
-        side.to_string()
-    }
-}
-
-impl TryFrom<String> for Side {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        text.parse()
-    }
-}
-
-/// What the window shows, and its wipe.
+/// The view in the window, and its wipe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Show {
     pub mode: ViewMode,
     /// Left and right of the divider.
     pub sides: [Side; 2],
-    /// Where the divider is, as a share of the picture's width, 0..=1.
+    /// The place of the divider, as a share of the picture's width, 0..=1.
     pub divider: f64,
 }
 
@@ -196,11 +145,11 @@ impl Default for Show {
     }
 }
 
-/// The pixel of the picture that is looked at.
+/// The pixel that the inspector explains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probed(pub Option<[usize; 2]>);
 
-/// The tab that the window's inspector shows; `None` is folded.
+/// The open tab of the window's inspector; `None` is folded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Inspector(pub Option<Tab>);
 
@@ -208,20 +157,18 @@ pub struct Inspector(pub Option<Tab>);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Tab {
-    /// What happened at the probed pixel.
+    /// The evaluation of the probed pixel.
     Pixel,
     /// Every number of the scene.
     Scene,
-    /// What the picture requires.
+    /// The parts of the model that the picture requires.
     Required,
-    /// How many pixels are proven.
+    /// The number of proven pixels.
     Proof,
 }
 
 impl Tab {
-    pub const ALL: [Tab; 4] = [Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof];
-
-    /// What scene files call it.
+    /// The name in scene files.
     pub const fn name(self) -> &'static str {
         match self {
             Tab::Pixel => "pixel",
@@ -235,7 +182,7 @@ impl Tab {
 /// The viewer.
 ///
 /// # Panics
-/// When there is none: a scene is spawned with it.
+/// If there is none; a spawned scene has one.
 pub fn viewer(world: &World) -> Entity {
     let mut viewers = world.query::<(Entity, &ActiveCamera)>();
     let (viewer, _) = viewers
@@ -245,10 +192,10 @@ pub fn viewer(world: &World) -> Entity {
     viewer
 }
 
-/// The camera that is looked through: the viewer's, or the first where that one is gone.
+/// The camera of the picture: that of the viewer, or the first one if that was removed.
 ///
 /// # Panics
-/// When there is no viewer or no camera.
+/// If there is no camera.
 pub fn active_camera(world: &World) -> Entity {
     let mut cameras = world.query::<&ActiveCamera>();
     let active = cameras.iter().next().map(|active| active.0);

@@ -12,7 +12,7 @@ use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
 use crate::output::{Output, make_folder, say};
-use crate::scene::{LightChoice, Scene};
+use crate::scene::Scene;
 use crate::systems;
 
 /// Width and height of a figure, in pixels.
@@ -112,7 +112,7 @@ fn draw(
     frame: &mut Frame,
 ) -> Result<Picture> {
     scene.look_from(camera)?;
-    scene.switch_lights(&lights.parse::<LightChoice>()?)?;
+    scene.switch_lights(lights)?;
     let view = View::of(&scene.world, SIZE)
         .shaded(mode)
         .with_tolerance(0.0);

@@ -1,6 +1,6 @@
-//! A pixel in, sentences out: why a method's level there is another than exact Phong's, and what the pixel cost.
+//! Sentences about a pixel: the cause of the difference between interpolation and exact Phong, and the cost.
 
-use super::{Drawn, Surface};
+use super::{DrawnPixel, ProbedSurface};
 use crate::components::{LightKind, ShadingMode};
 use crate::report::words::short;
 use crate::shading::TileKind;
@@ -8,12 +8,12 @@ use crate::trade::metrics::displayed;
 
 /// Levels that differ by less than this agree: no eye tells them apart.
 const AGREE: f64 = 1.0;
-/// A vertex with less than this share of a highlight's strength at the pixel does not lie in it.
+/// A vertex lies outside a highlight if its factor is less than this share of the pixel's.
 const OUTSIDE: f64 = 0.1;
 
-impl Surface {
-    /// Why interpolation shows another level than exact Phong in a channel: the cause, then its evidence. The interpolation
-    /// is that of the picture, and Gouraud's where the picture is Phong's; `None` where the reference sees another face.
+impl ProbedSurface {
+    /// The cause of the difference between interpolation and exact Phong in a channel, and its evidence. The interpolation
+    /// is that of the picture, or Gouraud's if the picture is Phong's. `None` if the reference sees another face.
     pub fn cause(&self, channel: usize) -> Option<[String; 2]> {
         let exact = self.reference.phong?.levels[channel];
         if self.drawn.mode == ShadingMode::UnitVectors {
@@ -99,8 +99,8 @@ impl Surface {
     }
 }
 
-impl Drawn {
-    /// The cost of the pixel: evaluations of the model, against one at each pixel of its square.
+impl DrawnPixel {
+    /// The evaluations of the model in the square of the pixel, compared with one at every pixel.
     pub fn cost(&self) -> String {
         let (pixels, within) = (self.pixels, self.tolerance);
         let is_evaluated = matches!(self.kind, TileKind::Exact | TileKind::Double);
@@ -125,7 +125,7 @@ impl Drawn {
     }
 }
 
-/// A level, or a difference of levels, as a person says it.
+/// A level, or a difference of levels, with few digits.
 fn level(value: f64) -> String {
     match value.abs() {
         10.0.. => format!("{value:.0}"),

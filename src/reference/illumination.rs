@@ -14,8 +14,8 @@ use glam::DVec3;
 
 use super::real::Real;
 use super::rule::Rule;
-use super::sight::{Place, Solid};
-use super::vector::Vector;
+use super::sight::{CuboidGeometry, FacePoint};
+use super::vector::RealVector;
 use crate::components::{Light, LightKind, Material, Mesh};
 
 /// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per
@@ -33,31 +33,31 @@ const ALL: Open = (1 << TIES) - 1;
 pub struct LightTerm<R> {
     pub kind: LightKind,
     /// Coefficient of the material * colour * intensity * gain, in levels of 255.
-    pub levels: Vector<R>,
+    pub levels: RealVector<R>,
     /// Its position in world units; not used for an ambient light.
     place: DVec3,
     /// Its position relative to the eye and to the cuboid's centre.
-    from_eye: Vector<R>,
-    from_centre: Vector<R>,
+    from_eye: RealVector<R>,
+    from_centre: RealVector<R>,
 }
 
 /// The vectors of the model at a corner.
 struct Corner<R> {
-    normal: Vector<R>,
-    to_eye: Vector<R>,
+    normal: RealVector<R>,
+    to_eye: RealVector<R>,
     /// l of every light.
-    to_lights: Vec<Vector<R>>,
+    to_lights: Vec<RealVector<R>>,
 }
 
 /// Levels, and whether they depend on a tied gate.
 #[derive(Clone, Copy)]
 pub struct Lit<R> {
-    pub levels: Vector<R>,
+    pub levels: RealVector<R>,
     pub is_tied: bool,
 }
 
 /// The illumination of a cuboid's surface.
-pub struct Surface<R> {
+pub struct ReferenceSurface<R> {
     /// The rule that is left out, if any.
     without: Option<Rule>,
     shininess: f64,
@@ -68,10 +68,10 @@ pub struct Surface<R> {
     corner_levels: [[Lit<R>; 8]; 2],
 }
 
-impl<R: Real> Surface<R> {
+impl<R: Real> ReferenceSurface<R> {
     /// The surface of a cuboid. `lights` are the lights that are on with their positions; positions are in world units.
     pub fn new(
-        solid: &Solid<R>,
+        solid: &CuboidGeometry<R>,
         mesh: &Mesh,
         material: &Material,
         lights: &[(DVec3, Light)],
@@ -84,11 +84,12 @@ impl<R: Real> Surface<R> {
                 LightKind::Diffuse => material.diffuse,
                 LightKind::Specular => material.specular,
             };
-            let sent = Vector::exact(light.color) * R::of(light.intensity) * R::of(light.gain);
-            let seen_from = |from| solid.own(Vector::exact(*position) - Vector::exact(from));
+            let sent = RealVector::exact(light.color) * R::of(light.intensity) * R::of(light.gain);
+            let seen_from =
+                |from| solid.own(RealVector::exact(*position) - RealVector::exact(from));
             LightTerm {
                 kind: light.kind,
-                levels: Vector::exact(coefficient).zip(sent, R::mul),
+                levels: RealVector::exact(coefficient).zip(sent, R::mul),
                 place: *position,
                 from_eye: seen_from(eye),
                 from_centre: seen_from(centre),
@@ -96,23 +97,23 @@ impl<R: Real> Surface<R> {
         };
         let lights: Vec<_> = lights.iter().map(light_term).collect();
         let corners = mesh.corners.map(|corner| {
-            let place = Vector::exact(corner);
+            let place = RealVector::exact(corner);
             Corner {
                 // The normals of the three faces at a corner are the axes with the signs of its coordinates.
-                normal: Vector::exact(corner.signum()).unit(),
+                normal: RealVector::exact(corner.signum()).unit(),
                 to_eye: solid.to_eye(place - solid.eye),
                 to_lights: (lights.iter())
                     .map(|light| (light.from_centre - place).unit())
                     .collect(),
             }
         });
-        let mut surface = Surface {
+        let mut surface = ReferenceSurface {
             without,
             shininess: material.shininess,
             lights,
             corners,
             corner_levels: [[Lit {
-                levels: Vector::exact(DVec3::ZERO),
+                levels: RealVector::exact(DVec3::ZERO),
                 is_tied: false,
             }; 8]; 2],
         };
@@ -134,9 +135,9 @@ impl<R: Real> Surface<R> {
     pub fn factor(
         &self,
         kind: LightKind,
-        normal: Vector<R>,
-        to_eye: Vector<R>,
-        to_light: Vector<R>,
+        normal: RealVector<R>,
+        to_eye: RealVector<R>,
+        to_light: RealVector<R>,
         tied: bool,
     ) -> R {
         let (zero, one) = (R::of(0.0), R::of(1.0));
@@ -166,12 +167,12 @@ impl<R: Real> Surface<R> {
     /// The model at a point; `to_light` returns l for the index of a light.
     fn lit(
         &self,
-        normal: Vector<R>,
-        to_eye: Vector<R>,
-        to_light: impl Fn(usize) -> Vector<R>,
+        normal: RealVector<R>,
+        to_eye: RealVector<R>,
+        to_light: impl Fn(usize) -> RealVector<R>,
         mut open: Open,
     ) -> Lit<R> {
-        let mut levels = Vector::exact(DVec3::ZERO);
+        let mut levels = RealVector::exact(DVec3::ZERO);
         let mut is_tied = false;
         let mut last = None;
         for (index, light) in self.lights.iter().enumerate() {
@@ -195,7 +196,7 @@ impl<R: Real> Surface<R> {
     }
 
     /// Phong (1975): the model at a point of a face.
-    pub fn phong(&self, place: &Place<R>, open: Open) -> Lit<R> {
+    pub fn phong(&self, place: &FacePoint<R>, open: Open) -> Lit<R> {
         let to_light = |light| self.to_light(light, place);
         let normal = if self.without == Some(Rule::UnitNormal) {
             // At a corner the share is (±1, ±1, ±1) / 2, and the unit normal is (±1, ±1, ±1) / sqrt(3).
@@ -207,7 +208,7 @@ impl<R: Real> Surface<R> {
     }
 
     /// l of a light at a point of a face.
-    pub fn to_light(&self, light: usize, place: &Place<R>) -> Vector<R> {
+    pub fn to_light(&self, light: usize, place: &FacePoint<R>) -> RealVector<R> {
         (self.lights[light].from_eye - place.point).unit()
     }
 
@@ -229,7 +230,7 @@ impl<R: Real> Surface<R> {
 
     /// The assignment's shortcut: the corners' unit n, l and o are interpolated and not normalised again.
     pub fn unit_vectors(&self, corners: [usize; 3], weights: [R; 3]) -> Lit<R> {
-        let between = |vector: &dyn Fn(&Corner<R>) -> Vector<R>| {
+        let between = |vector: &dyn Fn(&Corner<R>) -> RealVector<R>| {
             blend(corners.map(|corner| vector(&self.corners[corner])), weights)
         };
         let to_light = |light: usize| between(&|corner| corner.to_lights[light]);
@@ -239,11 +240,11 @@ impl<R: Real> Surface<R> {
 }
 
 /// r: `to_light` reflected about the normal.
-pub fn reflection<R: Real>(normal: Vector<R>, to_light: Vector<R>) -> Vector<R> {
+pub fn reflection<R: Real>(normal: RealVector<R>, to_light: RealVector<R>) -> RealVector<R> {
     normal * (R::of(2.0) * normal.dot(to_light)) - to_light
 }
 
 /// The weighted sum of the values at three corners.
-pub fn blend<R: Real>(values: [Vector<R>; 3], weights: [R; 3]) -> Vector<R> {
+pub fn blend<R: Real>(values: [RealVector<R>; 3], weights: [R; 3]) -> RealVector<R> {
     values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2]
 }

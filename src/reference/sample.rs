@@ -5,9 +5,9 @@ use hecs::World;
 use serde::Serialize;
 
 use super::illumination::{blend, reflection};
-use super::sight::Solid;
-use super::vector::Vector;
-use super::{Cuboid, Met, Reference};
+use super::sight::CuboidGeometry;
+use super::vector::RealVector;
+use super::{Met, Reference, ReferenceCuboid};
 use crate::components::{FileOrder, Light, LightKind, Name, View, in_file_order};
 
 /// The evaluation of one pixel. Vectors are unit vectors in world space.
@@ -31,7 +31,7 @@ pub struct Sample {
     pub gouraud: DVec3,
     /// Phong's levels, unclamped.
     pub phong: DVec3,
-    /// The length of n as interpolated unit vectors have it, 0..=1.
+    /// The length of n under interpolated unit vectors, 0..=1.
     pub normal_length: f64,
 }
 
@@ -68,7 +68,7 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
     in_row(world, view, y, &[x]).pop()?
 }
 
-/// What is seen at these columns of row `y`: see [`at_pixel`].
+/// The evaluations of these columns of row `y`: see [`at_pixel`].
 pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Option<Sample>> {
     let reference = Reference::new(world, view);
     let cuboids: Vec<_> = reference.cuboids.iter().collect();
@@ -84,9 +84,9 @@ pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Op
 }
 
 impl Reference<f64> {
-    /// What is seen where a line of sight meets a cuboid; the names are those of the lights that are on.
+    /// The evaluation where a line of sight meets a cuboid. The names are those of the lights that are on.
     fn sample(&self, met: &Met<f64>, names: &[String]) -> Option<Sample> {
-        let Cuboid {
+        let ReferenceCuboid {
             solid,
             surface,
             mesh,
@@ -95,9 +95,9 @@ impl Reference<f64> {
         let face = met.meeting.faces().next()?;
         let place = solid.place(face, &met.line);
         let is_first = place.is_on_first?;
-        let (corners, weights) = Solid::weights(face, is_first, &place);
+        let (corners, weights) = CuboidGeometry::weights(face, is_first, &place);
         let (normal, to_eye) = (place.share.unit(), place.to_eye);
-        let to_world = |v: Vector<f64>| {
+        let to_world = |v: RealVector<f64>| {
             let [x, y, z] = v.0;
             (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
         };
@@ -123,7 +123,7 @@ impl Reference<f64> {
             }
         });
         let on_screen = met.cuboid.shortcut_weights(corners, weights);
-        let normals = corners.map(|corner| Vector::exact(mesh.corners[corner].signum()).unit());
+        let normals = corners.map(|corner| RealVector::exact(mesh.corners[corner].signum()).unit());
         Some(Sample {
             object: met.cuboid.number,
             triangle: 2 * face + usize::from(!is_first),

@@ -2,6 +2,7 @@
 //!
 //! In intervals every number encloses the exact one.
 
+mod beside;
 mod bounds;
 mod edge;
 mod solid;
@@ -10,9 +11,9 @@ use glam::DVec3;
 
 use super::real::Real;
 use super::rule::Rule;
-use super::vector::Vector;
+use super::vector::RealVector;
 use crate::components::{Projection, Transform, View};
-pub use solid::{Meeting, Place, Solid};
+pub use solid::{CuboidGeometry, FacePoint, Meeting};
 
 /// Larger than any distance in a scene, in world units.
 const FAR: f64 = 1e150;
@@ -22,7 +23,7 @@ pub struct Sight<R> {
     /// In world units.
     pub eye: DVec3,
     /// Right, up and forward: unit vectors in world space.
-    pub axes: [Vector<R>; 3],
+    pub axes: [RealVector<R>; 3],
     projection: Projection,
     /// Distance of the near plane, in world units.
     near: R,
@@ -35,8 +36,8 @@ pub struct Sight<R> {
 /// The line of sight through a pixel centre, `offset + along * t`, relative to the eye and in the cuboid's axes.
 pub struct Line<R> {
     /// The start of the line relative to the eye; zero in perspective.
-    pub offset: Vector<R>,
-    pub along: Vector<R>,
+    pub offset: RealVector<R>,
+    pub along: RealVector<R>,
     pixel: [f64; 2],
 }
 
@@ -45,9 +46,9 @@ impl<R: Real> Sight<R> {
     pub fn new(view: &View, without: Option<Rule>) -> Self {
         let camera = &view.viewpoint.camera;
         let eye = view.viewpoint.position;
-        let to_target = Vector::exact(camera.target) - Vector::exact(eye);
+        let to_target = RealVector::exact(camera.target) - RealVector::exact(eye);
         let forward = to_target.unit();
-        let right = forward.cross(Vector::exact(camera.up).unit()).unit();
+        let right = forward.cross(RealVector::exact(camera.up).unit()).unit();
         let seen = match view.projection {
             Projection::Perspective => {
                 let [sin, cos] = R::sin_cos(camera.fov / 2.0);
@@ -72,12 +73,12 @@ impl<R: Real> Sight<R> {
 }
 
 /// A cuboid's axes in world space, the columns of Rz * Ry * Rx.
-fn own_axes<R: Real>(transform: &Transform) -> [Vector<R>; 3] {
+fn own_axes<R: Real>(transform: &Transform) -> [RealVector<R>; 3] {
     let [[sx, cx], [sy, cy], [sz, cz]]: [[R; 2]; 3] = transform.rotation.to_array().map(sin_cos);
     [
-        Vector([cz * cy, sz * cy, -sy]),
-        Vector([cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx]),
-        Vector([cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx]),
+        RealVector([cz * cy, sz * cy, -sy]),
+        RealVector([cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx]),
+        RealVector([cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx]),
     ]
 }
 

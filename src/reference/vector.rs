@@ -9,17 +9,17 @@ use super::real::Real;
 
 /// x, y and z, or red, green and blue.
 #[derive(Clone, Copy, Debug)]
-pub struct Vector<R>(pub [R; 3]);
+pub struct RealVector<R>(pub [R; 3]);
 
-impl<R: Real> Vector<R> {
+impl<R: Real> RealVector<R> {
     /// The vector of three exact numbers.
     pub fn exact(vector: DVec3) -> Self {
-        Vector(vector.to_array().map(R::of))
+        RealVector(vector.to_array().map(R::of))
     }
 
     /// Applies `of` to each pair of components.
     pub fn zip(self, other: Self, of: impl Fn(R, R) -> R) -> Self {
-        Vector(std::array::from_fn(|i| of(self.0[i], other.0[i])))
+        RealVector(std::array::from_fn(|i| of(self.0[i], other.0[i])))
     }
 
     pub fn dot(self, other: Self) -> R {
@@ -29,7 +29,7 @@ impl<R: Real> Vector<R> {
 
     pub fn cross(self, other: Self) -> Self {
         let [a, b] = [self.0, other.0];
-        Vector([
+        RealVector([
             a[1] * b[2] - a[2] * b[1],
             a[2] * b[0] - a[0] * b[2],
             a[0] * b[1] - a[1] * b[0],
@@ -59,40 +59,40 @@ impl<R: Real> Vector<R> {
             return scaled;
         }
         let one = R::of(1.0);
-        Vector(scaled.0.map(|x| (x / length).max(-one).min(one)))
+        RealVector(scaled.0.map(|x| (x / length).max(-one).min(one)))
     }
 }
 
-impl Vector<f64> {
+impl RealVector<f64> {
     pub fn to_dvec3(self) -> DVec3 {
         DVec3::from_array(self.0)
     }
 }
 
-impl<R: Real> Add for Vector<R> {
+impl<R: Real> Add for RealVector<R> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         self.zip(other, R::add)
     }
 }
 
-impl<R: Real> Sub for Vector<R> {
+impl<R: Real> Sub for RealVector<R> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self.zip(other, R::sub)
     }
 }
 
-impl<R: Real> Neg for Vector<R> {
+impl<R: Real> Neg for RealVector<R> {
     type Output = Self;
     fn neg(self) -> Self {
-        Vector(self.0.map(R::neg))
+        RealVector(self.0.map(R::neg))
     }
 }
 
-impl<R: Real> Mul<R> for Vector<R> {
+impl<R: Real> Mul<R> for RealVector<R> {
     type Output = Self;
     fn mul(self, factor: R) -> Self {
-        Vector(self.0.map(|x| x * factor))
+        RealVector(self.0.map(|x| x * factor))
     }
 }

@@ -1,17 +1,16 @@
-//! The check of a record: numbers within their ranges, names, and values that belong together.
+//! The check of names and of values that belong together. serde has checked types and ranges before.
 //!
-//! Records from files, from recordings and from edits in the window pass the same check.
+//! Records from files, from recordings and from edits in the window pass this check.
 
 use std::collections::HashSet;
+use std::fmt::Debug;
+use std::ops::Range;
 
 use glam::DVec3;
 
-use super::error::{Mistake, Place};
-use super::range::{
-    ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
-};
-use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
-use crate::components::{Budget, LightKind, Magnifier, Orbit, Tolerance, length, unit};
+use super::record::{CameraRecord, LightRecord, SceneRecord, ViewRecord};
+use crate::components::range::Length;
+use crate::components::{LightKind, Magnifier, Tolerance, length, unit};
 
 /// `up` and the view are parallel if the sine of their angle is smaller.
 const PARALLEL: f64 = 1e-9;
@@ -19,28 +18,85 @@ const PARALLEL: f64 = 1e-9;
 /// The longest side of a picture, in pixels.
 pub const MAX_SIDE: usize = 16_384;
 
+/// An illegal value, and its place: a key of a table, which is given by its kind and its index.
+#[derive(Debug, thiserror::Error)]
+#[error("`{kind}{}{key}`: {message}", if key.is_empty() { "" } else { "." })]
+pub struct Mistake {
+    kind: &'static str,
+    index: usize,
+    /// Its parts are separated by dots; empty is the whole table.
+    key: &'static str,
+    message: String,
+}
+
+/// The kind and the index of a table.
+type At = (&'static str, usize);
+
+impl Mistake {
+    fn new((kind, index): At, key: &'static str, message: impl Into<String>) -> Self {
+        Mistake {
+            kind,
+            index,
+            key,
+            message: message.into(),
+        }
+    }
+
+    /// The bytes of the value in the text, or those of its table if the key is missing.
+    pub(super) fn span(&self, text: &str) -> Range<usize> {
+        let span = toml_edit::Document::parse(text).ok().and_then(|document| {
+            let all = document.get(self.kind)?;
+            let table = all.get(self.index).unwrap_or(all);
+            let item = self
+                .key
+                .split('.')
+                .fold(table, |item, key| item.get(key).unwrap_or(item));
+            item.span()
+        });
+        span.unwrap_or_default()
+    }
+}
+
+/// Refuses the value `found` at a key unless it is legal.
+fn require(
+    is_legal: bool,
+    at: At,
+    key: &'static str,
+    found: impl Debug,
+    expected: &str,
+) -> Result<(), Mistake> {
+    if is_legal {
+        return Ok(());
+    }
+    let message = format!("invalid value: {found:?}, expected {expected}");
+    Err(Mistake::new(at, key, message))
+}
+
 impl SceneRecord {
-    /// Checks every number, every name and their relations.
+    /// Checks every name, and the relations between values.
     ///
     /// # Errors
     /// The first mistake.
     pub fn check(&self) -> Result<(), Mistake> {
-        for (index, level) in self.background.to_array().into_iter().enumerate() {
-            Place::new("background", index).number("", level, &LEVEL)?;
-        }
         for (kind, count) in [("cuboid", self.cuboid.len()), ("camera", self.camera.len())] {
             let expected = format!("one or more tables, each headed `[[{kind}]]`");
-            Place::new(kind, 0).is("", count, count > 0, &expected)?;
+            require(count > 0, (kind, 0), "", count, &expected)?;
         }
-        each("cuboid", &self.cuboid, |it| &it.name, CuboidRecord::check)?;
-        each("light", &self.light, |it| &it.name, LightRecord::check)?;
-        each("camera", &self.camera, |it| &it.name, CameraRecord::check)?;
-        let place = Place::new("view", 0);
-        self.view.check(&place)?;
+        check_names("cuboid", self.cuboid.iter().map(|it| &*it.name))?;
+        check_names("light", self.light.iter().map(|it| &*it.name))?;
+        check_names("camera", self.camera.iter().map(|it| &*it.name))?;
+        for (index, light) in self.light.iter().enumerate() {
+            light.check(("light", index))?;
+        }
+        for (index, camera) in self.camera.iter().enumerate() {
+            camera.check(("camera", index))?;
+        }
+        self.view.check()?;
         let names: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();
-        let camera = self.view.camera.as_deref().unwrap_or(names[0]);
         let expected = format!("the name of a camera: {}", names.join(", "));
-        place.is("camera", camera, names.contains(&camera), &expected)
+        let found = self.view.camera.as_deref().unwrap_or_default();
+        let is_known = self.active_camera().is_some();
+        require(is_known, ("view", 0), "camera", found, &expected)
     }
 
     /// The first light with a colour above 1. Such a colour is probably meant in levels, and the light 255 times too bright.
@@ -51,130 +107,100 @@ impl SceneRecord {
         let message = format!(
             "{most:?} is above 1; a colour is usually from 0 to 1, and `intensity` says how bright it is"
         );
-        Some(Place::new("light", index).mistake("color", message))
+        Some(Mistake::new(("light", index), "color", message))
     }
 }
 
-/// Checks that the names of a kind are unique and not empty, and then each item.
-fn each<T>(
+/// Checks that the names of a kind are unique and not empty.
+fn check_names<'a>(
     kind: &'static str,
-    all: &[T],
-    name: impl Fn(&T) -> &String,
-    check: impl Fn(&T, &Place) -> Result<(), Mistake>,
+    names: impl Iterator<Item = &'a str>,
 ) -> Result<(), Mistake> {
-    let other = format!("a name that no other {kind} has");
-    let mut known = HashSet::new();
-    for (index, it) in all.iter().enumerate() {
-        let (place, name) = (Place::new(kind, index), name(it));
-        place.is("name", name, known.insert(name), &other)?;
-        place.is("name", name, !name.is_empty(), "a name that is not empty")?;
-        check(it, &place)?;
+    let mut known = HashSet::from([""]);
+    for (index, name) in names.enumerate() {
+        let expected = format!("a name that is not empty and that no other {kind} has");
+        require(known.insert(name), (kind, index), "name", name, &expected)?;
     }
     Ok(())
 }
 
-impl CuboidRecord {
-    fn check(&self, place: &Place) -> Result<(), Mistake> {
-        let material = &self.material;
-        place.three("size", self.size, &LENGTH)?;
-        place.three("position", self.position, &COORDINATE)?;
-        place.three("rotation", self.rotation, &ANGLE)?;
-        place.three("material.ambient", material.ambient, &STRENGTH)?;
-        place.three("material.diffuse", material.diffuse, &STRENGTH)?;
-        place.three("material.specular", material.specular, &STRENGTH)?;
-        place.number("material.shininess", material.shininess, &SHININESS)
-    }
-}
-
 impl LightRecord {
-    fn check(&self, place: &Place) -> Result<(), Mistake> {
+    fn check(&self, at: At) -> Result<(), Mistake> {
         // On the command line commas separate lights.
         let is_name = !["all", "none"].contains(&&*self.name) && !self.name.contains(',');
         let expected = "a name that holds no comma and is not \"all\" or \"none\"";
-        place.is("name", &self.name, is_name, expected)?;
-        place.three("color", self.color, &STRENGTH)?;
-        place.number("intensity", self.intensity, &STRENGTH)?;
-        place.number("gain", self.gain, &STRENGTH)?;
-        let is_ambient = self.kind == LightKind::Ambient;
-        let message = match self.position {
-            Some(position) if !is_ambient => {
-                return place.three("position", position, &COORDINATE);
+        require(is_name, at, "name", &self.name, expected)?;
+        let message = match (self.position, self.kind) {
+            (Some(_), LightKind::Ambient) => "an ambient light has none: it is everywhere alike",
+            (None, LightKind::Diffuse | LightKind::Specular) => {
+                "missing, expected three numbers; only an ambient light has none"
             }
-            None if is_ambient => return Ok(()),
-            Some(_) => "unknown field of an ambient light, which is everywhere alike",
-            None => "missing, expected three numbers; only an ambient light has none",
+            _ => return Ok(()),
         };
-        Err(place.mistake("position", message.to_owned()))
+        Err(Mistake::new(at, "position", message))
     }
 }
 
 impl CameraRecord {
-    fn check(&self, place: &Place) -> Result<(), Mistake> {
-        let Orbit {
-            azimuth,
-            elevation,
-            zoom,
-        } = self.orbit;
-        place.three("position", self.position, &COORDINATE)?;
-        place.three("target", self.target, &COORDINATE)?;
-        place.three("up", self.up, &COORDINATE)?;
-        place.number("fov", self.fov, &FIELD_OF_VIEW)?;
-        place.number("height", self.height, &LENGTH)?;
-        place.number("near", self.near.unwrap_or(1.0), &LENGTH)?;
-        place.number("orbit.azimuth", azimuth, &ORBIT)?;
-        place.number("orbit.elevation", elevation, &ORBIT)?;
-        place.number("orbit.zoom", zoom, &ZOOM)?;
-
+    fn check(&self, at: At) -> Result<(), Mistake> {
         let view = self.target - self.position;
-        let (target, up) = (self.target.to_array(), self.up.to_array());
         // The default near plane, a thousandth of this distance, must not underflow.
+        let is_apart = length(view) >= 1e-100;
         let expected = "a point at least 1e-100 away from `camera.position`";
-        place.is("target", target, length(view) >= 1e-100, expected)?;
-        let is_parallel = unit(self.up).cross(unit(view)).length() < PARALLEL;
+        require(is_apart, at, "target", self.target.to_array(), expected)?;
+        let is_across = unit(self.up).cross(unit(view)).length() >= PARALLEL;
         // The default `up` is rarely in the file, and rarely the mistake.
-        if self.up == DVec3::Y {
+        let (key, found, expected) = if self.up == DVec3::Y {
             let expected =
                 "a point that is not above or below `camera.position`, as `camera.up` is +y";
-            place.is("target", target, !is_parallel, expected)?;
-        }
-        let expected =
-            "a direction that is neither zero nor parallel to the view, target - position";
-        place.is("up", up, !is_parallel, expected)?;
-        let seen = [length(view), self.height].map(|it| it * zoom);
-        let is_seen = zoom == 1.0 || seen.iter().all(|it| LENGTH.contains(it));
+            ("target", self.target, expected)
+        } else {
+            let expected =
+                "a direction that is neither zero nor parallel to the view, target - position";
+            ("up", self.up, expected)
+        };
+        require(is_across, at, key, found.to_array(), expected)?;
+        let zoom = self.orbit.zoom;
+        let is_seen = zoom == 1.0
+            || [length(view), self.height]
+                .iter()
+                .all(|it| Length::RANGE.contains(&(it * zoom)));
         let expected = "a zoom that leaves distance and height from 1e-100 to 1e100";
-        place.is("orbit", zoom, is_seen, expected)
+        require(is_seen, at, "orbit.zoom", zoom, expected)
     }
 }
 
 impl ViewRecord {
-    fn check(&self, place: &Place) -> Result<(), Mistake> {
-        let is_tolerance = Tolerance::is_legal(self.tolerance);
+    fn check(&self) -> Result<(), Mistake> {
+        let at = ("view", 0);
+        let is_legal = Tolerance::is_legal(self.tolerance);
         let expected = "0 or a number from 0.0001 to 255";
-        place.is("tolerance", self.tolerance, is_tolerance, expected)?;
-        if let Some(budget) = self.budget {
-            place.number("budget", budget, &Budget::RANGE)?;
-            let is_alone = self.tolerance == Tolerance::default().0;
-            let expected = "either a budget or a tolerance";
-            place.is("budget", budget, is_alone, expected)?;
-        }
-        place.number("divider", self.divider, &SHARE)?;
+        require(is_legal, at, "tolerance", self.tolerance, expected)?;
+        let is_alone = self.budget.is_none() || self.tolerance == Tolerance::default().0;
+        let expected = "either a budget or a tolerance";
+        require(
+            is_alone,
+            at,
+            "budget",
+            self.budget.unwrap_or_default(),
+            expected,
+        )?;
         let expected = "a whole number of degrees from 0 to 359";
-        place.is("turned", self.turned, self.turned < 360, expected)?;
+        require(self.turned < 360, at, "turned", self.turned, expected)?;
         let Magnifier { scale, corner } = self.magnifier;
         let is_scale = scale.is_power_of_two() && scale <= Magnifier::MAX_SCALE;
-        place.is(
-            "magnifier.scale",
-            scale,
-            is_scale,
-            "a power of two from 1 to 64",
-        )?;
-        for (key, pixel) in [
-            ("magnifier.corner", corner),
-            ("pixel", self.pixel.unwrap_or_default()),
-        ] {
+        let expected = "a power of two from 1 to 64";
+        require(is_scale, at, "magnifier.scale", scale, expected)?;
+        let pixel = self.pixel.unwrap_or_default();
+        for (key, pixel) in [("magnifier.corner", corner), ("pixel", pixel)] {
             let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
-            place.is(key, pixel, is_pixel, "two whole numbers from 0 to 16383")?;
+            require(
+                is_pixel,
+                at,
+                key,
+                pixel,
+                "two whole numbers from 0 to 16383",
+            )?;
         }
         Ok(())
     }

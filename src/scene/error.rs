@@ -1,226 +1,44 @@
-//! Errors of scene files, as messages with a place.
+//! Messages about scene files, with the place of the mistake.
 //!
 //! ```text
-//! scene.toml:7:9: `cuboid.size`: invalid value: number `-4.0`, expected a number from 1e-100 to 1e100
+//! scene.toml:7:8: invalid value: -4.0, expected a number from 1e-100 to 1e100
 //!   |
 //! 7 | size = [-4.0, 3.0, 2.0]
-//!   |         ^^^^
+//!   |        ^^^^^^^^^^^^^^^^
 //! ```
-//!
-//! Every message has this form. It is a few lines long for any text, and contains no control character of the text.
 
-use std::fmt::Debug;
-use std::io;
-use std::ops::{Range, RangeInclusive};
-use std::string::FromUtf8Error;
-
-use glam::DVec3;
-
-use super::range::words;
-
-/// The reason why a scene cannot be loaded. It displays as the whole message, without a line break at the end.
-#[derive(Debug, thiserror::Error)]
-pub enum SceneError {
-    /// The file could not be read.
-    #[error("cannot read the scene {path:?}: {cause}{hint}")]
-    Unreadable {
-        /// As given.
-        path: String,
-        /// The error of the system.
-        cause: io::Error,
-        /// A suggestion, or nothing.
-        hint: String,
-    },
-    /// The text is not a valid scene.
-    #[error("{file}:{line}:{column}: {message}\n{excerpt}")]
-    Invalid {
-        /// The scene's name, or the path as given.
-        file: String,
-        /// Counted from 1.
-        line: usize,
-        /// In characters, counted from 1.
-        column: usize,
-        /// The key, the value found and the values allowed.
-        message: String,
-        /// The line, with carets below the mistake.
-        excerpt: String,
-    },
-}
-
-/// A table of a scene, by its kind and its index; or one number of the background.
-#[derive(Clone, Copy, Debug)]
-pub struct Place {
-    kind: &'static str,
-    index: usize,
-    /// The index of a number in an array.
-    element: Option<usize>,
-}
-
-impl Place {
-    pub fn new(kind: &'static str, index: usize) -> Self {
-        Place {
-            kind,
-            index,
-            element: None,
-        }
-    }
-
-    /// Checks a value at a key.
-    pub fn is(
-        &self,
-        key: &'static str,
-        found: impl Debug,
-        is_legal: bool,
-        expected: &str,
-    ) -> Result<(), Mistake> {
-        if is_legal {
-            return Ok(());
-        }
-        let message = format!("invalid value: {found:?}, expected {expected}");
-        Err(self.mistake(key, message))
-    }
-
-    /// Checks that a number is within its range.
-    pub fn number(
-        &self,
-        key: &'static str,
-        number: f64,
-        range: &RangeInclusive<f64>,
-    ) -> Result<(), Mistake> {
-        if range.contains(&number) {
-            return Ok(());
-        }
-        self.is(key, number, false, &words(range))
-    }
-
-    /// Checks that three numbers are within their range.
-    pub fn three(
-        &self,
-        key: &'static str,
-        numbers: DVec3,
-        range: &RangeInclusive<f64>,
-    ) -> Result<(), Mistake> {
-        (0..3).try_for_each(|axis| {
-            let element = Some(axis);
-            Place { element, ..*self }.number(key, numbers[axis], range)
-        })
-    }
-
-    /// A mistake at a key.
-    pub fn mistake(&self, key: &'static str, message: String) -> Mistake {
-        Mistake {
-            place: *self,
-            key,
-            message,
-        }
-    }
-}
-
-/// An illegal value, and its key.
-#[derive(Debug, thiserror::Error)]
-#[error("`{}{}{key}`: {message}", place.kind, if key.is_empty() { "" } else { "." })]
-pub struct Mistake {
-    place: Place,
-    /// Its parts are separated by dots; empty is the whole table.
-    key: &'static str,
-    message: String,
-}
-
-impl Mistake {
-    /// The bytes of the value in the text, or those of its table if the key is missing.
-    pub(super) fn span(&self, text: &str) -> Range<usize> {
-        let span = toml_edit::Document::parse(text).ok().and_then(|document| {
-            let all = document.get(self.place.kind)?;
-            let mut said = all.get(self.place.index).unwrap_or(all);
-            for key in self.key.split('.') {
-                said = said.get(key).unwrap_or(said);
-            }
-            let element = self.place.element.and_then(|element| said.get(element));
-            element.unwrap_or(said).span()
-        });
-        span.unwrap_or(0..0)
-    }
-}
-
-/// The bytes that an error of toml refers to, and its key and message.
-pub fn told(mut error: toml::de::Error) -> (Range<usize>, String) {
-    let span = error.span().unwrap_or(0..0);
-    // Without its input the error names the key instead of showing the line.
-    error.set_input(None);
-    let said = error.to_string();
-    let message = match said.trim_end().rsplit_once("\nin ") {
-        Some((message, key)) => format!("{key}: {message}"),
-        None => said.trim_end().to_owned(),
-    };
-    (span, message)
-}
-
-/// The error for a mistake in these bytes of a text. Messages call the text `file`.
-pub fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> SceneError {
-    let (line, column) = line_and_column(text, span.start);
-    SceneError::Invalid {
-        file: printable(file),
-        line,
-        column,
-        excerpt: excerpt(text, span, line, column),
-        message: shortened(message.chars(), WIDEST_MESSAGE),
-    }
-}
-
-/// The error for a file that is not UTF-8.
-pub fn not_utf8(path: &str, error: &FromUtf8Error) -> SceneError {
-    let start = error.utf8_error().valid_up_to();
-    let byte = error.as_bytes()[start];
-    let message = format!("a scene must be UTF-8 text; found the byte {byte:#04x}");
-    let text = String::from_utf8_lossy(error.as_bytes());
-    located(path, &text, &(start..start), &message)
-}
-
-/// Line and column of the byte `offset`, counted from 1. An offset inside a character counts as the end of the text.
-fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
-    let before = text.get(..offset).unwrap_or(text);
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let line = before.matches('\n').count() + 1;
-    let column = before[line_start..].chars().count() + 1;
-    (line, column)
-}
+use std::ops::Range;
 
 /// In characters. Longer lines and messages are cut.
 const WIDEST_LINE: usize = 100;
 const WIDEST_MESSAGE: usize = 400;
 
-/// The first line of the span, with carets below the span.
-fn excerpt(text: &str, span: &Range<usize>, line: usize, column: usize) -> String {
-    let content = text.split('\n').nth(line - 1).unwrap_or_default();
-    let content = content.strip_suffix('\r').unwrap_or(content);
-    // A long line is cut around the column.
-    let (skipped, ellipsis) = if column > WIDEST_LINE {
-        (column - WIDEST_LINE / 2, "…")
+/// The message about a mistake in these bytes of a text: the name `file` of the text, line and column from 1, the first line
+/// of the mistake, and carets below it.
+pub fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> String {
+    let before = text.get(..span.start).unwrap_or(text);
+    let line = before.matches('\n').count() + 1;
+    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let column = before[start..].chars().count() + 1;
+    // A long line is cut around the mistake.
+    let skipped = if column > WIDEST_LINE {
+        column - WIDEST_LINE / 2
     } else {
-        (0, "")
+        0
     };
-    let shown = shortened(content.chars().skip(skipped), WIDEST_LINE);
-
+    let first_line = |text: &str| {
+        let line = text.lines().next().unwrap_or_default();
+        line.replace('\t', " ")
+    };
+    let content = first_line(&text[start..]);
+    let shown: String = content.chars().skip(skipped).take(WIDEST_LINE).collect();
+    let marked = first_line(text.get(span.clone()).unwrap_or_default());
     let indent = column - 1 - skipped;
-    let value = text.get(span.clone()).unwrap_or_default();
-    let first_line = value.lines().next().unwrap_or_default();
-    let carets = first_line.chars().count().clamp(1, WIDEST_LINE - indent);
-
+    let carets = marked.chars().count().clamp(1, WIDEST_LINE - indent);
+    let message: String = message.chars().take(WIDEST_MESSAGE).collect();
     let gutter = " ".repeat(line.to_string().len());
-    let indent = " ".repeat(indent + ellipsis.chars().count());
-    let carets = "^".repeat(carets);
-    format!("{gutter} |\n{line} | {ellipsis}{shown}\n{gutter} | {indent}{carets}")
-}
-
-/// The first `widest` characters, printable, and an ellipsis if there are more.
-fn shortened(mut characters: impl Iterator<Item = char>, widest: usize) -> String {
-    let start: String = characters.by_ref().take(widest).collect();
-    let more = characters.next().map_or("", |_| "…");
-    printable(&start) + more
-}
-
-/// `text` without control characters; every character takes one column.
-fn printable(text: &str) -> String {
-    text.replace(['\t', '\n', '\r'], " ")
-        .replace(char::is_control, "\u{fffd}")
+    let (indent, carets) = (" ".repeat(indent), "^".repeat(carets));
+    format!(
+        "{file}:{line}:{column}: {message}\n{gutter} |\n{line} | {shown}\n{gutter} | {indent}{carets}"
+    )
 }

@@ -4,40 +4,39 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::BUILT_IN;
-use super::error::{SceneError, not_utf8};
+use anyhow::anyhow;
 
-/// In bytes: room for two hundred thousand cuboids. Reading an endless device stops here.
-const LARGEST: u64 = 64 << 20;
+use super::BUILT_IN;
+
+/// In bytes: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most. Reading an endless device stops here.
+const LARGEST: u64 = 16 << 20;
 
 /// The text of the file at `path`.
-pub fn read(path: &Path) -> Result<String, SceneError> {
-    let bytes = read_bytes(path).map_err(|cause| SceneError::Unreadable {
-        path: path.to_string_lossy().into_owned(),
-        hint: hint(path, &cause),
-        cause,
-    })?;
-    String::from_utf8(bytes).map_err(|error| not_utf8(&path.to_string_lossy(), &error))
+pub fn read(path: &Path) -> anyhow::Result<String> {
+    read_text(path).map_err(|cause| {
+        // A bare name without a file is probably a misspelt built-in scene.
+        let is_plain = path.components().count() == 1 && path.extension().is_none();
+        let hint = if cause.kind() == io::ErrorKind::NotFound && is_plain {
+            let names = BUILT_IN.map(|(name, _)| name).join(", ");
+            format!("; built in are {names} and what `shadetrade extremes` lists")
+        } else {
+            String::new()
+        };
+        anyhow!(
+            "cannot read the scene {:?}: {cause}{hint}",
+            path.to_string_lossy()
+        )
+    })
 }
 
-fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
+fn read_text(path: &Path) -> io::Result<String> {
+    let mut text = String::new();
     File::open(path)?
         .take(LARGEST + 1)
-        .read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LARGEST {
+        .read_to_string(&mut text)?;
+    if text.len() as u64 > LARGEST {
         let kind = io::ErrorKind::FileTooLarge;
-        return Err(io::Error::new(kind, "it is larger than 64 MiB"));
+        return Err(io::Error::new(kind, "it is larger than 16 MiB"));
     }
-    Ok(bytes)
-}
-
-/// A bare name without a file is probably a misspelt built-in scene.
-fn hint(path: &Path, cause: &io::Error) -> String {
-    let is_plain = path.components().count() == 1 && path.extension().is_none();
-    if cause.kind() != io::ErrorKind::NotFound || !is_plain {
-        return String::new();
-    }
-    let names = BUILT_IN.map(|(name, _)| name).join(", ");
-    format!("; built in are {names} and what `shadetrade extremes` lists")
+    Ok(text)
 }

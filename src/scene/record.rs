@@ -8,8 +8,9 @@ use std::ops::Range;
 use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::error::told;
-use crate::components::form::{array, number, some_three, table, tables, three};
+use crate::components::range::{
+    Angle, Coordinate, FieldOfView, Length, Level, Milliseconds, Share, Strength, array,
+};
 use crate::components::{
     LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Show, Side, Tab, Tolerance,
     ViewMode,
@@ -27,17 +28,15 @@ const EMERALD: Material = Material {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneRecord {
-    #[serde(default, deserialize_with = "three")]
+    #[serde(default, deserialize_with = "Level::three")]
     pub background: DVec3,
     /// One or more.
-    #[serde(deserialize_with = "tables")]
     pub cuboid: Vec<CuboidRecord>,
-    #[serde(default, deserialize_with = "tables")]
+    #[serde(default)]
     pub light: Vec<LightRecord>,
     /// One or more.
-    #[serde(deserialize_with = "tables")]
     pub camera: Vec<CameraRecord>,
-    #[serde(default, deserialize_with = "table")]
+    #[serde(default)]
     pub view: ViewRecord,
 }
 
@@ -45,15 +44,14 @@ pub struct SceneRecord {
 #[serde(deny_unknown_fields)]
 pub struct CuboidRecord {
     pub name: String,
-    #[serde(deserialize_with = "three")]
+    #[serde(deserialize_with = "Length::three")]
     pub size: DVec3,
-    #[serde(default, deserialize_with = "three")]
+    #[serde(default, deserialize_with = "Coordinate::three")]
     pub position: DVec3,
-    #[serde(default, deserialize_with = "three")]
+    #[serde(default, deserialize_with = "Angle::three")]
     pub rotation: DVec3,
     #[serde(default)]
     pub shading: ShadingMode,
-    #[serde(deserialize_with = "table")]
     pub material: Material,
 }
 
@@ -62,17 +60,17 @@ pub struct CuboidRecord {
 pub struct LightRecord {
     pub name: String,
     pub kind: LightKind,
-    #[serde(deserialize_with = "three")]
+    #[serde(deserialize_with = "Strength::three")]
     pub color: DVec3,
-    #[serde(deserialize_with = "number")]
+    #[serde(deserialize_with = "Strength::one")]
     pub intensity: f64,
-    #[serde(default = "one", deserialize_with = "number")]
+    #[serde(default = "one", deserialize_with = "Strength::one")]
     pub gain: f64,
     /// `None` for an ambient light.
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",
-        deserialize_with = "some_three"
+        deserialize_with = "Coordinate::some_three"
     )]
     pub position: Option<DVec3>,
     #[serde(default = "yes")]
@@ -83,19 +81,23 @@ pub struct LightRecord {
 #[serde(deny_unknown_fields)]
 pub struct CameraRecord {
     pub name: String,
-    #[serde(deserialize_with = "three")]
+    #[serde(deserialize_with = "Coordinate::three")]
     pub position: DVec3,
-    #[serde(deserialize_with = "three")]
+    #[serde(deserialize_with = "Coordinate::three")]
     pub target: DVec3,
-    #[serde(default = "y", deserialize_with = "three")]
+    #[serde(default = "y", deserialize_with = "Coordinate::three")]
     pub up: DVec3,
-    #[serde(deserialize_with = "number")]
+    #[serde(deserialize_with = "FieldOfView::one")]
     pub fov: f64,
-    #[serde(deserialize_with = "number")]
+    #[serde(deserialize_with = "Length::one")]
     pub height: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "Length::some"
+    )]
     pub near: Option<f64>,
-    #[serde(default, deserialize_with = "table")]
+    #[serde(default)]
     pub orbit: Orbit,
 }
 
@@ -107,21 +109,22 @@ pub struct ViewRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub camera: Option<String>,
     pub projection: Projection,
-    #[serde(deserialize_with = "number")]
     pub tolerance: f64,
     /// In place of the tolerance, in milliseconds a frame.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "Milliseconds::some"
+    )]
     pub budget: Option<f64>,
     pub show: ViewMode,
     #[serde(deserialize_with = "array")]
     pub sides: [Side; 2],
-    #[serde(deserialize_with = "number")]
+    #[serde(deserialize_with = "Share::one")]
     pub divider: f64,
     /// Degrees that all cuboids have turned, 0..360.
     pub turned: u32,
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
     pub pixel: Option<[usize; 2]>,
-    #[serde(deserialize_with = "table")]
     pub magnifier: Magnifier,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inspector: Option<Tab>,
@@ -167,12 +170,6 @@ fn pixel<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[usize; 2]>, D::Er
 }
 
 impl SceneRecord {
-    /// The name of the active camera.
-    pub(super) fn active_camera_name(&self) -> Option<&str> {
-        let first = self.camera.first().map(|camera| &*camera.name);
-        self.view.camera.as_deref().or(first)
-    }
-
     /// The index of the active camera; `None` if there is no camera of that name.
     pub(super) fn active_camera(&self) -> Option<usize> {
         match &self.view.camera {
@@ -193,7 +190,8 @@ impl SceneRecord {
     /// # Errors
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
-        let mut record: SceneRecord = toml::from_str(text).map_err(told)?;
+        let mut record: SceneRecord = toml::from_str(text)
+            .map_err(|error| (error.span().unwrap_or_default(), error.message().to_owned()))?;
         record
             .check()
             .map_err(|mistake| (mistake.span(text), mistake.to_string()))?;

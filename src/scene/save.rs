@@ -28,7 +28,11 @@ pub fn updated(text: &str, record: &SceneRecord) -> String {
     let named = document.get("view").and_then(|view| view.get("camera"));
     if let Some(name) = named.and_then(Item::as_str) {
         old["view"]["camera"] = json!(name);
-        new["view"]["camera"] = json!(record.active_camera_name());
+        new["view"]["camera"] = json!(
+            record
+                .active_camera()
+                .map(|active| &record.camera[active].name)
+        );
     }
     for kind in ["cuboid", "light", "camera"] {
         let [old, new] = [&mut old, &mut new].map(|tree| tables(tree.remove(kind)));

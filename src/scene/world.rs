@@ -60,12 +60,13 @@ impl SceneRecord {
             };
             (*order, camera)
         });
-        let mut viewers = world.query::<(&Background, &Projection, &Tolerance, &Spin, &Show)>();
+        let mut viewers = world.query::<(
+            (&Background, &Projection, &Tolerance, &Budget, &Spin),
+            (&Show, &Magnifier, &Probed, &Inspector),
+        )>();
         let viewer = viewers.iter().next().expect("a scene has a viewer");
-        let (background, projection, tolerance, spin, show) = viewer;
-        let mut looks = world.query::<(&Budget, &Magnifier, &Probed, &Inspector)>();
-        let looks = looks.iter().next().expect("a scene has a viewer");
-        let (budget, magnifier, probed, inspector) = looks;
+        let ((background, projection, tolerance, budget, spin), shown) = viewer;
+        let (show, magnifier, probed, inspector) = shown;
         let active = active_camera(world);
         let is_first = ordered::<Camera>(world).first() == Some(&active);
         let name = get(world, active).map(|Name(name)| name);

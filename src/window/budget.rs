@@ -7,6 +7,7 @@ use egui::{Slider, SliderClamping, Ui};
 use super::app::App;
 use super::inspector::{format_number, keep_digits, short, two_digits};
 use super::keys::Command;
+use crate::components::range::Milliseconds;
 use crate::components::{Budget, ShadingMode, Tolerance};
 use crate::report::words::capital;
 use crate::trade::budget::{Hold, fitting, held, ladder};
@@ -56,7 +57,7 @@ impl App {
             (None, Some(method)) => self.choose_method(method),
             (None, None) => self.set_look(Budget(None)),
             (Some(budget), _) => {
-                let (least, most) = Budget::RANGE.into_inner();
+                let (least, most) = Milliseconds::RANGE.into_inner();
                 self.set_tolerance(Tolerance::default().0);
                 self.set_look(Budget(Some(two_digits(budget.clamp(least, most)))));
             }

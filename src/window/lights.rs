@@ -166,7 +166,10 @@ impl App {
         let rounded = moved
             .to_array()
             .map(|it| (it / step).round() / step.recip());
-        if !rounded.iter().all(|it| range::COORDINATE.contains(it)) {
+        if !rounded
+            .iter()
+            .all(|it| range::Coordinate::RANGE.contains(it))
+        {
             return from;
         }
         let world = &mut self.scene.world;

@@ -123,7 +123,7 @@ impl App {
         let (before, speed) = (light.intensity, (light.intensity * 0.01).max(0.01));
         let intensity = DragValue::new(&mut light.intensity).speed(speed);
         let intensity = intensity
-            .range(range::STRENGTH)
+            .range(range::Strength::RANGE)
             .custom_formatter(format_number);
         let says = "Intensity, 0 to 1e30. Drag it, or click to type.";
         ui.add(intensity).on_hover_text(says);

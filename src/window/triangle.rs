@@ -9,7 +9,7 @@ use super::viewport::tag;
 use crate::components::{Lens, Mesh, Name, TRIANGLES, WorldTransform};
 use crate::frame::display_pixel;
 use crate::paint::color;
-use crate::probe::{Probe, Surface};
+use crate::probe::{Probe, ProbedSurface};
 
 impl App {
     /// Draws the triangle that is seen at the probed pixel, while what is known of it is that of the picture.
@@ -64,7 +64,7 @@ impl App {
 }
 
 /// Gouraud's levels at a vertex, unclamped.
-fn at_vertex(surface: &Surface, vertex: usize) -> [f64; 3] {
+fn at_vertex(surface: &ProbedSurface, vertex: usize) -> [f64; 3] {
     let lights = surface.lights.iter();
     let levels: DVec3 = lights
         .map(|light| light.strength * light.at_corners[vertex])

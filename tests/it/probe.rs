@@ -1,5 +1,7 @@
 //! `shadetrade probe`: its values are right and add up, and its output has the format that scripts rely on.
 
+mod text;
+
 use std::process::Command;
 
 use fearless_simd::Level;
@@ -7,9 +9,9 @@ use glam::DVec3;
 use serde_json::Value;
 use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
-use shadetrade::probe::{self, Drawn, Levels, Probe, Reference, Shaded, Surface};
-use shadetrade::reference::{self, LightSample};
-use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::probe::{self, Probe, ProbedSurface};
+use shadetrade::reference;
+use shadetrade::scene::{LightRecord, Scene, SceneRecord};
 use shadetrade::shading::TileKind;
 use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
@@ -186,146 +188,50 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
 }
 
 #[test]
-fn the_background_has_only_a_pixel() {
+fn the_background_and_lights_that_are_off_appear_nowhere() {
+    let background = probe(&["--pixel", "0,0"]);
     assert_eq!(
-        probe(&["--pixel", "0,0"]),
+        background,
         serde_json::json!({"pixel": [0, 0], "object": null})
     );
-}
-
-#[test]
-fn lights_that_are_off_appear_nowhere() {
     let probe = probe(&["--pixel", "480,300", "--lights", "white,ambient"]);
-    let names: Vec<_> = probe["lights"]
-        .as_array()
-        .expect("lights")
-        .iter()
-        .map(|light| &light["name"])
-        .collect();
-    assert_eq!(names, ["white", "ambient"]);
-    assert!(probe["phong"]["terms"].get("red").is_none());
-}
-
-#[test]
-fn a_pixel_outside_the_picture_is_a_wrong_command_line() {
-    for pixel in ["960,0", "0,720", "-1,0", "5", "1,2,3", "a,b"] {
-        let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
-            .args(["probe", "--pixel", pixel])
-            .output()
-            .expect("the program runs");
-        assert_eq!(output.status.code(), Some(2), "{pixel}");
-        assert!(
-            output.stdout.is_empty() && !output.stderr.is_empty(),
-            "{pixel}"
-        );
-    }
+    let names = |lights: &Value| {
+        lights
+            .as_object()
+            .map(|it| it.keys().cloned().collect::<Vec<_>>())
+    };
+    let expected = ["white", "ambient"].map(str::to_owned);
+    assert_eq!(names(&probe["phong"]["terms"]), Some(expected.to_vec()));
+    assert_eq!(probe["lights"].as_array().map(Vec::len), Some(2));
 }
 
 #[test]
 fn levels_beyond_f32_are_those_of_the_reference() {
     // 1e20 of an intensity of 1e20 is 1e40 in the first channel, beyond the largest f32 of 3e38; 1e-20 of it is 1.
-    let scene = include_str!("support/least.toml")
-        .replace("ambient = [0.1, 0.2, 0.3]", "ambient = [1e20, 1e-20, 0.0]")
-        .replace("kind = \"diffuse\"", "kind = \"ambient\"")
-        .replace("color = [1.0, 0.5, 0.0]", "color = [1.0, 1.0, 1.0]")
-        .replace(
-            "intensity = 10.0\nposition = [10.0, 11.0, 12.0]",
-            "intensity = 1e20",
-        );
-    let folder = tempfile::tempdir().expect("a temporary folder can be made");
-    let file = folder.path().join("bright.toml");
-    std::fs::write(&file, scene).expect("there is room for a scene");
-    let file = file.to_str().expect("its name is Unicode");
-    let probe = probe(&[file, "--pixel", "480,360"]);
-    for mode in ["gouraud", "phong"] {
-        let [red, green, blue] = triple(&probe[mode]["levels"]);
-        assert!((red / 1e40 - 1.0).abs() < 1e-12, "{mode}: {red}");
-        assert!((green - 1.0).abs() < 1e-6 && blue == 0.0, "{mode}: {green}");
-        assert_eq!(triple(&probe[mode]["bytes"]), [255.0, 1.0, 0.0]);
+    let surface = surface_of(ShadingMode::Phong, [480, 300], |record| {
+        record.cuboid[0].material.ambient = DVec3::new(1e20, 1e-20, 0.0);
+        record.light = vec![LightRecord::new("sky", LightKind::Ambient, 1e20, [0.0; 3])];
+    });
+    for mode in [surface.gouraud, surface.phong] {
+        let [red, green, blue] = mode.levels;
+        assert!((red / 1e40 - 1.0).abs() < 1e-12, "{red}");
+        assert!((green - 1.0).abs() < 1e-6 && blue == 0.0, "{green}");
+        assert_eq!(mode.bytes, [255, 1, 0]);
     }
 }
 
 /// The evaluation of a pixel of the default scene after a change of the scene.
-fn surface_of(mode: ShadingMode, pixel: [usize; 2], change: impl Fn(&mut SceneRecord)) -> Surface {
+fn surface_of(
+    mode: ShadingMode,
+    pixel: [usize; 2],
+    change: impl Fn(&mut SceneRecord),
+) -> ProbedSurface {
     let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
     change(&mut record);
     let mut scene = Scene::spawn(String::new(), &record);
     let view = view_from(&scene, 0, [960, 720]).shaded(mode);
     let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
     probe.surface.expect("a face is seen")
-}
-
-#[test]
-fn the_cause_is_that_of_the_light_that_differs_most() {
-    const HIGHLIGHT: [usize; 2] = [565, 327];
-    let cause = |mode, pixel, channel, change: &dyn Fn(&mut SceneRecord)| {
-        let surface = surface_of(mode, pixel, change);
-        surface.cause(channel).expect("the reference sees the face")
-    };
-    let gouraud = ShadingMode::Gouraud;
-    let only = |name: &'static str| {
-        move |record: &mut SceneRecord| record.light.retain(|light| light.name == name)
-    };
-    // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
-    let [sentence, evidence] = cause(gouraud, HIGHLIGHT, 2, &|_| ());
-    assert!(
-        sentence.starts_with("No vertex lies in the highlight of specular"),
-        "{sentence}"
-    );
-    let surface = surface_of(gouraud, HIGHLIGHT, |_| ());
-    let light = &surface.lights[2];
-    assert!(
-        sentence.contains(&format!("instead of {:.0}.", light.phong.z)),
-        "{sentence}"
-    );
-    assert!(
-        evidence.contains(&format!("{:.2} here", light.factor)),
-        "{evidence}"
-    );
-    // The picture's own mode is Phong: interpolation is still what is explained.
-    assert_eq!(
-        cause(ShadingMode::Phong, HIGHLIGHT, 2, &|_| ())[0],
-        sentence
-    );
-    // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
-    let wide = |record: &mut SceneRecord| record.cuboid[0].material.shininess = 1.0;
-    let [sentence, _] = cause(gouraud, HIGHLIGHT, 2, &wide);
-    assert!(!sentence.starts_with("No vertex"), "{sentence}");
-    // Ambient light is the same everywhere, and a far light nearly so.
-    let [sentence, _] = cause(gouraud, HIGHLIGHT, 1, &only("ambient"));
-    assert!(sentence.ends_with("agree within 0."), "{sentence}");
-    let [sentence, _] = cause(gouraud, HIGHLIGHT, 0, &|record| record.light.clear());
-    assert!(sentence.contains("No light"), "{sentence}");
-    // The light behind the face: n.l is 0 at all of its corners but those that lean to it.
-    let [sentence, _] = cause(gouraud, [480, 300], 1, &only("white"));
-    assert!(
-        sentence.starts_with("white is behind a vertex"),
-        "{sentence}"
-    );
-    // A lamp before the middle of the face shines past its corners' normals.
-    let lamp = |record: &mut SceneRecord| {
-        only("white")(record);
-        record.light[0].position = Some(DVec3::new(0.0, 0.0, 2.0));
-    };
-    let [sentence, _] = cause(gouraud, [485, 380], 1, &lamp);
-    assert!(
-        sentence.starts_with("The surface faces white more"),
-        "{sentence}"
-    );
-}
-
-#[test]
-fn unit_vectors_are_as_short_as_their_mean() {
-    // Seen along z, the middle of the face z = 1 has the mean of two opposite corners: (0, 0, 1) / sqrt 3.
-    let surface = surface_of(ShadingMode::UnitVectors, [480, 360], |record| {
-        record.camera[0].position = DVec3::new(0.0, 0.0, 8.0);
-    });
-    assert!((surface.normal_length - 3.0_f64.sqrt().recip()).abs() < 1e-3);
-    let [sentence, evidence] = surface.cause(1).expect("the reference sees the face");
-    assert!(
-        sentence.contains("too short") && evidence.contains("0.58"),
-        "{sentence}"
-    );
 }
 
 #[test]
@@ -388,130 +294,4 @@ fn the_pixels_of_squares_add_up_to_the_squares_that_were_drawn() {
         }
     }
     assert!(all > 200, "{all}");
-}
-
-#[test]
-fn the_cost_is_that_of_the_square() {
-    let drawn = |mode, kind| Drawn {
-        mode,
-        tolerance: 0.5,
-        levels: [0.0; 3],
-        kind,
-        pixels: 256,
-    };
-    for (mode, kind, words) in [
-        (
-            ShadingMode::Phong,
-            TileKind::Quadratic,
-            ["Nine", "instead of 256"],
-        ),
-        (
-            ShadingMode::Phong,
-            TileKind::Exact,
-            ["An evaluation", "every pixel"],
-        ),
-        (
-            ShadingMode::Gouraud,
-            TileKind::Linear,
-            ["No evaluation", "256 pixels"],
-        ),
-        (
-            ShadingMode::Gouraud,
-            TileKind::Exact,
-            ["No evaluation", "every pixel"],
-        ),
-        (
-            ShadingMode::UnitVectors,
-            TileKind::Double,
-            ["An evaluation", "f64"],
-        ),
-    ] {
-        let cost = drawn(mode, kind).cost();
-        assert!(words.iter().all(|word| cost.contains(word)), "{cost}");
-    }
-}
-
-/// A pixel of a cube under an ambient and a diffuse light, with numbers of every magnitude.
-fn made_up() -> Probe {
-    let light = |name: &str, kind, vector: Option<DVec3>| LightSample {
-        name: name.to_owned(),
-        kind,
-        to_light: vector,
-        reflected: vector.map(|to_light| -to_light),
-        factor: if vector.is_some() { 0.25 } else { 1.0 },
-        at_corners: [0.0; 3],
-        strength: DVec3::new(401.0, 3.9504e-3, 4e5),
-        gouraud: DVec3::ZERO,
-        phong: DVec3::ZERO,
-    };
-    let shaded = |level: f64, byte| Shaded {
-        levels: [level, 0.0, -1.0],
-        terms: vec![
-            ("sky".to_owned(), [0.25; 3]),
-            ("lamp".to_owned(), [level, 9.876e-4, 1e5]),
-        ],
-        bytes: [byte, 0, 255],
-    };
-    let levels = |level| Levels {
-        levels: [level, 99_999.0, 1e-3],
-    };
-    Probe {
-        pixel: [31, 7],
-        object: Some("cube".to_owned()),
-        surface: Some(Surface {
-            triangle: 9,
-            position: Some(DVec3::new(1.0, -20.5, 1.5e9)),
-            normal: Some(DVec3::Z),
-            to_eye: None,
-            shininess: 7.5,
-            lights: vec![
-                light("sky", LightKind::Ambient, None),
-                light("lamp", LightKind::Diffuse, Some(DVec3::new(0.6, 0.8, 0.0))),
-            ],
-            gouraud: shaded(12.5, 13),
-            phong: shaded(100.25, 100),
-            reference: Reference {
-                triangle: Some(8),
-                gouraud: None,
-                phong: Some(levels(100.0)),
-            },
-            drawn: Drawn {
-                mode: ShadingMode::Phong,
-                tolerance: 0.5,
-                levels: [0.0; 3],
-                kind: TileKind::Quadratic,
-                pixels: 256,
-            },
-            normal_length: 1.0,
-        }),
-    }
-}
-
-#[test]
-fn the_text_shows_every_value_in_columns() {
-    let expected = "\
-pixel 31,7: cube, triangle 9 (reference: 8)
-  position      1.000   -20.500     1.5e9
-  normal  n         0         0     1.000
-  to eye  o -
-  lamp (diffuse)
-    to light  l     0.600     0.800         0
-    reflected r    -0.600    -0.800         0
-  exact Phong               n.l or (o.r)^7.5                 times strength
-                     n.l       o.r    factor          r         g         b
-  sky                  -         -   1.00000    401.000     0.004     4.0e5
-  lamp           0.00000         -   0.25000    401.000     0.004     4.0e5
-  levels                             Gouraud                          Phong
-  sky              0.250     0.250     0.250      0.250     0.250     0.250
-  lamp            12.500    9.9e-4     1.0e5    100.250    9.9e-4     1.0e5
-  drawn           12.500         0    -1.000    100.250         0    -1.000
-  reference            -         -         -    100.000     1.0e5     0.001
-  bytes               13         0       255        100         0       255";
-    assert_eq!(made_up().lines().join("\n"), expected);
-    let background = Probe {
-        object: None,
-        surface: None,
-        ..made_up()
-    };
-    assert_eq!(background.lines(), ["pixel 31,7: background"]);
 }

@@ -1,6 +1,7 @@
 //! Helpers of several test modules.
 
 pub mod cases;
+pub mod extreme;
 pub mod random;
 pub mod random_scene;
 pub mod scene;

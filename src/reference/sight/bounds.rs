@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use super::super::interval::Interval;
 use super::super::real::Real;
-use super::super::vector::Vector;
+use super::super::vector::RealVector;
 use super::{Sight, own_axes};
 use crate::components::{Mesh, Projection, Transform};
 
@@ -16,7 +16,7 @@ impl Sight<Interval> {
     /// perspective.
     pub fn bounds(&self, transform: &Transform, mesh: &Mesh) -> [Range<usize>; 2] {
         let axes = own_axes(transform);
-        let centre = Vector::exact(transform.position) - Vector::exact(self.eye);
+        let centre = RealVector::exact(transform.position) - RealVector::exact(self.eye);
         let seen = mesh.corners.map(|corner| {
             let [x, y, z] = corner.to_array().map(Interval::of);
             let from_eye = centre + axes[0] * x + axes[1] * y + axes[2] * z;

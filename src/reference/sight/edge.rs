@@ -6,14 +6,14 @@
 use std::cmp::Ordering;
 
 use super::super::real::Real;
-use super::super::vector::Vector;
+use super::super::vector::RealVector;
 
 /// A pixel centre within this distance of an edge, in pixels, may show either side: snapping moves corners by up to
 /// 0.003 pixel.
 pub const EDGE: f64 = 0.01;
 
 /// An edge function: affine in the pixel's offset from the picture's centre, right and down, and 0 on the edge.
-pub struct Edge<R> {
+pub struct EdgeFunction<R> {
     at_centre: R,
     right: R,
     down: R,
@@ -22,14 +22,16 @@ pub struct Edge<R> {
     pixel: R,
 }
 
-impl<R: Real> Edge<R> {
+impl<R: Real> EdgeFunction<R> {
     /// The function with this value at the picture's centre and these changes per pixel right and down.
     pub fn new(at_centre: R, [right, down]: [R; 2]) -> Self {
-        Edge {
+        EdgeFunction {
             at_centre,
             right,
             down,
-            pixel: Vector([right, down, R::of(0.0)]).length_squared().sqrt(),
+            pixel: RealVector([right, down, R::of(0.0)])
+                .length_squared()
+                .sqrt(),
         }
     }
 
@@ -53,7 +55,7 @@ impl<R: Real> Edge<R> {
 
 /// Whether a pixel centre is on the positive side of all edges; an interval is undecided within [`EDGE`] pixels of one.
 pub fn inside<'a, R: Real + 'a>(
-    edges: impl Iterator<Item = &'a Edge<R>>,
+    edges: impl Iterator<Item = &'a EdgeFunction<R>>,
     pixel: [f64; 2],
 ) -> Option<bool> {
     let mut inside = Some(true);

@@ -23,43 +23,43 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::super::real::Real;
-use super::super::vector::Vector;
-use super::edge::{self, Edge};
+use super::super::vector::RealVector;
+use super::edge::{self, EdgeFunction};
 use super::{Line, Sight, own_axes};
 use crate::components::{Mesh, Projection, TRIANGLES, Transform};
 
 /// The geometry of a cuboid for the lines of sight, in its own axes and world units.
-pub struct Solid<R> {
+pub struct CuboidGeometry<R> {
     /// The cuboid's axes in world space.
-    pub axes: [Vector<R>; 3],
+    pub axes: [RealVector<R>; 3],
     /// Half the lengths of its edges.
     half: [f64; 3],
     /// The reciprocals of the lengths of its edges.
     per_edge: [R; 3],
     /// The eye relative to the cuboid's centre.
-    pub eye: Vector<R>,
+    pub eye: RealVector<R>,
     /// Change per pixel right and down of the line's direction in perspective, of its start in orthographic projection.
-    step: [Vector<R>; 2],
-    forward: Vector<R>,
-    projection: Projection,
+    pub(super) step: [RealVector<R>; 2],
+    forward: RealVector<R>,
+    pub(super) projection: Projection,
     near: R,
     /// The faces that may be front-facing, in the order of [`crate::components::FACES`].
-    faces: [Option<Face<R>>; 6],
+    faces: [Option<FaceEdges<R>>; 6],
     /// The columns and rows of the picture in which it may be visible.
     pub columns: Range<usize>,
     pub rows: Range<usize>,
 }
 
 /// The edge functions of a face on the screen.
-struct Face<R> {
+struct FaceEdges<R> {
     /// Positive inside: the edges at both ends of the next axis, then at both ends of the axis after it.
-    edges: [Edge<R>; 4],
+    edges: [EdgeFunction<R>; 4],
     /// Whether the face beyond each edge is certainly front-facing.
     is_shared: [bool; 4],
     /// Positive beyond the near plane.
-    near: Edge<R>,
+    near: EdgeFunction<R>,
     /// Positive on the first triangle's side.
-    diagonal: Edge<R>,
+    diagonal: EdgeFunction<R>,
 }
 
 /// The faces of a cuboid that a line of sight may hit.
@@ -73,13 +73,13 @@ pub struct Meeting {
 
 /// The intersection of a line of sight with a face.
 #[derive(Clone, Copy)]
-pub struct Place<R> {
+pub struct FacePoint<R> {
     /// The point relative to the eye.
-    pub point: Vector<R>,
+    pub point: RealVector<R>,
     /// The coordinates relative to the cuboid's centre, divided by the lengths of its edges: -1/2..=1/2 within the face.
-    pub share: Vector<R>,
+    pub share: RealVector<R>,
     /// o, a unit vector.
-    pub to_eye: Vector<R>,
+    pub to_eye: RealVector<R>,
     /// Whether the point is on the first triangle of the face; undecided if an interval holds the diagonal.
     pub is_on_first: Option<bool>,
 }
@@ -98,27 +98,27 @@ impl Meeting {
 }
 
 /// `x` with the sign of `sign`, -1 or 1.
-fn signed<R: Real>(sign: f64, x: R) -> R {
+pub fn signed<R: Real>(sign: f64, x: R) -> R {
     if sign < 0.0 { -x } else { x }
 }
 
 /// The two axes within a face perpendicular to `axis`.
-fn along(axis: usize) -> [usize; 2] {
+pub fn along(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }
 
 /// The axis perpendicular to a face, and the sign of its outward normal.
-fn across(face: usize) -> (usize, f64) {
+pub fn across(face: usize) -> (usize, f64) {
     (face / 2, if face.is_multiple_of(2) { 1.0 } else { -1.0 })
 }
 
 /// w: the speed at which the line approaches the plane of a face. The line hits the plane only if it is positive.
-fn descent<R: Real>(face: usize, line: &Line<R>) -> R {
+pub fn descent<R: Real>(face: usize, line: &Line<R>) -> R {
     let (axis, outwards) = across(face);
     signed(-outwards, line.along.0[axis])
 }
 
-impl<R: Real> Solid<R> {
+impl<R: Real> CuboidGeometry<R> {
     /// The cuboid of this transform and mesh, which may be visible in these columns and rows.
     pub fn new(
         sight: &Sight<R>,
@@ -127,14 +127,14 @@ impl<R: Real> Solid<R> {
         [columns, rows]: [Range<usize>; 2],
     ) -> Self {
         let axes = own_axes(transform);
-        let own = |v: Vector<R>| Vector(axes.map(|axis| axis.dot(v)));
+        let own = |v: RealVector<R>| RealVector(axes.map(|axis| axis.dot(v)));
         let [right, up, forward] = sight.axes.map(own);
         let half = mesh.corners[7].to_array();
-        let mut solid = Solid {
+        let mut solid = CuboidGeometry {
             axes,
             half,
             per_edge: half.map(|half| R::of(0.5) / R::of(half)),
-            eye: own(Vector::exact(sight.eye) - Vector::exact(transform.position)),
+            eye: own(RealVector::exact(sight.eye) - RealVector::exact(transform.position)),
             step: [right * sight.pitch, -up * sight.pitch],
             forward,
             projection: sight.projection,
@@ -152,12 +152,12 @@ impl<R: Real> Solid<R> {
     }
 
     /// A world vector in the cuboid's axes.
-    pub fn own(&self, v: Vector<R>) -> Vector<R> {
-        Vector(self.axes.map(|axis| axis.dot(v)))
+    pub fn own(&self, v: RealVector<R>) -> RealVector<R> {
+        RealVector(self.axes.map(|axis| axis.dot(v)))
     }
 
     /// o at a point given relative to the eye.
-    pub fn to_eye(&self, place: Vector<R>) -> Vector<R> {
+    pub fn to_eye(&self, place: RealVector<R>) -> RealVector<R> {
         match self.projection {
             Projection::Perspective => -place.unit(),
             Projection::Orthographic => -self.forward,
@@ -165,7 +165,7 @@ impl<R: Real> Solid<R> {
     }
 
     /// The eye's height above the plane of a face.
-    fn height(&self, face: usize) -> R {
+    pub(super) fn height(&self, face: usize) -> R {
         let (axis, outwards) = across(face);
         signed(outwards, self.eye.0[axis]) - R::of(self.half[axis])
     }
@@ -179,7 +179,7 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    fn face(&self, number: usize, fronts: [Option<Ordering>; 6]) -> Face<R> {
+    fn face(&self, number: usize, fronts: [Option<Ordering>; 6]) -> FaceEdges<R> {
         let (k, outwards) = across(number);
         let [i, j] = along(k);
         // From the eye to a point of the face: on the edge at this end of `axis`, or in the middle of the face for 0.
@@ -190,7 +190,7 @@ impl<R: Real> Solid<R> {
             way
         };
         // The distance along `axis` at which a line passes that point, times the line's speed towards the face.
-        let passing = |axis: usize, to: Vector<R>, along: Vector<R>| {
+        let passing = |axis: usize, to: RealVector<R>, along: RealVector<R>| {
             along.0[k] * to.0[axis] - along.0[axis] * to.0[k]
         };
         let ends = [(i, -1.0), (i, 1.0), (j, -1.0), (j, 1.0)];
@@ -214,11 +214,11 @@ impl<R: Real> Solid<R> {
             Projection::Perspective => self.near,
             Projection::Orthographic => R::of(1.0),
         };
-        let near = Edge::new(
+        let near = EdgeFunction::new(
             self.height(number) + sign * self.forward.0[k] * self.near,
             self.step.map(|step| sign * step.0[k] * pace),
         );
-        Face {
+        FaceEdges {
             edges,
             is_shared,
             near,
@@ -227,12 +227,16 @@ impl<R: Real> Solid<R> {
     }
 
     /// The edge function of the edge at `to` relative to the eye; `of` is linear in `to` and in the line's direction.
-    fn edge(&self, to: Vector<R>, of: impl Fn(Vector<R>, Vector<R>) -> R) -> Edge<R> {
+    fn edge(
+        &self,
+        to: RealVector<R>,
+        of: impl Fn(RealVector<R>, RealVector<R>) -> R,
+    ) -> EdgeFunction<R> {
         let steps = self.step.map(|step| match self.projection {
             Projection::Perspective => of(to, step),
             Projection::Orthographic => of(-step, self.forward),
         });
-        Edge::new(of(to, self.forward), steps)
+        EdgeFunction::new(of(to, self.forward), steps)
     }
 
     /// The line of sight through the centre of pixel (`x`, `y`), in the cuboid's axes.
@@ -241,7 +245,7 @@ impl<R: Real> Solid<R> {
         let pixel = [x as f64 + 0.5 - width, y as f64 + 0.5 - height];
         let moved = self.step[0] * R::of(pixel[0]) + self.step[1] * R::of(pixel[1]);
         let (offset, along) = match self.projection {
-            Projection::Perspective => (Vector::exact(DVec3::ZERO), self.forward + moved),
+            Projection::Perspective => (RealVector::exact(DVec3::ZERO), self.forward + moved),
             Projection::Orthographic => (moved, self.forward),
         };
         Line {
@@ -287,7 +291,7 @@ impl<R: Real> Solid<R> {
     }
 
     /// The faces that may be front-facing, with their indices.
-    fn faces(&self) -> impl Iterator<Item = (usize, &Face<R>)> {
+    fn faces(&self) -> impl Iterator<Item = (usize, &FaceEdges<R>)> {
         let faces = self.faces.iter().enumerate();
         faces.filter_map(|(number, face)| Some((number, face.as_ref()?)))
     }
@@ -300,17 +304,17 @@ impl<R: Real> Solid<R> {
     }
 
     /// The coordinate of the cuboid's end along an axis, on the side of this sign, relative to the eye.
-    fn end(&self, axis: usize, sign: f64) -> R {
+    pub(super) fn end(&self, axis: usize, sign: f64) -> R {
         R::of(sign * self.half[axis]) - self.eye.0[axis]
     }
 
     /// The intersection of the line with the plane of a face.
-    pub fn place(&self, number: usize, line: &Line<R>) -> Place<R> {
+    pub fn place(&self, number: usize, line: &Line<R>) -> FacePoint<R> {
         let (axis, outwards) = across(number);
         let mut point = line.offset + line.along * self.depth_of_face(number, line);
         point.0[axis] = self.end(axis, outwards);
         let face = self.faces[number].as_ref();
-        Place {
+        FacePoint {
             point,
             share: self.share(number, point),
             to_eye: -line.along.unit(),
@@ -318,96 +322,10 @@ impl<R: Real> Solid<R> {
         }
     }
 
-    /// The points that a line just outside a face may show: its intersection with the plane, and that point clamped to
-    /// the face. A line beyond the plane's horizon may show the far end of the face, or else any point of it.
-    pub fn beside(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
-        let turned = self.turned(face, line);
-        let mut places = match descent(face, line).sign(0.0) {
-            Some(Ordering::Greater) => {
-                let place = self.place(face, line);
-                vec![place, self.held(face, place.point)]
-            }
-            Some(_) if !turned.is_empty() => Vec::new(),
-            _ => {
-                let [from, to] = self.ends();
-                vec![self.held(face, from.zip(to, R::either))]
-            }
-        };
-        places.extend(turned);
-        places
-    }
-
-    /// The far end of the face, if the line reaches it when turned towards the plane by at most [`edge::EDGE`] pixels.
-    ///
-    /// A line that turns towards the plane first hits it at infinity, then ever nearer. It reaches the face at the
-    /// nearer of the two ends ahead.
-    fn turned(&self, face: usize, line: &Line<R>) -> Vec<Place<R>> {
-        if self.projection == Projection::Orthographic {
-            return Vec::new();
-        }
-        let (across, outwards) = across(face);
-        let descent = descent(face, line);
-        let steps = self.step.map(|step| step.0[across]);
-        let near = Vector([steps[0], steps[1], R::of(0.0)])
-            .length_squared()
-            .sqrt();
-        let end = |axis: usize| {
-            let ahead = line.along.0[axis];
-            let end = self.end(
-                axis,
-                if ahead.sign(0.0)? == Ordering::Less {
-                    -1.0
-                } else {
-                    1.0
-                },
-            );
-            // 1 / t, where `along * t` reaches the end.
-            let pace = ahead / end;
-            let turn = self.height(face) * pace - descent;
-            let is_ahead = pace.sign(0.0)? == Ordering::Greater;
-            let may_be = |number: R| number.sign(0.0) != Some(Ordering::Less);
-            (is_ahead && may_be(turn) && may_be(R::of(edge::EDGE) * near - turn))
-                .then_some((axis, end, pace))
-        };
-        let ends: Vec<_> = along(across).into_iter().filter_map(end).collect();
-        let is_first = |(_, _, pace): &&(usize, R, R)| {
-            let mut others = ends.iter();
-            others.all(|(_, _, other)| (*pace - *other).sign(0.0) != Some(Ordering::Less))
-        };
-        let place = |&(axis, end, pace): &(usize, R, R)| {
-            let mut point = line.along.zip(Vector([pace; 3]), R::div);
-            point.0[across] = self.end(across, outwards);
-            point.0[axis] = end;
-            self.held(face, point)
-        };
-        ends.iter().filter(is_first).map(place).collect()
-    }
-
-    /// The coordinates of the cuboid's lower and upper ends along all axes, relative to the eye.
-    fn ends(&self) -> [Vector<R>; 2] {
-        [-1.0, 1.0].map(|sign| Vector([0, 1, 2].map(|axis| self.end(axis, sign))))
-    }
-
-    /// A point clamped to the face.
-    fn held(&self, face: usize, point: Vector<R>) -> Place<R> {
+    /// [`FacePoint::share`] of a point of a face, which is given relative to the eye.
+    pub(super) fn share(&self, face: usize, point: RealVector<R>) -> RealVector<R> {
         let (axis, outwards) = across(face);
-        let [from, to] = self.ends();
-        let point = point.zip(from, R::max).zip(to, R::min);
-        let share = self.share(face, point);
-        let [u, v] = along(axis).map(|axis| share.0[axis]);
-        let order = signed(outwards, u - v).sign(0.0);
-        Place {
-            point,
-            share,
-            to_eye: self.to_eye(point),
-            is_on_first: order.map(|order| order != Ordering::Less),
-        }
-    }
-
-    /// [`Place::share`] of a point of a face, which is given relative to the eye.
-    fn share(&self, face: usize, point: Vector<R>) -> Vector<R> {
-        let (axis, outwards) = across(face);
-        let mut share = (self.eye + point).zip(Vector(self.per_edge), R::mul);
+        let mut share = (self.eye + point).zip(RealVector(self.per_edge), R::mul);
         share.0[axis] = R::of(0.5 * outwards);
         share
     }
@@ -422,7 +340,7 @@ impl<R: Real> Solid<R> {
     ///        |      .'        |
     ///     a (-, -)-----------(+, -)
     /// ```
-    pub fn weights(face: usize, is_first: bool, place: &Place<R>) -> ([usize; 3], [R; 3]) {
+    pub fn weights(face: usize, is_first: bool, place: &FacePoint<R>) -> ([usize; 3], [R; 3]) {
         let (axis, outwards) = across(face);
         let [u, v] = along(axis).map(|axis| place.share.0[axis]);
         let half = R::of(0.5);
@@ -446,7 +364,7 @@ impl<R: Real> Solid<R> {
     /// The depths of corners along the view direction; `None` in orthographic projection, which does not use them.
     pub fn depths(&self, corners: [usize; 3], mesh: &Mesh) -> Option<[R; 3]> {
         let depth =
-            |corner: usize| (Vector::exact(mesh.corners[corner]) - self.eye).dot(self.forward);
+            |corner: usize| (RealVector::exact(mesh.corners[corner]) - self.eye).dot(self.forward);
         (self.projection == Projection::Perspective).then(|| corners.map(depth))
     }
 

@@ -58,7 +58,7 @@ fn the_bounds_of_a_cuboid_hold_every_pixel_that_may_hit_it_and_few_others() {
         let sight = Sight::<Interval>::new(&view, None);
         let [columns, rows] = sight.bounds(&transform, &mesh);
         let everywhere = SIZE.map(|side| 0..side);
-        let solid = Solid::new(&sight, &transform, &mesh, everywhere);
+        let solid = CuboidGeometry::new(&sight, &transform, &mesh, everywhere);
         for (x, y) in (0..SIZE[0]).flat_map(|x| (0..SIZE[1]).map(move |y| (x, y))) {
             let is_within = columns.contains(&x) && rows.contains(&y);
             let is_met = solid.meet(&solid.line(&sight, x, y)).is_some();
@@ -88,7 +88,8 @@ fn a_face_parallel_to_the_picture_up_to_rounding_is_certainly_hit() {
             let view = view(DVec3::new(sin, 0.0, cos) * 6.0, DVec3::ZERO, projection);
             let mesh = Mesh::cuboid(DVec3::splat(2.0));
             let sight = Sight::<Interval>::new(&view, None);
-            let solid = Solid::new(&sight, &transform, &mesh, sight.bounds(&transform, &mesh));
+            let solid =
+                CuboidGeometry::new(&sight, &transform, &mesh, sight.bounds(&transform, &mesh));
             let middle = SIZE.map(|side| side / 2);
             let meeting = solid.meet(&solid.line(&sight, middle[0], middle[1]));
             assert!(

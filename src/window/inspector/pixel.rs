@@ -8,7 +8,7 @@ use super::section::CHANNELS;
 use crate::components::{Material, Name, Probed};
 use crate::frame::display_pixel;
 use crate::paint::color;
-use crate::probe::Surface;
+use crate::probe::ProbedSurface;
 use crate::window::app::App;
 use crate::window::style::{BAD, STALE};
 
@@ -71,7 +71,7 @@ impl App {
 }
 
 /// Drawn, exact Phong, and the error between them, by channel, with both colours.
-fn verdict(ui: &mut Ui, surface: &Surface) {
+fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
     let drawn = surface.drawn.levels;
     let exact = surface.reference.phong.map(|it| it.levels);
     Grid::new("verdict")

@@ -37,26 +37,26 @@ const fn field(name: &'static str, range: RangeInclusive<f64>, says: &'static st
 mod fields {
     use super::{Field, field, range};
 
-    pub const BACKGROUND: Field = field("background", range::LEVEL, "Levels of 255 where nothing is drawn");
-    pub const SIZE: Field = field("size", range::LENGTH, "Edge lengths, in world units");
-    pub const CENTRE: Field = field("position", range::COORDINATE, "Centre, in world units");
-    pub const ROTATION: Field = field("rotation", range::ANGLE, "Degrees about the x, y and z axes, in this order");
-    pub const AMBIENT: Field = field("ambient", range::STRENGTH, "Reflected share of ambient light");
-    pub const DIFFUSE: Field = field("diffuse", range::STRENGTH, "Reflected share of diffuse light");
-    pub const SPECULAR: Field = field("specular", range::STRENGTH, "Reflected share of specular light");
-    pub const COLOR: Field = field("color", range::STRENGTH, "Share of full strength by channel");
-    pub const INTENSITY: Field = field("intensity", range::STRENGTH, "Strength of the light");
-    pub const GAIN: Field = field("gain", range::STRENGTH, "Levels of 255 for each unit of intensity");
-    pub const PLACE: Field = field("position", range::COORDINATE, "World units. Its disc in the picture can be dragged, with Shift in depth");
-    pub const EYE: Field = field("position", range::COORDINATE, "The eye, in world units");
-    pub const TARGET: Field = field("target", range::COORDINATE, "The point it looks at, in world units");
-    pub const UP: Field = field("up", range::COORDINATE, "The direction that is up in the picture");
-    pub const FOV: Field = field("fov", range::FIELD_OF_VIEW, "Vertical field of view in degrees; perspective");
-    pub const HEIGHT: Field = field("height", range::LENGTH, "World units seen vertically; orthographic");
-    pub const NEAR: Field = field("near", range::LENGTH, "Distance of the near plane; else a thousandth of the distance to the target");
-    pub const AZIMUTH: Field = field("azimuth", range::ORBIT, "Degrees that the camera was moved to the right");
-    pub const ELEVATION: Field = field("elevation", range::ORBIT, "Degrees that the camera was moved up");
-    pub const ZOOM: Field = field("zoom", range::ZOOM, "Factor of the distance and of the height");
+    pub const BACKGROUND: Field = field("background", range::Level::RANGE, "Levels of 255 where nothing is drawn");
+    pub const SIZE: Field = field("size", range::Length::RANGE, "Edge lengths, in world units");
+    pub const CENTRE: Field = field("position", range::Coordinate::RANGE, "Centre, in world units");
+    pub const ROTATION: Field = field("rotation", range::Angle::RANGE, "Degrees about the x, y and z axes, in this order");
+    pub const AMBIENT: Field = field("ambient", range::Strength::RANGE, "Reflected share of ambient light");
+    pub const DIFFUSE: Field = field("diffuse", range::Strength::RANGE, "Reflected share of diffuse light");
+    pub const SPECULAR: Field = field("specular", range::Strength::RANGE, "Reflected share of specular light");
+    pub const COLOR: Field = field("color", range::Strength::RANGE, "Share of full strength by channel");
+    pub const INTENSITY: Field = field("intensity", range::Strength::RANGE, "Strength of the light");
+    pub const GAIN: Field = field("gain", range::Strength::RANGE, "Levels of 255 for each unit of intensity");
+    pub const PLACE: Field = field("position", range::Coordinate::RANGE, "World units. Its disc in the picture can be dragged, with Shift in depth");
+    pub const EYE: Field = field("position", range::Coordinate::RANGE, "The eye, in world units");
+    pub const TARGET: Field = field("target", range::Coordinate::RANGE, "The point it looks at, in world units");
+    pub const UP: Field = field("up", range::Coordinate::RANGE, "The direction that is up in the picture");
+    pub const FOV: Field = field("fov", range::FieldOfView::RANGE, "Vertical field of view in degrees; perspective");
+    pub const HEIGHT: Field = field("height", range::Length::RANGE, "World units seen vertically; orthographic");
+    pub const NEAR: Field = field("near", range::Length::RANGE, "Distance of the near plane; else a thousandth of the distance to the target");
+    pub const AZIMUTH: Field = field("azimuth", range::OrbitAngle::RANGE, "Degrees that the camera was moved to the right");
+    pub const ELEVATION: Field = field("elevation", range::OrbitAngle::RANGE, "Degrees that the camera was moved up");
+    pub const ZOOM: Field = field("zoom", range::Zoom::RANGE, "Factor of the distance and of the height");
 }
 
 impl App {
@@ -387,7 +387,8 @@ pub fn shininess_row(ui: &mut Ui, material: &mut Material) {
     ui.horizontal(|ui| {
         ui.label("shininess");
         let before = material.shininess;
-        let slider = Slider::new(&mut material.shininess, range::SHININESS).logarithmic(true);
+        let slider =
+            Slider::new(&mut material.shininess, range::Shininess::RANGE).logarithmic(true);
         let slider = slider
             .smallest_positive(0.1)
             .custom_formatter(format_number);

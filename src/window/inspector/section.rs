@@ -5,7 +5,7 @@ use egui::{Color32, Ui, WidgetInfo, WidgetType};
 use egui_plot::{FilledArea, Line, LineStyle, Plot, PlotPoints, PlotUi, Points, VLine};
 
 use crate::components::{LightKind, ShadingMode};
-use crate::probe::Surface;
+use crate::probe::ProbedSurface;
 use crate::reference::LightSample;
 use crate::trade::metrics::displayed;
 use crate::window::app::App;
@@ -23,7 +23,7 @@ const STACK: [(LightKind, f32); 3] = [
 const NAMES: usize = 8;
 
 /// Columns, and what is known there.
-type Places<'a> = Vec<(f64, &'a Surface)>;
+type Places<'a> = Vec<(f64, &'a ProbedSurface)>;
 
 impl App {
     /// The columns of the section where the reference sees the face, too.
@@ -51,7 +51,7 @@ impl App {
     }
 
     /// Lays out the section around `here`; the column that the mouse drags the point to.
-    pub fn section(&self, ui: &mut Ui, here: &Surface, channel: usize) -> Option<usize> {
+    pub fn section(&self, ui: &mut Ui, here: &ProbedSurface, channel: usize) -> Option<usize> {
         let places = self.places();
         let ink = |light: &LightSample| {
             let share = STACK.iter().find(|(kind, _)| *kind == light.kind);
@@ -66,7 +66,7 @@ impl App {
             stack(plot, &places, channel, &ink);
             let line = curve(&places, |it| levels(it, channel)[1]);
             plot.line(Line::new("exact Phong", line).color(PHONG).width(1.5));
-            let drawn = |it: &Surface| displayed(it.drawn.levels[channel]);
+            let drawn = |it: &ProbedSurface| displayed(it.drawn.levels[channel]);
             if here.drawn.mode == ShadingMode::UnitVectors {
                 let line = Line::new("unit vectors", curve(&places, drawn));
                 plot.line(line.color(SHORTCUT).width(1.5));
@@ -89,7 +89,7 @@ impl App {
             );
         let by_factors = plot(ui, "factors", 90.0, &places, here, |plot| {
             for index in distinct(here) {
-                let light = |it: &Surface| it.lights[index].factor;
+                let light = |it: &ProbedSurface| it.lights[index].factor;
                 straight(plot, &places, |it| interpolated(&it.lights[index]));
                 let name = &here.lights[index].name;
                 let line = Line::new(name.clone(), curve(&places, light));
@@ -102,7 +102,7 @@ impl App {
 }
 
 /// Gouraud's and Phong's levels in f64, as displayed.
-fn levels(surface: &Surface, channel: usize) -> [f64; 2] {
+fn levels(surface: &ProbedSurface, channel: usize) -> [f64; 2] {
     let reference = &surface.reference;
     [reference.gouraud, reference.phong]
         .map(|it| it.map_or(0.0, |it| displayed(it.levels[channel])))
@@ -120,7 +120,7 @@ fn interpolated(light: &LightSample) -> f64 {
 }
 
 /// The lights with a direction whose factors differ: those of one kind at one place are one.
-fn distinct(here: &Surface) -> Vec<usize> {
+fn distinct(here: &ProbedSurface) -> Vec<usize> {
     let lights = &here.lights;
     let is_known = |index: &usize| {
         let light = &lights[*index];
@@ -131,7 +131,7 @@ fn distinct(here: &Surface) -> Vec<usize> {
     (0..lights.len()).filter(is_known).take(NAMES).collect()
 }
 
-fn curve(places: &Places, of: impl Fn(&Surface) -> f64) -> PlotPoints<'static> {
+fn curve(places: &Places, of: impl Fn(&ProbedSurface) -> f64) -> PlotPoints<'static> {
     let points = places.iter().map(|(x, surface)| [*x, of(surface)]);
     points.collect()
 }
@@ -168,7 +168,7 @@ fn stack(
 }
 
 /// Interpolation: a line, with dots where the row meets the edges of the triangles.
-fn straight(plot: &mut PlotUi, places: &Places, of: impl Fn(&Surface) -> f64) {
+fn straight(plot: &mut PlotUi, places: &Places, of: impl Fn(&ProbedSurface) -> f64) {
     let line = Line::new("interpolated", curve(places, &of));
     plot.line(line.color(GOURAUD).width(1.5));
     let is_edge = |index: &usize| {
@@ -184,7 +184,7 @@ fn straight(plot: &mut PlotUi, places: &Places, of: impl Fn(&Surface) -> f64) {
 }
 
 /// A dot at the pixel.
-fn dot(plot: &mut PlotUi, places: &Places, here: &Surface, ink: Color32, y: f64) {
+fn dot(plot: &mut PlotUi, places: &Places, here: &ProbedSurface, ink: Color32, y: f64) {
     if let Some((x, _)) = places.iter().find(|(_, it)| std::ptr::eq(*it, here)) {
         plot.points(Points::new("pixel", vec![[*x, y]]).color(ink).radius(4.5));
     }
@@ -196,7 +196,7 @@ fn plot<'a>(
     name: &'static str,
     height: f32,
     places: &Places,
-    here: &Surface,
+    here: &ProbedSurface,
     draw: impl FnOnce(&mut PlotUi<'a>) + 'a,
 ) -> Option<usize> {
     let x = places.iter().find(|(_, it)| std::ptr::eq(*it, here))?.0;
@@ -218,7 +218,7 @@ fn plot<'a>(
     let is_held = response.dragged() || response.clicked();
     let pointer = response.interact_pointer_pos().filter(|_| is_held)?;
     let wanted = shown.transform.value_from_position(pointer).x;
-    let distance = |(x, _): &&(f64, &Surface)| (x - wanted).abs();
+    let distance = |(x, _): &&(f64, &ProbedSurface)| (x - wanted).abs();
     let nearest = places
         .iter()
         .min_by(|one, other| distance(one).total_cmp(&distance(other)));

@@ -7,22 +7,30 @@ use shadetrade::scene::BUILT_IN;
 use super::{assert_fails, assert_works, folder, listing};
 
 #[test]
-fn a_wrong_command_line_ends_with_status_2_and_a_message() {
+fn a_wrong_command_line_or_scene_ends_with_status_2_and_a_message() {
     let folder = folder();
+    let (_, scene) = BUILT_IN[0];
+    let key = format!("colour = 1\n{scene}");
+    fs::write(folder.path().join("key.toml"), key).expect("written");
+    fs::write(folder.path().join("cuboid"), "this is no scene").expect("written");
+    fs::write(folder.path().join("bytes.toml"), [0xff, 0xfe, 0x00]).expect("written");
     for (line, words) in [
         ("render", &["--output <FILE>"][..]),
         ("render a.toml b.toml -o a.png", &["'b.toml'"]),
         ("--size 0x0", &["'0x0'", "1x1 to 16384x16384"]),
+        ("--size 16385x1", &["'16385x1'"]),
         ("view --size 960", &["'960'", "such as 960x720"]),
         ("render -o a.png --size -5x5", &["'-5x5'"]),
         ("render -o a.png --tolerance -1", &["'-1'", "0.0001 to 255"]),
+        ("render -o a.png --tolerance 9.9e-5", &["'9.9e-5'"]),
+        ("render -o a.png --tolerance nan", &["'nan'"]),
         ("render -o a.png --budget 0", &["'0'", "0.001 to 10000"]),
         (
             "render -o a.png --budget 1 --tolerance 1",
             &["--budget", "--tolerance"],
         ),
         ("probe --pixel 1,1 --budget 1", &["--budget"]),
-        ("render -o a.png --threads -1", &["'-1'", "from 1 to 1024"]),
+        ("render -o a.png --threads 0", &["'0'", "1..=1024"]),
         (
             "render -o a.png --simd sse9",
             &["'sse9'", "fallback, sse4.2"],
@@ -39,66 +47,49 @@ fn a_wrong_command_line_ends_with_status_2_and_a_message() {
         ),
         (
             "render -o a.png --lights white,,red",
-            &["a name is missing", "white,ambient"],
-        ),
-        (
-            "render -o a.png --lights all,white",
-            &["`all` stands by itself"],
+            &["no light is named \"\"", "\"white\", \"red\""],
         ),
         (
             "extremes nowhere",
             &["\"nowhere\"", "`shadetrade extremes`"],
         ),
-        ("figures --size 5x5", &["unexpected argument '--size'"]),
         ("figures -o -", &["folder", "standard output"]),
-        ("completions dos", &["bash, elvish, fish, powershell, zsh"]),
+        ("probe --pixel 960,0", &["960,0", "959,719"]),
+        ("probe --pixel 0,720", &["0,720", "959,719"]),
+        ("probe --pixel -1,0", &["'-1,0'", "480,300"]),
+        ("probe --pixel 1,2,3", &["'1,2,3'", "480,300"]),
+        ("trade --shading phong", &["--shading", "trade"]),
+        ("trade --tolerance 1", &["--tolerance", "trade"]),
+        ("trade --quick --seconds 3", &["--quick", "--seconds"]),
+        (
+            "trade --methods phong-0,phong-3",
+            &["--methods", "gouraud-0.5", "phong-unit-vectors"],
+        ),
+        ("requires -o -", &["'-'", "standard output"]),
+        ("requires ./key.toml -o key.toml", &["is the scene itself"]),
+        ("render absent.toml -o a.png", &["absent.toml"]),
+        ("render . -o a.png", &["."]),
+        ("render bytes.toml -o a.png", &["bytes.toml"]),
+        ("render ./cuboid -o a.png", &["cuboid"]),
+        ("view key.toml", &["key.toml:1:1: ", "colour", "^^^^^^"]),
     ] {
         assert_fails(folder.path(), line, 2, words);
     }
-    assert_eq!(listing(folder.path()), [""; 0], "nothing is written");
+    assert_eq!(
+        listing(folder.path()),
+        ["bytes.toml", "cuboid", "key.toml"],
+        "nothing is written"
+    );
+    // A built-in scene has precedence over a file of its name.
+    assert_works(folder.path(), "render cuboid -o a.png --size 9x9");
 }
 
 #[test]
 fn a_scene_named_like_a_command_is_reached_by_its_path() {
     let folder = folder();
-    let scene = include_str!("../../../assets/scenes/cuboid.toml");
-    fs::write(folder.path().join("render"), scene).unwrap();
+    fs::write(folder.path().join("render"), BUILT_IN[0].1).unwrap();
     // Without a display the scene is found and read, but not shown.
     assert_fails(folder.path(), "./render", 1, &["display"]);
-    assert_fails(folder.path(), "render", 2, &["--output <FILE>"]);
-}
-
-#[test]
-fn a_built_in_scene_has_precedence_over_a_file_of_its_name() {
-    let folder = folder();
-    fs::write(folder.path().join("cuboid"), "this is no scene").unwrap();
-    assert_works(folder.path(), "render cuboid -o a.png --size 9x9");
-    assert_fails(folder.path(), "render ./cuboid -o a.png", 2, &["cuboid"]);
-}
-
-#[test]
-fn a_wrong_scene_ends_with_status_2_and_is_located() {
-    let folder = folder();
-    let scene = include_str!("../../../assets/scenes/cuboid.toml");
-    fs::write(
-        folder.path().join("key.toml"),
-        format!("colour = 1\n{scene}"),
-    )
-    .unwrap();
-    fs::write(folder.path().join("empty.toml"), "").unwrap();
-    fs::write(folder.path().join("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
-    for (line, words) in [
-        ("render absent.toml -o a.png", &["absent.toml"][..]),
-        ("render . -o a.png", &["."]),
-        ("render key.toml -o a.png", &["key.toml", "colour", "1"]),
-        ("render empty.toml -o a.png", &["empty.toml"]),
-        ("render bytes.toml -o a.png", &["bytes.toml"]),
-        ("absent.toml", &["absent.toml"]),
-        ("view key.toml", &["key.toml", "colour"]),
-    ] {
-        assert_fails(folder.path(), line, 2, words);
-    }
-    assert!(!folder.path().join("a.png").exists());
 }
 
 #[test]
@@ -109,15 +100,10 @@ fn a_simd_level_is_either_used_or_refused() {
         if shadetrade::simd::named(level).is_some() {
             assert!(assert_works(folder.path(), &line).contains(level));
         } else {
-            assert_fails(
-                folder.path(),
-                &line,
-                2,
-                &[level, "this machine", "fallback"],
-            );
+            let words = [level, "this machine", "fallback"];
+            assert_fails(folder.path(), &line, 2, &words);
         }
     }
-    assert_works(folder.path(), "render -o auto.png --size 9x9 --simd auto");
 }
 
 #[test]

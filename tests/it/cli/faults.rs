@@ -57,17 +57,12 @@ fn a_reader_that_closes_early_is_no_error_of_any_command() {
         let folder = folder();
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
-        let output = shadetrade(folder.path())
-            .args(line.split(' '))
-            .stdout(writer)
-            .output()
-            .expect("the program starts");
-        assert_eq!(output.status.code(), Some(0), "{line}: {}", said(&output));
-        assert!(
-            !said(&output).contains("error: "),
-            "{line}: {}",
-            said(&output)
-        );
+        let mut program = shadetrade(folder.path());
+        let output = program.args(line.split(' ')).stdout(writer).output();
+        let output = output.expect("the program starts");
+        let said = said(&output);
+        assert_eq!(output.status.code(), Some(0), "{line}: {said}");
+        assert!(!said.contains("error: "), "{line}: {said}");
     }
 }
 
@@ -92,12 +87,9 @@ fn a_full_disk_is_an_error_and_every_file_is_complete() {
         let folder = folder();
         let full = format!("trap '' XFSZ; ulimit -f {limit}");
         let output = run_after(&full, folder.path(), line);
-        assert_eq!(output.status.code(), Some(1), "{line}: {}", said(&output));
-        assert!(
-            said(&output).contains("error: cannot write out/"),
-            "{line}: {}",
-            said(&output)
-        );
+        let said = said(&output);
+        assert_eq!(output.status.code(), Some(1), "{line}: {said}");
+        assert!(said.contains("error: cannot write out/"), "{line}: {said}");
         whole_files(&folder.path().join("out"), false);
     }
 }

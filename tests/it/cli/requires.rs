@@ -6,7 +6,7 @@ use serde_json::Value;
 use shadetrade::components::{Camera, Mesh, names};
 use shadetrade::scene::Scene;
 
-use super::{assert_fails, assert_works, folder, listing, run, said};
+use super::{assert_works, folder, listing, run, said};
 
 /// The JSON that `line` prints.
 #[track_caller]
@@ -22,36 +22,6 @@ fn part_names(found: &Value) -> Vec<&str> {
         .iter()
         .map(|part| part["part"].as_str().expect("a name"))
         .collect()
-}
-
-#[test]
-fn a_wrong_command_line_ends_with_status_2_and_a_message() {
-    let folder = folder();
-    fs::copy(
-        concat!(env!("CARGO_MANIFEST_DIR"), "/tests/it/support/least.toml"),
-        folder.path().join("a.toml"),
-    )
-    .unwrap();
-    for (line, words) in [
-        ("requires -o -", &["'-'", "standard output"][..]),
-        (
-            "requires --camera 3",
-            &["no camera is named \"3\"", "\"1\", \"2\""],
-        ),
-        ("requires ./a.toml -o a.toml", &["is the scene itself"]),
-        ("requires missing.toml", &["missing.toml"]),
-    ] {
-        assert_fails(folder.path(), line, 2, words);
-    }
-    assert_eq!(listing(folder.path()), ["a.toml"]);
-    let line = "requires a.toml --size 8x6 -o none/least.toml";
-    let output = run(folder.path(), line);
-    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
-    assert!(
-        said(&output).contains("there is no folder none"),
-        "{}",
-        said(&output)
-    );
 }
 
 #[test]

@@ -1,10 +1,10 @@
-//! `trade --methods`, and options that `trade` refuses.
+//! `trade --methods`.
 
 use std::fs;
 
 use serde_json::Value;
 
-use super::{assert_fails, folder, listing, said, shadetrade};
+use super::{folder, said, shadetrade};
 
 #[test]
 fn only_the_named_methods_are_measured_and_the_command_can_be_repeated() {
@@ -39,24 +39,4 @@ fn only_the_named_methods_are_measured_and_the_command_can_be_repeated() {
         let words: Vec<&str> = words.lines().collect();
         assert_eq!(words[5..7], ["my report", "--methods"], "{command}");
     }
-}
-
-#[test]
-fn options_of_other_commands_are_refused_before_anything_is_drawn() {
-    let folder = folder();
-    for (line, status, words) in [
-        ("trade --shading phong", 2, &["--shading", "trade"][..]),
-        ("trade --tolerance 1", 2, &["--tolerance", "trade"]),
-        ("trade --quick --seconds 3", 2, &["--quick", "--seconds"]),
-        (
-            "trade --methods phong-3",
-            2,
-            &["--methods", "gouraud-0.5", "phong-unit-vectors"],
-        ),
-        ("trade --methods phong-0,", 2, &["--methods", "gouraud-0.5"]),
-        ("trade --quick -o missing/out", 1, &["missing"]),
-    ] {
-        assert_fails(folder.path(), line, status, words);
-    }
-    assert_eq!(listing(folder.path()), [""; 0], "nothing is written");
 }

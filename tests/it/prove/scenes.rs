@@ -12,7 +12,8 @@ use shadetrade::prove::Proof;
 
 use super::proof;
 use crate::support::cases::cases;
-use crate::support::random_scene::{Case, Number, between, case, extreme, is_legal};
+use crate::support::extreme::{Number, extreme, is_legal};
+use crate::support::random_scene::{Case, between, case};
 
 const SIZE: [usize; 2] = [48, 36];
 

@@ -34,23 +34,24 @@ fn highlight(eye: [f64; 3], shininess: f64) -> f64 {
 }
 
 #[test]
-fn the_highlight_is_full_in_the_mirror_direction_for_every_exponent() {
-    // r = 2 * 0.8 (0, 0, 1) - (0.6, 0, 0.8) = (-0.6, 0, 0.8) points to the eye: kE * 100.
-    for shininess in [0.0, 1.0, 76.8, 1e6] {
-        close(highlight([-3.0, 0.0, 5.0], shininess), 50.0);
+fn the_highlight_is_the_power_of_the_cosine_to_the_mirror_direction() {
+    // r = 2 * 0.8 (0, 0, 1) - (0.6, 0, 0.8) = (-0.6, 0, 0.8), and the highlight is at most kE * 100.
+    for (eye, shininess, expected) in [
+        // o = r, for every exponent.
+        ([-3.0, 0.0, 5.0], 0.0, 50.0),
+        ([-3.0, 0.0, 5.0], 76.8, 50.0),
+        ([-3.0, 0.0, 5.0], 1e6, 50.0),
+        // o = (0.6, 0, 0.8), so o.r = -0.36 + 0.64 = 0.28.
+        ([3.0, 0.0, 5.0], 2.0, 50.0 * 0.28 * 0.28),
+        ([3.0, 0.0, 5.0], 0.5, 50.0 * 0.28_f64.sqrt()),
+        // o = (-0.8, 0, 0.6), so o.r = 0.48 + 0.48 = 0.96.
+        ([-4.0, 0.0, 4.0], 76.8, 50.0 * 0.96_f64.powf(76.8)),
+        // o = (0.96, 0, 0.28), so o.r = -0.352; 0^0 = 1.
+        ([9.6, 0.0, 3.8], 2.0, 0.0),
+        ([9.6, 0.0, 3.8], 0.0, 50.0),
+    ] {
+        close(highlight(eye, shininess), expected);
     }
-}
-
-#[test]
-fn beside_the_mirror_direction_the_highlight_is_the_power_of_the_cosine() {
-    // o = (0.6, 0, 0.8), so o.r = -0.36 + 0.64 = 0.28.
-    close(highlight([3.0, 0.0, 5.0], 2.0), 50.0 * 0.28 * 0.28);
-    close(highlight([3.0, 0.0, 5.0], 0.5), 50.0 * 0.28_f64.sqrt());
-    // o = (-0.8, 0, 0.6), so o.r = 0.48 + 0.48 = 0.96.
-    close(
-        highlight([-4.0, 0.0, 4.0], 76.8),
-        50.0 * 0.96_f64.powf(76.8),
-    );
 }
 
 #[test]
@@ -63,27 +64,15 @@ fn a_narrow_highlight_is_right_where_its_cosine_is_nearly_one() {
 }
 
 #[test]
-fn away_from_the_mirror_direction_there_is_no_highlight_unless_the_exponent_is_zero() {
-    // o = (0.96, 0, 0.28), so o.r = -0.352; 0^0 = 1.
-    close(highlight([9.6, 0.0, 3.8], 2.0), 0.0);
-    close(highlight([9.6, 0.0, 3.8], 0.0), 50.0);
-}
-
-#[test]
 fn a_light_behind_the_surface_adds_neither_term() {
+    let material = Material {
+        shininess: 0.0,
+        ..MATERIAL
+    };
     for kind in [LightKind::Diffuse, LightKind::Specular] {
-        let world = cube_of(
-            Material {
-                shininess: 0.0,
-                ..MATERIAL
-            },
-            kind,
-            [0.0, 0.0, 0.999],
-        );
-        close(
-            level(&world, &view([11, 11], [0.0, 0.0, 5.0], [0.0; 3]), 5, 5),
-            0.0,
-        );
+        let world = cube_of(material, kind, [0.0, 0.0, 0.999]);
+        let view = view([11, 11], [0.0, 0.0, 5.0], [0.0; 3]);
+        close(level(&world, &view, 5, 5), 0.0);
     }
 }
 

@@ -2,9 +2,7 @@
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{
-    Camera, FileOrder, Light, LightKind, Material, Name, Projection, Transform, View, Viewpoint,
-};
+use shadetrade::components::{LightKind, Material, Projection, Transform, View};
 use shadetrade::reference::{Sample, Truth, at_pixel, picture};
 
 use crate::support::scene;
@@ -37,16 +35,7 @@ pub fn spawn_turned_cuboid(
 
 /// A white light of 100 levels.
 pub fn spawn_light(world: &mut World, kind: LightKind, position: [f64; 3]) {
-    let name = Name(format!("{kind:?} at {position:?}"));
-    let light = Light {
-        kind,
-        color: DVec3::ONE,
-        intensity: 10.0,
-        gain: 10.0,
-        on: true,
-    };
-    let order = FileOrder(world.query_mut::<&Light>().into_iter().count() as u32);
-    world.spawn((name, order, Transform::at(position.into()), light));
+    scene::spawn_light(world, kind, DVec3::splat(100.0), position.into());
 }
 
 /// A cube from -1 to 1 and one light.
@@ -65,25 +54,12 @@ pub fn cube_of(material: Material, kind: LightKind, position: [f64; 3]) -> World
 /// A view from `eye` towards `target`, 90 degrees high: at distance d the upper edge of the picture is d above the
 /// axis.
 pub fn view(size: [usize; 2], eye: [f64; 3], target: [f64; 3]) -> View {
-    let camera = Camera {
-        target: target.into(),
-        up: DVec3::Y,
-        fov: 90.0,
-        height: 10.0,
-        near: Some(0.1),
-    };
-    View {
-        size,
-        viewpoint: Viewpoint {
-            position: eye.into(),
-            camera,
-        },
-        projection: Projection::Perspective,
-        background: DVec3::new(1.0, 2.0, 3.0),
-        turned: 0,
-        shading: None,
-        tolerance: 0.0,
-    }
+    let mut view = scene::view(size, eye.into(), target.into(), Projection::Perspective);
+    view.viewpoint.camera.fov = 90.0;
+    view.viewpoint.camera.height = 10.0;
+    view.viewpoint.camera.near = Some(0.1);
+    view.background = DVec3::new(1.0, 2.0, 3.0);
+    view
 }
 
 /// A view along -z from z = 5, 10 units high.

@@ -24,75 +24,36 @@ fn receding_top(mode: ShadingMode, near: f64) -> f64 {
 }
 
 #[test]
-fn gouraud_interpolates_levels_perspective_correctly() {
-    // n.l at the corners: -1 / sqrt(3), which is clamped to 0, and twice 1 / sqrt(3).
-    close(
-        receding_top(ShadingMode::Gouraud, 0.1),
-        75.0 / 3.0_f64.sqrt(),
-    );
-}
-
-#[test]
-fn phong_interpolates_normals_perspective_correctly_and_normalises_them() {
-    close(
-        receding_top(ShadingMode::Phong, 0.1),
-        50.0 / 1.29_f64.sqrt(),
-    );
-}
-
-#[test]
-fn unit_vectors_are_interpolated_on_the_screen_and_not_normalised() {
-    // n_z = (-0.4 + 0.12 + 0.48) / sqrt(3).
-    close(
-        receding_top(ShadingMode::UnitVectors, 0.1),
-        20.0 / 3.0_f64.sqrt(),
-    );
-}
-
-#[test]
-fn unit_vectors_of_a_clipped_triangle_are_interpolated_perspective_correctly() {
-    // The nearest corners are at depth 2, nearer than the near plane, so the weights are those on the triangle: n_z =
-    // (-0.25 + 0.15 + 0.6) / sqrt(3).
-    close(
-        receding_top(ShadingMode::UnitVectors, 2.2),
-        50.0 / 3.0_f64.sqrt(),
-    );
-    close(
-        receding_top(ShadingMode::UnitVectors, 2.0),
-        20.0 / 3.0_f64.sqrt(),
-    );
-}
-
-#[test]
-fn a_clipped_triangle_keeps_the_colours_of_the_whole_triangle() {
-    close(
-        receding_top(ShadingMode::Gouraud, 2.2),
-        75.0 / 3.0_f64.sqrt(),
-    );
-    close(
-        receding_top(ShadingMode::Phong, 2.2),
-        50.0 / 1.29_f64.sqrt(),
-    );
+fn levels_or_normals_are_interpolated_as_the_mode_says() {
+    let [root, normal] = [3.0_f64.sqrt(), 1.29_f64.sqrt()];
+    for (mode, near, expected) in [
+        // n.l at the corners: -1 / sqrt(3), which is clamped to 0, and twice 1 / sqrt(3). Clipping changes no colour.
+        (ShadingMode::Gouraud, 0.1, 75.0 / root),
+        (ShadingMode::Gouraud, 2.2, 75.0 / root),
+        (ShadingMode::Phong, 0.1, 50.0 / normal),
+        (ShadingMode::Phong, 2.2, 50.0 / normal),
+        // On the screen, not normalised: n_z = (-0.4 + 0.12 + 0.48) / sqrt(3).
+        (ShadingMode::UnitVectors, 0.1, 20.0 / root),
+        (ShadingMode::UnitVectors, 2.0, 20.0 / root),
+        // The nearest corners are nearer than the near plane, so the weights are those on the triangle:
+        // n_z = (-0.25 + 0.15 + 0.6) / sqrt(3).
+        (ShadingMode::UnitVectors, 2.2, 50.0 / root),
+    ] {
+        close(receding_top(mode, near), expected);
+    }
 }
 
 #[test]
 fn unit_vectors_lose_the_highlight_and_two_thirds_of_the_diffuse_light_in_the_middle() {
     // The corners on the diagonal have n = (-+1, -+1, 1) / sqrt(3) and, under a light 1 above the face, l = (+-1, +-1, 1)
     // / sqrt(3): both shrink to (0, 0, 1 / sqrt(3)). n.l = 1 / 3, and r = 2/3 n - l points down.
+    let view = orthographic([11, 11]).shaded(ShadingMode::UnitVectors);
     for (kind, expected) in [
         (LightKind::Diffuse, 100.0 / 3.0),
         (LightKind::Specular, 0.0),
     ] {
         let world = cube_under(kind, [0.0, 0.0, 2.0]);
-        close(
-            level(
-                &world,
-                &orthographic([11, 11]).shaded(ShadingMode::UnitVectors),
-                5,
-                5,
-            ),
-            expected,
-        );
+        close(level(&world, &view, 5, 5), expected);
     }
 }
 

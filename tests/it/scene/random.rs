@@ -8,11 +8,11 @@ use proptest::option::of;
 use proptest::prelude::*;
 use proptest::sample::select;
 use shadetrade::components::{
-    Budget, LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance,
-    ViewMode,
+    LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance, ViewMode,
 };
 use shadetrade::scene::range::{
-    ANGLE, COORDINATE, FIELD_OF_VIEW, LENGTH, LEVEL, ORBIT, SHARE, SHININESS, STRENGTH, ZOOM,
+    Angle, Coordinate, FieldOfView, Length, Level, Milliseconds, OrbitAngle, Share, Shininess,
+    Strength, Zoom,
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
@@ -38,10 +38,14 @@ fn name() -> impl Strategy<Value = String> {
 }
 
 pub fn cuboid() -> impl Strategy<Value = CuboidRecord> {
-    let coefficients = [(); 3].map(|()| three(&STRENGTH));
-    let material = (coefficients, number(SHININESS));
+    let coefficients = [(); 3].map(|()| three(&Strength::RANGE));
+    let material = (coefficients, number(Shininess::RANGE));
     let modes = select(vec![ShadingMode::Gouraud, ShadingMode::Phong]);
-    let places = (three(&LENGTH), three(&COORDINATE), three(&ANGLE));
+    let places = (
+        three(&Length::RANGE),
+        three(&Coordinate::RANGE),
+        three(&Angle::RANGE),
+    );
     (name(), places, modes, material).prop_map(
         |(name, (size, position, rotation), shading, (coefficients, shininess))| {
             let [ambient, diffuse, specular] = coefficients;
@@ -66,10 +70,14 @@ pub fn cuboid() -> impl Strategy<Value = CuboidRecord> {
 pub fn light() -> impl Strategy<Value = LightRecord> {
     let kind = (
         select(LightKind::ALL.to_vec()),
-        three(&COORDINATE),
+        three(&Coordinate::RANGE),
         any::<bool>(),
     );
-    let strengths = (three(&STRENGTH), number(STRENGTH), number(STRENGTH));
+    let strengths = (
+        three(&Strength::RANGE),
+        number(Strength::RANGE),
+        number(Strength::RANGE),
+    );
     (name(), kind, strengths).prop_map(|(name, (kind, position, on), (color, intensity, gain))| {
         LightRecord {
             color,
@@ -81,16 +89,29 @@ pub fn light() -> impl Strategy<Value = LightRecord> {
 }
 
 fn orbit() -> impl Strategy<Value = Orbit> {
-    (number(ORBIT), number(ORBIT), number(ZOOM)).prop_map(|(azimuth, elevation, zoom)| Orbit {
-        azimuth,
-        elevation,
-        zoom,
-    })
+    (
+        number(OrbitAngle::RANGE),
+        number(OrbitAngle::RANGE),
+        number(Zoom::RANGE),
+    )
+        .prop_map(|(azimuth, elevation, zoom)| Orbit {
+            azimuth,
+            elevation,
+            zoom,
+        })
 }
 
 pub fn camera() -> impl Strategy<Value = CameraRecord> {
-    let places = (three(&COORDINATE), three(&COORDINATE), three(&COORDINATE));
-    let sees = (number(FIELD_OF_VIEW), number(LENGTH), of(number(LENGTH)));
+    let places = (
+        three(&Coordinate::RANGE),
+        three(&Coordinate::RANGE),
+        three(&Coordinate::RANGE),
+    );
+    let sees = (
+        number(FieldOfView::RANGE),
+        number(Length::RANGE),
+        of(number(Length::RANGE)),
+    );
     (name(), places, sees, of(orbit())).prop_map(
         |(name, (position, target, up), (fov, height, near), orbit)| CameraRecord {
             up,
@@ -119,6 +140,9 @@ fn side() -> impl Strategy<Value = Side> {
 
 /// A view. Its camera is chosen where the cameras are known.
 pub fn view() -> impl Strategy<Value = ViewRecord> {
+    use ViewMode::{Difference, Error, Picture, Tiles, Wipe};
+    let view_modes = vec![Picture, Wipe, Error, Difference, Tiles];
+    let tabs = vec![Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof];
     let pixel = || [0..16_384_usize, 0..16_384_usize];
     let magnifier = (0..7, pixel()).prop_map(|(power, corner)| Magnifier {
         scale: 1_usize << power,
@@ -127,15 +151,11 @@ pub fn view() -> impl Strategy<Value = ViewRecord> {
     let picture = (
         select(Projection::ALL.to_vec()),
         prop_oneof![Just(0.0), number(1e-4..=255.0)],
-        of(number(Budget::RANGE)),
+        of(number(Milliseconds::RANGE)),
         0..360_u32,
     );
-    let show = (
-        select(ViewMode::ALL.to_vec()),
-        [side(), side()],
-        number(SHARE),
-    );
-    let window = (of(pixel()), magnifier, of(select(Tab::ALL.to_vec())));
+    let show = (select(view_modes), [side(), side()], number(Share::RANGE));
+    let window = (of(pixel()), magnifier, of(select(tabs)));
     let changed = (picture, show, window).prop_map(
         |(
             (projection, tolerance, budget, turned),
@@ -180,7 +200,7 @@ pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
 /// A legal record. A random view is almost never parallel to `up`.
 pub fn record() -> impl Strategy<Value = SceneRecord> {
     let all = (
-        three(&LEVEL),
+        three(&Level::RANGE),
         vec(cuboid(), 1..4),
         vec(light(), 0..4),
         vec(camera(), 1..4),

@@ -72,7 +72,7 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
                 (_, 1) => "phong-0.25",
                 _ => "phong-1",
             };
-            view.sides[index] = other.parse().expect("a side");
+            view.sides[index] = other.to_owned().try_into().expect("a side");
         }
         Command::Probe(right, down) => {
             let [x, y] = view.pixel.expect("the middle");

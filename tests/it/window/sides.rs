@@ -100,10 +100,8 @@ fn the_menu_in_a_tag_chooses_the_method_of_its_side() {
                 .unwrap_or_else(|| panic!("no {label:?}"));
             click_at(&mut harness, at);
         }
-        assert_eq!(
-            harness.state().look::<Show>().sides[index].to_string(),
-            side
-        );
+        let shown = harness.state().look::<Show>().sides[index];
+        assert_eq!(String::from(shown), side);
     }
 }
 

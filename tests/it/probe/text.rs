@@ -1,0 +1,175 @@
+//! What the probe says in words and in rows: the cause of a difference, the cost of a pixel, and every number.
+
+use glam::DVec3;
+use shadetrade::components::{LightKind, ShadingMode};
+use shadetrade::probe::{DrawnPixel, Probe};
+use shadetrade::scene::SceneRecord;
+use shadetrade::shading::TileKind;
+
+use super::surface_of;
+
+#[test]
+fn the_cause_is_that_of_the_light_that_differs_most() {
+    const HIGHLIGHT: [usize; 2] = [565, 327];
+    type Change = fn(&mut SceneRecord);
+    let only_white: Change = |record| record.light.truncate(1);
+    let wide: Change = |record| record.cuboid[0].material.shininess = 1.0;
+    let lamp: Change = |record| {
+        record.light.truncate(1);
+        record.light[0].position = Some(DVec3::new(0.0, 0.0, 2.0));
+    };
+    let cases: [([usize; 2], usize, Change, &str); 6] = [
+        // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
+        (
+            HIGHLIGHT,
+            2,
+            |_| (),
+            "No vertex lies in the highlight of specular",
+        ),
+        // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
+        (HIGHLIGHT, 2, wide, "The highlight of specular rises"),
+        // Ambient light is the same everywhere.
+        (
+            HIGHLIGHT,
+            1,
+            |record| drop(record.light.drain(..3)),
+            "Light changes nearly linearly",
+        ),
+        (HIGHLIGHT, 0, |record| record.light.clear(), "No light"),
+        // The light is behind the face: n.l is 0 at all of its corners but those that lean to it.
+        ([480, 300], 1, only_white, "white is behind a vertex"),
+        // A lamp before the middle of the face shines past its corners' normals.
+        ([485, 380], 1, lamp, "The surface faces white more"),
+    ];
+    for (pixel, channel, change, beginning) in cases {
+        // The picture's own mode may be Phong: interpolation is still what is explained.
+        for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+            let surface = surface_of(mode, pixel, change);
+            let [sentence, evidence] = surface.cause(channel).expect("the reference sees the face");
+            assert!(sentence.starts_with(beginning), "{sentence}");
+            if beginning.starts_with("No vertex") {
+                let light = &surface.lights[2];
+                let level = format!("instead of {:.0}.", light.phong.z);
+                assert!(sentence.contains(&level), "{sentence}");
+                assert!(
+                    evidence.contains(&format!("{:.2} here", light.factor)),
+                    "{evidence}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn unit_vectors_are_as_short_as_their_mean() {
+    // Seen along z, the middle of the face z = 1 has the mean of two opposite corners: (0, 0, 1) / sqrt 3.
+    let surface = surface_of(ShadingMode::UnitVectors, [480, 360], |record| {
+        record.camera[0].position = DVec3::new(0.0, 0.0, 8.0);
+    });
+    assert!((surface.normal_length - 3.0_f64.sqrt().recip()).abs() < 1e-3);
+    let [sentence, evidence] = surface.cause(1).expect("the reference sees the face");
+    assert!(
+        sentence.contains("too short") && evidence.contains("0.58"),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn the_cost_is_that_of_the_square() {
+    use ShadingMode::{Gouraud, Phong, UnitVectors};
+    for (mode, kind, words) in [
+        (Phong, TileKind::Quadratic, ["Nine", "instead of 256"]),
+        (Phong, TileKind::Exact, ["An evaluation", "every pixel"]),
+        (Gouraud, TileKind::Linear, ["No evaluation", "256 pixels"]),
+        (Gouraud, TileKind::Exact, ["No evaluation", "every pixel"]),
+        (UnitVectors, TileKind::Double, ["An evaluation", "f64"]),
+    ] {
+        let drawn = DrawnPixel {
+            mode,
+            tolerance: 0.5,
+            levels: [0.0; 3],
+            kind,
+            pixels: 256,
+        };
+        let cost = drawn.cost();
+        assert!(words.iter().all(|word| cost.contains(word)), "{cost}");
+    }
+}
+
+/// Asserts that a cell shows this value: 0, three decimals, or two digits and a power of ten.
+fn assert_shows(cell: &str, value: f64) {
+    assert!(cell.len() <= 9, "{cell}");
+    let shown: f64 = cell.parse().expect("a number");
+    let allowed = if value.abs() <= 1e-6 {
+        assert_eq!(cell, "0");
+        1e-6
+    } else if (1e-3..1e4).contains(&value.abs()) {
+        5.1e-4
+    } else {
+        0.06 * value.abs()
+    };
+    assert!((shown - value).abs() <= allowed, "{cell} for {value}");
+}
+
+#[test]
+fn the_text_shows_every_value_in_rows() {
+    let strengths = [1e-9, 0.5, 7e5];
+    let surface = surface_of(ShadingMode::Phong, [480, 300], |record| {
+        for (light, strength) in record.light.iter_mut().zip(strengths) {
+            light.intensity *= strength;
+        }
+    });
+    let mut probe = Probe {
+        pixel: [31, 7],
+        object: Some("cube".to_owned()),
+        surface: Some(surface.clone()),
+    };
+    let lines = probe.lines();
+    let head = format!("pixel 31,7: cube, triangle {}", surface.triangle);
+    assert_eq!(lines[0], head);
+    assert!(lines.iter().all(|line| line.len() <= 78), "{lines:?}");
+    let levels = lines.iter().position(|line| line.contains("levels"));
+    let (products, levels) = lines.split_at(levels.expect("a heading"));
+    let cells = |lines: &[String], name: &str| -> Vec<String> {
+        let is_named = |line: &&String| line.split_whitespace().next() == Some(name);
+        let row = lines.iter().rfind(is_named).expect(name);
+        row.split_whitespace().skip(1).map(str::to_owned).collect()
+    };
+    let modes = [&surface.gouraud, &surface.phong];
+    let assert_row = |name: &str, values: [[f64; 3]; 2]| {
+        for (cell, value) in cells(levels, name).iter().zip(values.concat()) {
+            assert_shows(cell, value);
+        }
+    };
+    for (index, light) in surface.lights.iter().enumerate() {
+        assert_row(&light.name, modes.map(|mode| mode.terms[index].1));
+        let row = cells(products, &light.name);
+        let factor: f64 = row[2].parse().expect("a number");
+        assert!((factor - light.factor).abs() < 1e-5, "{row:?}");
+        for (cell, value) in row[3..].iter().zip(light.strength.to_array()) {
+            assert_shows(cell, value);
+        }
+        assert_eq!(row[1] == "-", light.kind != LightKind::Specular, "{row:?}");
+    }
+    assert_row("drawn", modes.map(|mode| mode.levels));
+    assert_row("bytes", modes.map(|mode| mode.bytes.map(f64::from)));
+    let exact = [surface.reference.gouraud, surface.reference.phong];
+    assert_row(
+        "reference",
+        exact.map(|it| it.expect("the same face").levels),
+    );
+
+    // At an edge the reference may see another triangle, or another face.
+    let surface = probe.surface.as_mut().expect("set above");
+    let other = surface.triangle ^ 1;
+    surface.reference.triangle = Some(other);
+    let label = format!("(reference: {other})");
+    assert!(surface.triangle_label().ends_with(&label));
+    surface.reference.phong = None;
+    surface.normal = None;
+    let lines = probe.lines();
+    assert!(lines[2].ends_with("n -"), "{lines:?}");
+    assert!(cells(&lines, "reference").ends_with(&["-"; 3].map(str::to_owned)));
+    probe.object = None;
+    assert_eq!(probe.lines(), ["pixel 31,7: background"]);
+}
