@@ -33,10 +33,10 @@ use crate::components::{
     FACES, LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View,
 };
 use crate::reference::{Interval, LightSample, Reference, Sample, in_row};
+use crate::report::words::short;
 use crate::scene::{CuboidRecord, Scene, SceneRecord};
 use crate::shading::limit;
 use crate::trade::metrics::ends;
-use crate::trade::words::short;
 
 /// A stage of the model, in the order of [`STAGES`].
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -45,9 +45,10 @@ const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its 
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
     let rows = rows(drawing, &view)?;
-    let stages = with_bar(|on_progress| {
-        let progress = |share| on_progress("rounding", share);
-        bits(&drawing.scene, &view, &|| false, &progress).context("the search was cancelled")
+    let stages = with_bar(|monitor| {
+        let progress = |share| (monitor.progress)("rounding", share);
+        bits(&drawing.scene, &view, monitor.is_cancelled, &progress)
+            .context("the search was cancelled")
     })?;
     let record = json!({
         "scene": drawing.scene.name,

@@ -285,7 +285,10 @@ mod tests {
             512.0 * interpolation::FIXED
         )));
         let side = goal(include_str!("../../proofs/side.g"), "->");
-        assert!(side.contains(&format!("<= {}b-53 }}", bound::ROUNDING * (1_u64 << 53) as f64)));
+        assert!(side.contains(&format!(
+            "<= {}b-53 }}",
+            bound::ROUNDING * (1_u64 << 53) as f64
+        )));
         let cross = goal(include_str!("../../proofs/cross.g"), "->");
         assert!(cross.contains("<= 34b-53 }"));
         assert!((6e-8..field::CROSS_ERROR).contains(&(34.0 / (1_u64 << 53) as f64).sqrt()));
