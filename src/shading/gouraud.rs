@@ -13,7 +13,7 @@ use super::bound;
 use super::face::{Face, Linear};
 use super::field::{Lanes, Places, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::kernel::At;
+use super::kernel::{At, Squares};
 use super::pixels::Pixels;
 use super::{U, limit};
 use crate::simd::{inlined, outlined, three, two};
@@ -28,11 +28,7 @@ pub struct Gouraud<'a> {
     colors: [Affine; 2],
 }
 
-/// An affine function on four squares: its value at the middle, and its changes from there to the right and to the lower edge;
-/// by square.
-type Squares = [[f32; 4]; 3];
-
-/// The colours of a face on four squares: affine functions, over w at the middle.
+/// The colours of a face on four squares: affine numbers, over w at the middle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TileColors {
     w: Squares,
@@ -111,11 +107,9 @@ impl<'a> Gouraud<'a> {
         let bounded = steady & shortest.simd_gt(0.5);
         let rounding = largest * ROUNDING;
         *tile = TileColors {
-            w: [single(number(1.0)), single(e), single(g)],
-            before: three!(|term| single(before[term])),
-            colors: two!(|triangle| three!(|channel| three!(|term| single(
-                colors[triangle][channel][term]
-            )))),
+            w: single([number(1.0), e, g]),
+            before: single(before),
+            colors: two!(|triangle| three!(|channel| single(colors[triangle][channel]))),
             meets: [meets[0].to_bitmask(), meets[1].to_bitmask()],
             errors: *bounded.select(rounding, number(f64::INFINITY)).as_array(),
         };
@@ -151,12 +145,9 @@ impl<'a> Gouraud<'a> {
         simd: S,
         tile: &TileColors,
         at: At,
-        [x, y]: [f32x16<S>; 2],
+        place: [f32x16<S>; 2],
     ) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &Squares| {
-            let [middle, right, down] = three!(|term| at.lanes(simd, &of[term]));
-            x * right + (y * down + middle)
-        });
+        let affine = inlined!(|of: &Squares| at.number(of, place));
         let inverse = 1.0 / affine(&tile.w);
         let [first, second] = &tile.colors;
         if !at.any(tile.meets[1]) {
