@@ -42,6 +42,26 @@ pub struct TileColors {
     errors: [f64; 4],
 }
 
+impl TileColors {
+    /// w C / w at places on squares, x and y from -1 to 1.
+    #[inline(always)]
+    fn levels<S: Simd>(&self, simd: S, at: At, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        let affine = inlined!(|of: &Squares| at.number(of, place));
+        let inverse = 1.0 / affine(&self.w);
+        let [first, second] = &self.colors;
+        if !at.any(self.meets[1]) {
+            return three!(|channel| affine(&first[channel]) * inverse);
+        }
+        if !at.any(self.meets[0]) {
+            return three!(|channel| affine(&second[channel]) * inverse);
+        }
+        let is_first = affine(&self.before).simd_ge(f32x16::splat(simd, 0.0));
+        three!(|channel| {
+            is_first.select(affine(&first[channel]), affine(&second[channel])) * inverse
+        })
+    }
+}
+
 /// The rounding error of a colour in f32, relative to the largest on the square:
 ///
 /// ```text
@@ -130,36 +150,12 @@ impl<'a> Gouraud<'a> {
         let terms = sampled(
             simd,
             inlined!(|place| {
-                let [red, green, blue] = self.colors(simd, tile, At::Nodes, place);
+                let [red, green, blue] = tile.levels(simd, At::Nodes, place);
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
         let none = mask64x4::splat(simd, false);
         Some(Interpolant::new(terms, [zero; 3], none, budget))
-    }
-
-    /// w C / w at places on squares, x and y from -1 to 1.
-    #[inline(always)]
-    fn colors<S: Simd>(
-        &self,
-        simd: S,
-        tile: &TileColors,
-        at: At,
-        place: [f32x16<S>; 2],
-    ) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &Squares| at.number(of, place));
-        let inverse = 1.0 / affine(&tile.w);
-        let [first, second] = &tile.colors;
-        if !at.any(tile.meets[1]) {
-            return three!(|channel| affine(&first[channel]) * inverse);
-        }
-        if !at.any(tile.meets[0]) {
-            return three!(|channel| affine(&second[channel]) * inverse);
-        }
-        let is_first = affine(&tile.before).simd_ge(f32x16::splat(simd, 0.0));
-        three!(|channel| {
-            is_first.select(affine(&first[channel]), affine(&second[channel])) * inverse
-        })
     }
 
     /// Evaluates pixels of one of four squares in f32, if that keeps the tolerance; returns the number of highlights: none.
@@ -172,7 +168,7 @@ impl<'a> Gouraud<'a> {
         pixels: &mut Pixels,
     ) -> Option<usize> {
         let evaluate =
-            inlined!(|place: [f32x16<S>; 2]| self.colors(simd, tile, At::Pixels(index), place));
+            inlined!(|place: [f32x16<S>; 2]| tile.levels(simd, At::Pixels(index), place));
         // False for an error that is not a number.
         let keeps = tile.errors[index] <= limit(self.tolerance);
         keeps.then(|| {

@@ -261,7 +261,7 @@ mod tests {
             // To f32, and on to the display of the next float.
             (sum.error + 3.0 * sum.value) * U / (one(count.levels()) - own)
         };
-        let bright = largest((500.0..1000.0, terms.clone()), &share);
+        let bright = largest((500.0..1000.0, terms.clone()), share);
         assert_covers("a bright ambient light", bright, 0.8);
         let single = share((0.0, vec![1.0]));
         assert_covers("a single light", single, 0.8);
