@@ -1,4 +1,4 @@
-# A vector brought to length one, `kernel::unit`: component = x / sqrt(x x + y y + z z), by an inverse and a product.
+# A vector brought to length one, `Phong::levels`: component = x / sqrt(x x + y y + z z), by an inverse and a product.
 # Range: components of any size, lengths from 1/2 to 2. A square that underflows is lost beside such a length, so the
 # exponent has no lower bound here. 899b-32 is 3.51 u, 1155b-32 is 4.51 u.
 @rnd = float<24,-1000,ne>;

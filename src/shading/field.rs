@@ -72,8 +72,6 @@ pub struct Field<S: Simd> {
     pub down: [Lanes<S>; 3],
     /// Its largest distance from the middle.
     pub radius: Lanes<S>,
-    /// Its least length.
-    pub shortest: Lanes<S>,
     /// p and q along x and along y: see [`super::bound`].
     pub rates: [[Lanes<S>; 2]; 2],
 }
@@ -136,8 +134,6 @@ impl<S: Simd> Field<S> {
             right,
             down,
             radius,
-            // Only changes along its middle can shorten it.
-            shortest: 1.0 - along[0].abs() - along[1].abs(),
             rates: [rates(along[0], right_length), rates(along[1], down_length)],
         }
     }
@@ -153,25 +149,22 @@ impl<S: Simd> Field<S> {
     /// The error of its direction in f32, in roundings: see [`super::rounding`].
     #[inline(always)]
     pub fn rounding(&self) -> Lanes<S> {
-        let error = (self.radius * 6.0 + 3.0) / self.shortest;
-        let zero = Lanes::splat(error.token(), 0.0);
-        let infinite = Lanes::splat(error.token(), f64::INFINITY);
-        self.shortest.simd_gt(zero).select(error, infinite)
+        let infinite = Lanes::splat(self.radius.token(), f64::INFINITY);
+        let error = (self.radius * 6.0 + 3.0) * (1.0 / (1.0 - self.radius));
+        self.radius.simd_lt(1.0).select(error, infinite)
     }
 
     /// The vector in f32, by square.
     #[inline(always)]
-    pub fn squares(&self) -> Squares {
-        let parts = [self.middle, self.right, self.down];
-        three!(|term| three!(|axis| single(parts[term][axis])))
+    pub fn squares(&self) -> [Squares; 3] {
+        three!(|axis| single([self.middle[axis], self.right[axis], self.down[axis]]))
     }
 }
 
-/// Numbers in f32.
+/// An affine number in f32, by square.
 #[inline(always)]
-pub fn single<S: Simd>(lanes: Lanes<S>) -> [f32; 4] {
-    let lanes = lanes.as_array();
-    four!(|square| lanes[square] as f32)
+pub fn single<S: Simd>(number: [Lanes<S>; 3]) -> Squares {
+    three!(|term| four!(|square| number[term].as_array()[square] as f32))
 }
 
 /// The number, or zero where it is negative.

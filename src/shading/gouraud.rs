@@ -13,7 +13,7 @@ use super::bound;
 use super::face::{Face, Linear};
 use super::field::{Lanes, Places, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::kernel::At;
+use super::kernel::{At, Squares};
 use super::pixels::Pixels;
 use super::{U, limit};
 use crate::simd::{inlined, outlined, three, two};
@@ -28,11 +28,7 @@ pub struct Gouraud<'a> {
     colors: [Affine; 2],
 }
 
-/// An affine function on four squares: its value at the middle, and its changes from there to the right and to the lower edge;
-/// by square.
-type Squares = [[f32; 4]; 3];
-
-/// The colours of a face on four squares: affine functions, over w at the middle.
+/// The colours of a face on four squares: affine numbers, over w at the middle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TileColors {
     w: Squares,
@@ -44,6 +40,26 @@ pub struct TileColors {
     meets: [u64; 2],
     /// Bounds on the errors of levels that are evaluated in f32, in levels.
     errors: [f64; 4],
+}
+
+impl TileColors {
+    /// w C / w at places on squares, x and y from -1 to 1.
+    #[inline(always)]
+    fn levels<S: Simd>(&self, simd: S, at: At, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        let affine = inlined!(|of: &Squares| at.number(of, place));
+        let inverse = 1.0 / affine(&self.w);
+        let [first, second] = &self.colors;
+        if !at.any(self.meets[1]) {
+            return three!(|channel| affine(&first[channel]) * inverse);
+        }
+        if !at.any(self.meets[0]) {
+            return three!(|channel| affine(&second[channel]) * inverse);
+        }
+        let is_first = affine(&self.before).simd_ge(f32x16::splat(simd, 0.0));
+        three!(|channel| {
+            is_first.select(affine(&first[channel]), affine(&second[channel])) * inverse
+        })
+    }
 }
 
 /// The rounding error of a colour in f32, relative to the largest on the square:
@@ -111,11 +127,9 @@ impl<'a> Gouraud<'a> {
         let bounded = steady & shortest.simd_gt(0.5);
         let rounding = largest * ROUNDING;
         *tile = TileColors {
-            w: [single(number(1.0)), single(e), single(g)],
-            before: three!(|term| single(before[term])),
-            colors: two!(|triangle| three!(|channel| three!(|term| single(
-                colors[triangle][channel][term]
-            )))),
+            w: single([number(1.0), e, g]),
+            before: single(before),
+            colors: two!(|triangle| three!(|channel| single(colors[triangle][channel]))),
             meets: [meets[0].to_bitmask(), meets[1].to_bitmask()],
             errors: *bounded.select(rounding, number(f64::INFINITY)).as_array(),
         };
@@ -136,39 +150,12 @@ impl<'a> Gouraud<'a> {
         let terms = sampled(
             simd,
             inlined!(|place| {
-                let [red, green, blue] = self.colors(simd, tile, At::Nodes, place);
+                let [red, green, blue] = tile.levels(simd, At::Nodes, place);
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
         let none = mask64x4::splat(simd, false);
         Some(Interpolant::new(terms, [zero; 3], none, budget))
-    }
-
-    /// w C / w at places on squares, x and y from -1 to 1.
-    #[inline(always)]
-    fn colors<S: Simd>(
-        &self,
-        simd: S,
-        tile: &TileColors,
-        at: At,
-        [x, y]: [f32x16<S>; 2],
-    ) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &Squares| {
-            let [middle, right, down] = three!(|term| at.lanes(simd, &of[term]));
-            x * right + (y * down + middle)
-        });
-        let inverse = 1.0 / affine(&tile.w);
-        let [first, second] = &tile.colors;
-        if !at.any(tile.meets[1]) {
-            return three!(|channel| affine(&first[channel]) * inverse);
-        }
-        if !at.any(tile.meets[0]) {
-            return three!(|channel| affine(&second[channel]) * inverse);
-        }
-        let is_first = affine(&tile.before).simd_ge(f32x16::splat(simd, 0.0));
-        three!(|channel| {
-            is_first.select(affine(&first[channel]), affine(&second[channel])) * inverse
-        })
     }
 
     /// Evaluates pixels of one of four squares in f32, if that keeps the tolerance; returns the number of highlights: none.
@@ -181,7 +168,7 @@ impl<'a> Gouraud<'a> {
         pixels: &mut Pixels,
     ) -> Option<usize> {
         let evaluate =
-            inlined!(|place: [f32x16<S>; 2]| self.colors(simd, tile, At::Pixels(index), place));
+            inlined!(|place: [f32x16<S>; 2]| tile.levels(simd, At::Pixels(index), place));
         // False for an error that is not a number.
         let keeps = tile.errors[index] <= limit(self.tolerance);
         keeps.then(|| {

@@ -24,9 +24,9 @@ pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) 
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// A vector on four squares: its value at the middle, of length one, and its changes from there to the right and to the lower
-/// edge; by axis and square.
-pub type Squares = [[[f32; 4]; 3]; 3];
+/// An affine number on four squares: its value at the middle, and its changes from there to the right and to the lower edge;
+/// by square. A vector is three of them; its length at the middle is one.
+pub type Squares = [[f32; 4]; 3];
 
 /// The squares that the sixteen lanes belong to.
 #[derive(Clone, Copy)]
@@ -49,7 +49,7 @@ impl At {
 
     /// A number of each square, in its lanes.
     #[inline(always)]
-    pub fn lanes<S: Simd>(self, simd: S, squares: &[f32; 4]) -> f32x16<S> {
+    fn lanes<S: Simd>(self, simd: S, squares: &[f32; 4]) -> f32x16<S> {
         match self {
             At::Nodes => {
                 let four = f32x4::simd_from(simd, *squares);
@@ -58,6 +58,13 @@ impl At {
             }
             At::Pixels(square) => f32x16::splat(simd, squares[square]),
         }
+    }
+
+    /// An affine number at places on the squares, x and y from -1 to 1.
+    #[inline(always)]
+    pub fn number<S: Simd>(self, of: &Squares, [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
+        let [middle, right, down] = three!(|term| self.lanes(x.token(), &of[term]));
+        x * right + (y * down + middle)
     }
 
     /// A number in the lanes of a set of squares, zero elsewhere; one lane at least is in the set.
@@ -81,15 +88,10 @@ impl Phong<'_> {
         simd: S,
         tile: &TileLights,
         at: At,
-        [x, y]: [f32x16<S>; 2],
+        place: [f32x16<S>; 2],
     ) -> [f32x16<S>; 4] {
         let zero = f32x16::splat(simd, 0.0);
-        let vector = inlined!(|of: &Squares| {
-            three!(|axis| {
-                let [middle, right, down] = three!(|term| at.lanes(simd, &of[term][axis]));
-                x * right + (y * down + middle)
-            })
-        });
+        let vector = inlined!(|of: &[Squares; 3]| { three!(|axis| at.number(&of[axis], place)) });
         let unit = inlined!(|vector: [f32x16<S>; 3]| {
             let inverse = 1.0 / dot(&vector, &vector).sqrt();
             three!(|axis| vector[axis] * inverse)

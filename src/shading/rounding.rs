@@ -18,7 +18,7 @@ pub const CHORD: f64 = 50.0;
 /// The rounding errors of the levels at a pixel or node of four squares, in units of U. Rows of polynomials are counted in
 /// [`super::interpolation`].
 ///
-/// A vector V = x a + (y b + c), |V| = 1 at the middle, |x a| + |y b| <= r, errs relative to its least length by
+/// A vector V = x a + (y b + c), |V| = 1 at the middle, |x a| + |y b| <= r, errs by this over its least length, 1 - r:
 ///
 /// ```text
 ///   operation                   count       why
@@ -26,7 +26,7 @@ pub const CHORD: f64 = 50.0;
 ///   x, y                        2 r         1 / half extent, and its product with whole pixels
 ///   products                    r           once each
 ///   sums                        2 + 2 r     once each, at the size of the sum, at most 1 + r
-///   delta                       3 + 6 r     in all: the direction of V errs by this over |V|
+///   delta                       3 + 6 r     in all; over 1 - r, the error of the direction of V
 /// ```
 /// The operations that follow:
 ///
@@ -200,7 +200,7 @@ mod tests {
         let direction_share = |vector: &Moving| {
             let [_, error] = lengths(&formed(vector));
             // The count is for the shortest vector there is on the square.
-            error / one(field(vector).shortest) / turned(vector)
+            error / (1.0 - one(field(vector).radius)) / turned(vector)
         };
         let any = largest(moving(), |vector| direction_share(&vector));
         assert_covers("a direction", any, 0.9);
@@ -262,7 +262,7 @@ mod tests {
             // To f32, and on to the display of the next float.
             (sum.error + 3.0 * sum.value) * U / (one(count.levels()) - own)
         };
-        let bright = largest((500.0..1000.0, terms.clone()), &share);
+        let bright = largest((500.0..1000.0, terms.clone()), share);
         assert_covers("a bright ambient light", bright, 0.8);
         let single = share((0.0, vec![1.0]));
         assert_covers("a single light", single, 0.8);

@@ -65,7 +65,7 @@ impl Spans<'_> {
         let len = self.from.len();
         let [start, end] =
             [rows.start, rows.end].map(|row| row.saturating_sub(self.first).min(len));
-        start..end
+        start..end.max(start)
     }
 
     /// The spans within some columns of some rows of the picture, all of which it has.

@@ -13,12 +13,12 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask64x4};
 
 use super::Phong;
-use crate::shading::field::{self, Field, Lanes, Places};
+use crate::shading::field::{Field, Lanes, Places};
 use crate::shading::interpolation::{Interpolant, LEBESGUE, sampled};
 use crate::shading::kernel::{At, Squares};
 use crate::shading::rounding::Rounding;
 use crate::shading::{U, bound};
-use crate::simd::{inlined, three};
+use crate::simd::{four, inlined, three};
 
 /// The largest number of lights without a bound on a square at which its quarters are tried: with more of them, a quarter hardly
 /// ever has bounds on all. Against 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
@@ -36,7 +36,7 @@ pub struct TileLight {
     /// Where its terminator crosses and it has no highlight: an interpolated square may have one such light.
     pub crosses: u64,
     /// w (L - P).
-    pub vector: Squares,
+    pub vector: [Squares; 3],
     /// Where |n.l| is smaller than this, the sign of n.l is in doubt and the highlight may jump.
     pub doubt: [f32; 4],
 }
@@ -45,8 +45,8 @@ pub struct TileLight {
 #[derive(Clone, Debug, Default)]
 pub struct TileLights {
     pub lights: Vec<TileLight>,
-    pub normal: Squares,
-    pub eye: Squares,
+    pub normal: [Squares; 3],
+    pub eye: [Squares; 3],
     /// Where any highlight is drawn.
     pub shines: u64,
     /// Bounds on the errors of levels that are evaluated in f32, in levels: of rounding and of highlights that are left out.
@@ -147,7 +147,7 @@ impl Phong<'_> {
                 shines: shines.to_bitmask(),
                 crosses: cut.to_bitmask(),
                 vector: to_light.squares(),
-                doubt: field::single(doubt),
+                doubt: four!(|square| doubt.as_array()[square] as f32),
             });
         }
         let rounding = rounding.levels();
