@@ -313,35 +313,35 @@ fn of_coplanar_faces_the_cuboid_earlier_in_the_file_is_visible_despite_rounding(
 }
 
 #[test]
-fn a_face_that_snapping_made_concave_covers_exactly_its_two_triangles() {
-    // The first corner is a notch between the second and the last, so the upper rows have two spans.
-    let corners = [[6, 6], [1, 1], [6, 14], [11, 1]];
-    for scale in [1, 3] {
-        let view = ahead(Projection::Orthographic, [48, 48]);
-        let mut world = World::new();
-        flat_cube(&mut world, 0, DVec3::ZERO, 50.0);
-        let mut frame = draw(&mut world, &view);
-        let mut expected = vec![false; 48 * 48];
-        for projected in world.query_mut::<&mut Projected>() {
-            let [a, b, c, d] = corners.map(|corner| corner.map(|x| 256 * scale * x));
-            for (polygon, triangle) in projected.polygons[8..10]
-                .iter_mut()
-                .zip([[a, b, c], [a, c, d]])
-            {
-                polygon.vertices[..3].copy_from_slice(&triangle);
-                polygon.len = 3;
-                for (row, from, to) in spans(polygon, 0..48, 48) {
-                    expected[48 * row + from..48 * row + to].fill(true);
+fn a_face_covers_exactly_its_two_triangles() {
+    for triangles in [
+        // Snapping made the face concave: its first corner is a notch, so the upper rows have two spans.
+        [[[6, 6], [1, 1], [6, 14]], [[6, 6], [6, 14], [11, 1]]],
+        // The near plane cut it: the triangles meet along the diagonal, but the second has more of it.
+        [[[1, 1], [1, 9], [9, 9]], [[12, 12], [13, 1], [1, 1]]],
+        [[[12, 12], [13, 1], [1, 1]], [[1, 1], [1, 9], [9, 9]]],
+    ] {
+        for scale in [1, 3] {
+            let view = ahead(Projection::Orthographic, [48, 48]);
+            let mut world = World::new();
+            flat_cube(&mut world, 0, DVec3::ZERO, 50.0);
+            let mut frame = draw(&mut world, &view);
+            let mut expected = vec![false; 48 * 48];
+            for projected in world.query_mut::<&mut Projected>() {
+                for (polygon, triangle) in projected.polygons[8..10].iter_mut().zip(triangles) {
+                    let vertices = triangle.map(|corner| corner.map(|x| 256 * scale * x));
+                    polygon.vertices[..3].copy_from_slice(&vertices);
+                    polygon.len = 3;
+                    for (row, from, to) in spans(polygon, 0..48, 48) {
+                        expected[48 * row + from..48 * row + to].fill(true);
+                    }
                 }
             }
+            rasterization::run(&mut world, &view, &mut frame);
+            let ids = frame.triangles().iter();
+            let drawn: Vec<_> = ids.map(|id| *id != NO_TRIANGLE).collect();
+            assert!(drawn == expected, "{triangles:?}, {scale}");
         }
-        rasterization::run(&mut world, &view, &mut frame);
-        let drawn: Vec<_> = frame
-            .triangles()
-            .iter()
-            .map(|id| *id != NO_TRIANGLE)
-            .collect();
-        assert!(drawn == expected, "{scale}");
     }
 }
 
