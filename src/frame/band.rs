@@ -147,6 +147,7 @@ fn joined(range: [u32; 2], from: usize, to: usize) -> [u32; 2] {
 }
 
 /// Takes the first elements of a slice, if it has any.
+#[expect(clippy::mut_mut, reason = "the slice itself is shortened")]
 fn take<'a, T>(slice: &mut &'a mut [T], len: usize) -> &'a mut [T] {
     slice
         .split_off_mut(..len.min(slice.len()))

@@ -106,7 +106,8 @@ impl DrawList {
         let mut cuts = std::mem::take(&mut self.cuts);
         cuts.clear();
         let mut work = 0;
-        for strip in rows.start / MAX_SIDE..rows.end / MAX_SIDE * usize::from(several) {
+        let strips = rows.start / MAX_SIDE..rows.end / MAX_SIDE;
+        for strip in strips.filter(|_| several) {
             let end = (strip + 1) * MAX_SIDE;
             let own = rows.start.max(end - MAX_SIDE)..end;
             for piece in self.strip(strip) {
@@ -132,3 +133,41 @@ const BAND: usize = 16_000;
 
 /// The work of setting up a face, in such pixels.
 const PIECE: usize = 1_000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cuts of some rows of a picture of 96 rows, in which a piece covers so many pixels of each.
+    fn cuts(pixels: i32, rows: &Range<usize>, several: bool) -> Vec<usize> {
+        let piece = Piece {
+            id: 0,
+            object: 0,
+            row: 0,
+            spans: 0..96,
+            nearness: Affine::default(),
+            range: [0.0; 2],
+        };
+        let mut list = DrawList {
+            pieces: vec![piece],
+            from: vec![0; 96],
+            to: vec![pixels; 96],
+            ..DrawList::default()
+        };
+        list.sort(96);
+        list.cut(rows, several);
+        list.cuts
+    }
+
+    #[test]
+    fn a_band_has_whole_strips_and_at_least_its_work() {
+        assert_eq!(cuts(1000, &(0..96), true), [32, 64, 96]);
+        assert_eq!(cuts(1000, &(0..96), false), [96]);
+        // 24 rows of the first strip have enough, 6 have not.
+        assert_eq!(cuts(1000, &(40..70), true), [64, 70]);
+        assert_eq!(cuts(1000, &(58..96), true), [96]);
+        // 32 rows of 469 pixels are 15,008 pixels; setting up the face is the work of 1,000 more.
+        assert_eq!(cuts(469, &(0..64), true), [32, 64]);
+        assert_eq!(cuts(468, &(0..64), true), [64]);
+    }
+}

@@ -175,11 +175,13 @@ fn cover_small<S: Simd>(
     [one, other]: &[Polygon; 2],
     size: [usize; 2],
 ) -> Option<Covered> {
-    let ([a, b, c], [_, _, d]) = (one.vertices(), other.vertices()) else {
+    let ([a, b, c], [d, e, f]) = (one.vertices(), other.vertices()) else {
         return None;
     };
     let [first, last] = [i32::min, i32::max].map(|end: fn(i32, i32) -> i32| {
-        [0, 1].map(|axis| end(end(a[axis], b[axis]), end(c[axis], d[axis])) >> 8)
+        // All six: where the near plane cut them, the triangles need not share corners.
+        let all = [b, c, d, e, f];
+        [0, 1].map(|axis| all.iter().fold(a[axis], |edge, it| end(edge, it[axis])) >> 8)
     });
     let fits = [0, 1].map(|axis| {
         first[axis] >= 0
@@ -191,7 +193,7 @@ fn cover_small<S: Simd>(
     }
     let rows = (last[1] - first[1] + 1) as usize;
     let one = covered(simd, [*a, *b, *c], first, rows);
-    let other = covered(simd, [*a, *c, *d], first, rows);
+    let other = covered(simd, [*d, *e, *f], first, rows);
     let start = list.from.len();
     for (one, other) in one.into_iter().zip(other).take(rows) {
         let row = one | other;

@@ -238,18 +238,27 @@ fn hidden_pixels_of_a_small_face_are_not_evaluated() {
 
 #[test]
 fn small_faces_of_every_size_cover_all_their_pixels() {
-    // About the size that is drawn as one square of 16 x 16 pixels.
+    // About the size that is drawn as one square of 16 x 16 pixels, at several places in a pixel.
     for width in 14..=20_u32 {
         for height in 14..=20_u32 {
-            let mut world = World::new();
-            let size = dvec3(f64::from(width), f64::from(height), 2.0);
-            let mode = ShadingMode::Phong;
-            spawn_cuboid(&mut world, 0, at(DVec3::ZERO), size, MATERIAL, mode);
-            let mut view = ahead(Projection::Orthographic, [40, 40]);
-            view.viewpoint.camera.height = 40.0;
-            let frame = draw(&mut world, &view);
-            let covered = frame.counts().covered_pixels;
-            assert_eq!(covered, u64::from(width * height), "{width} x {height}");
+            for shift in [0.0, 0.3, 0.7] {
+                let mut world = World::new();
+                let [right, up] = [width, height].map(|side| f64::from(side) + 0.42);
+                let mode = ShadingMode::Phong;
+                let place = at(dvec3(shift, shift, 0.0));
+                spawn_cuboid(&mut world, 0, place, dvec3(right, up, 2.0), MATERIAL, mode);
+                let mut view = ahead(Projection::Orthographic, [40, 40]);
+                view.viewpoint.camera.height = 40.0;
+                // Centres between two sides that are so far from the picture's middle.
+                let centres = |side: f64, shift: f64| {
+                    let [from, to] =
+                        [-side / 2.0, side / 2.0].map(|end| (end + shift - 0.5).ceil());
+                    (to - from) as u64
+                };
+                let expected = centres(right, shift) * centres(up, -shift);
+                let covered = draw(&mut world, &view).counts().covered_pixels;
+                assert_eq!(covered, expected, "{width} x {height}, {shift}");
+            }
         }
     }
 }
@@ -286,43 +295,43 @@ fn of_coplanar_faces_the_cuboid_earlier_in_the_file_is_visible_despite_rounding(
 }
 
 #[test]
-fn a_face_that_snapping_made_concave_covers_exactly_its_two_triangles() {
-    // The first corner is a notch between the second and the last, so the upper rows have two spans.
-    let corners = [[6, 6], [1, 1], [6, 14], [11, 1]];
-    for scale in [1, 3] {
-        let view = ahead(Projection::Orthographic, [48, 48]);
-        let mut world = World::new();
-        flat_cube(&mut world, 0, DVec3::ZERO, 50.0);
-        let mut frame = draw(&mut world, &view);
-        let mut expected = vec![false; 48 * 48];
-        for projected in world.query_mut::<&mut Projected>() {
-            let [a, b, c, d] = corners.map(|corner| corner.map(|x| 256 * scale * x));
-            for (polygon, triangle) in projected.polygons[8..10]
-                .iter_mut()
-                .zip([[a, b, c], [a, c, d]])
-            {
-                polygon.vertices[..3].copy_from_slice(&triangle);
-                polygon.len = 3;
-                for (row, from, to) in spans(polygon, 0..48, 48) {
-                    expected[48 * row + from..48 * row + to].fill(true);
+fn a_face_covers_exactly_its_two_triangles() {
+    for triangles in [
+        // Snapping made the face concave: its first corner is a notch, so the upper rows have two spans.
+        [[[6, 6], [1, 1], [6, 14]], [[6, 6], [6, 14], [11, 1]]],
+        // The near plane cut it: the triangles meet along the diagonal, but the second has more of it.
+        [[[1, 1], [1, 9], [9, 9]], [[12, 12], [13, 1], [1, 1]]],
+        [[[12, 12], [13, 1], [1, 1]], [[1, 1], [1, 9], [9, 9]]],
+    ] {
+        for scale in [1, 3] {
+            let view = ahead(Projection::Orthographic, [48, 48]);
+            let mut world = World::new();
+            flat_cube(&mut world, 0, DVec3::ZERO, 50.0);
+            let mut frame = draw(&mut world, &view);
+            let mut expected = vec![false; 48 * 48];
+            for projected in world.query_mut::<&mut Projected>() {
+                for (polygon, triangle) in projected.polygons[8..10].iter_mut().zip(triangles) {
+                    let vertices = triangle.map(|corner| corner.map(|x| 256 * scale * x));
+                    polygon.vertices[..3].copy_from_slice(&vertices);
+                    polygon.len = 3;
+                    for (row, from, to) in spans(polygon, 0..48, 48) {
+                        expected[48 * row + from..48 * row + to].fill(true);
+                    }
                 }
             }
+            rasterization::run(&mut world, &view, &mut frame);
+            let ids = frame.triangles().iter();
+            let drawn: Vec<_> = ids.map(|id| *id != NO_TRIANGLE).collect();
+            assert!(drawn == expected, "{triangles:?}, {scale}");
         }
-        rasterization::run(&mut world, &view, &mut frame);
-        let drawn: Vec<_> = frame
-            .triangles()
-            .iter()
-            .map(|id| *id != NO_TRIANGLE)
-            .collect();
-        assert!(drawn == expected, "{scale}");
     }
 }
 
 #[test]
-fn beyond_its_corners_a_face_is_not_farther_than_its_farthest_corner() {
-    // Two faces, from an edge at z = 1.4 to the sides at z = 0; behind them a wall whose front is at z = -0.05.
-    let seen = |walls: usize| {
-        let view = ahead(Projection::Orthographic, [200, 200]);
+fn beyond_its_corners_a_face_is_as_deep_as_its_outermost_corner() {
+    // Two faces, from an edge at z = 1.4 to the sides at z = 0, and a wall with its front 0.05 before its middle.
+    let seen = |projection, wall: Option<f64>, moved: fn(i32) -> i32| {
+        let view = ahead(projection, [200, 200]);
         let mut world = World::new();
         let turned = Transform {
             rotation: DVec3::Y * 45.0,
@@ -330,32 +339,28 @@ fn beyond_its_corners_a_face_is_not_farther_than_its_farthest_corner() {
         };
         let (size, mode) = (DVec3::splat(2.0), ShadingMode::Phong);
         spawn_cuboid(&mut world, 0, turned, size, MATERIAL, mode);
-        for wall in 1..=walls {
-            let place = at(DVec3::NEG_Z * 0.55);
-            spawn_cuboid(
-                &mut world,
-                wall,
-                place,
-                dvec3(10.0, 10.0, 1.0),
-                MATERIAL,
-                mode,
-            );
+        if let Some(z) = wall {
+            let (place, size) = (at(DVec3::Z * z), dvec3(10.0, 10.0, 0.1));
+            spawn_cuboid(&mut world, 1, place, size, MATERIAL, mode);
         }
         let mut frame = draw(&mut world, &view);
-        // A fifth wider than they are: the planes of the faces would continue behind the wall.
         for (order, projected) in world.query_mut::<(&FileOrder, &mut Projected)>() {
             if order.0 == 0 {
-                let vertices = projected
-                    .polygons
-                    .iter_mut()
-                    .flat_map(|it| &mut it.vertices);
-                vertices.for_each(|[x, _]| *x += (*x - 256 * 100) / 5);
+                let polygons = projected.polygons.iter_mut();
+                let vertices = polygons.flat_map(|it| &mut it.vertices);
+                vertices.for_each(|[x, _]| *x = moved(*x));
             }
         }
         rasterization::run(&mut world, &view, &mut frame);
         frame.triangles().iter().filter(|id| **id < 12).count()
     };
-    let alone = seen(0);
-    assert!(alone > 600, "{alone}");
-    assert_eq!(seen(1), alone);
+    for projection in PROJECTIONS {
+        // A fifth wider than they are: their planes would continue behind the wall.
+        let wider = |x| x + (x - 256 * 100) / 5;
+        let alone = seen(projection, None, wider);
+        assert!(alone > 600, "{alone}");
+        assert_eq!(seen(projection, Some(-0.1), wider), alone);
+        // Three pixels aside: the plane of the left one would continue before the wall.
+        assert_eq!(seen(projection, Some(1.45), |x| x + 3 * 256), 0);
+    }
 }
