@@ -154,6 +154,26 @@ fn label(value: f64) -> String {
     if (0.001..=1000.0).contains(&value) {
         value.to_string()
     } else {
-        format!("{value:e}")
+        format!("{value:.1e}").replace(".0e", "e")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round_numbers_with_short_labels() {
+        for (axis, expected) in [
+            (2.0..30.0, "2 5 10 20"),
+            (3.0..4.5, "3 4"),
+            (1.0..1000.0, "1 10 100 1000"),
+            (5e-4..500.0, "0.001 0.01 0.1 1 10 100"),
+            (1.5e4..9e5, "2e4 5e4 1e5 2e5 5e5"),
+            (1e-97..1e97, "1e-90 1e-60 1e-30 1 1e30 1e60 1e90"),
+        ] {
+            let labels: Vec<String> = ticks(&axis).into_iter().map(label).collect();
+            assert_eq!(labels.join(" "), expected, "{axis:?}");
+        }
     }
 }

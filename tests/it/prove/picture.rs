@@ -77,4 +77,9 @@ fn gouraud_is_refuted_as_phong_by_its_known_error() {
     assert!(errors.is_sorted_by(|one, other| one >= other), "{errors:?}");
     // The highlight is missing: 160 levels of red under Phong.
     assert!(errors[0] > 100.0, "{errors:?}");
+    // Under the largest tolerance it is proven, and its errors and widths stand in the proof.
+    let proof = judged(&mut scene, &view.with_tolerance(255.0), &picture);
+    assert_eq!(proof.proven, (SIZE[0] * SIZE[1]) as u64);
+    assert!(proof.worst >= errors[0], "{}", proof.worst);
+    assert!(proof.widest_enclosure > 0.0 && proof.widest_enclosure < 1e-6);
 }

@@ -242,6 +242,9 @@ fn without_normalisation_normals_are_shorter_by_sqrt_3_in_the_middle_of_a_face()
     assert_error(change(&scene, &view, Part::Rule(Rule::UnitNormal)), short);
     // Gouraud has n.l of the corners, 1 / sqrt(3), everywhere.
     assert_error(change(&scene, &view, Part::EveryPixel(0)), short);
+    // The shading of the view does not matter.
+    let forced = view.shaded(ShadingMode::Gouraud);
+    assert_error(change(&scene, &forced, Part::EveryPixel(0)), short);
     let scene = shaded(ShadingMode::Gouraud, scene);
     assert_error(change(&scene, &view, Part::Rule(Rule::UnitNormal)), 0.0);
 }

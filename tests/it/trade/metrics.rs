@@ -313,8 +313,11 @@ fn a_difference_is_at_least_the_gap_and_at_most_the_span() {
         assert_eq!(found, known, "{left:?} {right:?}");
     }
     // The channel with the largest difference decides.
-    let channels = [[1.0, 1.0], [1.0, 1.0], [6.0, 7.0]];
-    assert_eq!(difference(&[[1.0; 2]; 3], &channels), [5.0, 6.0]);
+    for channel in 0..3 {
+        let mut channels = [[1.0, 1.0]; 3];
+        channels[channel] = [6.0, 7.0];
+        assert_eq!(difference(&[[1.0; 2]; 3], &channels), [5.0, 6.0]);
+    }
     // 0.1 - 0.7 is not a float, so the floats on both sides are given.
     let [least, most] = difference(&[[0.1; 2]; 3], &[[0.7; 2]; 3]);
     assert_eq!(least.next_up().next_up(), most);

@@ -60,7 +60,7 @@ fn the_sentence_states_only_measured_facts() {
             exact_is_as_fast,
             half,
             "about as fast|nothing to trade",
-            "times more",
+            "but",
         ),
         (exact_is_as_fast, exact, NOTHING, "2.2"),
         (
