@@ -9,7 +9,7 @@ use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::components::range::{
-    Angle, Coordinate, FieldOfView, Length, Level, Milliseconds, Share, Strength, array,
+    Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, Share, Strength, array,
 };
 use crate::components::{
     LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Show, Side, Tab, Tolerance,
@@ -28,7 +28,7 @@ const EMERALD: Material = Material {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneRecord {
-    #[serde(default, deserialize_with = "Level::three")]
+    #[serde(default, deserialize_with = "DisplayLevel::three")]
     pub background: DVec3,
     /// One or more.
     #[serde(deserialize_with = "table::all")]
