@@ -20,6 +20,7 @@ mod magnifier;
 mod mesh;
 mod orbit;
 pub mod range;
+pub(crate) mod table;
 mod transform;
 mod view;
 mod viewer;

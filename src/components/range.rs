@@ -7,7 +7,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
 /// Levels of the display.
-pub type Level = Within<{ 0.0_f64.to_bits() }, { 255.0_f64.to_bits() }>;
+pub type DisplayLevel = Within<{ 0.0_f64.to_bits() }, { 255.0_f64.to_bits() }>;
 /// World units.
 pub type Length = Within<{ 1e-100_f64.to_bits() }, { 1e100_f64.to_bits() }>;
 /// World units.

@@ -9,11 +9,11 @@ use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::components::range::{
-    Angle, Coordinate, FieldOfView, Length, Level, Milliseconds, Share, Strength, array,
+    Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, Share, Strength, array,
 };
 use crate::components::{
     LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Show, Side, Tab, Tolerance,
-    ViewMode,
+    ViewMode, table,
 };
 
 /// The material of the built-in default scene.
@@ -28,15 +28,17 @@ const EMERALD: Material = Material {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneRecord {
-    #[serde(default, deserialize_with = "Level::three")]
+    #[serde(default, deserialize_with = "DisplayLevel::three")]
     pub background: DVec3,
     /// One or more.
+    #[serde(deserialize_with = "table::all")]
     pub cuboid: Vec<CuboidRecord>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "table::all")]
     pub light: Vec<LightRecord>,
     /// One or more.
+    #[serde(deserialize_with = "table::all")]
     pub camera: Vec<CameraRecord>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "table::one")]
     pub view: ViewRecord,
 }
 
@@ -52,6 +54,7 @@ pub struct CuboidRecord {
     pub rotation: DVec3,
     #[serde(default)]
     pub shading: ShadingMode,
+    #[serde(deserialize_with = "table::one")]
     pub material: Material,
 }
 
@@ -97,7 +100,7 @@ pub struct CameraRecord {
         deserialize_with = "Length::some"
     )]
     pub near: Option<f64>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "table::one")]
     pub orbit: Orbit,
 }
 
@@ -125,6 +128,7 @@ pub struct ViewRecord {
     pub turned: u32,
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
     pub pixel: Option<[usize; 2]>,
+    #[serde(deserialize_with = "table::one")]
     pub magnifier: Magnifier,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inspector: Option<Tab>,

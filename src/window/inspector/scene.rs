@@ -37,7 +37,7 @@ const fn field(name: &'static str, range: RangeInclusive<f64>, says: &'static st
 mod fields {
     use super::{Field, field, range};
 
-    pub const BACKGROUND: Field = field("background", range::Level::RANGE, "Levels of 255 where nothing is drawn");
+    pub const BACKGROUND: Field = field("background", range::DisplayLevel::RANGE, "Levels of 255 where nothing is drawn");
     pub const SIZE: Field = field("size", range::Length::RANGE, "Edge lengths, in world units");
     pub const CENTRE: Field = field("position", range::Coordinate::RANGE, "Centre, in world units");
     pub const ROTATION: Field = field("rotation", range::Angle::RANGE, "Degrees about the x, y and z axes, in this order");

@@ -33,7 +33,10 @@ Values of the wrong type.
 12 ¦ kind = "difuse"                   ¦ 12:8  ¦ expected one of `ambient`, `diffuse`, `specular` ¦ difuse
 14 ¦ intensity = 1⏎on = 1              ¦ 15:6  ¦ expected a boolean ¦ 1
  4 ¦ shading = "Phong"⏎size = [4,3,2]  ¦ 4:11  ¦ expected `gouraud` or `phong` ¦ Phong
- 5 ¦ material = 3⏎[cuboid.x]           ¦ 5:12  ¦ 3 ¦ expected struct Material
+ 5 ¦ material = 3⏎[cuboid.x]           ¦ 5:12  ¦ 3 ¦ expected a table
+ 5 ¦ [[cuboid.material]]               ¦ 5:1   ¦ expected a table ¦ [[cuboid.material]]
+22 ¦ orbit = [0, 0, 1]                 ¦ 22:9  ¦ expected a table ¦ [0, 0, 1]
+ 1 ¦ view = 3                          ¦ 1:8   ¦ expected a table ¦ 3
  2 ¦ [cuboid]                          ¦ 2:1   ¦ expected a sequence ¦ [cuboid]
 22 ¦ [view]⏎projection = "flat"        ¦ 23:14 ¦ expected `perspective` or `orthographic` ¦ flat
 22 ¦ [view]⏎show = "all"               ¦ 23:8  ¦ expected one of `picture`, `wipe`, `error`, `difference`, `tiles` ¦ all
@@ -130,6 +133,7 @@ fn a_scene_needs_a_cuboid_and_a_camera() {
     }
     assert_complaint(rest, "1:1", &["missing field `camera`"]);
     assert_accepted(&format!("{cuboid}{camera}"));
+    assert_complaint("cuboid = [1]", "1:11", &["`1`", "expected a table"]);
     let none = format!("cuboid = []\n{camera}");
     assert_complaint(
         &none,

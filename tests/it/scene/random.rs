@@ -11,8 +11,8 @@ use shadetrade::components::{
     LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance, ViewMode,
 };
 use shadetrade::scene::range::{
-    Angle, Coordinate, FieldOfView, Length, Level, Milliseconds, OrbitAngle, Share, Shininess,
-    Strength, Zoom,
+    Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, OrbitAngle, Share,
+    Shininess, Strength, Zoom,
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
@@ -200,7 +200,7 @@ pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
 /// A legal record. A random view is almost never parallel to `up`.
 pub fn record() -> impl Strategy<Value = SceneRecord> {
     let all = (
-        three(&Level::RANGE),
+        three(&DisplayLevel::RANGE),
         vec(cuboid(), 1..4),
         vec(light(), 0..4),
         vec(camera(), 1..4),
