@@ -1,7 +1,5 @@
 (* Products of unit vectors and the power of a highlight, `bound::product` and `Highlight::error`.
-
-   Vectors are triples of functions; a, b, ... are lengths. By hand: r = R l for the half-turn R about n, whose derivatives are
-   those of direction.v, so Leibniz' rule below holds for R l with lengths of operators. *)
+   Vectors have three components. at_most v m says that v is at most m long. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
@@ -180,3 +178,84 @@ replace (x * s3 + y * (s1 * (- u - v)) + z * (s1 * s1 * s1))
 eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact C].
 eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
 Qed.
+
+(* For any rho, also below 2, where the signs of y and z are others. *)
+Theorem highlight_below_2 x y z s1 s3 u v sine c e1 e2 e3 :
+  0 <= x -> 0 <= sine -> 0 <= c -> 0 <= e1 -> 0 <= e2 -> 0 <= e3 ->
+  Rabs s1 <= e1 * sine -> Rabs s3 <= 3 * e1 * e2 + c * e3 -> 0 <= u <= e1 * e1 -> Rabs v <= c * e2 ->
+  Rabs (x * s3 + y * (s1 * (- u - v)) + z * (s1 * s1 * s1))
+  <= x * (3 * e1 * e2 + c * e3) + Rabs y * sine * c * e1 * e2
+    + (Rabs y * sine + Rabs z * (sine * sine * sine)) * (e1 * e1 * e1).
+Proof.
+intros x0 sine0 c0 e10 e20 e30 S1 S3 [u0 U] V'.
+assert (K : 0 <= e1 * sine) by (apply Rmult_le_pos; assumption).
+assert (A : Rabs (x * s3) <= x * (3 * e1 * e2 + c * e3)).
+{ rewrite Rabs_mult, (Rabs_pos_eq x x0). apply Rmult_le_compat_l; assumption. }
+assert (B : Rabs (y * (s1 * (- u - v))) <= Rabs y * (e1 * sine * (e1 * e1 + c * e2))).
+{ rewrite 2!Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. apply Rmult_le_compat; auto using Rabs_pos.
+  apply Rabs_le_between in V'. apply Rabs_le. lra. }
+assert (C : Rabs (z * (s1 * s1 * s1)) <= Rabs z * (e1 * sine * (e1 * sine) * (e1 * sine))).
+{ rewrite !Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|].
+  repeat apply Rmult_le_compat; auto using Rabs_pos. apply Rmult_le_pos; apply Rabs_pos. }
+eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang|]. lra.
+Qed.
+
+(* Leibniz' rule for r = R l: R and its derivatives are matrices by rows, m u is at most c |u| long. *)
+Record matrix := M { row1 : vec; row2 : vec; row3 : vec }.
+Definition mul m u := V (dot (row1 m) u) (dot (row2 m) u) (dot (row3 m) u).
+Definition add u v := V (X u + X v) (Y u + Y v) (Z u + Z v).
+Definition scale k u := V (k * X u) (k * Y u) (k * Z u).
+Definition stretches m c := 0 <= c /\ forall u a, at_most u a -> at_most (mul m u) (c * a).
+
+Lemma add_at_most u v a b : at_most u a -> at_most v b -> at_most (add u v) (a + b).
+Proof.
+intros U W. assert (C := cauchy u v a b U W). apply Rabs_le_between in C. destruct U as [A U], W as [B W]. split; [lra|].
+replace (dot (add u v) (add u v)) with (dot u u + 2 * dot u v + dot v v) by (unfold add, dot; simpl; ring). lra.
+Qed.
+
+Lemma scale_at_most k u a : 0 <= k -> at_most u a -> at_most (scale k u) (k * a).
+Proof.
+intros K [A U]. split; [apply Rmult_le_pos; assumption|].
+replace (dot (scale k u) (scale k u)) with (k * k * dot u u) by (unfold scale, dot; simpl; ring).
+replace (k * a * (k * a)) with (k * k * (a * a)) by ring. apply Rmult_le_compat_l; [apply Rle_0_sqr | exact U].
+Qed.
+
+Section Reflected.
+Variables m m1 m2 m3 : R -> matrix.
+Variables l l1 l2 l3 : R -> vec.
+Hypothesis dl : forall t, derives l l1 t /\ derives l1 l2 t /\ derives l2 l3 t.
+Hypothesis rows : forall row, row = row1 \/ row = row2 \/ row = row3 -> forall t,
+  derives (fun t => row (m t)) (fun t => row (m1 t)) t /\ derives (fun t => row (m1 t)) (fun t => row (m2 t)) t /\
+  derives (fun t => row (m2 t)) (fun t => row (m3 t)) t.
+Definition r t := mul (m t) (l t).
+Definition r3 t := add (add (mul (m3 t) (l t)) (scale 3 (mul (m2 t) (l1 t)))) (add (scale 3 (mul (m1 t) (l2 t))) (mul (m t) (l3 t))).
+
+(* Each component of r has the third derivative of r3. *)
+Theorem reflected t : exists r1 r2 : R -> vec, derives r r1 t /\ derives r1 r2 t /\ derives r2 r3 t.
+Proof.
+assert (D := fun row H => leibniz (fun t => row (m t)) (fun t => row (m1 t)) (fun t => row (m2 t)) (fun t => row (m3 t))
+  l l1 l2 l3 (rows row H) dl t).
+destruct (D row1 (or_introl eq_refl)) as [A [A1 A2]]. destruct (D row2 (or_intror (or_introl eq_refl))) as [B [B1 B2]].
+destruct (D row3 (or_intror (or_intror eq_refl))) as [C [C1 C2]].
+exists (fun t => V (p1 (fun t => row1 (m t)) (fun t => row1 (m1 t)) l l1 t)
+  (p1 (fun t => row2 (m t)) (fun t => row2 (m1 t)) l l1 t) (p1 (fun t => row3 (m t)) (fun t => row3 (m1 t)) l l1 t)).
+exists (fun t => V (p2 (fun t => row1 (m t)) (fun t => row1 (m1 t)) (fun t => row1 (m2 t)) l l1 l2 t)
+  (p2 (fun t => row2 (m t)) (fun t => row2 (m1 t)) (fun t => row2 (m2 t)) l l1 l2 t)
+  (p2 (fun t => row3 (m t)) (fun t => row3 (m1 t)) (fun t => row3 (m2 t)) l l1 l2 t)).
+refine (conj (conj A (conj B C)) (conj (conj A1 (conj B1 C1)) _)).
+unfold r3, add, scale, mul, derives; simpl. refine (conj _ (conj _ _)).
+- replace (_ + _) with (p3 (fun t => row1 (m t)) (fun t => row1 (m1 t)) (fun t => row1 (m2 t)) (fun t => row1 (m3 t)) l l1 l2 l3 t) by (unfold p3; ring). exact A2.
+- replace (_ + _) with (p3 (fun t => row2 (m t)) (fun t => row2 (m1 t)) (fun t => row2 (m2 t)) (fun t => row2 (m3 t)) l l1 l2 l3 t) by (unfold p3; ring). exact B2.
+- replace (_ + _) with (p3 (fun t => row3 (m t)) (fun t => row3 (m1 t)) (fun t => row3 (m2 t)) (fun t => row3 (m3 t)) l l1 l2 l3 t) by (unfold p3; ring). exact C2.
+Qed.
+
+Theorem reflected_bound t a1 a2 a3 b1 b2 b3 :
+  stretches (m t) 1 -> stretches (m1 t) a1 -> stretches (m2 t) a2 -> stretches (m3 t) a3 ->
+  at_most (l t) 1 -> at_most (l1 t) b1 -> at_most (l2 t) b2 -> at_most (l3 t) b3 ->
+  at_most (r3 t) (a3 + (a2 * b1 + a1 * b2) * 3 + b3).
+Proof.
+intros [_ A] [_ A1] [_ A2] [_ A3] B B1 B2 B3. unfold r3.
+replace (a3 + (a2 * b1 + a1 * b2) * 3 + b3) with ((a3 * 1 + 3 * (a2 * b1)) + (3 * (a1 * b2) + 1 * b3)) by ring.
+repeat apply add_at_most; auto; apply scale_at_most; auto; lra.
+Qed.
+End Reflected.
