@@ -18,7 +18,7 @@ use super::inspector::{short, two_digits};
 use super::jobs::State;
 use super::keys::{Command, caption};
 use super::pictures::TINTS;
-use super::style::{BAD, GOURAUD, INK, PHONG, STALE};
+use super::style::{BAD, INK, STALE, mode_ink};
 use crate::components::{ShadingMode, Show, Side, Tolerance, ViewMode};
 use crate::paint::color;
 use crate::prove::{REFUTED, UNDECIDED};
@@ -127,14 +127,14 @@ impl App {
             .filter_map(|it| Some((it, axes.of_method(it)?)))
             .collect();
         for (index, (one, at)) in dots.iter().enumerate() {
-            // Dots that are close to each other share the way between them.
+            // The areas of close dots do not overlap.
             let others = dots.iter().enumerate().filter(|(other, _)| *other != index);
             let ways = others.map(|(_, (_, other))| (*other - *at).abs().max_elem() / 2.0);
             let reach = ways.fold(REACH, f32::min).max(1.0);
             let place = Rect::from_center_size(*at, Vec2::splat(2.0 * reach));
             self.dot(ui, one, place, &axes);
         }
-        // The place of what is on screen is an estimate until that is measured.
+        // The ring has an estimated place until the method on screen is measured.
         let known = self.method().and_then(|it| place_of(&it));
         let estimate = || estimate(&front, self.method()?);
         if let Some(at) = known.or_else(estimate) {
@@ -199,20 +199,15 @@ impl App {
             let at = pos2(x, place.max.y + 2.0);
             word(at, Align2::CENTER_TOP, &time.to_string());
         }
-        let [left, right] = [place.left_top(), place.right_top()];
-        let above = vec2(0.0, -2.0);
-        word(
-            left + above,
-            Align2::LEFT_BOTTOM,
-            "largest error of 255; ms a frame",
-        );
-        word(right + vec2(-3.0, 2.0), Align2::RIGHT_TOP, "visible");
-        let state = match &self.facts.trade.state {
-            State::Running(share) => format!("measuring, {:.0} %", share * 100.0),
-            State::Idle => "not of this view yet".to_owned(),
-            State::Done | State::Failed(_) => return,
+        let head = match &self.facts.trade.state {
+            State::Running(share) => &format!("measuring, {:.0} %", share * 100.0),
+            State::Idle => "measured in another view or size; soon in this one",
+            State::Done | State::Failed(_) => "largest error of 255; ms a frame",
         };
-        word(right + above, Align2::RIGHT_BOTTOM, &state);
+        let above = place.left_top() - vec2(0.0, 2.0);
+        word(above, Align2::LEFT_BOTTOM, head);
+        let inside = place.right_top() + vec2(-3.0, 2.0);
+        word(inside, Align2::RIGHT_TOP, "visible");
     }
 
     /// A method: pointed at, it is shown while it is; clicked, it is chosen.
@@ -225,11 +220,10 @@ impl App {
             WidgetInfo::labeled(WidgetType::Button, true, format!("choose {name}"))
         });
         let is_current = self.facts.trade.current().is_some();
-        let mut ink = match method.mode {
-            _ if !is_current => STALE,
-            ShadingMode::Gouraud => GOURAUD,
-            ShadingMode::Phong => PHONG,
-            ShadingMode::UnitVectors => Color32::GRAY,
+        let mut ink = if is_current {
+            mode_ink(method.mode)
+        } else {
+            STALE
         };
         if !one.on_front {
             ink = ink.gamma_multiply(0.6);

@@ -28,8 +28,8 @@ impl App {
                 continue;
             };
             let command = keys::command(key, modifiers);
-            if command == Some(Command::ShowExact) {
-                self.desk.shows_exact = pressed && !has_field;
+            if command == Some(Command::Blink) {
+                self.blink_while(pressed && !has_field);
             }
             let Some(command) = command.filter(|_| pressed) else {
                 continue;
@@ -89,7 +89,8 @@ impl App {
             Command::Profile => self.desk.profile_folded ^= true,
             Command::Probe(right, down) => self.step_probed([right, down]),
             Command::Magnify(steps) => self.magnify(steps, None),
-            Command::ShowExact => {}
+            // It acts while it is held.
+            Command::Blink => {}
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
             Command::Zoom(steps) => self.zoom(steps),
             Command::ResetView => {
@@ -122,11 +123,17 @@ impl App {
                 self.desk.over[0] ^= true;
             }
             Command::Help => self.desk.help ^= true,
-            Command::Screenshot { window } => self.desk.screenshot = Some(window),
+            Command::Screenshot => self.desk.screenshot = true,
             Command::Close => self.close(),
             Command::Quit if self.is_edited() => self.desk.asks_to_save = true,
             Command::Quit => self.quits = true,
         }
+    }
+
+    /// Two pictures take turns for as long as this is called with `true`.
+    pub fn blink_while(&mut self, is_held: bool) {
+        let since = self.desk.blinks.unwrap_or(self.now);
+        self.desk.blinks = is_held.then_some(since);
     }
 
     fn switch_light(&mut self, light: hecs::Entity) {
@@ -171,10 +178,13 @@ impl App {
         let (next, end) = if steps > 0 {
             (
                 tolerances.find(|next| *next > present),
-                "the keys go no coarser",
+                "the keys have no coarser tolerance",
             )
         } else {
-            (tolerances.rfind(|next| *next < present), "exact already")
+            (
+                tolerances.rfind(|next| *next < present),
+                "the tolerance is 0 already",
+            )
         };
         match next {
             Some(next) => self.set_tolerance(next),

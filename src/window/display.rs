@@ -1,4 +1,4 @@
-//! The window of minifb 0.29: it is opened, its events are gathered, pixels are shown. Its peculiarities are dealt with here.
+//! Opens a window with minifb 0.29, gathers its events and shows pixels. Works around the faults of minifb.
 //!
 //! Keys come through a callback, because polling loses taps. Buttons can only be polled, so a click between two polls is
 //! lost: poll often while the mouse is in use. A window that another program destroys ends this one inside Xlib.

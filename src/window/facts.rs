@@ -31,8 +31,8 @@ pub struct Facts {
     pub section: Job<Vec<Probe>>,
     /// The picture without the part that is left out, 0x00RRGGBB.
     pub without: Job<Vec<u32>>,
-    pub comparison: Job<Box<Comparison>>,
-    pub proof: Job<Box<Proof>>,
+    pub comparison: Job<Comparison>,
+    pub proof: Job<Proof>,
     pub required: Job<Vec<PartChange>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Job<Vec<Measurement>>,
@@ -75,7 +75,7 @@ impl App {
     fn tasks(&mut self) -> Vec<Task> {
         let (show, Inspector(tab)): (Show, Inspector) = (self.look(), self.look());
         let is_live = self.jobs.is_some();
-        let shows_exact = self.desk.shows_exact
+        let shows_exact = self.desk.blinks.is_some()
             || matches!(show.mode, ViewMode::Error | ViewMode::Difference)
             || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
         let [width, height] = self.pictures.size();
@@ -106,7 +106,7 @@ impl App {
         tasks.into_iter().flatten().filter(is_open).collect()
     }
 
-    /// What is known of the probed pixel, be it of an earlier picture.
+    /// The answer about the probed pixel, possibly of an earlier picture.
     pub fn probed(&self) -> Option<&Probe> {
         let Probed(pixel) = self.look();
         let mut section = self.facts.section.value.iter().flatten();
@@ -162,8 +162,8 @@ impl App {
         methods
     }
 
-    /// Asks the open questions once the picture rests, or at once where there are no background jobs. A pixel takes so little
-    /// time that it is probed while things move.
+    /// Asks the open questions once the picture rests, or at once where there are no background jobs. A pixel is probed even
+    /// while things move, because that takes little time.
     pub fn order_jobs(&mut self) {
         let rests = self.jobs.is_none() || self.rests();
         let mut tasks = self.tasks();
@@ -210,37 +210,36 @@ impl App {
     }
 
     fn take(&mut self, task: Task, answer: Answer) {
-        let facts = &mut self.facts;
         if !matches!(answer, Answer::Progress(_)) {
             self.ordered.retain(|ordered| *ordered != task);
         }
+        let facts = &mut self.facts;
         match answer {
-            Answer::Probe(section) => {
+            Answer::Done(put) => put(facts),
+            // What is known stays current while it is refined.
+            Answer::Progress(_) if task == Task::Measure && facts.passes > 0 => return,
+            Answer::Progress(share) => {
+                *facts.state(task) = State::Running(share);
+                return;
+            }
+            Answer::Failed(reason) => {
+                *facts.state(task) = State::Failed(reason.clone());
+                return self.say(reason);
+            }
+        }
+        match (task, &facts.section.value, &facts.proof.value) {
+            (Task::Probe(_), Some(section), _) => {
                 if let Some(object) = &section[0].object {
                     self.desk.selected = Some((Kind::Cuboid, object.clone()));
                 }
-                facts.section.finish(section);
             }
-            Answer::LeaveOut(picture) => facts.without.finish(picture),
-            Answer::Compare(comparison) => facts.comparison.finish(comparison),
-            Answer::Prove(proof) => {
+            (Task::Prove, _, Some(proof)) => {
                 if let Some(comparison) = &mut facts.comparison.value {
-                    comparison.mark(&proof);
+                    comparison.mark(proof);
                 }
-                facts.proof.finish(proof);
             }
-            Answer::Require(parts) => facts.required.finish(parts),
-            Answer::Measure(measured) => {
-                facts.trade.finish(measured);
-                facts.passes += 1;
-            }
-            // What is known stays current while it is refined.
-            Answer::Progress(_) if task == Task::Measure && facts.passes > 0 => {}
-            Answer::Progress(share) => *facts.state(task) = State::Running(share),
-            Answer::Failed(reason) => {
-                *facts.state(task) = State::Failed(reason.clone());
-                self.say(reason);
-            }
+            (Task::Measure, ..) => facts.passes += 1,
+            _ => {}
         }
     }
 }

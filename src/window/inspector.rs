@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
 use glam::DVec3;
 
-pub use self::scene::Kind;
+pub use self::scene::{Kind, intensity};
 pub use self::section::CHANNELS;
 use super::app::App;
 use super::jobs::{Job, State};

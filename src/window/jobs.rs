@@ -13,12 +13,13 @@ use fearless_simd::Level;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::comparison::Comparison;
+use super::facts::Facts;
 use super::pictures::view_at;
 use crate::components::{Show, View, get, viewer};
 use crate::drawing::all_cores;
-use crate::probe::{self, Probe};
-use crate::prove::{Proof, prove};
-use crate::requires::{self, Part, PartChange};
+use crate::probe;
+use crate::prove::prove;
+use crate::requires::{self, Part};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
 use crate::trade::{self, Measurement, TradeError, live};
@@ -37,17 +38,9 @@ pub enum Task {
 }
 
 /// An answer to a [`Task`].
-#[derive(Debug)]
 pub enum Answer {
-    /// From left to right.
-    Probe(Vec<Probe>),
-    /// 0x00RRGGBB.
-    LeaveOut(Vec<u32>),
-    Compare(Box<Comparison>),
-    Prove(Box<Proof>),
-    /// The part that matters most first.
-    Require(Vec<PartChange>),
-    Measure(Vec<Measurement>),
+    /// Puts the answer among the facts.
+    Done(Box<dyn FnOnce(&mut Facts) + Send>),
     /// The share of the task that is done, 0..=1.
     Progress(f64),
     /// The reason why there is no answer.
@@ -223,20 +216,25 @@ fn answer(
         Task::Probe(pixel) => {
             let show: Show = get(&scene.world, viewer(&scene.world)).unwrap_or_default();
             let view = view_at(&show, view, pixel[0]);
-            Some(Answer::Probe(probe::section(scene, &view, pixel, level)?))
+            let section = probe::section(scene, &view, pixel, level)?;
+            put(Some(section), |facts| &mut facts.section)
         }
         Task::LeaveOut(part) => {
-            requires::picture_without(scene, view, part, cancelled).map(Answer::LeaveOut)
+            let picture = requires::picture_without(scene, view, part, cancelled);
+            put(picture, |facts| &mut facts.without)
         }
         Task::Compare => {
             let comparison = Comparison::of(&mut scene.world, view, level, cancelled)?;
-            comparison.map(|it| Answer::Compare(Box::new(it)))
+            put(comparison, |facts| &mut facts.comparison)
         }
         Task::Prove => {
             let proof = prove(&mut scene.world, view, None, level, cancelled, progress)?;
-            proof.map(|it| Answer::Prove(Box::new(it)))
+            put(proof, |facts| &mut facts.proof)
         }
-        Task::Require => requires::ranked(scene, view, cancelled, progress).map(Answer::Require),
+        Task::Require => {
+            let parts = requires::ranked(scene, view, cancelled, progress);
+            put(parts, |facts| &mut facts.required)
+        }
         Task::Measure => {
             let request = trade::Request {
                 camera: String::new(),
@@ -251,8 +249,19 @@ fn answer(
             };
             match live::measure(&request, &order.known, cancelled, progress) {
                 Err(TradeError::Cancelled) => None,
-                measured => Some(Answer::Measure(measured?)),
+                measured => put(Some(measured?), |facts| &mut facts.trade),
             }
         }
     })
+}
+
+/// The answer that puts a value in its place, if there is one.
+fn put<T: Send + 'static>(
+    value: Option<T>,
+    place: fn(&mut Facts) -> &mut Job<T>,
+) -> Option<Answer> {
+    let value = value?;
+    Some(Answer::Done(Box::new(move |facts| {
+        place(facts).finish(value);
+    })))
 }

@@ -120,12 +120,8 @@ fn keep_differences<T: PartialEq + Serialize>(
     for (index, (one, other)) in one.iter().zip(other).enumerate() {
         keep_difference(&mut kept, &index.to_string(), one, other)?;
     }
-    for (side, kept) in sides
-        .iter_mut()
-        .zip(kept)
-        .filter(|(_, kept)| !kept.is_null())
-    {
-        side[kind] = kept;
+    if kept[0] != Value::Null {
+        [sides[0][kind], sides[1][kind]] = kept;
     }
     Ok(())
 }

@@ -102,19 +102,16 @@ fn sides(tolerance: f64) -> [Side; 2] {
 #[test]
 fn every_key_does_what_its_description_says() {
     for binding in BINDINGS {
-        for (modifiers, key) in binding.keys {
-            let (command, mut window) = (binding.command, Window::open());
+        for (modifiers, key, command) in binding.keys {
+            let (command, mut window) = (*command, Window::open());
             prepare(&mut window, command);
             let before = window.record();
             window.modifiers = *modifiers;
             window.key(*key, true);
-            assert_eq!(
-                window.app.desk.shows_exact,
-                command == Command::ShowExact,
-                "{key:?}"
-            );
+            let blinks = |window: &Window| window.app.turn().is_some();
+            assert_eq!(blinks(&window), command == Command::Blink, "{key:?}");
             window.key(*key, false);
-            assert!(!window.app.desk.shows_exact, "{key:?}");
+            assert!(!blinks(&window), "{key:?}");
             let (mut after, wanted) = (window.record(), expected(command, &before));
             // The corner is derived from the centre.
             after.view.magnifier.corner = wanted.view.magnifier.corner;
@@ -130,7 +127,7 @@ fn every_key_does_what_its_description_says() {
             assert_eq!(window.app.quits, command == Command::Quit, "{key:?}");
             let saved = match command {
                 Command::Save | Command::SaveAs => vec!["cuboid.toml"],
-                Command::Screenshot { .. } => vec!["shadetrade-001.png"],
+                Command::Screenshot => vec!["shadetrade-001.png"],
                 _ => Vec::new(),
             };
             assert_eq!(window.files(), saved, "{key:?}");
@@ -175,7 +172,7 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     assert_eq!(window.record(), before);
     assert_eq!(window.app.desk.path, "wrsagpfmco=-bzxehniq1 23?[]");
     let desk = &window.app.desk;
-    assert!(!desk.help && !desk.panel_folded && !desk.shows_exact && !window.app.quits);
+    assert!(!desk.help && !desk.panel_folded && desk.blinks.is_none() && !window.app.quits);
     // Keys that a text field ignores.
     window.press(Key::F6);
     assert_eq!(window.record().view.show, ViewMode::Tiles);
