@@ -30,7 +30,7 @@ use crate::components::{Side, Spin, ViewMode, get, viewer};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
 use crate::requires::Part;
-use crate::scene::{Scene, SceneRecord, ViewRecord};
+use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
 use crate::trade::budget::Hold;
 
@@ -255,17 +255,14 @@ impl App {
         if self.file.path.is_some() {
             repaint_after = repaint_after.min(INTERVAL);
         }
-        let mut copied = platform
-            .commands
-            .into_iter()
-            .filter_map(|command| match command {
-                OutputCommand::CopyText(text) => Some(text),
-                _ => None,
-            });
+        let copied = |command| match command {
+            OutputCommand::CopyText(text) => Some(text),
+            _ => None,
+        };
         Ok(Output {
             title: self.title(),
             cursor: platform.cursor_icon,
-            copied: copied.next_back(),
+            copied: platform.commands.into_iter().rev().find_map(copied),
             repaint_after,
         })
     }
@@ -369,16 +366,9 @@ impl App {
 
 /// Whether two states show the scene otherwise, whatever the method.
 fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
-    let view = |record: &SceneRecord| {
-        let ViewRecord {
-            camera,
-            projection,
-            turned,
-            ..
-        } = &record.view;
-        (camera.clone(), *projection, *turned)
-    };
-    view(before) != view(after)
+    let (one, other) = (&before.view, &after.view);
+    one.camera != other.camera
+        || (one.projection, one.turned) != (other.projection, other.turned)
         || before.background != after.background
         || before.light != after.light
         || before.camera != after.camera

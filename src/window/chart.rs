@@ -272,12 +272,9 @@ impl App {
                     |it| format!("difference x{}", it.amplification),
                 );
                 let mut is_difference = show.mode == ViewMode::Difference;
+                let switch = ui.checkbox(&mut is_difference, words);
                 let says = "Grey is no difference to exact Phong (F5 once more).";
-                if ui
-                    .checkbox(&mut is_difference, words)
-                    .on_hover_text(says)
-                    .clicked()
-                {
+                if switch.on_hover_text(says).clicked() {
                     self.run(Command::View(ViewMode::Error));
                 }
                 if !is_difference {
@@ -307,10 +304,8 @@ impl App {
         let painter = ui.painter_at(place);
         scale.draw(&painter, place, Color32::GRAY);
         let largest = comparison.and_then(|it| it.error);
-        for mark in [Some(self.look::<Tolerance>().0), largest]
-            .into_iter()
-            .flatten()
-        {
+        let marks = [Some(self.look::<Tolerance>().0), largest];
+        for mark in marks.into_iter().flatten() {
             // The scale leaves room for its last label.
             let share = scale.position(mark) as f32;
             let x = place.min.x + share * (place.width() - place.height());
@@ -335,10 +330,8 @@ fn along(front: &[(Pos2, Method)], at: Pos2) -> Option<Method> {
     let steps = ends.chain(alone).map(|((from, one), (to, other))| {
         let way = to - from;
         let share = ((at - from).dot(way) / way.length_sq().max(1.0)).clamp(0.0, 1.0);
-        (
-            (from + share * way).distance(at),
-            between(one, other, share.into()),
-        )
+        let missed = (from + share * way).distance(at);
+        (missed, between(one, other, share.into()))
     });
     let nearest = steps.min_by(|one, other| one.0.total_cmp(&other.0));
     nearest.map(|(_, method)| method)

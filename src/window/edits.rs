@@ -121,7 +121,7 @@ impl App {
 
     /// Saves the scene, to a new file if `new`, and says where, or why not. Returns whether it is saved.
     pub fn save(&mut self, new: bool) -> bool {
-        let record = Arc::clone(&self.state);
+        let record = Arc::new(SceneRecord::of(&self.scene.world));
         let saved = self.file.save(&record, &self.folder, new);
         match &saved {
             Ok(path) => {

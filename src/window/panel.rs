@@ -158,30 +158,30 @@ impl App {
         let names = names::<Camera>(&self.scene.world);
         let name = get(&self.scene.world, active).map_or_else(String::new, |Name(name)| name);
         ui.horizontal(|ui| {
-            ui.label("camera")
-                .on_hover_text("The camera that is looked through.");
-            ComboBox::from_id_salt("camera")
-                .selected_text(name)
-                .show_ui(ui, |ui| {
-                    for (camera, name) in cameras.into_iter().zip(names) {
-                        if ui.selectable_label(camera == active, name).clicked() {
-                            self.set_look(ActiveCamera(camera));
-                        }
+            let says = "The camera that is looked through.";
+            ui.label("camera").on_hover_text(says);
+            let choices = ComboBox::from_id_salt("camera").selected_text(name);
+            choices.show_ui(ui, |ui| {
+                for (camera, name) in cameras.into_iter().zip(names) {
+                    if ui.selectable_label(camera == active, name).clicked() {
+                        self.set_look(ActiveCamera(camera));
                     }
-                });
+                }
+            });
             ui.weak(caption(Command::NextCamera));
         });
-        let before: Projection = self.look();
-        let mut projection = before;
+        let projection: Projection = self.look();
         ui.horizontal_wrapped(|ui| {
             for each in Projection::ALL {
-                ui.selectable_value(&mut projection, each, each.name());
+                if ui
+                    .selectable_label(each == projection, each.name())
+                    .clicked()
+                {
+                    self.set_look(each);
+                }
             }
             ui.weak(caption(Command::NextProjection));
         });
-        if projection != before {
-            self.set_look(projection);
-        }
         ui.horizontal_wrapped(|ui| {
             self.offer(ui, Command::Rotate, self.look::<Spin>().on);
             self.offer(ui, Command::ResetView, false);
@@ -213,9 +213,8 @@ impl App {
             let field = TextEdit::singleline(&mut self.desk.path).hint_text("FILE.toml");
             let field = ui.add(field.desired_width(130.0));
             let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-            let open = ui
-                .button("open")
-                .on_hover_text("Opens the scene in this file.");
+            let open = ui.button("open");
+            let open = open.on_hover_text("Opens the scene in this file.");
             if open.clicked() || is_entered {
                 chosen = Some(PathBuf::from(&self.desk.path));
             }

@@ -33,11 +33,8 @@ impl App {
     pub(super) fn draw(&mut self) -> Result<(), OutOfMemory> {
         let (show, view): (Show, View) = (self.look(), self.view());
         let size = view.size;
-        let drawn = self.drawn.take();
-        let (world, present) = (
-            &mut self.scene.world,
-            (Arc::clone(&self.state), size, self.held),
-        );
+        let (world, drawn) = (&mut self.scene.world, self.drawn.take());
+        let present = (Arc::clone(&self.state), size, self.held);
         let is_same = |(state, size, held): &(Arc<SceneRecord>, _, _)| {
             Arc::ptr_eq(state, &present.0) && (*size, *held) == (present.1, present.2)
         };
@@ -112,13 +109,8 @@ impl App {
         let mut pixels = std::mem::take(&mut self.pixels);
         pixels.resize(width * height, 0);
         // A panel may paint less than it takes: contents that are too wide are cut off.
-        let [red, green, blue, _] = self
-            .painter
-            .context
-            .global_style()
-            .visuals
-            .panel_fill
-            .to_array();
+        let ground = self.painter.context.global_style().visuals.panel_fill;
+        let [red, green, blue, _] = ground.to_array();
         let ground = u32::from_be_bytes([0, red, green, blue]);
         let [columns, rows] = self.pictures.size();
         let shown = self.shown();
@@ -142,10 +134,9 @@ impl App {
                 line[..count].copy_from_slice(&drawn[..count]);
                 continue;
             }
-            let squares = line.chunks_mut(magnifier.scale);
-            squares
-                .zip(drawn)
-                .for_each(|(square, pixel)| square.fill(*pixel));
+            for (square, pixel) in line.chunks_mut(magnifier.scale).zip(drawn) {
+                square.fill(*pixel);
+            }
         }
         self.pixels = pixels;
     }

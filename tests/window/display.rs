@@ -1,7 +1,6 @@
 //! The real window on its own X server: opened, controlled and checked from outside.
 
 use std::fs;
-use std::process::Command;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -208,23 +207,6 @@ fn an_input_method_that_does_not_run_is_harmless() {
     until(title, || program.title().contains("assignment"));
     program.press("q");
     program.end();
-}
-
-#[test]
-#[ignore = "tells of a machine without a display, which needs none; it is here beside its opposite"]
-fn without_a_display_a_named_scene_is_an_error_that_advises_render() {
-    let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
-        .args(["view", "assignment"])
-        .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .output()
-        .expect("it runs");
-    assert_eq!(output.status.code(), Some(1));
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        told.contains("no display") && told.contains("render"),
-        "{told}"
-    );
 }
 
 #[test]

@@ -79,7 +79,7 @@ impl App {
             ui.colored_label(GOURAUD, format!("Gouraud {:.0}", levels(here, channel)[0]));
             ui.colored_label(PHONG, format!("Phong {exact:.0}"));
             for light in here.lights.iter().take(NAMES) {
-                let text = format!("⏹ {} {:.0}", light.name, light.phong[channel]);
+                let text = format!("⏹\u{a0}{}\u{a0}{:.0}", light.name, light.phong[channel]);
                 ui.colored_label(self.light_color(&light.name), text);
             }
         });

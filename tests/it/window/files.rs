@@ -250,6 +250,9 @@ fn a_wrong_file_is_reported_with_its_place_and_the_scene_stays_until_it_is_right
         "{error}"
     );
     assert_eq!(window.record(), before);
+    save(&mut window);
+    let text = fs::read_to_string(&path).expect("text");
+    assert!(text.contains("fov = -30.0"), "the wrong text is kept");
     fs::write(&path, BUILT_IN[0].1.replace("fov = 30.0", "fov = 31.25")).expect("written");
     window.wait(PAUSE);
     assert_eq!(window.app.desk.file_error, None);

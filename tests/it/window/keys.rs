@@ -7,8 +7,9 @@ use shadetrade::components::{
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::keys::{BINDINGS, Command};
 
+use super::widgets::path_field;
 use super::{PAUSE, SIZE, Window};
-use crate::support::window::{app, default_scene, places, widgets};
+use crate::support::window::{app, default_scene, widgets};
 
 /// Brings the window into a state in which the command has an effect.
 fn prepare(window: &mut Window, command: Command) {
@@ -161,9 +162,10 @@ fn a_key_without_effect_shows_a_message() {
 
 #[test]
 fn keys_type_into_a_focused_field_and_do_nothing_else() {
-    let places = fields();
+    let app = app(default_scene(), SIZE, fearless_simd::Level::new());
+    let field = path_field(&widgets(app, SIZE));
     let mut window = Window::open();
-    window.click(places);
+    window.click(field);
     let before = window.record();
     window.enter("wrsagpfmco=-bzxehniq1 23?[]");
     for key in [Key::Home, Key::ArrowLeft, Key::PageUp, Key::Space] {
@@ -181,19 +183,6 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     window.press(Key::Escape);
     window.press(Key::P);
     assert_eq!(window.record().cuboid[0].shading, ShadingMode::Phong);
-}
-
-/// The field of the scene's path.
-fn fields() -> Pos2 {
-    use egui_kittest::kittest::Queryable;
-    let app = app(default_scene(), SIZE, fearless_simd::Level::new());
-    let harness = widgets(app, SIZE);
-    let open = places(&harness, "open")[0];
-    let fields = harness.query_all_by_role(egui::accesskit::Role::TextInput);
-    let places = fields.map(|field| field.rect().center());
-    places
-        .min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)))
-        .expect("a field")
 }
 
 #[test]

@@ -223,16 +223,10 @@ fn a_magnified_picture_moves_equally_far_by_small_steps_or_a_large_one() {
         for step in 1..=steps {
             window.point_at(from - vec2(64.0 * step as f32 / steps as f32, 0.0));
         }
-        window.look_corner()
+        window.app.look::<Magnifier>().corner
     });
     assert_eq!(corners[0], corners[1]);
     assert_eq!(corners[0], corners[2]);
-}
-
-impl Window {
-    fn look_corner(&self) -> [usize; 2] {
-        self.app.look::<Magnifier>().corner
-    }
 }
 
 #[test]

@@ -359,6 +359,15 @@ fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     assert_eq!(record(&harness), start);
 }
 
+/// The field of the scene's path: that beside its button.
+pub fn path_field(harness: &Harness<App>) -> Pos2 {
+    let open = places(harness, "open")[0];
+    let fields = harness.query_all_by_role(Role::TextInput);
+    let fields = fields.map(|it| it.rect().center());
+    let nearest = fields.min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)));
+    nearest.expect("a field")
+}
+
 #[test]
 fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -369,12 +378,8 @@ fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_reported() {
         ("nowhere.toml", false),
         (path.to_str().expect("UTF-8"), true),
     ] {
-        let open = places(&harness, "open")[0];
-        let fields = harness.query_all_by_role(Role::TextInput);
-        let field = fields
-            .map(|it| it.rect().center())
-            .min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)));
-        click_at(&mut harness, field.expect("a field"));
+        let field = path_field(&harness);
+        click_at(&mut harness, field);
         harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         harness.event(egui::Event::Text(text.to_owned()));
         harness.key_press(Key::Enter);
