@@ -336,7 +336,7 @@ impl App {
         self.ordered.clear();
     }
 
-    /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
+    /// Stops the jobs about the picture before. If the view is the same, only its method has changed.
     pub(super) fn picture_changed(&mut self, is_same_view: bool) {
         self.stop_jobs();
         self.facts.are_old(is_same_view);
@@ -382,7 +382,7 @@ fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
     before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
 }
 
-/// What a picture shows of the methods, and where.
+/// The mode, the sides and the divider of the picture on screen.
 fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
     let view = &record.view;
     (view.show, view.sides, view.divider)

@@ -31,7 +31,7 @@ use crate::trade::plot::FLOOR;
 use crate::trade::verdict::{UNSEEN, sentence};
 use crate::trade::words::{capital, method_name};
 
-/// The heights of the sentence and of the chart, in points: neither moves what lies below.
+/// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
 const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
 const GROUND: Color32 = Color32::from_gray(20);
@@ -144,7 +144,7 @@ impl App {
         }
     }
 
-    /// What is on screen against its alternatives, and the key that shows one.
+    /// Compares the method on screen with its alternatives, and names the key that shows one.
     fn sentence(&self, ui: &mut Ui) {
         let (trade, method) = (&self.facts.trade, self.method());
         let known = trade.value.as_deref().unwrap_or_default();
@@ -210,7 +210,7 @@ impl App {
         word(inside, Align2::RIGHT_TOP, "visible");
     }
 
-    /// A method: pointed at, it is shown while it is; clicked, it is chosen.
+    /// The dot of a method. Hovering it shows the method's picture, a click chooses the method.
     fn dot(&mut self, ui: &Ui, one: &Measurement, place: Rect, axes: &Axes) {
         let (method, error) = (one.method, one.error.unwrap_or_default());
         let name = method_name(method);

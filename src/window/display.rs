@@ -111,7 +111,7 @@ impl Display {
         self.window.set_title(title);
     }
 
-    /// Shows the cursor of this shape, as far as minifb has it.
+    /// Shows the cursor of this shape, or the nearest that minifb has.
     pub fn set_cursor(&mut self, cursor: CursorIcon) {
         if std::mem::replace(&mut self.cursor, cursor) != cursor {
             self.window.set_cursor_style(match cursor {
@@ -229,7 +229,7 @@ impl Display {
     }
 }
 
-/// The clipboard, which is opened once it is used: closing it takes a second.
+/// The clipboard. It is opened when it is used first, because closing it takes a second.
 fn opened(clipboard: &mut Option<Clipboard>) -> Result<&mut Clipboard, arboard::Error> {
     match clipboard {
         Some(clipboard) => Ok(clipboard),

@@ -31,7 +31,7 @@ impl App {
         format!("{}{star} - shadetrade", self.scene.name)
     }
 
-    /// Writes edits that nobody saved into a file of their own; returns the words that tell where they are.
+    /// Writes unsaved edits into a new file; returns a sentence with its path.
     ///
     /// # Errors
     /// When it cannot be written.
@@ -136,7 +136,7 @@ impl App {
     }
 }
 
-/// Whether two lists of entities differ in more than what `forget` overwrites.
+/// Whether two lists of entities differ after `forget` has overwritten fields of the first.
 pub fn differ<T: Clone + PartialEq>(one: &[T], other: &[T], forget: impl Fn(&mut T, &T)) -> bool {
     let differ = |(one, other): (&T, &T)| {
         one != other && {

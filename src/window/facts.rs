@@ -14,7 +14,7 @@ use crate::requires::PartChange;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
 
-/// How often the progress of a job is shown: laying out takes time from what is measured.
+/// The time between two reports of progress: a layout takes time from the frames that are measured.
 const PROGRESS: Duration = Duration::from_millis(200);
 /// How long the frames of all methods are timed together, pass by pass, while nothing changes. The first takes the fewest
 /// samples that give a median.
@@ -24,7 +24,7 @@ const PASSES: [Duration; 3] = [
     Duration::from_secs(3),
 ];
 
-/// The answers, as far as they are known.
+/// The known answers.
 #[derive(Default)]
 pub struct Facts {
     /// The pixels of a row on one face, from left to right.
@@ -216,7 +216,7 @@ impl App {
         let facts = &mut self.facts;
         match answer {
             Answer::Done(put) => put(facts),
-            // What is known stays current while it is refined.
+            // A first measurement stays current while it is refined.
             Answer::Progress(_) if task == Task::Measure && facts.passes > 0 => return,
             Answer::Progress(share) => {
                 *facts.state(task) = State::Running(share);

@@ -97,14 +97,14 @@ pub struct Order {
     pub tasks: Vec<Task>,
     /// The method that holds the budget, where there is one.
     pub held: Option<Method>,
-    /// The methods to measure, and what is known of them in this view.
+    /// The methods to measure, and their known measurements in this view.
     pub methods: Vec<Method>,
     pub known: Vec<Measurement>,
     /// How long the frames of all methods are timed together.
     pub time: Duration,
 }
 
-/// Set when nobody wants the answers any more.
+/// Set when the answers are no longer wanted.
 type Cancelled = Arc<AtomicBool>;
 
 /// The background thread.

@@ -17,7 +17,7 @@ use crate::trade::words::{capital, method_name};
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
 const USUAL: f32 = 300.0;
-/// The least size of what lies over the picture; a smaller window cuts it off.
+/// The least width and height of a panel over the picture; a smaller window cuts it off.
 const LEAST_OVER: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
@@ -117,7 +117,7 @@ impl App {
         });
     }
 
-    /// The facts about the picture. Those of another picture than the one shown are grey.
+    /// The facts about the picture. Facts about another picture are grey.
     fn facts_line(&self, ui: &mut Ui, width: f32) {
         let show: Show = self.look();
         let is_wipe = show.mode == ViewMode::Wipe;

@@ -64,7 +64,7 @@ impl Marker {
 }
 
 impl App {
-    /// The markers of all lights that have a place. Those of one place stand beside one another.
+    /// The markers of all lights with a position. Markers of one position stand below one another.
     pub fn markers(&self) -> Vec<Marker> {
         let lens = Lens::new(&self.view());
         let world = &self.scene.world;

@@ -4,9 +4,9 @@ use egui::{Color32, Context, TextStyle, Theme};
 
 use crate::components::ShadingMode;
 
-/// Numbers that are not those of the picture shown.
+/// The ink of numbers about another picture.
 pub const STALE: Color32 = Color32::from_gray(95);
-/// Numbers of the picture shown.
+/// The ink of numbers about the picture on screen.
 pub const INK: Color32 = Color32::from_gray(220);
 pub const GOOD: Color32 = Color32::from_rgb(0x3c, 0xb8, 0x7c);
 pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);

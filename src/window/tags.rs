@@ -166,7 +166,7 @@ impl App {
         self.probe([x, y]);
     }
 
-    /// Explains the worst pixel of what is shown; of the side that errs more in a wipe.
+    /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
     pub fn explain_worst(&mut self) {
         let show: Show = self.look();
         let sides = match show.mode {
@@ -191,7 +191,7 @@ impl App {
         }
     }
 
-    /// The worst pixels that are marked: those of the sides that show them.
+    /// The worst pixels that their side of the wipe shows, which are marked.
     fn worst_pixels(&self) -> Vec<[usize; 2]> {
         let show: Show = self.look();
         if self.facts.trade.current().is_none() || show.mode != ViewMode::Wipe {

@@ -1,4 +1,4 @@
-//! The picture's area: drags, clicks and the wheel over it, and what points at something in it.
+//! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
 use egui::{
     Align2, Color32, CursorIcon, Event, FontId, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2,

@@ -22,7 +22,7 @@ const STACK: [(LightKind, f32); 3] = [
 /// More lights than this have no name beside the section.
 const NAMES: usize = 8;
 
-/// Columns, and what is known there.
+/// Columns, and the surface seen there.
 type Places<'a> = Vec<(f64, &'a Surface)>;
 
 impl App {
@@ -136,7 +136,7 @@ fn curve(places: &Places, of: impl Fn(&Surface) -> f64) -> PlotPoints<'static> {
     points.collect()
 }
 
-/// Lays the terms of exact Phong on one another, as far as the display shows them.
+/// Stacks the terms of exact Phong, clamped to the display's range.
 fn stack(
     plot: &mut PlotUi,
     places: &Places,
