@@ -310,7 +310,13 @@ fn the_amplified_difference_is_the_difference_to_exact_phong() {
     assert!(most > 40, "an error below half a level is seen: {most}");
     window.press(Key::F5);
     assert!(window.app.shown() == window.comparison().error_map);
+    // The largest power of two that the way from grey to white holds.
+    window.app.set_tolerance(4.0);
+    window.step(Vec::new());
+    let factor = window.comparison().amplification;
+    let largest = window.comparison().error.expect("a cuboid");
+    assert!((63.5..=127.0).contains(&(factor * largest)), "{factor}");
     let harness = widgets(window.app, SIZE);
-    let legend = places(&harness, "difference x256");
+    let legend = places(&harness, &format!("difference x{factor}"));
     assert_eq!(legend.len(), 1, "the legend has the factor");
 }
