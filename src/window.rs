@@ -14,6 +14,7 @@ mod chart;
 mod commands;
 pub mod comparison;
 pub mod display;
+mod edits;
 pub mod facts;
 pub mod file;
 pub mod history;
@@ -29,6 +30,7 @@ mod profile;
 pub mod recent;
 pub mod recording;
 pub mod replay;
+mod screen;
 pub mod style;
 mod tags;
 mod triangle;
@@ -66,7 +68,7 @@ const PRESENT_SHARE: u32 = 200;
 ///
 /// # Errors
 /// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, memory does not
-/// suffice, or there is such a file.
+/// suffice, there is such a file, or changes that were not saved cannot be written.
 pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
@@ -80,15 +82,8 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
         app.recorder = Some(Recorder::new(file));
     }
     show(&mut display, &mut app, None)?;
-    match app.rescue() {
-        Some(Ok(path)) => output::say(&format!(
-            "the changes that were not saved are in {}",
-            path.display()
-        )),
-        Some(Err(error)) => output::say(&format!(
-            "the changes that were not saved are lost: {error}"
-        )),
-        None => {}
+    if let Some(told) = app.rescue()? {
+        output::say(&told);
     }
     Ok(())
 }

@@ -99,9 +99,11 @@ fn is_faster(one: &Measurement, other: &Measurement) -> bool {
     one.timing.is_measurably_less_than(&other.timing)
 }
 
-/// Whether `one` takes as long as `exact`, or longer. Intervals that overlap only because they are wide do not count.
+/// Whether `one` takes as long as `exact`, or longer, wherever in their intervals both times are. Wide intervals do not say
+/// so.
 fn saves_nothing(one: &Measurement, exact: &Measurement) -> bool {
-    !is_faster(one, exact) && one.timing.median * ALIKE >= exact.timing.median
+    let ([least, _], [_, most]) = (one.timing.interval, exact.timing.interval);
+    !is_faster(one, exact) && least * ALIKE >= most
 }
 
 /// "2.3 times faster than", "about as fast as", "not measurably faster than".

@@ -8,8 +8,7 @@
 //! The World is the only state of the scene and of how it is looked at. A change is a difference between two
 //! [`SceneRecord`]s, whatever made it.
 
-use std::borrow::Cow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -17,40 +16,39 @@ use egui::{CursorIcon, Event, OutputCommand, Rect, ViewportId};
 use fearless_simd::Level;
 use hecs::Component;
 
+use super::edits::differ;
 use super::facts::Facts;
-use super::file::{INTERVAL, News, SceneFile};
+use super::file::{INTERVAL, SceneFile};
 use super::history::History;
 use super::inspector::Kind;
 use super::jobs::{Jobs, State, Task};
-use super::pictures::{Pictures, or_dimmed};
+use super::pictures::Pictures;
 use super::recent::Recent;
 use super::recording::Recorder;
 use super::viewport::Grab;
-use crate::components::{Magnifier, Probed, Show, Side, Spin, View, ViewMode, get, viewer};
+use crate::components::{Side, Spin, ViewMode, get, viewer};
 use crate::drawing::Drawing;
-use crate::memory::OutOfMemory;
-use crate::output::{encode_png, write_numbered};
 use crate::paint::{Painter, area};
 use crate::requires::Part;
-use crate::scene::{Scene, SceneRecord, ViewRecord};
+use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
 use crate::trade::budget::Hold;
 
 /// The time without a change after which the picture is compared, measured and proven.
-const REST: Duration = Duration::from_millis(100);
+pub const REST: Duration = Duration::from_millis(100);
 /// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
 const DEGREE: Duration = Duration::from_millis(30);
 /// The time for which a message stands: at least this, and this long for each letter.
 const MESSAGE: Duration = Duration::from_secs(3);
 const LETTER: Duration = Duration::from_millis(60);
+/// How long each of two pictures is shown while they take turns.
+pub const TURN: Duration = Duration::from_millis(500);
 
 /// A message in the status line.
 pub struct Message {
     pub text: String,
     /// When it goes.
     pub until: Duration,
-    /// A text to copy.
-    pub copy: Option<String>,
 }
 
 /// The state of the window that is not the scene's: nothing of it changes the picture that is judged.
@@ -65,13 +63,13 @@ pub struct Desk {
     pub has_room: [bool; 2],
     /// The panel and the inspector are open over the picture, where there is no room beside it.
     pub over: [bool; 2],
-    /// Exact Phong is shown while a key is held.
-    pub shows_exact: bool,
+    /// Two pictures take turns since this time, while a key is held.
+    pub blinks: Option<Duration>,
     pub left_out: Option<Part>,
     /// The method whose dot the mouse or the focus is on: its picture is shown instead.
     pub preview: Option<Method>,
-    /// The window, or the picture alone, is to be written into a file.
-    pub screenshot: Option<bool>,
+    /// The window is to be written into a file.
+    pub screenshot: bool,
     /// Asks whether to save before the program ends.
     pub asks_to_save: bool,
     pub message: Option<Message>,
@@ -104,14 +102,14 @@ pub struct App {
     pub shows_times: bool,
     pub now: Duration,
     pub quits: bool,
-    painter: Painter,
-    pixels: Vec<u32>,
+    pub(super) painter: Painter,
+    pub(super) pixels: Vec<u32>,
     pub(super) jobs: Option<Jobs>,
     pub(super) ordered: Vec<Task>,
     pub(super) level: Level,
     pub(super) threads: usize,
     /// When the picture last changed, until it rests.
-    moved: Option<Duration>,
+    pub(super) moved: Option<Duration>,
     next_degree: Duration,
     pub(super) next_progress: Duration,
     /// The method that holds the budget: the machine's choice, and so no part of the scene.
@@ -119,7 +117,7 @@ pub struct App {
     pub(super) hold: Hold,
     pub(super) drawn: Option<(Arc<SceneRecord>, [usize; 2], Option<Method>)>,
     /// The method of [`Desk::preview`] whose picture was drawn since.
-    previewed: Option<Method>,
+    pub(super) previewed: Option<Method>,
 }
 
 /// The part of a step that the window system carries out.
@@ -193,29 +191,12 @@ impl App {
         self.painter.context.pixels_per_point()
     }
 
-    /// Width and height of the picture in pixels.
-    pub fn picture_size(&self) -> [usize; 2] {
-        let size = self.place.size() * self.scale();
-        [size.x, size.y].map(|side| (side.round() as usize).max(1))
-    }
-
-    /// The view that is drawn.
-    pub fn view(&self) -> View {
-        let view = View::of(&self.scene.world, self.picture_size());
-        self.held.map_or(view.clone(), |method| method.view(&view))
-    }
-
     /// The pixels of the window as of the last step, row by row from the top.
     pub fn pixels(&self) -> &[u32] {
         &self.pixels
     }
 
-    /// Whether the picture has not changed for a while.
-    pub fn rests(&self) -> bool {
-        self.moved.is_none()
-    }
-
-    /// Lets the events of `input` happen, in pixels of a window of `size`, and draws what is seen then.
+    /// Applies the events of `input` and draws the window of `size` pixels.
     ///
     /// # Errors
     /// When the picture does not fit in memory.
@@ -227,7 +208,7 @@ impl App {
     ) -> anyhow::Result<Output> {
         self.now = now;
         self.receive(now);
-        // What is pressed may change the picture; frames that are timed until that is known would delay it.
+        // A press may change the picture, and frames that are being timed would delay it.
         let is_press = |event: &Event| {
             matches!(
                 event,
@@ -256,12 +237,17 @@ impl App {
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
         let mut repaint_after = viewport.map_or(Duration::MAX, |it| it.repaint_delay);
         self.painter.paint(output, &mut self.pixels, size);
-        if let Some(window) = self.desk.screenshot.take() {
-            self.screenshot(window, size);
+        if std::mem::take(&mut self.desk.screenshot) {
+            self.screenshot(size);
             repaint_after = Duration::ZERO;
         }
         if self.moved.is_some() {
             repaint_after = repaint_after.min(REST);
+        }
+        if let Some(since) = self.desk.blinks {
+            let passed = self.now.saturating_sub(since).as_millis() % TURN.as_millis();
+            let rest = TURN.saturating_sub(Duration::from_millis(passed as u64));
+            repaint_after = repaint_after.min(rest);
         }
         if self.look::<Spin>().on {
             repaint_after = repaint_after.min(self.next_degree.saturating_sub(self.now));
@@ -269,17 +255,14 @@ impl App {
         if self.file.path.is_some() {
             repaint_after = repaint_after.min(INTERVAL);
         }
-        let mut copied = platform
-            .commands
-            .into_iter()
-            .filter_map(|command| match command {
-                OutputCommand::CopyText(text) => Some(text),
-                _ => None,
-            });
+        let copied = |command| match command {
+            OutputCommand::CopyText(text) => Some(text),
+            _ => None,
+        };
         Ok(Output {
             title: self.title(),
             cursor: platform.cursor_icon,
-            copied: copied.next_back(),
+            copied: platform.commands.into_iter().rev().find_map(copied),
             repaint_after,
         })
     }
@@ -291,26 +274,7 @@ impl App {
         self.desk.message = Some(Message {
             text,
             until: self.now + time,
-            copy: None,
         });
-    }
-
-    /// Whether the scene was edited since it was saved. Switching lights and modes and moving the camera is looking.
-    pub fn is_edited(&self) -> bool {
-        let (state, saved) = (&*self.state, &*self.file.saved);
-        state.background != saved.background
-            || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
-            || differ(&state.cuboid, &saved.cuboid, |it, saved| {
-                it.shading = saved.shading;
-            })
-            || differ(&state.camera, &saved.camera, |it, saved| {
-                it.orbit = saved.orbit;
-            })
-    }
-
-    fn title(&self) -> String {
-        let star = if self.is_edited() { "*" } else { "" };
-        format!("{}{star} - shadetrade", self.scene.name)
     }
 
     /// Puts the World into another state.
@@ -318,35 +282,6 @@ impl App {
         let on = self.look::<Spin>().on;
         self.scene.world = record.spawn();
         self.set_look(Spin { on, ..self.look() });
-    }
-
-    /// Shows the scene that the user chose; edits of the one before go into a file.
-    pub fn choose(&mut self, scene: Scene) {
-        match self.rescue() {
-            Some(Ok(path)) => self.say(format!(
-                "the changes that were not saved are in {}",
-                path.display()
-            )),
-            Some(Err(error)) => return self.say(format!("not opened: {error}")),
-            None => {}
-        }
-        self.open(scene);
-    }
-
-    /// Shows another scene in place of this one.
-    pub fn open(&mut self, scene: Scene) {
-        if let Some(path) = &scene.path {
-            self.desk.recent.add(path);
-        }
-        self.file = SceneFile::of(&scene);
-        self.scene = scene;
-        self.state = Arc::new(SceneRecord::of(&self.scene.world));
-        self.history = History::new(&self.state);
-        self.facts = Facts::default();
-        self.desk.left_out = None;
-        self.desk.selected = None;
-        self.desk.file_error = None;
-        self.picture_changed(false);
     }
 
     /// Notes the difference that keys and widgets made.
@@ -364,7 +299,7 @@ impl App {
         self.adopt(after);
     }
 
-    /// Makes this, which the World is already, the state that changes are told from.
+    /// Compares later states with this one, in which the World is already.
     fn adopt(&mut self, after: Arc<SceneRecord>) {
         let is_same_view = !is_another_view(&self.state, &after);
         if !is_same_view || is_another_method(&self.state, &after) {
@@ -401,171 +336,10 @@ impl App {
         self.ordered.clear();
     }
 
-    /// Stops what is computed about the picture before; where the view is the same, only its method is another one.
+    /// Stops the jobs about the picture before. If the view is the same, only its method has changed.
     pub(super) fn picture_changed(&mut self, is_same_view: bool) {
         self.stop_jobs();
         self.facts.are_old(is_same_view);
-    }
-
-    /// Draws the pictures if the state or their size is another one.
-    fn draw(&mut self) -> Result<(), OutOfMemory> {
-        let (show, view): (Show, View) = (self.look(), self.view());
-        let size = view.size;
-        let drawn = self.drawn.take();
-        let (world, present) = (
-            &mut self.scene.world,
-            (Arc::clone(&self.state), size, self.held),
-        );
-        let is_same = |(state, size, held): &(Arc<SceneRecord>, _, _)| {
-            Arc::ptr_eq(state, &present.0) && (*size, *held) == (present.1, present.2)
-        };
-        if drawn.as_ref().is_some_and(is_same) {
-            self.moved.take_if(|moved| self.now >= *moved + REST);
-        } else {
-            self.pictures.draw(world, &show, &view)?;
-            self.previewed = None;
-            self.moved = Some(self.now);
-            if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
-                self.keep_pixel(before, size);
-                self.picture_changed(false);
-            }
-        }
-        if self.desk.preview != self.previewed {
-            self.previewed = self.desk.preview;
-            if let Some(method) = self.previewed {
-                let world = &mut self.scene.world;
-                self.pictures.draw_preview(world, method, &view)?;
-            }
-        }
-        self.drawn = Some(present);
-        Ok(())
-    }
-
-    /// Keeps the probed pixel where it lies in the scene when the picture gets another size.
-    fn keep_pixel(&mut self, before: [usize; 2], size: [usize; 2]) {
-        let Probed(Some(pixel)) = self.look() else {
-            return;
-        };
-        // The field of view is vertical, and the middle of the picture stays.
-        let scale = size[1] as f64 / before[1] as f64;
-        let pixel = [0, 1].map(|axis| {
-            let from_middle = pixel[axis] as f64 + 0.5 - before[axis] as f64 / 2.0;
-            (from_middle * scale + size[axis] as f64 / 2.0).max(0.0) as usize
-        });
-        self.set_look(Probed(Some(pixel)));
-    }
-
-    /// The picture as it is shown, not magnified, 0x00RRGGBB.
-    pub fn shown(&self) -> Cow<'_, [u32]> {
-        let show: Show = self.look();
-        let comparison = self.facts.comparison.current();
-        let exact = comparison.map(|it| it.exact.as_slice());
-        let error_map = comparison.map(|it| match show.mode {
-            ViewMode::Difference => it.difference.as_slice(),
-            _ => &it.error_map,
-        });
-        let without = self.facts.without.current().map(Vec::as_slice);
-        if self.desk.left_out.is_some() {
-            or_dimmed(without, self.pictures.frame())
-        } else if self.desk.shows_exact {
-            or_dimmed(exact, self.pictures.frame())
-        } else if self.previewed.is_some() {
-            self.pictures.preview().into()
-        } else {
-            self.pictures.shown(&show, exact, error_map)
-        }
-    }
-
-    /// Copies the picture into its place in the window, magnified.
-    fn copy_picture(&mut self, [width, height]: [usize; 2]) {
-        let mut pixels = std::mem::take(&mut self.pixels);
-        pixels.resize(width * height, 0);
-        // A panel may paint less than it takes: contents that are too wide are cut off.
-        let [red, green, blue, _] = self
-            .painter
-            .context
-            .global_style()
-            .visuals
-            .panel_fill
-            .to_array();
-        let ground = u32::from_be_bytes([0, red, green, blue]);
-        let [columns, rows] = self.pictures.size();
-        let shown = self.shown();
-        let magnifier = self.look::<Magnifier>().within([columns, rows]);
-        let corner = self.place.min * self.scale();
-        let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
-        let [left, right] = [left, left + columns].map(|x| x.min(width));
-        for (y, line) in pixels.chunks_exact_mut(width).enumerate() {
-            if !(top..top + rows).contains(&y) {
-                line.fill(ground);
-                continue;
-            }
-            let [x, y] = magnifier.pixel([0, (y - top) as i32]);
-            let drawn = &shown[y * columns..][x..columns];
-            line[..left].fill(ground);
-            line[right..].fill(ground);
-            let line = &mut line[left..right];
-            if magnifier.scale == 1 {
-                // Squares of one pixel are slow to fill.
-                let count = line.len().min(drawn.len());
-                line[..count].copy_from_slice(&drawn[..count]);
-                continue;
-            }
-            let squares = line.chunks_mut(magnifier.scale);
-            squares
-                .zip(drawn)
-                .for_each(|(square, pixel)| square.fill(*pixel));
-        }
-        self.pixels = pixels;
-    }
-
-    fn take_news(&mut self, news: News) {
-        match news {
-            News::Read(scene) => self.reload(&scene),
-            News::Wrong(error) => self.desk.file_error = Some(error),
-            News::Deleted => {
-                let text = format!("{} was deleted; the scene stays", self.scene.name);
-                self.desk.file_error = Some(text);
-            }
-        }
-    }
-
-    /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
-    fn reload(&mut self, scene: &Scene) {
-        let mut record = SceneRecord::of(&scene.world);
-        let saved = Arc::clone(&self.file.saved);
-        let had_edits = self.is_edited();
-        if record.view == saved.view {
-            let has_camera = record
-                .camera
-                .iter()
-                .any(|it| Some(&it.name) == self.state.view.camera.as_ref());
-            let camera = record.view.camera.clone();
-            record.view = self.state.view.clone();
-            if !has_camera {
-                record.view.camera = camera;
-            }
-        }
-        for camera in &mut record.camera {
-            let named = |records: &SceneRecord| {
-                records
-                    .camera
-                    .iter()
-                    .find(|it| it.name == camera.name)
-                    .map(|it| it.orbit)
-            };
-            if named(&saved) == Some(camera.orbit) {
-                camera.orbit = named(&self.state).unwrap_or(camera.orbit);
-            }
-        }
-        self.file = SceneFile::of(scene);
-        self.restore(&record);
-        self.desk.file_error = None;
-        self.say(if had_edits {
-            "read the file again; Ctrl Z brings your edits back"
-        } else {
-            "read the file again"
-        });
     }
 
     fn spin_on(&mut self) {
@@ -588,66 +362,13 @@ impl App {
             ..spin
         });
     }
-
-    /// Saves the scene and says where, or why not.
-    pub fn save(&mut self, new: bool) -> bool {
-        let record = Arc::clone(&self.state);
-        match self.file.save(&record, &self.folder.clone(), new) {
-            Ok(path) => {
-                self.scene.name = path.to_string_lossy().into_owned();
-                self.scene.path = Some(path.clone());
-                self.desk.file_error = None;
-                let [width, height] = self.picture_size();
-                let path = crate::output::quoted(&path.to_string_lossy());
-                self.say(format!("saved {path}"));
-                if let Some(message) = &mut self.desk.message {
-                    message.copy = Some(format!(
-                        "shadetrade render {path} --size {width}x{height} -o picture.png"
-                    ));
-                }
-                true
-            }
-            Err(error) => {
-                self.say(format!("not saved: {error:#}"));
-                false
-            }
-        }
-    }
-
-    /// Writes edits that nobody saved into a file of their own, which is returned.
-    pub fn rescue(&self) -> Option<std::io::Result<PathBuf>> {
-        self.is_edited()
-            .then(|| self.file.rescue(&self.state, &self.folder))
-    }
-
-    /// Writes the window as it was last seen, or the picture alone, into a new PNG file.
-    fn screenshot(&mut self, window: bool, size: [usize; 2]) {
-        let folder: &Path = &self.folder;
-        let name = |number| format!("shadetrade-{number:03}.png");
-        let (pixels, size) = if window {
-            (self.pixels.as_slice(), size)
-        } else {
-            (self.pictures.frame(), self.pictures.size())
-        };
-        match write_numbered(folder, name, |writer| encode_png(writer, pixels, size)) {
-            Ok(path) => self.say(format!("saved {}", path.display())),
-            Err(error) => self.say(format!("no picture saved: {error}")),
-        }
-    }
 }
 
 /// Whether two states show the scene otherwise, whatever the method.
 fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
-    let view = |record: &SceneRecord| {
-        let ViewRecord {
-            camera,
-            projection,
-            turned,
-            ..
-        } = &record.view;
-        (camera.clone(), *projection, *turned)
-    };
-    view(before) != view(after)
+    let (one, other) = (&before.view, &after.view);
+    one.camera != other.camera
+        || (one.projection, one.turned) != (other.projection, other.turned)
         || before.background != after.background
         || before.light != after.light
         || before.camera != after.camera
@@ -661,20 +382,8 @@ fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
     before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
 }
 
-/// What a picture shows of the methods, and where.
+/// The mode, the sides and the divider of the picture on screen.
 fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
     let view = &record.view;
     (view.show, view.sides, view.divider)
-}
-
-/// Whether two lists of entities differ in more than what `forget` overwrites.
-fn differ<T: Clone + PartialEq>(one: &[T], other: &[T], forget: impl Fn(&mut T, &T)) -> bool {
-    let differ = |(one, other): (&T, &T)| {
-        one != other && {
-            let mut one = one.clone();
-            forget(&mut one, other);
-            one != *other
-        }
-    };
-    one.len() != other.len() || one.iter().zip(other).any(differ)
 }

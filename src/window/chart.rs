@@ -18,7 +18,7 @@ use super::inspector::{short, two_digits};
 use super::jobs::State;
 use super::keys::{Command, caption};
 use super::pictures::TINTS;
-use super::style::{BAD, GOURAUD, INK, PHONG, STALE};
+use super::style::{BAD, INK, STALE, mode_ink};
 use crate::components::{ShadingMode, Show, Side, Tolerance, ViewMode};
 use crate::paint::color;
 use crate::prove::{REFUTED, UNDECIDED};
@@ -32,7 +32,7 @@ use crate::trade::plot::FLOOR;
 use crate::trade::verdict::method_name;
 use crate::trade::verdict::{UNSEEN, sentence};
 
-/// The heights of the sentence and of the chart, in points: neither moves what lies below.
+/// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
 const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
 const GROUND: Color32 = Color32::from_gray(20);
@@ -128,14 +128,14 @@ impl App {
             .filter_map(|it| Some((it, axes.of_method(it)?)))
             .collect();
         for (index, (one, at)) in dots.iter().enumerate() {
-            // Dots that are close to each other share the way between them.
+            // The areas of close dots do not overlap.
             let others = dots.iter().enumerate().filter(|(other, _)| *other != index);
             let ways = others.map(|(_, (_, other))| (*other - *at).abs().max_elem() / 2.0);
             let reach = ways.fold(REACH, f32::min).max(1.0);
             let place = Rect::from_center_size(*at, Vec2::splat(2.0 * reach));
             self.dot(ui, one, place, &axes);
         }
-        // The place of what is on screen is an estimate until that is measured.
+        // The ring has an estimated place until the method on screen is measured.
         let known = self.method().and_then(|it| place_of(&it));
         let estimate = || estimate(&front, self.method()?);
         if let Some(at) = known.or_else(estimate) {
@@ -145,7 +145,7 @@ impl App {
         }
     }
 
-    /// What is on screen against its alternatives, and the key that shows one.
+    /// Compares the method on screen with its alternatives, and names the key that shows one.
     fn sentence(&self, ui: &mut Ui) {
         let (trade, method) = (&self.facts.trade, self.method());
         let known = trade.value.as_deref().unwrap_or_default();
@@ -200,23 +200,18 @@ impl App {
             let at = pos2(x, place.max.y + 2.0);
             word(at, Align2::CENTER_TOP, &time.to_string());
         }
-        let [left, right] = [place.left_top(), place.right_top()];
-        let above = vec2(0.0, -2.0);
-        word(
-            left + above,
-            Align2::LEFT_BOTTOM,
-            "largest error of 255; ms a frame",
-        );
-        word(right + vec2(-3.0, 2.0), Align2::RIGHT_TOP, "visible");
-        let state = match &self.facts.trade.state {
-            State::Running(share) => format!("measuring, {:.0} %", share * 100.0),
-            State::Idle => "not of this view yet".to_owned(),
-            State::Done | State::Failed(_) => return,
+        let head = match &self.facts.trade.state {
+            State::Running(share) => &format!("measuring, {:.0} %", share * 100.0),
+            State::Idle => "measured in another view or size; soon in this one",
+            State::Done | State::Failed(_) => "largest error of 255; ms a frame",
         };
-        word(right + above, Align2::RIGHT_BOTTOM, &state);
+        let above = place.left_top() - vec2(0.0, 2.0);
+        word(above, Align2::LEFT_BOTTOM, head);
+        let inside = place.right_top() + vec2(-3.0, 2.0);
+        word(inside, Align2::RIGHT_TOP, "visible");
     }
 
-    /// A method: pointed at, it is shown while it is; clicked, it is chosen.
+    /// The dot of a method. Hovering it shows the method's picture, a click chooses the method.
     fn dot(&mut self, ui: &Ui, one: &Measurement, place: Rect, axes: &Axes) {
         let (method, error) = (one.method, one.error.unwrap_or_default());
         let name = method_name(method);
@@ -226,11 +221,10 @@ impl App {
             WidgetInfo::labeled(WidgetType::Button, true, format!("choose {name}"))
         });
         let is_current = self.facts.trade.current().is_some();
-        let mut ink = match method.mode {
-            _ if !is_current => STALE,
-            ShadingMode::Gouraud => GOURAUD,
-            ShadingMode::Phong => PHONG,
-            ShadingMode::UnitVectors => Color32::GRAY,
+        let mut ink = if is_current {
+            mode_ink(method.mode)
+        } else {
+            STALE
         };
         if !one.on_front {
             ink = ink.gamma_multiply(0.6);
@@ -279,12 +273,9 @@ impl App {
                     |it| format!("difference x{}", it.amplification),
                 );
                 let mut is_difference = show.mode == ViewMode::Difference;
+                let switch = ui.checkbox(&mut is_difference, words);
                 let says = "Grey is no difference to exact Phong (F5 once more).";
-                if ui
-                    .checkbox(&mut is_difference, words)
-                    .on_hover_text(says)
-                    .clicked()
-                {
+                if switch.on_hover_text(says).clicked() {
                     self.run(Command::View(ViewMode::Error));
                 }
                 if !is_difference {
@@ -314,10 +305,8 @@ impl App {
         let painter = ui.painter_at(place);
         scale.draw(&painter, place, Color32::GRAY);
         let largest = comparison.and_then(|it| it.error);
-        for mark in [Some(self.look::<Tolerance>().0), largest]
-            .into_iter()
-            .flatten()
-        {
+        let marks = [Some(self.look::<Tolerance>().0), largest];
+        for mark in marks.into_iter().flatten() {
             // The scale leaves room for its last label.
             let share = scale.position(mark) as f32;
             let x = place.min.x + share * (place.width() - place.height());
@@ -342,10 +331,8 @@ fn along(front: &[(Pos2, Method)], at: Pos2) -> Option<Method> {
     let steps = ends.chain(alone).map(|((from, one), (to, other))| {
         let way = to - from;
         let share = ((at - from).dot(way) / way.length_sq().max(1.0)).clamp(0.0, 1.0);
-        (
-            (from + share * way).distance(at),
-            between(one, other, share.into()),
-        )
+        let missed = (from + share * way).distance(at);
+        (missed, between(one, other, share.into()))
     });
     let nearest = steps.min_by(|one, other| one.0.total_cmp(&other.0));
     nearest.map(|(_, method)| method)

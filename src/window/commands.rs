@@ -28,14 +28,15 @@ impl App {
                 continue;
             };
             let command = keys::command(key, modifiers);
-            if command == Some(Command::ShowExact) {
-                self.desk.shows_exact = pressed && !has_field;
+            if command == Some(Command::Blink) {
+                self.blink_while(pressed && !has_field);
             }
             let Some(command) = command.filter(|_| pressed) else {
                 continue;
             };
-            let works_in_fields =
-                matches!(command, Command::Save | Command::SaveAs) || is_function(key);
+            // A text field has no use for these.
+            let works_in_fields = matches!(command, Command::Save | Command::SaveAs)
+                || (Key::F1..=Key::F12).contains(&key);
             if (!has_field || works_in_fields) && (!repeat || goes_on(command)) {
                 self.run(command);
             }
@@ -89,7 +90,8 @@ impl App {
             Command::Profile => self.desk.profile_folded ^= true,
             Command::Probe(right, down) => self.step_probed([right, down]),
             Command::Magnify(steps) => self.magnify(steps, None),
-            Command::ShowExact => {}
+            // It acts while it is held.
+            Command::Blink => {}
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
             Command::Zoom(steps) => self.zoom(steps),
             Command::ResetView => {
@@ -122,11 +124,17 @@ impl App {
                 self.desk.over[0] ^= true;
             }
             Command::Help => self.desk.help ^= true,
-            Command::Screenshot { window } => self.desk.screenshot = Some(window),
+            Command::Screenshot => self.desk.screenshot = true,
             Command::Close => self.close(),
             Command::Quit if self.is_edited() => self.desk.asks_to_save = true,
             Command::Quit => self.quits = true,
         }
+    }
+
+    /// Two pictures take turns for as long as this is called with `true`.
+    pub fn blink_while(&mut self, is_held: bool) {
+        let since = self.desk.blinks.unwrap_or(self.now);
+        self.desk.blinks = is_held.then_some(since);
     }
 
     fn switch_light(&mut self, light: hecs::Entity) {
@@ -146,12 +154,8 @@ impl App {
     fn shade_as_file(&mut self) {
         self.set_look(Budget(None));
         for (name, mode) in self.scene.world.query_mut::<(&Name, &mut ShadingMode)>() {
-            let saved = self
-                .file
-                .saved
-                .cuboid
-                .iter()
-                .find(|it| it.name.as_str() == name.0);
+            let mut saved = self.file.saved.cuboid.iter();
+            let saved = saved.find(|it| it.name == name.0);
             *mode = saved.map_or(*mode, |saved| saved.shading);
         }
     }
@@ -168,17 +172,15 @@ impl App {
     fn step_tolerance(&mut self, steps: i32) {
         let Tolerance(present) = self.look();
         let mut tolerances = TOLERANCES.into_iter();
-        let (next, end) = if steps > 0 {
-            (
-                tolerances.find(|next| *next > present),
-                "the keys go no coarser",
-            )
+        let next = if steps > 0 {
+            tolerances.find(|next| *next > present)
         } else {
-            (tolerances.rfind(|next| *next < present), "exact already")
+            tolerances.rfind(|next| *next < present)
         };
         match next {
             Some(next) => self.set_tolerance(next),
-            None => self.say(end),
+            None if steps > 0 => self.say("the keys have no coarser tolerance"),
+            None => self.say("the tolerance is 0 already"),
         }
     }
 
@@ -234,14 +236,11 @@ impl App {
     fn step_probed(&mut self, steps: [i32; 2]) {
         let size = self.picture_size();
         let Probed(before) = self.look();
-        self.probe([0, 1].map(|axis| {
-            match before {
-                Some(pixel) => pixel[axis]
-                    .saturating_add_signed(steps[axis] as isize)
-                    .min(size[axis] - 1),
-                None => size[axis] / 2,
-            }
-        }));
+        let moved = |pixel: [usize; 2], axis: usize| {
+            let moved = pixel[axis].saturating_add_signed(steps[axis] as isize);
+            moved.min(size[axis] - 1)
+        };
+        self.probe([0, 1].map(|axis| before.map_or(size[axis] / 2, |it| moved(it, axis))));
     }
 
     fn travel_or_say(&mut self, found: Option<(SceneRecord, String)>, verb: &str) {
@@ -281,13 +280,5 @@ fn goes_on(command: Command) -> bool {
     matches!(
         command,
         Command::Orbit(..) | Command::Zoom(_) | Command::Probe(..) | Command::Undo | Command::Redo
-    )
-}
-
-/// Whether a text field has no use for a key.
-fn is_function(key: Key) -> bool {
-    matches!(
-        key,
-        Key::F1 | Key::F2 | Key::F3 | Key::F4 | Key::F5 | Key::F6 | Key::F12
     )
 }

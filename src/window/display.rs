@@ -1,4 +1,4 @@
-//! The window of minifb 0.29: it is opened, its events are gathered, pixels are shown. Its peculiarities are dealt with here.
+//! Opens a window with minifb 0.29, gathers its events and shows pixels. Works around the faults of minifb.
 //!
 //! Keys come through a callback, because polling loses taps. Buttons can only be polled, so a click between two polls is
 //! lost: poll often while the mouse is in use. A window that another program destroys ends this one inside Xlib.
@@ -111,7 +111,7 @@ impl Display {
         self.window.set_title(title);
     }
 
-    /// Shows the cursor of this shape, as far as minifb has it.
+    /// Shows the cursor of this shape, or the nearest that minifb has.
     pub fn set_cursor(&mut self, cursor: CursorIcon) {
         if std::mem::replace(&mut self.cursor, cursor) != cursor {
             self.window.set_cursor_style(match cursor {
@@ -229,7 +229,7 @@ impl Display {
     }
 }
 
-/// The clipboard, which is opened once it is used: closing it takes a second.
+/// The clipboard. It is opened when it is used first, because closing it takes a second.
 fn opened(clipboard: &mut Option<Clipboard>) -> Result<&mut Clipboard, arboard::Error> {
     match clipboard {
         Some(clipboard) => Ok(clipboard),

@@ -15,7 +15,7 @@ use crate::requires::bits::StageBits;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
 
-/// How often the progress of a job is shown: laying out takes time from what is measured.
+/// The time between two reports of progress: a layout takes time from the frames that are measured.
 const PROGRESS: Duration = Duration::from_millis(200);
 /// How long the frames of all methods are timed together, pass by pass, while nothing changes. The first takes the fewest
 /// samples that give a median.
@@ -25,15 +25,15 @@ const PASSES: [Duration; 3] = [
     Duration::from_secs(3),
 ];
 
-/// The answers, as far as they are known.
+/// The known answers.
 #[derive(Default)]
 pub struct Facts {
     /// The pixels of a row on one face, from left to right.
     pub section: Job<Vec<Probe>>,
     /// The picture without the part that is left out, 0x00RRGGBB.
     pub without: Job<Vec<u32>>,
-    pub comparison: Job<Box<Comparison>>,
-    pub proof: Job<Box<Proof>>,
+    pub comparison: Job<Comparison>,
+    pub proof: Job<Proof>,
     pub required: Job<Vec<PartChange>>,
     pub bits: Job<Vec<StageBits>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
@@ -79,7 +79,7 @@ impl App {
     fn tasks(&mut self) -> Vec<Task> {
         let (show, Inspector(tab)): (Show, Inspector) = (self.look(), self.look());
         let is_live = self.jobs.is_some();
-        let shows_exact = self.desk.shows_exact
+        let shows_exact = self.desk.blinks.is_some()
             || matches!(show.mode, ViewMode::Error | ViewMode::Difference)
             || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
         let [width, height] = self.pictures.size();
@@ -111,7 +111,7 @@ impl App {
         tasks.into_iter().flatten().filter(is_open).collect()
     }
 
-    /// What is known of the probed pixel, be it of an earlier picture.
+    /// The answer about the probed pixel, possibly of an earlier picture.
     pub fn probed(&self) -> Option<&Probe> {
         let Probed(pixel) = self.look();
         let mut section = self.facts.section.value.iter().flatten();
@@ -167,8 +167,8 @@ impl App {
         methods
     }
 
-    /// Asks the open questions once the picture rests, or at once where there are no background jobs. A pixel takes so little
-    /// time that it is probed while things move.
+    /// Asks the open questions once the picture rests, or at once where there are no background jobs. A pixel is probed even
+    /// while things move, because that takes little time.
     pub fn order_jobs(&mut self) {
         let rests = self.jobs.is_none() || self.rests();
         let mut tasks = self.tasks();
@@ -215,38 +215,36 @@ impl App {
     }
 
     fn take(&mut self, task: Task, answer: Answer) {
-        let facts = &mut self.facts;
         if !matches!(answer, Answer::Progress(_)) {
             self.ordered.retain(|ordered| *ordered != task);
         }
+        let facts = &mut self.facts;
         match answer {
-            Answer::Probe(section) => {
+            Answer::Done(put) => put(facts),
+            // A first measurement stays current while it is refined.
+            Answer::Progress(_) if task == Task::Measure && facts.passes > 0 => return,
+            Answer::Progress(share) => {
+                *facts.state(task) = State::Running(share);
+                return;
+            }
+            Answer::Failed(reason) => {
+                *facts.state(task) = State::Failed(reason.clone());
+                return self.say(reason);
+            }
+        }
+        match (task, &facts.section.value, &facts.proof.value) {
+            (Task::Probe(_), Some(section), _) => {
                 if let Some(object) = &section[0].object {
                     self.desk.selected = Some((Kind::Cuboid, object.clone()));
                 }
-                facts.section.finish(section);
             }
-            Answer::LeaveOut(picture) => facts.without.finish(picture),
-            Answer::Compare(comparison) => facts.comparison.finish(comparison),
-            Answer::Prove(proof) => {
+            (Task::Prove, _, Some(proof)) => {
                 if let Some(comparison) = &mut facts.comparison.value {
-                    comparison.mark(&proof);
+                    comparison.mark(proof);
                 }
-                facts.proof.finish(proof);
             }
-            Answer::Require(parts) => facts.required.finish(parts),
-            Answer::Bits(stages) => facts.bits.finish(stages),
-            Answer::Measure(measured) => {
-                facts.trade.finish(measured);
-                facts.passes += 1;
-            }
-            // What is known stays current while it is refined.
-            Answer::Progress(_) if task == Task::Measure && facts.passes > 0 => {}
-            Answer::Progress(share) => *facts.state(task) = State::Running(share),
-            Answer::Failed(reason) => {
-                *facts.state(task) = State::Failed(reason.clone());
-                self.say(reason);
-            }
+            (Task::Measure, ..) => facts.passes += 1,
+            _ => {}
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The file of the scene: it is watched, read again when it changes, and saved with its comments kept.
+//! Watches the file of the scene, reads it again after a change, and saves it with its comments kept.
 
 use std::fs;
 use std::io;
@@ -35,7 +35,7 @@ pub struct SceneFile {
     seen: Stamp,
     /// Whether the file holds no valid scene.
     is_wrong: bool,
-    /// A stamp that differs from the one seen, until it is looked at again.
+    /// A new stamp, seen once. A second look confirms it.
     doubted: Option<Stamp>,
     next: Duration,
 }
@@ -43,7 +43,7 @@ pub struct SceneFile {
 impl SceneFile {
     /// The file of a scene that was just read.
     pub fn of(scene: &Scene) -> Self {
-        // The window's options may have changed the World already; the text says what is saved.
+        // Options may have changed the World already, so the saved scene is read from the text.
         let saved = Scene::parse(&scene.name, &scene.text);
         let saved = SceneRecord::of(saved.as_ref().map_or(&scene.world, |saved| &saved.world));
         SceneFile {

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::util::undoer::{Settings, Undoer};
-use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Value, json};
 
+use super::recording::patch;
 use crate::scene::{SceneRecord, ViewRecord};
 
 /// The memory that all states together may take, in bytes.
@@ -49,7 +49,7 @@ impl History {
         }
         // The step before ends even if nothing was fed since.
         self.undoer.feed_state(now.as_secs_f64(), &before);
-        let subject = Difference::between(&before, &after).subject;
+        let (subject, _) = change(&before, &after);
         if subject != self.subject {
             self.undoer.add_undo(&before);
         }
@@ -70,7 +70,7 @@ impl History {
         self.subject.clear();
         let now = undoable(present);
         let before = self.undoer.undo(&now)?;
-        let label = Difference::between(before, &now).label();
+        let label = label(before, &now);
         Some((seen_as(before, present), label))
     }
 
@@ -79,7 +79,7 @@ impl History {
         self.subject.clear();
         let now = undoable(present);
         let after = self.undoer.redo(&now)?;
-        let label = Difference::between(&now, after).label();
+        let label = label(&now, after);
         Some((seen_as(after, present), label))
     }
 
@@ -120,73 +120,40 @@ fn placed(view: &ViewRecord, place: &ViewRecord) -> ViewRecord {
     }
 }
 
-/// The first difference between two states: the name of what changed, and its new value where that is a word.
-struct Difference {
-    subject: String,
-    value: String,
-}
-
-impl Difference {
-    fn between(before: &SceneRecord, after: &SceneRecord) -> Difference {
-        entity("light", &before.light, &after.light)
-            .or_else(|| entity("cuboid", &before.cuboid, &after.cuboid))
-            .or_else(|| entity("camera", &before.camera, &after.camera))
-            .unwrap_or_else(|| field("", &json(&before.view), &json(&after.view)))
-    }
-
-    /// "white on", "emerald size", "camera 2".
-    fn label(&self) -> String {
-        format!("{} {}", self.subject, self.value).trim().to_owned()
-    }
-}
-
-/// The first difference among entities of a kind.
-fn entity<T: PartialEq + Serialize>(kind: &str, before: &[T], after: &[T]) -> Option<Difference> {
-    if before.len() != after.len() {
-        let verb = if before.len() < after.len() {
-            "added"
-        } else {
-            "removed"
-        };
-        return Some(Difference {
-            subject: format!("{kind} {verb}"),
-            value: String::new(),
-        });
-    }
-    let mut pairs = before.iter().zip(after);
-    let (before, after) = pairs.find(|(before, after)| before != after)?;
-    let (before, after) = (json(before), json(after));
-    let name = after["name"].as_str().unwrap_or(kind);
-    Some(field(name, &before, &after))
-}
-
-/// The first key that differs.
-fn field(name: &str, before: &Value, after: &Value) -> Difference {
-    let empty = serde_json::Map::new();
-    let [before, after] = [before, after].map(|value| value.as_object().unwrap_or(&empty));
-    let mut keys = before.keys().chain(after.keys());
-    let key = keys.find(|key| before.get(*key) != after.get(*key));
-    let key = key.map_or("background", String::as_str);
-    let value = match (key, after.get(key)) {
-        // A light that is on is the default, which is left out.
-        ("on", value) => if value == Some(&Value::Bool(false)) {
-            "off"
-        } else {
-            "on"
+/// The subject of the first difference between two states, and its new value where that is a word or a number: "white" and
+/// "on", "emerald size" and nothing, "tolerance" and "1.0".
+fn change(before: &SceneRecord, after: &SceneRecord) -> (String, String) {
+    // Records can be written as JSON.
+    let patch = json!(patch(before, after).unwrap_or_default());
+    let (path, value) = (&patch[0]["path"], &patch[0]["value"]);
+    let keys: Vec<&str> = path.as_str().unwrap_or_default().split('/').collect();
+    let name = |kind: &str, place: &str| {
+        let place: usize = place.parse().unwrap_or_default();
+        match kind {
+            "cuboid" => after.cuboid[place].name.clone(),
+            "light" => after.light[place].name.clone(),
+            _ => after.camera[place].name.clone(),
         }
-        .to_owned(),
-        (_, Some(Value::String(word))) => word.clone(),
-        (_, Some(Value::Number(number))) => number.to_string(),
+    };
+    let subject = match keys[..] {
+        [_, "view", key, ..] => key.to_owned(),
+        [_, "background", ..] => "background".to_owned(),
+        [_, kind, place, "on"] => name(kind, place),
+        [_, kind, place, key, ..] => format!("{} {key}", name(kind, place)),
+        [_, kind] => format!("number of {kind}s"),
         _ => String::new(),
     };
-    let subject = if key == "on" {
-        name.to_owned()
-    } else {
-        format!("{name} {key}").trim().to_owned()
+    let value = match value {
+        Value::Bool(on) => if *on { "on" } else { "off" }.to_owned(),
+        Value::String(word) => word.clone(),
+        Value::Number(number) if keys.len() < 5 => number.to_string(),
+        _ => String::new(),
     };
-    Difference { subject, value }
+    (subject, value)
 }
 
-fn json(record: &impl Serialize) -> Value {
-    serde_json::to_value(record).unwrap_or_default()
+/// "white on", "emerald size", "camera 2".
+fn label(before: &SceneRecord, after: &SceneRecord) -> String {
+    let (subject, value) = change(before, after);
+    format!("{subject} {value}").trim().to_owned()
 }

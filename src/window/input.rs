@@ -175,8 +175,9 @@ mod tests {
             Down(Reported::W),
             Character('w'),
             Up(Reported::W),
+            Down(Reported::W),
         ];
-        assert_eq!(keys(&w), [(Key::W, false), (Key::W, true)]);
+        assert_eq!(keys(&w), [(Key::W, false), (Key::W, true), (Key::W, false)]);
         let question = [
             Down(Reported::LeftShift),
             Down(Reported::Slash),

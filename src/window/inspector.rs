@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
 use glam::DVec3;
 
-pub use self::scene::Kind;
+pub use self::scene::{Kind, intensity};
 pub use self::section::CHANNELS;
 use super::app::App;
 use super::jobs::{Job, State};
@@ -36,13 +36,11 @@ impl App {
         let mut is_folded = false;
         ui.horizontal_wrapped(|ui| {
             for (each, name, says) in TABS {
-                ui.selectable_value(&mut tab, each, name)
-                    .on_hover_text(says);
+                let choice = ui.selectable_value(&mut tab, each, name);
+                choice.on_hover_text(says);
             }
-            let fold = ui
-                .small_button("⏵")
-                .on_hover_text("Folds the inspector (Esc).");
-            is_folded = fold.clicked();
+            let fold = ui.small_button("⏵");
+            is_folded = fold.on_hover_text("Folds the inspector (Esc).").clicked();
         });
         if is_folded {
             self.desk.over[1] = false;
@@ -72,22 +70,19 @@ impl App {
         let ink = ink(&self.facts.required);
         let before = self.desk.left_out;
         let parts = self.facts.required.value.iter().flatten();
-        Grid::new("required")
-            .num_columns(3)
-            .striped(true)
-            .show(ui, |ui| {
-                for part in parts {
-                    let is_left_out = before == Some(part.part);
-                    if ui.selectable_label(is_left_out, &part.name).clicked() {
-                        self.desk.left_out = (!is_left_out).then_some(part.part);
-                    }
-                    let error = ui.colored_label(ink, short(part.change.most()));
-                    error.on_hover_text("Levels of 255, proven.");
-                    let is_kept = part.change.keeps(tolerance);
-                    ui.colored_label(ink, if is_kept { "not required" } else { "required" });
-                    ui.end_row();
+        Grid::new("required").striped(true).show(ui, |ui| {
+            for part in parts {
+                let is_left_out = before == Some(part.part);
+                if ui.selectable_label(is_left_out, &part.name).clicked() {
+                    self.desk.left_out = (!is_left_out).then_some(part.part);
                 }
-            });
+                let error = ui.colored_label(ink, short(part.change.most()));
+                error.on_hover_text("Levels of 255, proven.");
+                let is_kept = part.change.keeps(tolerance);
+                ui.colored_label(ink, if is_kept { "not required" } else { "required" });
+                ui.end_row();
+            }
+        });
         if before.is_some() && ui.button("show the whole picture").clicked() {
             self.desk.left_out = None;
         }
@@ -128,23 +123,18 @@ impl App {
         };
         let rows = proof_rows(proof);
         let is_current = self.facts.proof.current().is_some();
-        Grid::new("proof")
-            .num_columns(2)
-            .striped(true)
-            .show(ui, |ui| {
-                for (name, value, ink, says) in &rows {
-                    ui.label(*name).on_hover_text(*says);
-                    let ink = if is_current { *ink } else { STALE };
-                    ui.label(RichText::new(value).monospace().color(ink))
-                        .on_hover_text(*says);
-                    ui.end_row();
-                }
-            });
+        Grid::new("proof").striped(true).show(ui, |ui| {
+            for (name, value, ink, says) in &rows {
+                ui.label(*name).on_hover_text(*says);
+                let ink = if is_current { *ink } else { STALE };
+                let value = RichText::new(value).monospace().color(ink);
+                ui.label(value).on_hover_text(*says);
+                ui.end_row();
+            }
+        });
         if ui.button("copy").clicked() {
-            let lines = rows
-                .iter()
-                .map(|(name, value, ..)| format!("{name}\t{value}\n"));
-            ui.ctx().copy_text(lines.collect());
+            let line = |(name, value, ..): &Row| format!("{name}\t{value}\n");
+            ui.ctx().copy_text(rows.iter().map(line).collect());
         }
         for example in &proof.examples {
             ui.monospace(format!("{example:?}"));
@@ -189,9 +179,8 @@ pub fn progress(ui: &mut Ui, state: &State, words: &str) {
 
 /// A button with a colour whose click opens a picker; channels are shares of full strength.
 pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
-    let bytes = channels
-        .to_array()
-        .map(|it| (it.clamp(0.0, 1.0) * 255.0).round() as u8);
+    let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let bytes = channels.to_array().map(byte);
     let mut picked = bytes;
     let response = ui.color_edit_button_srgb(&mut picked);
     response.on_hover_text("Colour; each channel is a share of full strength.");

@@ -13,14 +13,15 @@ use fearless_simd::Level;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::comparison::Comparison;
+use super::facts::Facts;
 use super::pictures::view_at;
 use crate::components::{Show, View, get, viewer};
 use crate::drawing::all_cores;
-use crate::probe::{self, Probe};
-use crate::prove::{Proof, prove};
+use crate::probe;
+use crate::prove::prove;
 use crate::report::Monitor;
-use crate::requires::bits::{StageBits, bits};
-use crate::requires::{self, Part, PartChange};
+use crate::requires::bits::bits;
+use crate::requires::{self, Part};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
 use crate::trade::{Measurement, Request, live};
@@ -41,18 +42,9 @@ pub enum Task {
 }
 
 /// An answer to a [`Task`].
-#[derive(Debug)]
 pub enum Answer {
-    /// From left to right.
-    Probe(Vec<Probe>),
-    /// 0x00RRGGBB.
-    LeaveOut(Vec<u32>),
-    Compare(Box<Comparison>),
-    Prove(Box<Proof>),
-    /// The part that matters most first.
-    Require(Vec<PartChange>),
-    Bits(Vec<StageBits>),
-    Measure(Vec<Measurement>),
+    /// Puts the answer among the facts.
+    Done(Box<dyn FnOnce(&mut Facts) + Send>),
     /// The share of the task that is done, 0..=1.
     Progress(f64),
     /// The reason why there is no answer.
@@ -109,14 +101,14 @@ pub struct Order {
     pub tasks: Vec<Task>,
     /// The method that holds the budget, where there is one.
     pub held: Option<Method>,
-    /// The methods to measure, and what is known of them in this view.
+    /// The methods to measure, and their known measurements in this view.
     pub methods: Vec<Method>,
     pub known: Vec<Measurement>,
     /// How long the frames of all methods are timed together.
     pub time: Duration,
 }
 
-/// Set when nobody wants the answers any more.
+/// Set when the answers are no longer wanted.
 type Cancelled = Arc<AtomicBool>;
 
 /// The background thread.
@@ -218,6 +210,8 @@ pub fn answer_all(
     }
 }
 
+const CANCELLED: &str = "the work was cancelled";
+
 /// The answer to one question.
 fn answer(
     task: Task,
@@ -232,30 +226,28 @@ fn answer(
         Task::Probe(pixel) => {
             let show: Show = get(&scene.world, viewer(&scene.world)).unwrap_or_default();
             let view = view_at(&show, view, pixel[0]);
-            Answer::Probe(probe::section(scene, &view, pixel, level)?)
+            let section = probe::section(scene, &view, pixel, level)?;
+            put(section, |facts| &mut facts.section)
         }
         Task::LeaveOut(part) => {
             let picture = requires::picture_without(scene, view, part, cancelled);
-            Answer::LeaveOut(picture.context("the work was cancelled")?)
+            put(picture.context(CANCELLED)?, |facts| &mut facts.without)
         }
         Task::Compare => {
             let comparison = Comparison::of(&mut scene.world, view, level, monitor)?;
-            Answer::Compare(Box::new(comparison))
+            put(comparison, |facts| &mut facts.comparison)
         }
-        Task::Prove => Answer::Prove(Box::new(prove(
-            &mut scene.world,
-            view,
-            None,
-            level,
-            monitor,
-        )?)),
+        Task::Prove => {
+            let proof = prove(&mut scene.world, view, None, level, monitor)?;
+            put(proof, |facts| &mut facts.proof)
+        }
         Task::Require => {
             let parts = requires::ranked(scene, view, cancelled, &progress);
-            Answer::Require(parts.context("the work was cancelled")?)
+            put(parts.context(CANCELLED)?, |facts| &mut facts.required)
         }
         Task::Bits => {
             let stages = bits(scene, view, cancelled, &progress);
-            Answer::Bits(stages.context("the work was cancelled")?)
+            put(stages.context(CANCELLED)?, |facts| &mut facts.bits)
         }
         Task::Measure => {
             let request = Request {
@@ -268,7 +260,13 @@ fn answer(
                 time: order.time,
                 command: String::new(),
             };
-            Answer::Measure(live::measure(&request, &order.known, monitor)?)
+            let measured = live::measure(&request, &order.known, monitor)?;
+            put(measured, |facts| &mut facts.trade)
         }
     })
+}
+
+/// The answer that puts a value in its place.
+fn put<T: Send + 'static>(value: T, place: fn(&mut Facts) -> &mut Job<T>) -> Answer {
+    Answer::Done(Box::new(move |facts| place(facts).finish(value)))
 }

@@ -36,8 +36,8 @@ pub enum Command {
     Probe(i32, i32),
     /// Magnifies by powers of two.
     Magnify(i32),
-    /// Shows exact Phong while its key is held.
-    ShowExact,
+    /// Two pictures take turns while its key is held.
+    Blink,
     /// Moves the camera about its target: degrees to the right and up.
     Orbit(f64, f64),
     /// Steps towards the target.
@@ -55,10 +55,8 @@ pub enum Command {
     /// Folds and unfolds the panel.
     Panel,
     Help,
-    /// Writes the window, or the picture alone, into a PNG file.
-    Screenshot {
-        window: bool,
-    },
+    /// Writes the window into a PNG file.
+    Screenshot,
     /// Closes the uppermost thing that can be closed.
     Close,
     Quit,
@@ -69,15 +67,14 @@ pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 /// One press of an arrow moves the camera so far about its target, in degrees.
 const ORBIT_STEP: f64 = 2.0;
 
-/// A command, its keys and its words.
+/// Keys of one meaning, and their words.
 pub struct Binding {
     pub section: &'static str,
-    pub keys: &'static [(Modifiers, Key)],
-    pub command: Command,
     /// The words on its button and in the help.
     pub name: &'static str,
     /// A sentence about it.
     pub says: &'static str,
+    pub keys: &'static [(Modifiers, Key, Command)],
 }
 
 const NO: Modifiers = Modifiers::NONE;
@@ -87,17 +84,15 @@ const BOTH: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 const fn bind(
     section: &'static str,
-    keys: &'static [(Modifiers, Key)],
-    command: Command,
     name: &'static str,
     says: &'static str,
+    keys: &'static [(Modifiers, Key, Command)],
 ) -> Binding {
     Binding {
         section,
-        keys,
-        command,
         name,
         says,
+        keys,
     }
 }
 
@@ -107,65 +102,57 @@ pub const SECTIONS: [&str; 6] = ["Lights", "Shading", "Camera", "View", "Scene",
 /// Every key, in the order of the help.
 #[rustfmt::skip]
 pub const BINDINGS: &[Binding] = &[
-    bind("Lights", &[(NO, Key::W)], Command::LightNamed("white"), "white light", "Switches this light on and off."),
-    bind("Lights", &[(NO, Key::R)], Command::LightNamed("red"), "red light", "Switches this light on and off."),
-    bind("Lights", &[(NO, Key::S)], Command::LightNamed("specular"), "specular light", "Switches this light on and off."),
-    bind("Lights", &[(NO, Key::A)], Command::LightNamed("ambient"), "ambient light", "Switches this light on and off."),
-    bind("Lights", &[(NO, Key::Num1)], Command::Light(0), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num2)], Command::Light(1), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num3)], Command::Light(2), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num4)], Command::Light(3), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num5)], Command::Light(4), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num6)], Command::Light(5), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num7)], Command::Light(6), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num8)], Command::Light(7), "first to ninth light", ""),
-    bind("Lights", &[(NO, Key::Num9)], Command::Light(8), "first to ninth light", ""),
-    bind("Shading", &[(NO, Key::G)], Command::Shading(ShadingMode::Gouraud), "Gouraud", "Light is computed at the vertices, and its colours are interpolated."),
-    bind("Shading", &[(NO, Key::P)], Command::Shading(ShadingMode::Phong), "Phong", "Normals are interpolated, and light is computed at every pixel."),
-    bind("Shading", &[(NO, Key::F)], Command::FileShading, "as the file", "Each cuboid is shaded as the scene's file says."),
-    bind("Shading", &[(NO, Key::OpenBracket), (NO, Key::PageDown)], Command::Tolerance(-1), "finer tolerance", "The next finer tolerance."),
-    bind("Shading", &[(NO, Key::CloseBracket), (NO, Key::PageUp)], Command::Tolerance(1), "coarser tolerance", "The next coarser tolerance."),
-    bind("Shading", &[(NO, Key::M)], Command::HoldTime, "hold the time", "The most exact method that holds a time of milliseconds a frame draws."),
-    bind("Camera", &[(NO, Key::C)], Command::NextCamera, "next camera", "The camera that is looked through."),
-    bind("Camera", &[(NO, Key::O)], Command::NextProjection, "projection", "In perspective rays leave the eye; in orthographic projection they are parallel."),
-    bind("Camera", &[(NO, Key::ArrowLeft)], Command::Orbit(-ORBIT_STEP, 0.0), "orbit, or drag", ""),
-    bind("Camera", &[(NO, Key::ArrowRight)], Command::Orbit(ORBIT_STEP, 0.0), "orbit, or drag", ""),
-    bind("Camera", &[(NO, Key::ArrowUp)], Command::Orbit(0.0, ORBIT_STEP), "orbit, or drag", ""),
-    bind("Camera", &[(NO, Key::ArrowDown)], Command::Orbit(0.0, -ORBIT_STEP), "orbit, or drag", ""),
-    bind("Camera", &[(NO, Key::Plus), (NO, Key::Equals)], Command::Zoom(1), "zoom, or wheel", ""),
-    bind("Camera", &[(NO, Key::Minus)], Command::Zoom(-1), "zoom, or wheel", ""),
-    bind("Camera", &[(NO, Key::Space)], Command::Rotate, "rotate", "The cuboids turn about their own x axes."),
-    bind("Camera", &[(NO, Key::Home)], Command::ResetView, "reset view", "The camera and the cuboids go back to their places in the file."),
-    bind("View", &[(NO, Key::F2)], Command::View(ViewMode::Picture), "picture", "The picture as it is shaded."),
-    bind("View", &[(NO, Key::F3)], Command::View(ViewMode::Wipe), "Gouraud | Phong", "Two methods, left and right of a divider that can be dragged."),
-    bind("View", &[(NO, Key::F4)], Command::WipeExact, "picture | exact", "The picture, and exact Phong in f64, left and right of a divider."),
-    bind("View", &[(NO, Key::F5)], Command::View(ViewMode::Error), "error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen."),
-    bind("View", &[(NO, Key::F6)], Command::View(ViewMode::Tiles), "tiles", "The way in which each square was drawn."),
-    bind("View", &[(NO, Key::B)], Command::ShowExact, "show exact (hold)", "Shows exact Phong while the key or the button is held."),
-    bind("View", &[(NO, Key::Comma)], Command::Side(0, 1), "left side", "The next method left of the divider."),
-    bind("View", &[(SHIFT, Key::Comma)], Command::Side(0, -1), "left side", "The method before, left of the divider."),
-    bind("View", &[(NO, Key::Period)], Command::Side(1, 1), "right side", "The next method right of the divider."),
-    bind("View", &[(SHIFT, Key::Period)], Command::Side(1, -1), "right side", "The method before, right of the divider."),
-    bind("View", &[(NO, Key::Y)], Command::Worst, "why, at the worst pixel", "Shows why the worst pixel errs."),
-    bind("View", &[(NO, Key::L)], Command::Profile, "levels below a wipe", "Folds and opens the levels along a row."),
-    bind("View", &[(SHIFT, Key::ArrowLeft)], Command::Probe(-1, 0), "move the probed pixel", ""),
-    bind("View", &[(SHIFT, Key::ArrowRight)], Command::Probe(1, 0), "move the probed pixel", ""),
-    bind("View", &[(SHIFT, Key::ArrowUp)], Command::Probe(0, -1), "move the probed pixel", ""),
-    bind("View", &[(SHIFT, Key::ArrowDown)], Command::Probe(0, 1), "move the probed pixel", ""),
-    bind("View", &[(NO, Key::Z)], Command::Magnify(1), "magnify, or Ctrl wheel", "Pixels are shown twice as large."),
-    bind("View", &[(NO, Key::X)], Command::Magnify(-1), "magnify less", "Pixels are shown half as large."),
-    bind("Scene", &[(NO, Key::E)], Command::Tab(Tab::Scene), "edit", "Shows every number of the scene, to be changed."),
-    bind("Scene", &[(NO, Key::N)], Command::Tab(Tab::Required), "required", "Shows the parts of the model that this picture requires."),
-    bind("Scene", &[(CTRL, Key::Z)], Command::Undo, "undo", "Takes back the last change."),
-    bind("Scene", &[(BOTH, Key::Z), (CTRL, Key::Y)], Command::Redo, "redo", "Makes the change again that was last taken back."),
-    bind("Scene", &[(CTRL, Key::S)], Command::Save, "save", "Writes the scene and the view to the scene's file."),
-    bind("Scene", &[(BOTH, Key::S)], Command::SaveAs, "save as new", "Writes the scene and the view to a new file."),
-    bind("Window", &[(NO, Key::I)], Command::Panel, "fold the panel", "Folds and opens the panel."),
-    bind("Window", &[(NO, Key::H), (NO, Key::Questionmark), (NO, Key::F1)], Command::Help, "help", "Shows all keys."),
-    bind("Window", &[(NO, Key::F12)], Command::Screenshot { window: true }, "save the window", "Writes the window into a PNG file."),
-    bind("Window", &[(SHIFT, Key::F12)], Command::Screenshot { window: false }, "save the picture", "Writes the picture into a PNG file."),
-    bind("Window", &[(NO, Key::Escape)], Command::Close, "close", "Closes the uppermost thing that can be closed."),
-    bind("Window", &[(NO, Key::Q)], Command::Quit, "quit", "Ends the program."),
+    bind("Lights", "white light", "Switches this light on and off.", &[(NO, Key::W, Command::LightNamed("white"))]),
+    bind("Lights", "red light", "Switches this light on and off.", &[(NO, Key::R, Command::LightNamed("red"))]),
+    bind("Lights", "specular light", "Switches this light on and off.", &[(NO, Key::S, Command::LightNamed("specular"))]),
+    bind("Lights", "ambient light", "Switches this light on and off.", &[(NO, Key::A, Command::LightNamed("ambient"))]),
+    bind("Lights", "first to ninth light", "", &[
+        (NO, Key::Num1, Command::Light(0)), (NO, Key::Num2, Command::Light(1)), (NO, Key::Num3, Command::Light(2)),
+        (NO, Key::Num4, Command::Light(3)), (NO, Key::Num5, Command::Light(4)), (NO, Key::Num6, Command::Light(5)),
+        (NO, Key::Num7, Command::Light(6)), (NO, Key::Num8, Command::Light(7)), (NO, Key::Num9, Command::Light(8)),
+    ]),
+    bind("Shading", "Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Command::Shading(ShadingMode::Gouraud))]),
+    bind("Shading", "Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Command::Shading(ShadingMode::Phong))]),
+    bind("Shading", "as the file", "Each cuboid is shaded as the scene's file says.", &[(NO, Key::F, Command::FileShading)]),
+    bind("Shading", "finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Command::Tolerance(-1)), (NO, Key::PageDown, Command::Tolerance(-1))]),
+    bind("Shading", "coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Command::Tolerance(1)), (NO, Key::PageUp, Command::Tolerance(1))]),
+    bind("Shading", "hold the time", "The most exact method whose frame takes no longer than the budget draws.", &[(NO, Key::M, Command::HoldTime)]),
+    bind("Camera", "next camera", "The camera that is looked through.", &[(NO, Key::C, Command::NextCamera)]),
+    bind("Camera", "projection", "In perspective rays leave the eye; in orthographic projection they are parallel.", &[(NO, Key::O, Command::NextProjection)]),
+    bind("Camera", "orbit, or drag", "", &[
+        (NO, Key::ArrowLeft, Command::Orbit(-ORBIT_STEP, 0.0)), (NO, Key::ArrowRight, Command::Orbit(ORBIT_STEP, 0.0)),
+        (NO, Key::ArrowUp, Command::Orbit(0.0, ORBIT_STEP)), (NO, Key::ArrowDown, Command::Orbit(0.0, -ORBIT_STEP)),
+    ]),
+    bind("Camera", "zoom, or wheel", "", &[(NO, Key::Plus, Command::Zoom(1)), (NO, Key::Equals, Command::Zoom(1)), (NO, Key::Minus, Command::Zoom(-1))]),
+    bind("Camera", "rotate", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Command::Rotate)]),
+    bind("Camera", "reset view", "The camera and the cuboids go back to their places in the file.", &[(NO, Key::Home, Command::ResetView)]),
+    bind("View", "picture", "The picture as it is shaded.", &[(NO, Key::F2, Command::View(ViewMode::Picture))]),
+    bind("View", "Gouraud | Phong", "Two methods, left and right of a divider that can be dragged.", &[(NO, Key::F3, Command::View(ViewMode::Wipe))]),
+    bind("View", "picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Command::WipeExact)]),
+    bind("View", "error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen.", &[(NO, Key::F5, Command::View(ViewMode::Error))]),
+    bind("View", "tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Command::View(ViewMode::Tiles))]),
+    bind("View", "blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Command::Blink)]),
+    bind("View", "left side", "The next method left of the divider; with Shift, the one before.", &[(NO, Key::Comma, Command::Side(0, 1)), (SHIFT, Key::Comma, Command::Side(0, -1))]),
+    bind("View", "right side", "The next method right of the divider; with Shift, the one before.", &[(NO, Key::Period, Command::Side(1, 1)), (SHIFT, Key::Period, Command::Side(1, -1))]),
+    bind("View", "why, at the worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Command::Worst)]),
+    bind("View", "levels below a wipe", "Folds and opens the levels along a row.", &[(NO, Key::L, Command::Profile)]),
+    bind("View", "move the probed pixel", "", &[
+        (SHIFT, Key::ArrowLeft, Command::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Command::Probe(1, 0)),
+        (SHIFT, Key::ArrowUp, Command::Probe(0, -1)), (SHIFT, Key::ArrowDown, Command::Probe(0, 1)),
+    ]),
+    bind("View", "magnify, or Ctrl wheel", "Pixels are shown twice as large.", &[(NO, Key::Z, Command::Magnify(1))]),
+    bind("View", "magnify less", "Pixels are shown half as large.", &[(NO, Key::X, Command::Magnify(-1))]),
+    bind("Scene", "edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Command::Tab(Tab::Scene))]),
+    bind("Scene", "required", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Command::Tab(Tab::Required))]),
+    bind("Scene", "undo", "Takes back the last change.", &[(CTRL, Key::Z, Command::Undo)]),
+    bind("Scene", "redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Command::Redo), (CTRL, Key::Y, Command::Redo)]),
+    bind("Scene", "save", "Writes the scene and the view to the scene's file.", &[(CTRL, Key::S, Command::Save)]),
+    bind("Scene", "save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Command::SaveAs)]),
+    bind("Window", "fold the panel", "Folds and opens the panel.", &[(NO, Key::I, Command::Panel)]),
+    bind("Window", "help", "Shows all keys.", &[(NO, Key::H, Command::Help), (NO, Key::Questionmark, Command::Help), (NO, Key::F1, Command::Help)]),
+    bind("Window", "save the window", "Writes the window into a PNG file.", &[(NO, Key::F12, Command::Screenshot)]),
+    bind("Window", "close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Command::Close)]),
+    bind("Window", "quit", "Ends the program.", &[(NO, Key::Q, Command::Quit)]),
 ];
 
 /// The sides of the wipe between Gouraud and Phong, both within this tolerance.
@@ -173,40 +160,38 @@ pub fn gouraud_phong(tolerance: f64) -> [Side; 2] {
     [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method { mode, tolerance })
 }
 
+fn keys() -> impl Iterator<Item = &'static (Modifiers, Key, Command)> {
+    BINDINGS.iter().flat_map(|binding| binding.keys)
+}
+
 /// The command of a press. A key that needs no shift acts with shift too: some layouts have digits there.
 pub fn command(key: Key, modifiers: Modifiers) -> Option<Command> {
     let find = |shift: bool| {
-        BINDINGS.iter().find(|binding| {
-            let mut keys = binding.keys.iter();
-            keys.any(|(wanted, bound)| {
-                *bound == key && wanted.command == modifiers.command && wanted.shift == shift
-            })
+        keys().find(|(wanted, bound, _)| {
+            *bound == key && wanted.command == modifiers.command && wanted.shift == shift
         })
     };
-    let found = find(modifiers.shift).or_else(|| find(false))?;
-    (!modifiers.alt).then_some(found.command)
+    let (.., command) = find(modifiers.shift).or_else(|| find(false))?;
+    (!modifiers.alt).then_some(*command)
 }
 
 /// The row of a command.
 pub fn binding(command: Command) -> Option<&'static Binding> {
-    BINDINGS.iter().find(|binding| binding.command == command)
+    let is_bound = |binding: &&Binding| binding.keys.iter().any(|key| key.2 == command);
+    BINDINGS.iter().find(is_bound)
 }
 
-/// The first key of a command; empty where it has none.
+/// The words for the first key of a command; empty where it has none.
 pub fn caption(command: Command) -> String {
-    binding(command).map_or_else(String::new, |it| it.captions().remove(0))
+    let key = keys().find(|key| key.2 == command);
+    key.map_or_else(String::new, caption_of)
 }
 
-impl Binding {
-    /// The words for its keys.
-    pub fn captions(&self) -> Vec<String> {
-        let caption = |(modifiers, key): &(Modifiers, Key)| {
-            let control = if modifiers.command { "Ctrl " } else { "" };
-            let shift = if modifiers.shift { "Shift " } else { "" };
-            format!("{control}{shift}{}", key.symbol_or_name())
-        };
-        self.keys.iter().map(caption).collect()
-    }
+/// The words for a key.
+pub fn caption_of((modifiers, key, _): &(Modifiers, Key, Command)) -> String {
+    let control = if modifiers.command { "Ctrl " } else { "" };
+    let shift = if modifiers.shift { "Shift " } else { "" };
+    format!("{control}{shift}{}", key.symbol_or_name())
 }
 
 #[cfg(test)]
@@ -215,7 +200,7 @@ mod tests {
 
     #[test]
     fn no_key_has_two_commands() {
-        let keys = || BINDINGS.iter().flat_map(|binding| binding.keys);
+        let keys = || keys().map(|(modifiers, key, _)| (modifiers, key));
         for one in keys() {
             assert_eq!(keys().filter(|other| *other == one).count(), 1, "{one:?}");
         }

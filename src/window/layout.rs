@@ -9,16 +9,16 @@ use egui::{
 
 use super::app::App;
 use super::inspector::short;
-use super::keys::{BINDINGS, SECTIONS};
+use super::keys::{BINDINGS, SECTIONS, caption_of};
 use super::style::{BAD, GOOD, STALE};
-use crate::components::{Inspector, Show, Tab, Tolerance, ViewMode};
+use crate::components::{Inspector, Show, Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::trade::verdict::method_name;
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
 const USUAL: f32 = 300.0;
-/// The least size of what lies over the picture; a smaller window cuts it off.
+/// The least width and height of a panel over the picture; a smaller window cuts it off.
 const LEAST_OVER: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
@@ -108,11 +108,6 @@ impl App {
             let width = ui.available_width();
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if let Some(message) = &self.desk.message {
-                    if let Some(text) = &message.copy
-                        && ui.button("copy command").on_hover_text(text).clicked()
-                    {
-                        ui.ctx().copy_text(text.clone());
-                    }
                     ui.add(Label::new(&message.text).truncate());
                 }
                 if self.desk.message.is_none() || width > 640.0 {
@@ -123,24 +118,20 @@ impl App {
         });
     }
 
-    /// The facts about the picture. Those of another picture than the one shown are grey.
+    /// The facts about the picture. Facts about another picture are grey.
     fn facts_line(&self, ui: &mut Ui, width: f32) {
         let show: Show = self.look();
-        let Tolerance(tolerance) = self.look();
-        let is_drawn = !self.desk.shows_exact && self.desk.left_out.is_none();
-        let is_shown = is_drawn && show.mode != ViewMode::Wipe && self.desk.preview.is_none();
-        let name = |method| capital(&method_name(method));
-        let method = match (self.desk.preview, self.method()) {
-            _ if self.desk.shows_exact => "exact Phong in f64".to_owned(),
-            _ if !is_drawn => "without a part, in f64".to_owned(),
-            (Some(preview), _) => name(preview),
-            _ if !is_shown => "two pictures".to_owned(),
-            (None, Some(method)) => name(method),
-            (None, None) => format!("mixed within {tolerance}"),
+        let is_wipe = show.mode == ViewMode::Wipe;
+        let (name, is_shown) = match (self.desk.left_out, self.turn(), self.desk.preview) {
+            (Some(_), ..) => ("Without a part, in f64".to_owned(), false),
+            (_, Some(turn), _) if is_wipe => (self.side_name(&show.sides[turn]), false),
+            (_, Some(0), _) => (self.side_name(&Side::Reference), false),
+            (_, None, Some(method)) => (capital(&method_name(method)), false),
+            (_, None, None) if is_wipe => ("Two pictures".to_owned(), false),
+            _ => (self.side_name(&Side::Picture), true),
         };
-        ui.label(method).on_hover_text(
-            "The mode of the cuboids, and the largest error against its exact evaluation, \
-             in levels of 255.",
+        ui.label(name).on_hover_text(
+            "The method on screen, and its largest error against its own exact evaluation, in levels of 255.",
         );
         let fact = |ui: &mut Ui, text: String, ink, is_current: bool, says: &str| {
             let ink = if is_shown && is_current { ink } else { STALE };
@@ -173,16 +164,6 @@ impl App {
 
     fn help(&mut self, ui: &Ui) {
         let screen = ui.ctx().content_rect().size();
-        let mut rows: Vec<(&str, &str, Vec<String>)> = Vec::new();
-        for it in BINDINGS {
-            let known = rows
-                .iter_mut()
-                .find(|row| (row.0, row.1) == (it.section, it.name));
-            match known {
-                Some((.., keys)) => keys.extend(it.captions()),
-                None => rows.push((it.section, it.name, it.captions())),
-            }
-        }
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
             ui.set_width((screen.x - 40.0).clamp(LEAST_OVER, 640.0));
             ui.heading("Keys");
@@ -195,9 +176,10 @@ impl App {
                         let ui = &mut columns[index % columns.len()];
                         ui.add_space(6.0);
                         ui.strong(*section);
-                        for (_, name, keys) in rows.iter().filter(|row| row.0 == *section) {
+                        for row in BINDINGS.iter().filter(|row| row.section == *section) {
+                            let keys: Vec<String> = row.keys.iter().map(caption_of).collect();
                             ui.horizontal(|ui| {
-                                ui.label(*name);
+                                ui.label(row.name);
                                 let right = Layout::right_to_left(Align::Center);
                                 ui.with_layout(right, |ui| {
                                     ui.add_space(12.0);
@@ -216,10 +198,8 @@ impl App {
 
     fn ask_to_save(&mut self, ui: &Ui) {
         Modal::new(Id::new("save?")).show(ui.ctx(), |ui| {
-            ui.label(format!(
-                "{} has changes that are not saved.",
-                self.scene.name
-            ));
+            let name = &self.scene.name;
+            ui.label(format!("{name} has changes that are not saved."));
             ui.horizontal(|ui| {
                 if ui.button("save and quit").clicked() {
                     self.desk.asks_to_save = false;

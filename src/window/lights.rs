@@ -1,16 +1,14 @@
 //! The lights over the picture: discs that can be dragged, arrows to those out of sight, and the vectors at the probed pixel.
 
-use egui::{Align2, Color32, Pos2, Rect, Stroke, Vec2, vec2};
+use egui::{Align2, Color32, Pos2, Rect, Vec2, vec2};
 use glam::DVec3;
 
 use super::app::App;
 use super::viewport::tag;
 use crate::components::{
-    Lens, Light, LightKind, Mesh, Name, Projection, Transform, Viewpoint, WorldTransform,
-    active_camera, get, ordered,
+    Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, get, ordered,
 };
 use crate::paint::color;
-use crate::scene::range;
 
 /// No more discs than this are drawn.
 const MOST: usize = 100;
@@ -29,8 +27,7 @@ pub struct Marker {
     /// The direction of a light out of sight.
     way: Option<Vec2>,
     color: Color32,
-    /// Whether the light is on and no cuboid hides it.
-    is_lit: bool,
+    is_on: bool,
 }
 
 impl Marker {
@@ -41,22 +38,14 @@ impl Marker {
 
     /// Draws it and its name inside of `area`.
     pub fn draw(&self, painter: &egui::Painter, area: Rect) {
-        let ring = Stroke::new(1.5, Color32::from_gray(16));
+        let [dark, ring] = [(1.5, Color32::from_gray(16)), (2.0, self.color)];
         match self.way {
-            Some(way) => painter.arrow(
-                self.at - way * RADIUS,
-                way * 2.0 * RADIUS,
-                (3.0, self.color),
-            ),
-            None if self.is_lit => drop(painter.circle(self.at, RADIUS, self.color, ring)),
-            None => {
-                painter.circle(
-                    self.at,
-                    RADIUS,
-                    Color32::from_black_alpha(120),
-                    (2.0, self.color),
-                );
+            Some(way) => {
+                let from = self.at - way * RADIUS;
+                painter.arrow(from, way * 2.0 * RADIUS, (3.0, self.color));
             }
+            None if self.is_on => drop(painter.circle(self.at, RADIUS, self.color, dark)),
+            None => drop(painter.circle(self.at, RADIUS, Color32::from_black_alpha(120), ring)),
         }
         let is_right = self.at.x > area.center().x;
         let (align, side) = if is_right {
@@ -64,23 +53,18 @@ impl Marker {
         } else {
             (Align2::LEFT_CENTER, 1.0)
         };
-        let ink = if self.is_lit {
+        let ink = if self.is_on {
             Color32::WHITE
         } else {
             Color32::GRAY
         };
-        tag(
-            painter,
-            align,
-            self.at + vec2(side * (RADIUS + 8.0), 0.0),
-            &self.name,
-            ink,
-        );
+        let at = self.at + vec2(side * (RADIUS + 8.0), 0.0);
+        tag(painter, align, at, &self.name, ink);
     }
 }
 
 impl App {
-    /// The markers of all lights that have a place. Those of one place stand beside one another.
+    /// The markers of all lights with a position. Markers of one position stand below one another.
     pub fn markers(&self) -> Vec<Marker> {
         let lens = Lens::new(&self.view());
         let world = &self.scene.world;
@@ -103,7 +87,7 @@ impl App {
                 at,
                 way,
                 color: brightest(light.color),
-                is_lit: light.on && !self.is_hidden(transform.position, &lens),
+                is_on: light.on,
             });
         }
         markers
@@ -123,30 +107,8 @@ impl App {
         let way = vec2(seen.x as f32, -seen.y as f32).normalized();
         let half = border.size() / 2.0;
         let share = (half.x / way.x.abs()).min(half.y / way.y.abs());
-        (
-            border.center() + way * if share.is_finite() { share } else { 0.0 },
-            Some(way),
-        )
-    }
-
-    /// Whether a cuboid stands between the viewer and a point.
-    fn is_hidden(&self, point: DVec3, lens: &Lens) -> bool {
-        let eye = match lens.projection {
-            Projection::Perspective => lens.eye,
-            Projection::Orthographic => point - lens.axes[2] * lens.seen(point).z,
-        };
-        let mut cuboids = self.scene.world.query::<(&WorldTransform, &Mesh)>();
-        cuboids.iter().any(|(place, mesh)| {
-            let to_cuboid = place.axes.transpose();
-            let from = to_cuboid * (eye - place.position);
-            let way = to_cuboid * (point - eye);
-            // The part of the way, from 0 to 1, between each pair of opposite faces (Kay and Kajiya 1986).
-            let one = (-mesh.corners[7] - from) / way;
-            let other = (mesh.corners[7] - from) / way;
-            let enters = one.min(other).max_element().max(0.0);
-            let leaves = one.max(other).min_element().min(1.0);
-            enters < leaves
-        })
+        let share = if share.is_finite() { share } else { 0.0 };
+        (border.center() + way * share, Some(way))
     }
 
     /// Moves a light from a place by pixels of the picture, in depth where asked for, and returns where to. It stands at
@@ -166,12 +128,6 @@ impl App {
         let rounded = moved
             .to_array()
             .map(|it| (it / step).round() / step.recip());
-        if !rounded
-            .iter()
-            .all(|it| range::Coordinate::RANGE.contains(it))
-        {
-            return from;
-        }
         let world = &mut self.scene.world;
         let lights = world
             .query_mut::<(&Name, &mut Transform)>()
@@ -184,14 +140,13 @@ impl App {
 
     /// Draws n, o, and l and r of each place with lights, from the probed pixel at `at`, as they lie across the view.
     pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
-        let probed = self
-            .probed()
-            .filter(|_| self.facts.section.current().is_some());
+        let is_current = self.facts.section.current().is_some();
+        let probed = self.probed().filter(|_| is_current);
         let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) else {
             return;
         };
-        let [right, up, _] =
-            Viewpoint::of(&self.scene.world, active_camera(&self.scene.world)).axes();
+        let world = &self.scene.world;
+        let [right, up, _] = Viewpoint::of(world, active_camera(world)).axes();
         let arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
             let Some(vector) = vector else {
                 return;
@@ -200,13 +155,8 @@ impl App {
             for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
                 painter.arrow(at, way, (width, ink));
             }
-            tag(
-                painter,
-                Align2::CENTER_CENTER,
-                at + way + way.normalized() * 12.0,
-                name,
-                ink,
-            );
+            let end = at + way + way.normalized() * 12.0;
+            tag(painter, Align2::CENTER_CENTER, end, name, ink);
         };
         let mut places: Vec<DVec3> = Vec::new();
         for light in &surface.lights {

@@ -5,20 +5,20 @@
 use std::path::PathBuf;
 
 use egui::{
-    Button, CollapsingHeader, ComboBox, DragValue, Grid, Key, Response, RichText, ScrollArea,
-    Sense, Slider, TextEdit, Ui,
+    Button, CollapsingHeader, ComboBox, Grid, Key, Response, RichText, ScrollArea, Sense, Slider,
+    TextEdit, Ui,
 };
 use hecs::Entity;
 
 use super::app::App;
 use super::file::load;
-use super::inspector::{color_button, format_number, keep_digits, two_digits};
+use super::inspector::{color_button, format_number, intensity, keep_digits, two_digits};
 use super::keys::{Command, binding, caption};
 use crate::components::{
     ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side,
     Spin, Tab, Tolerance, ViewMode, active_camera, get, names, ordered,
 };
-use crate::scene::{BUILT_IN, EXTREMES, range};
+use crate::scene::{BUILT_IN, EXTREMES};
 
 const TOLERANCE: &str = "The largest error of a pixel against the exact evaluation of its mode, \
                          in levels of 255. A coarser tolerance is faster.";
@@ -120,14 +120,7 @@ impl App {
                 LightKind::Specular => "Feeds the specular term, max(0, o.r)^shininess.",
             });
         color_button(ui, &mut light.color);
-        let (before, speed) = (light.intensity, (light.intensity * 0.01).max(0.01));
-        let intensity = DragValue::new(&mut light.intensity).speed(speed);
-        let intensity = intensity
-            .range(range::Strength::RANGE)
-            .custom_formatter(format_number);
-        let says = "Intensity, 0 to 1e30. Drag it, or click to type.";
-        ui.add(intensity).on_hover_text(says);
-        keep_digits(before, &mut light.intensity);
+        intensity(ui, &mut light.intensity);
         let names = ["white", "red", "specular", "ambient"];
         let named = names.into_iter().find(|own| *own == name.0);
         ui.weak(caption(
@@ -151,9 +144,10 @@ impl App {
             };
             self.offer(ui, command, shown == mode && is_chosen);
         }
-        let hold = command_button(ui, Command::ShowExact, self.desk.shows_exact, true);
-        if hold.is_pointer_button_down_on() || hold.drag_stopped() || hold.clicked() {
-            self.desk.shows_exact = hold.is_pointer_button_down_on();
+        let hold = command_button(ui, Command::Blink, self.desk.blinks.is_some(), true);
+        let is_held = hold.is_pointer_button_down_on();
+        if is_held || ui.input(|input| input.pointer.any_released()) {
+            self.blink_while(is_held);
         }
         self.legend(ui, &show);
     }
@@ -164,30 +158,30 @@ impl App {
         let names = names::<Camera>(&self.scene.world);
         let name = get(&self.scene.world, active).map_or_else(String::new, |Name(name)| name);
         ui.horizontal(|ui| {
-            ui.label("camera")
-                .on_hover_text("The camera that is looked through.");
-            ComboBox::from_id_salt("camera")
-                .selected_text(name)
-                .show_ui(ui, |ui| {
-                    for (camera, name) in cameras.into_iter().zip(names) {
-                        if ui.selectable_label(camera == active, name).clicked() {
-                            self.set_look(ActiveCamera(camera));
-                        }
+            let says = "The camera that is looked through.";
+            ui.label("camera").on_hover_text(says);
+            let choices = ComboBox::from_id_salt("camera").selected_text(name);
+            choices.show_ui(ui, |ui| {
+                for (camera, name) in cameras.into_iter().zip(names) {
+                    if ui.selectable_label(camera == active, name).clicked() {
+                        self.set_look(ActiveCamera(camera));
                     }
-                });
+                }
+            });
             ui.weak(caption(Command::NextCamera));
         });
-        let before: Projection = self.look();
-        let mut projection = before;
+        let projection: Projection = self.look();
         ui.horizontal_wrapped(|ui| {
             for each in Projection::ALL {
-                ui.selectable_value(&mut projection, each, each.name());
+                if ui
+                    .selectable_label(each == projection, each.name())
+                    .clicked()
+                {
+                    self.set_look(each);
+                }
             }
             ui.weak(caption(Command::NextProjection));
         });
-        if projection != before {
-            self.set_look(projection);
-        }
         ui.horizontal_wrapped(|ui| {
             self.offer(ui, Command::Rotate, self.look::<Spin>().on);
             self.offer(ui, Command::ResetView, false);
@@ -219,9 +213,8 @@ impl App {
             let field = TextEdit::singleline(&mut self.desk.path).hint_text("FILE.toml");
             let field = ui.add(field.desired_width(130.0));
             let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-            let open = ui
-                .button("open")
-                .on_hover_text("Opens the scene in this file.");
+            let open = ui.button("open");
+            let open = open.on_hover_text("Opens the scene in this file.");
             if open.clicked() || is_entered {
                 chosen = Some(PathBuf::from(&self.desk.path));
             }

@@ -68,9 +68,17 @@ impl Pictures {
         self.frame.pixels()
     }
 
-    /// A side of a wipe as far as the renderer draws it, 0x00RRGGBB.
-    pub fn side(&self, index: usize) -> &[u32] {
-        &self.sides[index]
+    /// A side of a wipe, left (0) or right (1), 0x00RRGGBB.
+    pub fn side<'a>(
+        &'a self,
+        side: Side,
+        index: usize,
+        exact: Option<&'a [u32]>,
+    ) -> Cow<'a, [u32]> {
+        match side {
+            Side::Reference => or_dimmed(exact, self.frame()),
+            _ => Cow::from(&self.sides[index]),
+        }
     }
 
     /// Draws all pictures that `show` needs.
@@ -121,12 +129,12 @@ impl Pictures {
     }
 
     /// The picture of the view; `exact` and `error_map` are known once they were computed.
-    pub fn shown(
-        &self,
+    pub fn shown<'a>(
+        &'a self,
         show: &Show,
-        exact: Option<&[u32]>,
+        exact: Option<&'a [u32]>,
         error_map: Option<&[u32]>,
-    ) -> Cow<'_, [u32]> {
+    ) -> Cow<'a, [u32]> {
         let frame = self.frame.pixels();
         match show.mode {
             ViewMode::Picture => frame.into(),
@@ -139,13 +147,9 @@ impl Pictures {
                 pixels.into()
             }
             ViewMode::Wipe => {
-                let side = |index: usize| match show.sides[index] {
-                    Side::Reference => or_dimmed(exact, frame),
-                    _ => Cow::from(&self.sides[index]),
-                };
+                let [left, right] = [0, 1].map(|index| self.side(show.sides[index], index, exact));
                 let width = self.size()[0];
-                let mut pixels = side(0).into_owned();
-                let right = side(1);
+                let mut pixels = left.into_owned();
                 let divider = divider_column(show.divider, width);
                 let rows = pixels
                     .chunks_exact_mut(width)

@@ -9,7 +9,7 @@ use super::keys::{Command, caption};
 use super::pictures::divider_column;
 use super::style::{EXACT, INK, STALE};
 use super::viewport::tag;
-use crate::components::{Probed, Show, Side};
+use crate::components::{Probed, Show};
 use crate::paint::color;
 use crate::trade::error_map::Pixel;
 
@@ -60,12 +60,10 @@ impl App {
         let width = self.pictures.size()[0];
         let comparison = self.facts.comparison.current();
         let of_row = |pixels| <[u32]>::get(pixels, row * width..(row + 1) * width);
-        let exact = comparison.and_then(|it| of_row(&it.exact));
-        let sides = [0, 1].map(|index| match show.sides[index] {
-            Side::Reference => exact,
-            _ => of_row(self.pictures.side(index)),
-        });
-        let [Some(left), Some(right)] = sides else {
+        let exact = comparison.map(|it| it.exact.as_slice());
+        let sides = [0, 1].map(|index| self.pictures.side(show.sides[index], index, exact));
+        let exact = exact.and_then(of_row);
+        let [Some(left), Some(right)] = sides.each_ref().map(|side| of_row(side)) else {
             return;
         };
         let level = |pixel: u32, channel: usize| f32::from(pixel.to_be_bytes()[1 + channel]);

@@ -14,7 +14,7 @@ pub struct Recent {
 }
 
 impl Recent {
-    /// Those of the user.
+    /// The files in the user's state folder.
     pub fn of_user() -> Self {
         let state = env::var_os("XDG_STATE_HOME").filter(|state| !state.is_empty());
         let home = || Some(Path::new(&env::var_os("HOME")?).join(".local/state"));
@@ -24,7 +24,7 @@ impl Recent {
         })
     }
 
-    /// Those that a folder keeps; what cannot be read is no file.
+    /// The files that the list in `folder` names. A list that cannot be read is empty.
     pub fn kept_in(folder: &Path) -> Self {
         let list = folder.join("recent");
         let text = fs::read_to_string(&list).unwrap_or_default();

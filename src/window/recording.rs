@@ -51,7 +51,7 @@ impl Recorder {
         }
     }
 
-    /// Notes the state of the window, as far as it differs from the one noted before.
+    /// Writes the difference from the state that was noted before.
     ///
     /// # Errors
     /// When it cannot be written.
@@ -120,12 +120,8 @@ fn keep_differences<T: PartialEq + Serialize>(
     for (index, (one, other)) in one.iter().zip(other).enumerate() {
         keep_difference(&mut kept, &index.to_string(), one, other)?;
     }
-    for (side, kept) in sides
-        .iter_mut()
-        .zip(kept)
-        .filter(|(_, kept)| !kept.is_null())
-    {
-        side[kind] = kept;
+    if kept[0] != Value::Null {
+        [sides[0][kind], sides[1][kind]] = kept;
     }
     Ok(())
 }
@@ -146,7 +142,7 @@ fn keep_difference<T: PartialEq + Serialize>(
 /// The record that a patch makes of another one.
 ///
 /// # Errors
-/// When the patch does not apply, or what it makes is no valid scene.
+/// When the patch does not apply, or its result is no valid scene.
 pub fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecord> {
     let mut value = serde_json::to_value(record)?;
     json_patch::patch(&mut value, patch)?;
@@ -226,7 +222,7 @@ impl Log {
         })
     }
 
-    /// The window as it opens, drawn by so many threads at this level.
+    /// The first state, drawn by `threads` threads.
     pub fn drawing(&self, threads: usize, level: Level) -> Drawing {
         let size = self.frames.first().and_then(Frame::size);
         Drawing {

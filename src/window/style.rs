@@ -1,10 +1,12 @@
 //! The look of the panels: one text size, calm colours, no animations.
 
-use egui::{Color32, Context, FontFamily, FontId, TextStyle, Theme};
+use egui::{Color32, Context, TextStyle, Theme};
 
-/// Numbers that are not those of the picture shown.
+use crate::components::ShadingMode;
+
+/// The ink of numbers about another picture.
 pub const STALE: Color32 = Color32::from_gray(95);
-/// Numbers of the picture shown.
+/// The ink of numbers about the picture on screen.
 pub const INK: Color32 = Color32::from_gray(220);
 pub const GOOD: Color32 = Color32::from_rgb(0x3c, 0xb8, 0x7c);
 pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
@@ -15,32 +17,29 @@ pub const EXACT: Color32 = Color32::from_rgb(0xf0, 0xf0, 0xf0);
 /// The curve of the interpolated unit vectors.
 pub const SHORTCUT: Color32 = Color32::from_rgb(0xcc, 0x79, 0xa7);
 
+/// The ink of a method's dots, bars and curves.
+pub fn mode_ink(mode: ShadingMode) -> Color32 {
+    match mode {
+        ShadingMode::Gouraud => GOURAUD,
+        ShadingMode::Phong => PHONG,
+        ShadingMode::UnitVectors => SHORTCUT,
+    }
+}
+
 /// Sets the look of everything that a context lays out.
 pub fn apply(context: &Context) {
     context.set_theme(Theme::Dark);
     context.all_styles_mut(|style| {
         // An animation would draw frames though nothing changes.
         style.animation_time = 0.0;
-        style.text_styles = [
-            (
-                TextStyle::Small,
-                FontId::new(11.0, FontFamily::Proportional),
-            ),
-            (TextStyle::Body, FontId::new(13.0, FontFamily::Proportional)),
-            (
-                TextStyle::Button,
-                FontId::new(13.0, FontFamily::Proportional),
-            ),
-            (
-                TextStyle::Heading,
-                FontId::new(15.0, FontFamily::Proportional),
-            ),
-            (
-                TextStyle::Monospace,
-                FontId::new(12.0, FontFamily::Monospace),
-            ),
-        ]
-        .into();
+        for (name, font) in &mut style.text_styles {
+            font.size = match name {
+                TextStyle::Small => 11.0,
+                TextStyle::Monospace => 12.0,
+                TextStyle::Heading => 15.0,
+                _ => 13.0,
+            };
+        }
         style.spacing.item_spacing = egui::vec2(6.0, 4.0);
         style.spacing.slider_width = 110.0;
         style.spacing.combo_width = 110.0;

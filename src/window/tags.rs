@@ -6,21 +6,25 @@ use egui::{Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, Ui, UiBuil
 use super::app::App;
 use super::inspector::short;
 use super::pictures::divider_column;
-use super::style::{BAD, EXACT, GOURAUD, INK, PHONG, SHORTCUT, STALE};
+use super::style::{BAD, EXACT, INK, STALE, mode_ink};
 use super::viewport::DIVIDER_MARGIN;
-use crate::components::{Inspector, Probed, ShadingMode, Show, Side, Tab, ViewMode};
+use crate::components::{Inspector, Probed, Show, Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
 use crate::trade::verdict::method_name;
 
-/// The width of a tag, and its distance from the divider and from the upper edge, in points.
+/// The usual width of a tag, and its distance from the divider and from the edges of the picture, in points.
 const WIDTH: f32 = 188.0;
 const GAP: f32 = 9.0;
 /// A smaller picture has tags without a price, in points.
 const ROOM: f32 = 300.0;
 /// How far the mark of a worst pixel can be missed and is still caught, in points.
 const REACH: f32 = 10.0;
+const PRICE: &str = "The median time of a frame; both bars have one scale.";
+const KEPT: &str = "The share of the highlight's light that is where exact Phong has it.";
+const OLD_PRICE: &str =
+    "Grey: this was measured in another view or size. It is measured again once nothing moves.";
 
 /// The sides to choose from, in the order of menus and keys.
 pub fn choices() -> Vec<Side> {
@@ -41,7 +45,7 @@ impl App {
         }
     }
 
-    fn side_name(&self, side: &Side) -> String {
+    pub fn side_name(&self, side: &Side) -> String {
         let method = self.side_method(side).map(method_name);
         match side {
             Side::Reference => "Exact Phong in f64".to_owned(),
@@ -61,7 +65,7 @@ impl App {
         self.measured(method.mode, method.tolerance)
     }
 
-    /// Lays out both tags beside the divider at `x`.
+    /// Lays out both tags beside the divider at `x`, each whole; while they take turns, that of the side on screen.
     pub fn tags(&mut self, ui: &mut Ui, x: f32) {
         let mut show: Show = self.look();
         let prices = show.sides.map(|side| self.side_price(&side).cloned());
@@ -69,16 +73,29 @@ impl App {
         let slowest = times.fold(0.0, f64::max);
         let before = show.sides;
         let has_room = self.place.height() > ROOM;
+        let [left, right] = [self.place.min.x, self.place.max.x];
+        let width = ((right - left - 3.0 * GAP) / 2.0).clamp(0.0, WIDTH);
         for (index, price) in prices.into_iter().enumerate() {
-            let left = [x - GAP - WIDTH, x + GAP][index];
+            if self.turn().is_some_and(|turn| turn != index) {
+                continue;
+            }
+            // A tag that has no room on its side of the divider moves the other one along.
+            let left = match index {
+                0 => (x - GAP - width)
+                    .min(right - 2.0 * (GAP + width))
+                    .max(left + GAP),
+                _ => (x + GAP)
+                    .min(right - GAP - width)
+                    .max(left + 2.0 * GAP + width),
+            };
             let corner = pos2(left, self.place.min.y + GAP);
-            let place = Rect::from_min_size(corner, vec2(WIDTH, 0.0));
+            let place = Rect::from_min_size(corner, vec2(width, 0.0));
             let mut tag = ui.new_child(UiBuilder::new().max_rect(place).id_salt(("tag", index)));
             tag.set_clip_rect(self.place);
             let ground = Frame::new().fill(Color32::from_black_alpha(205));
             let ground = ground.corner_radius(4.0).inner_margin(Margin::same(6));
             ground.show(&mut tag, |ui| {
-                ui.set_width(WIDTH - 12.0);
+                ui.set_width((width - 12.0).max(0.0));
                 let side = &mut show.sides[index];
                 let name = format!("{} ⏷", self.side_name(side));
                 ui.menu_button(RichText::new(name).strong(), |ui| {
@@ -102,26 +119,35 @@ impl App {
     fn price(&self, ui: &mut Ui, price: &Measurement, slowest: f64) -> bool {
         let is_current = self.facts.trade.current().is_some();
         let time = price.timing.median;
-        let fill = if is_current {
-            mode_ink(price.method.mode)
+        let (fill, ink, says) = if is_current {
+            (mode_ink(price.method.mode), INK, PRICE)
         } else {
-            STALE
+            (STALE, STALE, OLD_PRICE)
         };
-        ui.visuals_mut().override_text_color = Some(if is_current { INK } else { STALE });
-        ui.horizontal(|ui| {
+        ui.visuals_mut().override_text_color = Some(ink);
+        if !is_current {
+            ui.visuals_mut().hyperlink_color = ink;
+        }
+        let row = ui.horizontal(|ui| {
             let bar = ProgressBar::new((time / slowest) as f32).fill(fill);
-            ui.add(bar.desired_width(90.0).desired_height(8.0))
-                .on_hover_text("The median time of a frame; both bars have one scale.");
+            ui.add(bar.desired_width(90.0).desired_height(8.0));
             ui.label(format!("{} ms", short(time)));
         });
+        row.response.on_hover_text(says);
         if let Some(kept) = price.highlight_kept {
-            ui.label(format!("highlight kept {:.0} %", 100.0 * kept));
+            let kept = ui.label(format!("highlight kept {:.0} %", 100.0 * kept));
+            kept.on_hover_text(if is_current { KEPT } else { says });
         }
         let Some(error) = price.error else {
             return false;
         };
         let worst = ui.link(format!("worst pixel {} of 255", short(error)));
-        worst.on_hover_text("Shows why it errs.").clicked()
+        let says = if is_current {
+            "Shows why it errs."
+        } else {
+            says
+        };
+        worst.on_hover_text(says).clicked() && is_current
     }
 
     /// Probes the worst pixel of a side, and moves the divider where the other side hides it.
@@ -141,7 +167,7 @@ impl App {
         self.probe([x, y]);
     }
 
-    /// Explains the worst pixel of what is shown; of the side that errs more in a wipe.
+    /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
     pub fn explain_worst(&mut self) {
         let show: Show = self.look();
         let sides = match show.mode {
@@ -166,7 +192,7 @@ impl App {
         }
     }
 
-    /// The worst pixels that are marked: those of the sides that show them.
+    /// The worst pixels that their side of the wipe shows, which are marked.
     fn worst_pixels(&self) -> Vec<[usize; 2]> {
         let show: Show = self.look();
         if self.facts.trade.current().is_none() || show.mode != ViewMode::Wipe {
@@ -194,13 +220,5 @@ impl App {
             painter.circle_stroke(at, 8.0, (4.0, Color32::from_black_alpha(150)));
             painter.circle_stroke(at, 8.0, (2.0, BAD));
         }
-    }
-}
-
-fn mode_ink(mode: ShadingMode) -> Color32 {
-    match mode {
-        ShadingMode::Gouraud => GOURAUD,
-        ShadingMode::Phong => PHONG,
-        ShadingMode::UnitVectors => SHORTCUT,
     }
 }

@@ -12,7 +12,7 @@ use crate::paint::color;
 use crate::probe::{Probe, ProbedSurface};
 
 impl App {
-    /// Draws the triangle that is seen at the probed pixel, while what is known of it is that of the picture.
+    /// Draws the triangle that is seen at the probed pixel, if the answer is about the present picture.
     pub fn draw_triangle(&self, painter: &egui::Painter) {
         let section = self.facts.section.current();
         let (Some(section), Some(probe)) = (section, self.probed()) else {
@@ -45,7 +45,7 @@ impl App {
         }
     }
 
-    /// The vertices of a cuboid's triangle in the window, as far as they lie beyond the near plane.
+    /// The vertices of a cuboid's triangle in the window; `None` for those before the near plane.
     fn corners(&self, object: &str, triangle: u32) -> [Option<Pos2>; 3] {
         let lens = Lens::new(&self.view());
         let mut query = (self.scene.world).query::<(&Name, &WorldTransform, &Mesh)>();

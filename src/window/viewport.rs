@@ -1,4 +1,4 @@
-//! The picture's area: drags, clicks and the wheel over it, and what points at something in it.
+//! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
 use egui::{
     Align2, Color32, CursorIcon, Event, FontId, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2,
@@ -41,10 +41,9 @@ impl App {
         let whole = |at: Pos2| (at * scale).round() / scale;
         self.place = Rect::from_min_max(whole(free.min), whole(free.max));
         let response = ui.interact(self.place, ui.id().with("picture"), Sense::click_and_drag());
-        let markers = if self.look::<Inspector>().0 == Some(Tab::Scene) {
-            self.markers()
-        } else {
-            Vec::new()
+        let markers = match self.look() {
+            Inspector(Some(Tab::Scene)) => self.markers(),
+            _ => Vec::new(),
         };
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(PointerButton::Primary) {
@@ -57,27 +56,23 @@ impl App {
         } else {
             self.desk.grab = Grab::Nothing;
         }
-        if let Some(at) = response
-            .interact_pointer_pos()
-            .filter(|_| response.clicked())
-        {
+        let pointer = response.interact_pointer_pos();
+        if let Some(at) = pointer.filter(|_| response.clicked()) {
             self.click(at, &markers);
         }
         if let Some(at) = response.hover_pos() {
-            let turned = ui.input(|input| {
-                let wheel = input.events.iter().filter_map(|event| match event {
-                    Event::MouseWheel { delta, .. } => Some(delta.y),
-                    _ => None,
-                });
-                wheel.sum::<f32>()
-            });
+            let turned = |event: &Event| match event {
+                Event::MouseWheel { delta, .. } => delta.y,
+                _ => 0.0,
+            };
+            let turned: f32 = ui.input(|input| input.events.iter().map(turned).sum());
             match turned.round() as i32 {
                 0 => {}
                 steps if modifiers.command => self.magnify(steps, Some(at)),
                 steps => self.zoom(steps),
             }
-            ui.ctx()
-                .set_cursor_icon(self.cursor(at, &markers, response.dragged()));
+            let cursor = self.cursor(at, &markers, response.dragged());
+            ui.ctx().set_cursor_icon(cursor);
         }
         self.draw_over(ui, &markers);
         if let Some(x) = self.divider() {
@@ -116,10 +111,8 @@ impl App {
             Grab::Camera => {
                 let degrees = DRAG_TURN / size[0].min(size[1]) as f64 * magnifier.scale as f64;
                 // The cuboid follows the mouse, so the camera goes the other way.
-                self.orbit(
-                    f64::from(-pixels.x) * degrees,
-                    f64::from(pixels.y) * degrees,
-                );
+                let [left, down] = [f64::from(-pixels.x), f64::from(pixels.y)];
+                self.orbit(left * degrees, down * degrees);
             }
             Grab::Divider => {
                 let column = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
@@ -144,9 +137,8 @@ impl App {
             self.desk.selected = Some((super::inspector::Kind::Light, marker.name.clone()));
             return;
         }
-        let [x, y] = self.pixel_at(at);
-        let [width, height] = self.picture_size();
-        let pixel = [x.min(width - 1), y.min(height - 1)];
+        let (pixel, size) = (self.pixel_at(at), self.picture_size());
+        let pixel = [0, 1].map(|axis| pixel[axis].min(size[axis] - 1));
         self.probe(self.worst_at(at).unwrap_or(pixel));
     }
 
@@ -167,14 +159,11 @@ impl App {
         let camera = active_camera(&self.scene.world);
         let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
         let zoomed = orbit.zoomed(steps, &Limits::of(&self.scene.world));
-        if zoomed == orbit {
-            return self.say(if steps > 0 {
-                "no closer than this"
-            } else {
-                "no further than this"
-            });
+        match zoomed == orbit {
+            true if steps > 0 => self.say("the camera goes no closer"),
+            true => self.say("the camera goes no further"),
+            false => self.set_orbit(zoomed),
         }
-        self.set_orbit(zoomed);
     }
 
     /// Overwrites the orbit of the active camera.
@@ -186,23 +175,17 @@ impl App {
 
     /// Magnifies by powers of two; the pixel at `at`, the probed one or the middle one stays where it is.
     pub fn magnify(&mut self, steps: i32, at: Option<Pos2>) {
-        let size = self.picture_size();
-        let before = self.magnifier();
-        let probed = self
-            .look::<Probed>()
-            .0
-            .map(|pixel| self.place_of(pixel.map(|it| it as i32)));
+        let (size, before) = (self.picture_size(), self.magnifier());
+        let Probed(probed) = self.look();
+        let probed = probed.map(|pixel| self.place_of(pixel.map(|it| it as i32)));
         let at = at.or(probed).unwrap_or(self.place.center());
         let place = (at - self.place.min) * self.scale();
         let after = before.stepped(steps, [place.x as i32, place.y as i32], size);
-        if after == before {
-            return self.say(if steps > 0 {
-                "largest magnification"
-            } else {
-                "not magnified"
-            });
+        match after == before {
+            true if steps > 0 => self.say("largest magnification"),
+            true => self.say("not magnified"),
+            false => self.set_look(after),
         }
-        self.set_look(after);
     }
 
     /// The magnifier, within the picture.
@@ -225,23 +208,18 @@ impl App {
     /// The divider's x in the window, where the view has one.
     fn divider(&self) -> Option<f32> {
         let show: Show = self.look();
-        let has_divider =
-            show.mode == ViewMode::Wipe && !self.desk.shows_exact && self.desk.left_out.is_none();
+        let has_divider = show.mode == ViewMode::Wipe && self.desk.left_out.is_none();
         let column = divider_column(show.divider, self.picture_size()[0]);
         let left = self.place_of([column as i32, 0]).x;
         let half = self.magnifier().scale as f32 / 2.0 / self.scale();
-        has_divider
-            .then_some(left - half)
-            .filter(|x| self.place.x_range().contains(*x))
+        let x = has_divider.then_some(left - half);
+        x.filter(|x| self.place.x_range().contains(*x))
     }
 
     /// Draws the divider, the probed pixel with its vectors, and the lights.
     fn draw_over(&self, ui: &Ui, markers: &[Marker]) {
         let painter = ui.painter_at(self.place);
-        if self.magnifier().scale == Magnifier::MAX_SCALE {
-            self.draw_bytes(&painter);
-        }
-        if let Some(x) = self.divider() {
+        if let Some(x) = self.divider().filter(|_| self.turn().is_none()) {
             self.draw_divider(&painter, x);
             self.draw_worst(&painter);
         }
@@ -249,40 +227,11 @@ impl App {
             let at = self.place_of(pixel.map(|it| it as i32));
             self.draw_triangle(&painter);
             self.draw_arrows(&painter, at);
-            draw_cross(
-                &painter,
-                at,
-                self.magnifier().scale as f32 / self.scale() / 2.0,
-            );
+            let half = self.magnifier().scale as f32 / self.scale() / 2.0;
+            draw_cross(&painter, at, half);
         }
         for marker in markers.iter().rev() {
             marker.draw(&painter, self.place);
-        }
-    }
-
-    /// Writes the bytes of each pixel into it, below one another.
-    fn draw_bytes(&self, painter: &egui::Painter) {
-        let Magnifier { scale, corner } = self.magnifier();
-        let [width, height] = self.pictures.size();
-        let pixels = self.pictures.frame();
-        for y in corner[1]..height.min(corner[1] + height / scale + 1) {
-            for x in corner[0]..width.min(corner[0] + width / scale + 1) {
-                let at = self.place_of([x as i32, y as i32]);
-                let [_, red, green, blue] = pixels[y * width + x].to_be_bytes();
-                let ink = if green > 127 {
-                    Color32::BLACK
-                } else {
-                    Color32::WHITE
-                };
-                let text = format!("{red}\n{green}\n{blue}");
-                painter.text(
-                    at,
-                    Align2::CENTER_CENTER,
-                    text,
-                    FontId::monospace(11.0),
-                    ink,
-                );
-            }
         }
     }
 
@@ -290,12 +239,9 @@ impl App {
         let line = self.place.y_range();
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
         painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
-        painter.circle(
-            pos2(x, self.place_of([0, self.profile_row() as i32]).y),
-            8.0,
-            Color32::WHITE,
-            (1.0, Color32::from_black_alpha(150)),
-        );
+        let y = self.place_of([0, self.profile_row() as i32]).y;
+        let edge = (1.0, Color32::from_black_alpha(150));
+        painter.circle(pos2(x, y), 8.0, Color32::WHITE, edge);
     }
 }
 
@@ -303,22 +249,14 @@ impl App {
 pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Color32) {
     let text = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), ink);
     let place = align.anchor_size(at, text.size());
-    painter.rect_filled(
-        place.expand2(vec2(4.0, 2.0)),
-        3.0,
-        Color32::from_black_alpha(170),
-    );
+    let ground = Color32::from_black_alpha(170);
+    painter.rect_filled(place.expand2(vec2(4.0, 2.0)), 3.0, ground);
     painter.galley(place.min, text, ink);
 }
 
 /// Marks a pixel that reaches this far from its middle, in points, and leaves it to be seen.
 fn draw_cross(painter: &egui::Painter, at: Pos2, reach: f32) {
-    for way in [
-        vec2(1.0, 0.0),
-        vec2(-1.0, 0.0),
-        vec2(0.0, 1.0),
-        vec2(0.0, -1.0),
-    ] {
+    for way in [Vec2::RIGHT, Vec2::LEFT, Vec2::DOWN, Vec2::UP] {
         let line = [at + way * (reach + 3.0), at + way * (reach + 11.0)];
         painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
         painter.line_segment(line, (1.5, Color32::WHITE));

@@ -17,10 +17,14 @@ use egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, RawInput, TouchPhase, vec2,
 };
 use fearless_simd::Level;
+use shadetrade::components::View;
+use shadetrade::frame::Keep;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::app::{App, Output};
+use shadetrade::window::comparison::Comparison;
 use tempfile::TempDir;
 
+use super::support::scene::draw;
 use super::support::window::{app, default_scene};
 
 /// A size with room for the panel, the inspector and a small picture.
@@ -166,6 +170,20 @@ impl Window {
             let text = Some(Event::Text(character.to_string()));
             self.step([press, text, release].into_iter().flatten().collect());
         }
+    }
+
+    /// The picture of the present state, drawn again with another view.
+    fn drawn(&self, change: impl FnOnce(View) -> View) -> Vec<u32> {
+        let mut world = self.app.state.spawn();
+        let view = change(View::of(&world, self.app.picture_size()));
+        draw(&mut world, &view, Keep::Display).pixels().to_vec()
+    }
+
+    /// The comparison of the present picture.
+    #[track_caller]
+    fn comparison(&self) -> &Comparison {
+        let comparison = self.app.facts.comparison.current();
+        comparison.expect("an answer")
     }
 
     fn record(&self) -> SceneRecord {

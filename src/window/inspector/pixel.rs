@@ -1,6 +1,6 @@
 //! The pixel's tab: drawn, exact and error, their cause, the section along the pixel's row, and every number.
 
-use egui::{Grid, Label, RichText, Ui, vec2};
+use egui::{Grid, Label, RichText, Sense, Ui, vec2};
 
 use super::progress;
 use super::scene::shininess_row;
@@ -9,6 +9,7 @@ use crate::components::{Material, Name, Probed};
 use crate::frame::display_pixel;
 use crate::paint::color;
 use crate::probe::ProbedSurface;
+use crate::trade::metrics::displayed;
 use crate::window::app::App;
 use crate::window::style::{BAD, STALE};
 
@@ -20,8 +21,8 @@ impl App {
         };
         ui.horizontal(|ui| {
             ui.strong(format!("pixel {x}, {y}"));
-            if ui
-                .small_button("close")
+            let close = ui.small_button("close");
+            if close
                 .on_hover_text("No pixel is looked at (Esc).")
                 .clicked()
             {
@@ -54,15 +55,13 @@ impl App {
             }
         }
         ui.label(surface.drawn.cost());
-        if ui
-            .button("copy")
-            .on_hover_text("Copies everything that is known of this pixel.")
-            .clicked()
-        {
-            ui.ctx().copy_text(probe.lines().join("\n"));
+        let (text, copy) = (probe.lines().join("\n"), ui.button("copy"));
+        let says = "Copies everything that is known of this pixel.";
+        if copy.on_hover_text(says).clicked() {
+            ui.ctx().copy_text(text.clone());
         }
         ui.collapsing("every number", |ui| {
-            ui.add(Label::new(RichText::new(probe.lines().join("\n")).monospace()).extend());
+            ui.add(Label::new(RichText::new(text).monospace()).extend());
         });
         if let Some(column) = column {
             self.set_look(Probed(Some([column, y])));
@@ -74,39 +73,31 @@ impl App {
 fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
     let drawn = surface.drawn.levels;
     let exact = surface.reference.phong.map(|it| it.levels);
-    Grid::new("verdict")
-        .num_columns(4)
-        .striped(true)
-        .show(ui, |ui| {
-            for head in ["", "drawn", "exact", "error"] {
-                ui.weak(head)
-                    .on_hover_text("Levels of 255. Exact is exact Phong in f64.");
-            }
-            ui.end_row();
-            for channel in 0..3 {
-                let clamped = drawn[channel].clamp(0.0, 255.0);
-                ui.label(CHANNELS[channel]);
-                ui.monospace(format!("{clamped:.2}"));
-                if let Some(exact) = exact {
-                    let exact = exact[channel].clamp(0.0, 255.0);
-                    let error = (clamped - exact).abs();
-                    ui.monospace(format!("{exact:.2}"));
-                    let text = RichText::new(format!("{error:.2}")).monospace();
-                    ui.label(if error > 1.0 { text.color(BAD) } else { text });
-                }
-                ui.end_row();
-            }
-            ui.label("");
-            swatch(ui, drawn);
+    Grid::new("verdict").striped(true).show(ui, |ui| {
+        for head in ["", "drawn", "exact", "error"] {
+            let says = "Levels of 255. Exact is exact Phong in f64.";
+            ui.weak(head).on_hover_text(says);
+        }
+        ui.end_row();
+        for channel in 0..3 {
+            let shown = displayed(drawn[channel]);
+            ui.label(CHANNELS[channel]);
+            ui.monospace(format!("{shown:.2}"));
             if let Some(exact) = exact {
-                swatch(ui, exact);
+                let exact = displayed(exact[channel]);
+                let error = (shown - exact).abs();
+                ui.monospace(format!("{exact:.2}"));
+                let text = RichText::new(format!("{error:.2}")).monospace();
+                ui.label(if error > 1.0 { text.color(BAD) } else { text });
             }
             ui.end_row();
-        });
-}
-
-fn swatch(ui: &mut Ui, levels: [f64; 3]) {
-    let (place, _) = ui.allocate_exact_size(vec2(52.0, 20.0), egui::Sense::hover());
-    ui.painter()
-        .rect_filled(place, 2.0, color(display_pixel(levels)));
+        }
+        ui.label("");
+        for levels in [Some(drawn), exact].into_iter().flatten() {
+            let (place, _) = ui.allocate_exact_size(vec2(52.0, 20.0), Sense::hover());
+            let ink = color(display_pixel(levels));
+            ui.painter().rect_filled(place, 2.0, ink);
+        }
+        ui.end_row();
+    });
 }

@@ -9,9 +9,9 @@ use hecs::Entity;
 use super::{color_button, format_number, keep_digits};
 use crate::components::{
     Background, Camera, Light, LightKind, Material, Mesh, Name, Orbit, ShadingMode, Transform,
-    Viewpoint, active_camera, names, ordered,
+    Viewpoint, active_camera, get, ordered,
 };
-use crate::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, range};
+use crate::scene::{CameraRecord, LightRecord, SceneRecord, range};
 use crate::window::app::App;
 
 /// The kinds of entities that a scene holds.
@@ -20,6 +20,14 @@ pub enum Kind {
     Cuboid,
     Light,
     Camera,
+}
+
+impl Kind {
+    const ALL: [Kind; 3] = [Kind::Cuboid, Kind::Light, Kind::Camera];
+
+    fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
+    }
 }
 
 /// A number of the scene, or three of them.
@@ -83,108 +91,98 @@ impl App {
         }
     }
 
-    fn find(&self, kind: Kind, name: &str) -> Option<Entity> {
+    /// The entities of a kind, in the order of the file.
+    fn entities(&self, kind: Kind) -> Vec<(Entity, String)> {
         let world = &self.scene.world;
         let entities = match kind {
             Kind::Cuboid => ordered::<Mesh>(world),
             Kind::Light => ordered::<Light>(world),
             Kind::Camera => ordered::<Camera>(world),
         };
-        let is_named = |entity: &Entity| world.get::<&Name>(*entity).is_ok_and(|own| own.0 == name);
-        entities.into_iter().find(is_named)
+        let named = entities.into_iter().filter_map(|entity| {
+            let Name(name) = get(world, entity)?;
+            Some((entity, name))
+        });
+        named.collect()
+    }
+
+    fn find(&self, kind: Kind, name: &str) -> Option<Entity> {
+        let mut entities = self.entities(kind).into_iter();
+        let (entity, _) = entities.find(|(_, own)| own == name)?;
+        Some(entity)
     }
 
     fn entity_list(&mut self, ui: &mut Ui) {
-        let world = &self.scene.world;
-        let all: Vec<(Kind, String)> = [
-            (Kind::Cuboid, names::<Mesh>(world)),
-            (Kind::Light, names::<Light>(world)),
-            (Kind::Camera, names::<Camera>(world)),
-        ]
-        .into_iter()
-        .flat_map(|(kind, names)| names.into_iter().map(move |name| (kind, name)))
-        .collect();
+        let of_kind = |kind| {
+            let entities = self.entities(kind).into_iter();
+            entities.map(move |(_, name)| (kind, name))
+        };
+        let all: Vec<(Kind, String)> = Kind::ALL.into_iter().flat_map(of_kind).collect();
         let selected = self.desk.selected.get_or_insert_with(|| all[0].clone());
         let height = ui.text_style_height(&TextStyle::Body) + 4.0;
         let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
         scroll.show_rows(ui, height, all.len(), |ui, rows| {
             for each in &all[rows] {
-                let kind = format!("{:?}", each.0).to_lowercase();
-                let row = Button::selectable(selected == each, &each.1).shortcut_text(kind);
-                if ui
-                    .add(row.min_size(vec2(ui.available_width(), 0.0)))
-                    .clicked()
-                {
+                let row = Button::selectable(selected == each, &each.1);
+                let row = row.shortcut_text(each.0.name());
+                let row = row.min_size(vec2(ui.available_width(), 0.0));
+                if ui.add(row).clicked() {
                     each.clone_into(selected);
                 }
             }
         });
     }
 
-    /// Buttons that add, duplicate and delete. They write a record, from which the World is spawned.
+    /// Buttons that add and delete. They write a record, from which the World is spawned.
     fn entity_buttons(&mut self, ui: &mut Ui) {
-        let mut changed = None;
+        let selected = self.desk.selected.clone();
         ui.horizontal_wrapped(|ui| {
-            for (kind, name) in [
-                (Kind::Cuboid, "cuboid"),
-                (Kind::Light, "light"),
-                (Kind::Camera, "camera"),
-            ] {
-                let says = "A camera is added where the picture is seen from now.";
-                if ui
-                    .small_button(format!("add {name}"))
-                    .on_hover_text(says)
-                    .clicked()
-                {
-                    changed = Some(self.with_added(kind, name));
+            for kind in Kind::ALL {
+                let add = ui.small_button(format!("add {}", kind.name()));
+                let says = "Adds a copy of the selected one beside it, or of the last. A camera is added where the \
+                            picture is seen from now.";
+                if add.on_hover_text(says).clicked() {
+                    self.add(kind, selected.as_ref());
                 }
             }
-            let Some((kind, name)) = self.desk.selected.clone() else {
+            let Some((kind, name)) = selected.as_ref() else {
                 return;
             };
-            if ui.small_button("duplicate").clicked() {
-                changed = self.with_duplicate(kind, &name);
-            }
-            let world = &self.scene.world;
-            let is_last = match kind {
-                Kind::Cuboid => ordered::<Mesh>(world).len() == 1,
-                Kind::Light => false,
-                Kind::Camera => ordered::<Camera>(world).len() == 1,
-            };
+            let is_last = *kind != Kind::Light && self.entities(*kind).len() == 1;
             let delete = ui.add_enabled(!is_last, Button::new("delete").small());
-            if delete
-                .on_disabled_hover_text("A scene has at least one.")
-                .clicked()
-            {
-                changed = Some((self.without(kind, &name), None));
+            let says = "A scene has at least one.";
+            if delete.on_disabled_hover_text(says).clicked() {
+                self.delete(*kind, name);
             }
         });
-        if let Some((record, selected)) = changed {
-            self.restore(&record);
-            self.desk.selected = selected;
-        }
     }
 
-    fn with_added(&self, kind: Kind, stem: &str) -> (SceneRecord, Option<(Kind, String)>) {
+    fn add(&mut self, kind: Kind, selected: Option<&(Kind, String)>) {
         let world = &self.scene.world;
         let mut record = SceneRecord::of(world);
         let seen = Viewpoint::of(world, active_camera(world));
-        let name = match kind {
+        let own = self.entities(kind);
+        let numbered = (2..).map(|number| format!("{} {number}", kind.name()));
+        let mut names = std::iter::once(kind.name()).chain(numbered);
+        let is_free = |name: &String| own.iter().all(|(_, taken)| taken != name);
+        let name = names.find(is_free).unwrap_or_default();
+        let place =
+            selected.and_then(|it| own.iter().position(|own| (kind, &own.1) == (it.0, &it.1)));
+        let place = place.unwrap_or(own.len().saturating_sub(1));
+        match kind {
             Kind::Cuboid => {
-                let name = unused(stem, |name| record.cuboid.iter().any(|it| it.name == name));
-                record
-                    .cuboid
-                    .push(CuboidRecord::new(&name, [1.0; 3], seen.camera.target));
-                name
+                let mut copy = record.cuboid[place].clone();
+                copy.position.x += 1.25 * copy.size.x;
+                copy.name.clone_from(&name);
+                record.cuboid.push(copy);
             }
             Kind::Light => {
-                let name = unused(stem, |name| record.light.iter().any(|it| it.name == name));
-                let light = LightRecord::new(&name, LightKind::Diffuse, 100.0, seen.position);
-                record.light.push(light);
-                name
+                let new = || LightRecord::new("", LightKind::Diffuse, 100.0, seen.position);
+                let copy = record.light.get(place).cloned().unwrap_or_else(new);
+                let name = name.clone();
+                record.light.push(LightRecord { name, ..copy });
             }
             Kind::Camera => {
-                let name = unused(stem, |name| record.camera.iter().any(|it| it.name == name));
                 let sees = [seen.camera.fov, seen.camera.height];
                 let camera = CameraRecord::new(&name, seen.position, seen.camera.target, sees);
                 record.camera.push(CameraRecord {
@@ -192,30 +190,13 @@ impl App {
                     near: seen.camera.near,
                     ..camera
                 });
-                name
             }
-        };
-        (record, Some((kind, name)))
-    }
-
-    fn with_duplicate(
-        &self,
-        kind: Kind,
-        name: &str,
-    ) -> Option<(SceneRecord, Option<(Kind, String)>)> {
-        let mut record = SceneRecord::of(&self.scene.world);
-        let copy = match kind {
-            Kind::Cuboid => duplicate(&mut record.cuboid, name, |it| &mut it.name),
-            Kind::Light => duplicate(&mut record.light, name, |it| &mut it.name),
-            Kind::Camera => duplicate(&mut record.camera, name, |it| &mut it.name),
-        }?;
-        if let Some(cuboid) = record.cuboid.last_mut().filter(|_| kind == Kind::Cuboid) {
-            cuboid.position.x += 1.25 * cuboid.size.x;
         }
-        Some((record, Some((kind, copy))))
+        self.restore(&record);
+        self.desk.selected = Some((kind, name));
     }
 
-    fn without(&self, kind: Kind, name: &str) -> SceneRecord {
+    fn delete(&mut self, kind: Kind, name: &str) {
         let mut record = SceneRecord::of(&self.scene.world);
         match kind {
             Kind::Cuboid => record.cuboid.retain(|it| it.name != name),
@@ -225,7 +206,8 @@ impl App {
                 record.view.camera.take_if(|camera| camera == name);
             }
         }
-        record
+        self.restore(&record);
+        self.desk.selected = None;
     }
 
     fn name_row(&mut self, ui: &mut Ui, kind: Kind, entity: Entity, name: &str) {
@@ -382,6 +364,11 @@ impl Field {
     }
 }
 
+/// The strength of a light.
+pub fn intensity(ui: &mut Ui, value: &mut f64) {
+    fields::INTENSITY.drag(ui, value);
+}
+
 /// A slider for the exponent of the highlight.
 pub fn shininess_row(ui: &mut Ui, material: &mut Material) {
     ui.horizontal(|ui| {
@@ -396,25 +383,4 @@ pub fn shininess_row(ui: &mut Ui, material: &mut Material) {
             .on_hover_text("The exponent of the highlight, 0 to 1e6.");
         keep_digits(before, &mut material.shininess);
     });
-}
-
-/// Adds a copy of the entity of this name; returns the copy's name.
-fn duplicate<T: Clone>(
-    all: &mut Vec<T>,
-    name: &str,
-    name_of: impl Fn(&mut T) -> &mut String,
-) -> Option<String> {
-    let names: Vec<String> = all.iter_mut().map(|it| name_of(it).clone()).collect();
-    let mut copy = all[names.iter().position(|own| own == name)?].clone();
-    let new = unused(name, |name| names.iter().any(|it| it == name));
-    new.clone_into(name_of(&mut copy));
-    all.push(copy);
-    Some(new)
-}
-
-/// `stem`, or the first of `stem 2`, `stem 3`, ... that is not taken.
-fn unused(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
-    let numbered = (2..).map(|number| format!("{stem} {number}"));
-    let mut candidates = std::iter::once(stem.to_owned()).chain(numbered);
-    candidates.find(|name| !is_taken(name)).unwrap_or_default()
 }

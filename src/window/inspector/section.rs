@@ -22,7 +22,7 @@ const STACK: [(LightKind, f32); 3] = [
 /// More lights than this have no name beside the section.
 const NAMES: usize = 8;
 
-/// Columns, and what is known there.
+/// Columns, and the surface seen there.
 type Places<'a> = Vec<(f64, &'a ProbedSurface)>;
 
 impl App {
@@ -79,7 +79,7 @@ impl App {
             ui.colored_label(GOURAUD, format!("Gouraud {:.0}", levels(here, channel)[0]));
             ui.colored_label(PHONG, format!("Phong {exact:.0}"));
             for light in here.lights.iter().take(NAMES) {
-                let text = format!("⏹ {} {:.0}", light.name, light.phong[channel]);
+                let text = format!("⏹\u{a0}{}\u{a0}{:.0}", light.name, light.phong[channel]);
                 ui.colored_label(self.light_color(&light.name), text);
             }
         });
@@ -136,7 +136,7 @@ fn curve(places: &Places, of: impl Fn(&ProbedSurface) -> f64) -> PlotPoints<'sta
     points.collect()
 }
 
-/// Lays the terms of exact Phong on one another, as far as the display shows them.
+/// Stacks the terms of exact Phong, clamped to the display's range.
 fn stack(
     plot: &mut PlotUi,
     places: &Places,

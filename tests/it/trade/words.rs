@@ -95,6 +95,14 @@ fn the_sentence_states_only_measured_facts() {
             "{text}"
         );
     }
+    let mut alike = measured([(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)]);
+    for one in &mut alike {
+        one.timing.interval = [0.1, 2.0];
+    }
+    for one in &alike {
+        let text = sentence(&alike, one.method).expect("it is measured");
+        assert!(!text.contains(NOTHING), "{text}");
+    }
 }
 
 #[test]

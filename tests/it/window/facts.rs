@@ -3,14 +3,12 @@
 use egui::{Key, Pos2};
 use fearless_simd::Level;
 use shadetrade::components::{Inspector, ShadingMode, Tab, View};
-use shadetrade::frame::Keep;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
 use shadetrade::window::jobs::State;
 
 use super::{PAUSE, Window};
-use crate::support::scene::draw;
 use crate::support::window::default_scene;
 
 /// A size so small that everything is computed at once.
@@ -40,14 +38,11 @@ fn picture_and_numbers_belong_to_the_scene_that_is_shown() {
         Key::G,
     ] {
         window.press(key);
-        let comparison = window.app.facts.comparison.current().expect("an answer");
         let fresh = compared(&window);
-        assert_eq!(comparison.error, fresh.error, "{key:?}");
-        assert!(comparison.exact == fresh.exact, "{key:?}");
-        let mut world = window.app.state.spawn();
-        let view = View::of(&world, window.app.picture_size());
-        let frame = draw(&mut world, &view, Keep::Display);
-        assert!(window.app.pictures.frame() == frame.pixels(), "{key:?}");
+        assert_eq!(window.comparison().error, fresh.error, "{key:?}");
+        assert!(window.comparison().exact == fresh.exact, "{key:?}");
+        let frame = window.drawn(|view| view);
+        assert!(window.app.pictures.frame() == frame, "{key:?}");
     }
 }
 

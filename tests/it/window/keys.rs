@@ -7,8 +7,9 @@ use shadetrade::components::{
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::keys::{BINDINGS, Command};
 
+use super::widgets::path_field;
 use super::{PAUSE, SIZE, Window};
-use crate::support::window::{app, default_scene, places, widgets};
+use crate::support::window::{app, default_scene, widgets};
 
 /// Brings the window into a state in which the command has an effect.
 fn prepare(window: &mut Window, command: Command) {
@@ -102,19 +103,16 @@ fn sides(tolerance: f64) -> [Side; 2] {
 #[test]
 fn every_key_does_what_its_description_says() {
     for binding in BINDINGS {
-        for (modifiers, key) in binding.keys {
-            let (command, mut window) = (binding.command, Window::open());
+        for (modifiers, key, command) in binding.keys {
+            let (command, mut window) = (*command, Window::open());
             prepare(&mut window, command);
             let before = window.record();
             window.modifiers = *modifiers;
             window.key(*key, true);
-            assert_eq!(
-                window.app.desk.shows_exact,
-                command == Command::ShowExact,
-                "{key:?}"
-            );
+            let blinks = |window: &Window| window.app.turn().is_some();
+            assert_eq!(blinks(&window), command == Command::Blink, "{key:?}");
             window.key(*key, false);
-            assert!(!window.app.desk.shows_exact, "{key:?}");
+            assert!(!blinks(&window), "{key:?}");
             let (mut after, wanted) = (window.record(), expected(command, &before));
             // The corner is derived from the centre.
             after.view.magnifier.corner = wanted.view.magnifier.corner;
@@ -130,7 +128,7 @@ fn every_key_does_what_its_description_says() {
             assert_eq!(window.app.quits, command == Command::Quit, "{key:?}");
             let saved = match command {
                 Command::Save | Command::SaveAs => vec!["cuboid.toml"],
-                Command::Screenshot { .. } => vec!["shadetrade-001.png"],
+                Command::Screenshot => vec!["shadetrade-001.png"],
                 _ => Vec::new(),
             };
             assert_eq!(window.files(), saved, "{key:?}");
@@ -164,9 +162,10 @@ fn a_key_without_effect_shows_a_message() {
 
 #[test]
 fn keys_type_into_a_focused_field_and_do_nothing_else() {
-    let places = fields();
+    let app = app(default_scene(), SIZE, fearless_simd::Level::new());
+    let field = path_field(&widgets(app, SIZE));
     let mut window = Window::open();
-    window.click(places);
+    window.click(field);
     let before = window.record();
     window.enter("wrsagpfmco=-bzxehniq1 23?[]");
     for key in [Key::Home, Key::ArrowLeft, Key::PageUp, Key::Space] {
@@ -175,7 +174,7 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     assert_eq!(window.record(), before);
     assert_eq!(window.app.desk.path, "wrsagpfmco=-bzxehniq1 23?[]");
     let desk = &window.app.desk;
-    assert!(!desk.help && !desk.panel_folded && !desk.shows_exact && !window.app.quits);
+    assert!(!desk.help && !desk.panel_folded && desk.blinks.is_none() && !window.app.quits);
     // Keys that a text field ignores.
     window.press(Key::F6);
     assert_eq!(window.record().view.show, ViewMode::Tiles);
@@ -184,19 +183,6 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     window.press(Key::Escape);
     window.press(Key::P);
     assert_eq!(window.record().cuboid[0].shading, ShadingMode::Phong);
-}
-
-/// The field of the scene's path.
-fn fields() -> Pos2 {
-    use egui_kittest::kittest::Queryable;
-    let app = app(default_scene(), SIZE, fearless_simd::Level::new());
-    let harness = widgets(app, SIZE);
-    let open = places(&harness, "open")[0];
-    let fields = harness.query_all_by_role(egui::accesskit::Role::TextInput);
-    let places = fields.map(|field| field.rect().center());
-    places
-        .min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)))
-        .expect("a field")
 }
 
 #[test]

@@ -5,13 +5,12 @@ use shadetrade::components::LightKind;
 use shadetrade::components::{
     Inspector, Light, Magnifier, Probed, ShadingMode, Show, Spin, Tab, Transform, ViewMode,
 };
-use shadetrade::frame::{Keep, display_step};
+use shadetrade::frame::display_step;
 use shadetrade::scene::{LightRecord, Scene, SceneRecord};
 use shadetrade::window::inspector::Kind;
 use shadetrade::window::lights::Marker;
 
 use super::{PAUSE, SIZE, Window};
-use crate::support::scene::draw;
 use crate::support::window::default_scene;
 
 /// A window on the default scene with a visible light beside the cuboid.
@@ -67,7 +66,7 @@ fn each_notch_of_the_wheel_is_a_step_and_the_same_number_back_undoes_them_bit_fo
 }
 
 #[test]
-fn a_click_probes_the_pixel_under_the_mouse_and_shows_its_bytes() {
+fn a_click_probes_the_pixel_under_the_mouse() {
     let mut window = Window::open();
     window.press(Key::P);
     // The first click opens the inspector, which moves the picture.
@@ -224,16 +223,10 @@ fn a_magnified_picture_moves_equally_far_by_small_steps_or_a_large_one() {
         for step in 1..=steps {
             window.point_at(from - vec2(64.0 * step as f32 / steps as f32, 0.0));
         }
-        window.look_corner()
+        window.app.look::<Magnifier>().corner
     });
     assert_eq!(corners[0], corners[1]);
     assert_eq!(corners[0], corners[2]);
-}
-
-impl Window {
-    fn look_corner(&self) -> [usize; 2] {
-        self.app.look::<Magnifier>().corner
-    }
 }
 
 #[test]
@@ -244,11 +237,8 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
     let [width, height] = window.app.picture_size();
     // The lower rows are covered by no text and, once folded, by no levels.
     let lower = width * (height - 150)..width * (height - 30);
-    let sides = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| {
-        let view = window.app.view().shaded(mode);
-        let frame = draw(&mut window.app.state.spawn(), &view, Keep::Display);
-        frame.pixels()[lower.clone()].to_vec()
-    });
+    let sides = [ShadingMode::Gouraud, ShadingMode::Phong]
+        .map(|mode| window.drawn(|view| view.shaded(mode))[lower.clone()].to_vec());
     assert_ne!(sides[0], sides[1]);
     let mut x = window.app.place.center().x;
     for share in [0.3, 0.7, -1.0, 2.0] {
@@ -307,12 +297,10 @@ fn a_view_that_waits_for_its_answer_never_shows_another_picture() {
     window.press(Key::F6);
     assert_ne!(window.seen(), picture);
     window.press(Key::F5);
-    let comparison = window.app.facts.comparison.current().expect("an answer");
-    assert_eq!(window.seen(), comparison.error_map);
+    assert_eq!(window.seen(), window.comparison().error_map);
     window.press(Key::F2);
     window.key(Key::B, true);
-    let comparison = window.app.facts.comparison.current().expect("an answer");
-    assert_eq!(window.seen(), comparison.exact);
+    assert_eq!(window.seen(), window.comparison().exact);
     window.key(Key::B, false);
     assert_eq!(window.seen(), picture);
     assert_eq!(window.record().view.show, ViewMode::Picture);

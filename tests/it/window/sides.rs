@@ -1,5 +1,7 @@
 //! The two sides of a wipe: their tags, the worst pixel, the levels under the picture, and the amplified difference.
 
+use std::time::Duration;
+
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
@@ -10,6 +12,9 @@ use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::metrics::displayed;
 use shadetrade::window::app::App;
+use shadetrade::window::jobs::State;
+use shadetrade::window::keys::gouraud_phong;
+use shadetrade::window::pictures::side_view;
 use shadetrade::window::style::{GOURAUD, PHONG};
 
 use super::Window;
@@ -106,6 +111,75 @@ fn the_menu_in_a_tag_chooses_the_method_of_its_side() {
 }
 
 #[test]
+fn both_tags_are_whole_wherever_the_divider_is() {
+    for size in [SIZE, [760, 700]] {
+        let mut harness = widgets(measured(), size);
+        harness.key_press(Key::F3);
+        harness.run_ok();
+        for divider in [0.02, 0.2, 0.5, 0.8, 0.98] {
+            let show: Show = harness.state().look();
+            harness.state_mut().set_look(Show { divider, ..show });
+            harness.run_ok();
+            let place = harness.state().place;
+            let tags = [
+                ["Gouraud ⏷", "worst pixel 165 of 255"],
+                ["Phong within half a level ⏷", "worst pixel 0.500 of 255"],
+            ];
+            let tags = tags.map(|labels| {
+                let [name, worst] = labels.map(|label| harness.get_by_label(label).rect());
+                name.union(worst)
+            });
+            for tag in tags {
+                assert!(place.contains_rect(tag), "{divider}: {tag} in {place}");
+            }
+            assert!(tags[0].max.x < tags[1].min.x, "{divider}: {tags:?}");
+        }
+    }
+}
+
+#[test]
+fn a_price_of_another_view_is_grey_and_says_why() {
+    let mut harness = widgets(measured(), SIZE);
+    harness.key_press(Key::F3);
+    harness.run_ok();
+    for is_old in [false, true] {
+        if is_old {
+            harness.state_mut().facts.trade.state = State::Idle;
+        }
+        let at = harness.get_by_label("worst pixel 165 of 255").rect();
+        harness.hover_at(at.center());
+        harness.run_ok();
+        let told = harness.query_by_label_contains("It is measured again");
+        assert_eq!(told.is_some(), is_old);
+    }
+}
+
+#[test]
+fn two_pictures_take_turns_while_a_key_is_held() {
+    for (view, sides) in [
+        (Key::F2, [Side::Reference, Side::Picture]),
+        (Key::F3, gouraud_phong(0.5)),
+        (Key::F4, [Side::Picture, Side::Reference]),
+    ] {
+        let mut window = Window::of(default_scene(), [300, 200]);
+        window.press(view);
+        let before = window.app.shown().to_vec();
+        window.key(Key::B, true);
+        for turn in [0, 1, 0, 1] {
+            let expected = match sides[turn] {
+                Side::Reference => window.comparison().exact.clone(),
+                side => window.drawn(|view| side_view(&side, &view).expect("it is drawn")),
+            };
+            assert!(window.app.shown() == expected, "{sides:?}, {turn}");
+            assert!(window.output.repaint_after <= Duration::from_millis(500));
+            window.wait(Duration::from_millis(480));
+        }
+        window.key(Key::B, false);
+        assert!(window.app.shown() == before);
+    }
+}
+
+#[test]
 fn the_worst_pixel_is_probed_by_its_mark_its_tag_and_its_key() {
     let probed = |window: &Window| window.app.look::<Probed>().0;
     // Its mark, where its side is shown: Gouraud's lies right of the divider and Phong's left.
@@ -180,7 +254,8 @@ fn the_levels_below_a_wipe_stand_under_their_columns() {
     };
     // In the highlight Phong lies above Gouraud, beside the cuboid both are the background.
     let pictures = &window.app.pictures;
-    let level = |side: usize, x: usize| (pictures.side(side)[row * width + x] & 0xff) as f32;
+    let side = [0, 1].map(|index| pictures.side(show.sides[index], index, None));
+    let level = |index: usize, x: usize| (side[index][row * width + x] & 0xff) as f32;
     let columns = (0..width).max_by(|one, other| {
         let gap = |x: usize| level(1, x) - level(0, x);
         gap(*one).total_cmp(&gap(*other))
@@ -209,7 +284,7 @@ fn the_amplified_difference_is_the_difference_to_exact_phong() {
     let drawn = draw(&mut world, &view, Keep::Levels);
     let exact = reference::picture(&world, &view, 0..view.size[1], &|| false, &|_| ());
     let exact = exact.expect("not cancelled");
-    let comparison = window.app.facts.comparison.current().expect("an answer");
+    let comparison = window.comparison();
     let largest = comparison.error.expect("a cuboid");
     // Half a level, 256 times: the most that the way from grey to white holds.
     assert!(comparison.amplification * largest <= 127.0 && comparison.amplification == 256.0);
@@ -232,6 +307,14 @@ fn the_amplified_difference_is_the_difference_to_exact_phong() {
     }
     assert!(most > 40, "an error below half a level is seen: {most}");
     window.press(Key::F5);
-    let comparison = window.app.facts.comparison.current().expect("an answer");
-    assert!(window.app.shown() == comparison.error_map);
+    assert!(window.app.shown() == window.comparison().error_map);
+    // The largest power of two that the way from grey to white holds.
+    window.app.set_tolerance(4.0);
+    window.step(Vec::new());
+    let factor = window.comparison().amplification;
+    let largest = window.comparison().error.expect("a cuboid");
+    assert!((63.5..=127.0).contains(&(factor * largest)), "{factor}");
+    let harness = widgets(window.app, SIZE);
+    let legend = places(&harness, &format!("difference x{factor}"));
+    assert_eq!(legend.len(), 1, "the legend has the factor");
 }

@@ -111,12 +111,11 @@ impl Storm {
     }
 
     fn press_any(&mut self) {
-        let bindings: Vec<_> = BINDINGS
-            .iter()
-            .filter(|it| self.most == SMALL || !is_slow(it.command))
+        let keys = BINDINGS.iter().flat_map(|it| it.keys);
+        let keys: Vec<_> = keys
+            .filter(|(.., command)| self.most == SMALL || !is_slow(*command))
             .collect();
-        let binding = bindings[self.choice(bindings.len())];
-        let (modifiers, key) = binding.keys[self.choice(binding.keys.len())];
+        let (modifiers, key, _) = *keys[self.choice(keys.len())];
         self.window.press_with(modifiers, key);
         if self.choice(4) == 0 {
             let keys = [
@@ -148,7 +147,7 @@ fn is_slow(command: Command) -> bool {
         Command::Tab(Tab::Required)
             | Command::View(ViewMode::Error)
             | Command::WipeExact
-            | Command::ShowExact
+            | Command::Blink
     )
 }
 

@@ -5,7 +5,6 @@ use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{Budget, Show, Side, Tolerance, View, ViewMode};
 use shadetrade::drawing::Drawing;
-use shadetrade::frame::Keep;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::shading::{METHODS, Method};
@@ -15,7 +14,6 @@ use shadetrade::window::comparison::Comparison;
 use shadetrade::window::jobs::State;
 
 use super::{FRAME, Window};
-use crate::support::scene::draw;
 use crate::support::window::{app, default_scene, places, widgets};
 use crate::trade::example::live;
 
@@ -132,12 +130,9 @@ fn hovering_a_dot_shows_its_picture_and_changes_nothing() {
     let (before, frame) = (window.record(), window.app.shown().to_vec());
     for (method, at) in METHODS.iter().zip(dots()) {
         window.point_at(at);
-        let mut world = window.app.state.spawn();
-        let view = View::of(&world, window.app.picture_size());
-        let view = view.shaded(method.mode).with_tolerance(method.tolerance);
-        let expected = draw(&mut world, &view, Keep::Display);
-        assert!(window.app.shown() == expected.pixels(), "{method:?}");
-        assert!(window.seen() == expected.pixels(), "{method:?}");
+        let expected = window.drawn(|view| method.view(&view));
+        assert!(window.app.shown() == expected, "{method:?}");
+        assert!(window.seen() == expected, "{method:?}");
         assert!(window.app.pictures.frame() == frame, "{method:?}");
         assert!(window.app.facts.trade.current().is_some());
     }
@@ -177,11 +172,7 @@ fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
     // A method between two dots is drawn like any other.
     window.app.set_tolerance(0.7);
     window.step(Vec::new());
-    let picture = window.app.pictures.frame().to_vec();
-    let mut world = window.app.state.spawn();
-    let view = View::of(&world, window.app.picture_size());
-    assert_eq!(view.tolerance, 0.7);
-    assert!(picture == draw(&mut world, &view, Keep::Display).pixels());
+    assert!(window.app.pictures.frame() == window.drawn(|view| view.with_tolerance(0.7)));
 }
 
 #[test]
@@ -236,13 +227,8 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
         window.step(Vec::new());
         let method = Method::of(mode, tolerance);
         assert_eq!(window.app.method(), Some(method), "{budget} ms");
-        let mut world = window.app.state.spawn();
-        let view = method.view(&View::of(&world, window.app.picture_size()));
-        let expected = draw(&mut world, &view, Keep::Display);
-        assert!(
-            window.app.pictures.frame() == expected.pixels(),
-            "{budget} ms"
-        );
+        let expected = window.drawn(|view| method.view(&view));
+        assert!(window.app.pictures.frame() == expected, "{budget} ms");
         assert_eq!(window.record().cuboid, start.cuboid);
         assert!(window.app.facts.trade.current().is_some());
     }
@@ -331,6 +317,12 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
             .iter()
             .all(|it| app.measured(it.mode, it.tolerance).is_some())
     );
+    let side = Side::Method {
+        mode: Phong,
+        tolerance: 0.3,
+    };
+    app.wipe([side, Side::Picture]);
+    run(&mut app, |app| app.measured(Phong, 0.3).is_some());
     let shown = app.measured(Phong, 0.7).expect("it is measured");
     let mut world = app.state.spawn();
     let view = View::of(&world, app.picture_size());

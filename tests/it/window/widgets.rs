@@ -86,14 +86,53 @@ fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
 
 #[test]
 fn the_panel_switches_the_things_on_its_labels() {
+    type Check = fn(&App) -> bool;
+    let clicks: [(&str, Check); 17] = [
+        ("Phong", |app| app.shading() == Some(ShadingMode::Phong)),
+        ("Gouraud", |app| app.shading() == Some(ShadingMode::Gouraud)),
+        ("Phong", |app| app.shading() == Some(ShadingMode::Phong)),
+        ("as the file", |app| {
+            app.shading() == Some(ShadingMode::Gouraud)
+        }),
+        ("orthographic", |app| {
+            app.look::<Projection>() == Projection::Orthographic
+        }),
+        ("perspective", |app| {
+            app.look::<Projection>() == Projection::Perspective
+        }),
+        ("Gouraud | Phong", |app| {
+            app.look::<Show>().mode == ViewMode::Wipe
+        }),
+        ("error map", |app| {
+            app.look::<Show>().mode == ViewMode::Error
+        }),
+        ("tiles", |app| app.look::<Show>().mode == ViewMode::Tiles),
+        ("picture", |app| {
+            app.look::<Show>().mode == ViewMode::Picture
+        }),
+        ("picture | exact", |app| {
+            app.look::<Show>().sides == [Side::Picture, Side::Reference]
+        }),
+        ("rotate", |app| app.look::<Spin>().on),
+        ("rotate", |app| !app.look::<Spin>().on),
+        ("edit", |app| {
+            app.look::<Inspector>() == Inspector(Some(Tab::Scene))
+        }),
+        ("Required", |app| {
+            app.look::<Inspector>() == Inspector(Some(Tab::Required))
+        }),
+        ("Pixel", |app| {
+            app.look::<Inspector>() == Inspector(Some(Tab::Pixel))
+        }),
+        ("Proof", |app| {
+            app.look::<Inspector>() == Inspector(Some(Tab::Proof))
+        }),
+    ];
     let mut harness = open();
-    click(&mut harness, "Phong");
-    assert_eq!(harness.state().shading(), Some(ShadingMode::Phong));
-    click(&mut harness, "Gouraud");
-    assert_eq!(harness.state().shading(), Some(ShadingMode::Gouraud));
-    click(&mut harness, "Phong");
-    click(&mut harness, "as the file");
-    assert_eq!(harness.state().shading(), Some(ShadingMode::Gouraud));
+    for (label, holds) in clicks {
+        click(&mut harness, label);
+        assert!(holds(harness.state()), "{label}");
+    }
     for (index, name) in ["white", "red", "specular", "ambient"]
         .into_iter()
         .enumerate()
@@ -103,34 +142,14 @@ fn the_panel_switches_the_things_on_its_labels() {
             assert_eq!(record(&harness).light[index].on, on, "{name}");
         }
     }
-    click(&mut harness, "orthographic");
-    assert_eq!(
-        harness.state().look::<Projection>(),
-        Projection::Orthographic
-    );
-    click(&mut harness, "perspective");
-    assert_eq!(
-        harness.state().look::<Projection>(),
-        Projection::Perspective
-    );
-    for (label, mode) in [
-        ("Gouraud | Phong", ViewMode::Wipe),
-        ("error map", ViewMode::Error),
-        ("tiles", ViewMode::Tiles),
-        ("picture", ViewMode::Picture),
-    ] {
-        click(&mut harness, label);
-        assert_eq!(harness.state().look::<Show>().mode, mode, "{label}");
-    }
-    click(&mut harness, "picture | exact");
-    assert_eq!(
-        harness.state().look::<Show>().sides,
-        [Side::Picture, Side::Reference]
-    );
-    click(&mut harness, "rotate");
-    assert!(harness.state().look::<Spin>().on);
-    click(&mut harness, "rotate");
-    assert!(!harness.state().look::<Spin>().on);
+    let hold = places(&harness, "blink (hold)")[0];
+    harness.hover_at(hold);
+    harness.drag_at(hold);
+    harness.run_ok();
+    assert!(harness.state().turn().is_some());
+    harness.drop_at(hold);
+    harness.run_ok();
+    assert!(harness.state().turn().is_none());
     click(&mut harness, "help");
     assert!(harness.state().desk.help);
 }
@@ -166,26 +185,6 @@ fn the_tolerance_is_typed_and_dragged() {
 }
 
 #[test]
-fn the_tabs_of_the_inspector_open_by_their_names() {
-    let mut harness = open();
-    harness.key_press(Key::E);
-    harness.run_ok();
-    for (name, tab) in [
-        ("Pixel", Tab::Pixel),
-        ("Required", Tab::Required),
-        ("Proof", Tab::Proof),
-        ("Scene", Tab::Scene),
-    ] {
-        click_inside(&mut harness, name);
-        assert_eq!(
-            harness.state().look::<Inspector>(),
-            Inspector(Some(tab)),
-            "{name}"
-        );
-    }
-}
-
-#[test]
 fn the_required_tab_has_a_row_for_each_stage_with_the_errors_of_three_formats() {
     let size = [1000, 300];
     let mut harness = widgets(app(default_scene(), size, Level::new()), size);
@@ -209,12 +208,16 @@ fn the_required_tab_has_a_row_for_each_stage_with_the_errors_of_three_formats() 
 }
 
 #[test]
-fn entities_are_added_copied_renamed_and_deleted() {
+fn entities_are_added_renamed_and_deleted() {
     let mut harness = open();
     harness.key_press(Key::E);
     harness.run_ok();
     let start = record(&harness);
-    for kind in ["light", "camera", "cuboid"] {
+    for (kind, of) in [
+        ("light", Kind::Light),
+        ("camera", Kind::Camera),
+        ("cuboid", Kind::Cuboid),
+    ] {
         click(&mut harness, &format!("add {kind}"));
         let counts = |harness: &Harness<App>| {
             let now = record(harness);
@@ -222,18 +225,12 @@ fn entities_are_added_copied_renamed_and_deleted() {
         };
         let added = counts(&harness);
         assert_eq!(added.iter().sum::<usize>(), 8, "{kind}");
-        click(&mut harness, "duplicate");
+        click(&mut harness, &format!("add {kind}"));
         assert_eq!(counts(&harness).iter().sum::<usize>(), 9, "{kind}");
         record(&harness).check().expect("a legal scene");
         click(&mut harness, "delete");
         assert_eq!(counts(&harness), added, "{kind}");
-        let kinds = [
-            ("light", Kind::Light),
-            ("camera", Kind::Camera),
-            ("cuboid", Kind::Cuboid),
-        ];
-        let of = kinds.into_iter().find(|(name, _)| *name == kind);
-        harness.state_mut().desk.selected = of.map(|(name, kind)| (kind, name.to_owned()));
+        harness.state_mut().desk.selected = Some((of, kind.to_owned()));
         harness.run_ok();
         click(&mut harness, "delete");
         assert_eq!(record(&harness), start, "{kind}");
@@ -385,6 +382,15 @@ fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     assert_eq!(record(&harness), start);
 }
 
+/// The field of the scene's path: that beside its button.
+pub fn path_field(harness: &Harness<App>) -> Pos2 {
+    let open = places(harness, "open")[0];
+    let fields = harness.query_all_by_role(Role::TextInput);
+    let fields = fields.map(|it| it.rect().center());
+    let nearest = fields.min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)));
+    nearest.expect("a field")
+}
+
 #[test]
 fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -395,12 +401,8 @@ fn a_scene_is_opened_by_its_path_and_a_wrong_path_is_reported() {
         ("nowhere.toml", false),
         (path.to_str().expect("UTF-8"), true),
     ] {
-        let open = places(&harness, "open")[0];
-        let fields = harness.query_all_by_role(Role::TextInput);
-        let field = fields
-            .map(|it| it.rect().center())
-            .min_by(|one, other| one.distance(open).total_cmp(&other.distance(open)));
-        click_at(&mut harness, field.expect("a field"));
+        let field = path_field(&harness);
+        click_at(&mut harness, field);
         harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         harness.event(egui::Event::Text(text.to_owned()));
         harness.key_press(Key::Enter);
@@ -455,8 +457,7 @@ fn quitting_with_edits_saves_or_discards_them_or_is_cancelled() {
             files,
             "{label}"
         );
-        let is_lost = harness.state().rescue().is_some();
-        assert_eq!(is_lost, label == "go on", "{label}");
+        assert_eq!(harness.state().is_edited(), label == "go on", "{label}");
     }
 }
 

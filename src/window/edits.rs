@@ -1,0 +1,149 @@
+//! Edits of the scene and its file: which of them are not saved, saving, and reading the file again.
+
+use std::sync::Arc;
+
+use anyhow::Context;
+
+use super::app::App;
+use super::facts::Facts;
+use super::file::{News, SceneFile};
+use super::history::History;
+use crate::output::quoted;
+use crate::scene::{CameraRecord, Scene, SceneRecord, ViewRecord};
+
+impl App {
+    /// Whether the scene was edited since it was saved. Switching lights and modes and moving the camera is looking.
+    pub fn is_edited(&self) -> bool {
+        let (state, saved) = (&*self.state, &*self.file.saved);
+        state.background != saved.background
+            || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
+            || differ(&state.cuboid, &saved.cuboid, |it, saved| {
+                it.shading = saved.shading;
+            })
+            || differ(&state.camera, &saved.camera, |it, saved| {
+                it.orbit = saved.orbit;
+            })
+    }
+
+    /// The title of the window.
+    pub fn title(&self) -> String {
+        let star = if self.is_edited() { "*" } else { "" };
+        format!("{}{star} - shadetrade", self.scene.name)
+    }
+
+    /// Writes unsaved edits into a new file; returns a sentence with its path.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn rescue(&self) -> anyhow::Result<Option<String>> {
+        if !self.is_edited() {
+            return Ok(None);
+        }
+        let path = self.file.rescue(&self.state, &self.folder);
+        let path = path.context("the changes that were not saved cannot be written to a file")?;
+        let path = path.display();
+        Ok(Some(format!(
+            "the changes that were not saved are in {path}"
+        )))
+    }
+
+    /// Shows the scene that the user chose; edits of the one before go into a file.
+    pub fn choose(&mut self, scene: Scene) {
+        match self.rescue() {
+            Ok(told) => {
+                if let Some(told) = told {
+                    self.say(told);
+                }
+                self.open(scene);
+            }
+            Err(error) => self.say(format!("not opened: {error:#}")),
+        }
+    }
+
+    /// Shows another scene in place of this one.
+    pub fn open(&mut self, scene: Scene) {
+        if let Some(path) = &scene.path {
+            self.desk.recent.add(path);
+        }
+        self.file = SceneFile::of(&scene);
+        self.scene = scene;
+        self.state = Arc::new(SceneRecord::of(&self.scene.world));
+        self.history = History::new(&self.state);
+        self.facts = Facts::default();
+        self.desk.left_out = None;
+        self.desk.selected = None;
+        self.desk.file_error = None;
+        self.picture_changed(false);
+    }
+
+    /// Follows a change of the scene's file.
+    pub(super) fn take_news(&mut self, news: News) {
+        match news {
+            News::Read(scene) => self.reload(&scene),
+            News::Wrong(error) => self.desk.file_error = Some(error),
+            News::Deleted => {
+                let text = format!("{} was deleted; the scene stays", self.scene.name);
+                self.desk.file_error = Some(text);
+            }
+        }
+    }
+
+    /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
+    fn reload(&mut self, scene: &Scene) {
+        let mut record = SceneRecord::of(&scene.world);
+        let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
+        let find = |cameras: &[CameraRecord], name: &str| {
+            let mut named = cameras.iter().filter(|it| it.name == name);
+            named.next().map(|it| it.orbit)
+        };
+        if record.view == saved.view {
+            let own = record.view.camera.take();
+            let view = self.state.view.clone();
+            let is_there = |name: &String| find(&record.camera, name).is_some();
+            let camera = view.camera.clone().filter(is_there).or(own);
+            record.view = ViewRecord { camera, ..view };
+        }
+        for camera in &mut record.camera {
+            if find(&saved.camera, &camera.name) == Some(camera.orbit) {
+                let moved = find(&self.state.camera, &camera.name);
+                camera.orbit = moved.unwrap_or(camera.orbit);
+            }
+        }
+        self.file = SceneFile::of(scene);
+        self.restore(&record);
+        self.desk.file_error = None;
+        self.say(if had_edits {
+            "read the file again; Ctrl Z brings your edits back"
+        } else {
+            "read the file again"
+        });
+    }
+
+    /// Saves the scene, to a new file if `new`, and says where, or why not. Returns whether it is saved.
+    pub fn save(&mut self, new: bool) -> bool {
+        let record = Arc::new(SceneRecord::of(&self.scene.world));
+        let saved = self.file.save(&record, &self.folder, new);
+        match &saved {
+            Ok(path) => {
+                self.scene.name = path.to_string_lossy().into_owned();
+                self.scene.path = Some(path.clone());
+                self.desk.file_error = None;
+                self.say(format!("saved {}", quoted(&path.to_string_lossy())));
+            }
+            Err(error) => self.say(format!("not saved: {error:#}")),
+        }
+        saved.is_ok()
+    }
+}
+
+/// Whether two lists of entities differ after `forget` has overwritten fields of the first.
+pub fn differ<T: Clone + PartialEq>(one: &[T], other: &[T], forget: impl Fn(&mut T, &T)) -> bool {
+    let differ = |(one, other): (&T, &T)| {
+        one != other && {
+            let mut one = one.clone();
+            forget(&mut one, other);
+            one != *other
+        }
+    };
+    one.len() != other.len() || one.iter().zip(other).any(differ)
+}

@@ -1,0 +1,153 @@
+//! The picture on screen: drawn when its state or size is another one, and copied into its place in the window.
+
+use std::borrow::Cow;
+use std::io::Write;
+use std::sync::Arc;
+
+use super::app::{App, REST, TURN};
+use super::pictures::or_dimmed;
+use crate::components::{Magnifier, Probed, Show, View, ViewMode};
+use crate::memory::OutOfMemory;
+use crate::output::{encode_png, write_numbered};
+use crate::scene::SceneRecord;
+
+impl App {
+    /// Width and height of the picture in pixels.
+    pub fn picture_size(&self) -> [usize; 2] {
+        let size = self.place.size() * self.scale();
+        [size.x, size.y].map(|side| (side.round() as usize).max(1))
+    }
+
+    /// The view that is drawn.
+    pub fn view(&self) -> View {
+        let view = View::of(&self.scene.world, self.picture_size());
+        self.held.map_or(view.clone(), |method| method.view(&view))
+    }
+
+    /// Whether the picture has not changed for a while.
+    pub fn rests(&self) -> bool {
+        self.moved.is_none()
+    }
+
+    /// Draws the pictures if the state or their size is another one.
+    pub(super) fn draw(&mut self) -> Result<(), OutOfMemory> {
+        let (show, view): (Show, View) = (self.look(), self.view());
+        let size = view.size;
+        let (world, drawn) = (&mut self.scene.world, self.drawn.take());
+        let present = (Arc::clone(&self.state), size, self.held);
+        let is_same = |(state, size, held): &(Arc<SceneRecord>, _, _)| {
+            Arc::ptr_eq(state, &present.0) && (*size, *held) == (present.1, present.2)
+        };
+        if drawn.as_ref().is_some_and(is_same) {
+            self.moved.take_if(|moved| self.now >= *moved + REST);
+        } else {
+            self.pictures.draw(world, &show, &view)?;
+            self.previewed = None;
+            self.moved = Some(self.now);
+            if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
+                self.keep_pixel(before, size);
+                self.picture_changed(false);
+            }
+        }
+        if self.desk.preview != self.previewed {
+            self.previewed = self.desk.preview;
+            if let Some(method) = self.previewed {
+                let world = &mut self.scene.world;
+                self.pictures.draw_preview(world, method, &view)?;
+            }
+        }
+        self.drawn = Some(present);
+        Ok(())
+    }
+
+    /// Keeps the probed pixel where it lies in the scene when the picture gets another size.
+    fn keep_pixel(&mut self, before: [usize; 2], size: [usize; 2]) {
+        let Probed(Some(pixel)) = self.look() else {
+            return;
+        };
+        // The field of view is vertical, and the middle of the picture stays.
+        let scale = size[1] as f64 / before[1] as f64;
+        let pixel = [0, 1].map(|axis| {
+            let from_middle = pixel[axis] as f64 + 0.5 - before[axis] as f64 / 2.0;
+            (from_middle * scale + size[axis] as f64 / 2.0).max(0.0) as usize
+        });
+        self.set_look(Probed(Some(pixel)));
+    }
+
+    /// The place of the picture that has its turn while two of them blink: the sides of a wipe, else exact Phong and the
+    /// picture.
+    pub fn turn(&self) -> Option<usize> {
+        let passed = self.now.saturating_sub(self.desk.blinks?);
+        Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
+    }
+
+    /// The picture as it is shown, not magnified, 0x00RRGGBB.
+    pub fn shown(&self) -> Cow<'_, [u32]> {
+        let show: Show = self.look();
+        let comparison = self.facts.comparison.current();
+        let exact = comparison.map(|it| it.exact.as_slice());
+        let error_map = comparison.map(|it| match show.mode {
+            ViewMode::Difference => it.difference.as_slice(),
+            _ => &it.error_map,
+        });
+        let without = self.facts.without.current().map(Vec::as_slice);
+        let frame = self.pictures.frame();
+        match (self.desk.left_out, self.turn()) {
+            (Some(_), _) => or_dimmed(without, frame),
+            (None, Some(turn)) if show.mode == ViewMode::Wipe => {
+                self.pictures.side(show.sides[turn], turn, exact)
+            }
+            (None, Some(0)) => or_dimmed(exact, frame),
+            (None, Some(_)) => frame.into(),
+            _ if self.previewed.is_some() => self.pictures.preview().into(),
+            _ => self.pictures.shown(&show, exact, error_map),
+        }
+    }
+
+    /// Copies the picture into its place in the window, magnified.
+    pub(super) fn copy_picture(&mut self, [width, height]: [usize; 2]) {
+        let mut pixels = std::mem::take(&mut self.pixels);
+        pixels.resize(width * height, 0);
+        // A panel may paint less than it takes: contents that are too wide are cut off.
+        let ground = self.painter.context.global_style().visuals.panel_fill;
+        let [red, green, blue, _] = ground.to_array();
+        let ground = u32::from_be_bytes([0, red, green, blue]);
+        let [columns, rows] = self.pictures.size();
+        let shown = self.shown();
+        let magnifier = self.look::<Magnifier>().within([columns, rows]);
+        let corner = self.place.min * self.scale();
+        let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
+        let [left, right] = [left, left + columns].map(|x| x.min(width));
+        for (y, line) in pixels.chunks_exact_mut(width).enumerate() {
+            if !(top..top + rows).contains(&y) {
+                line.fill(ground);
+                continue;
+            }
+            let [x, y] = magnifier.pixel([0, (y - top) as i32]);
+            let drawn = &shown[y * columns..][x..columns];
+            line[..left].fill(ground);
+            line[right..].fill(ground);
+            let line = &mut line[left..right];
+            if magnifier.scale == 1 {
+                // Squares of one pixel are slow to fill.
+                let count = line.len().min(drawn.len());
+                line[..count].copy_from_slice(&drawn[..count]);
+                continue;
+            }
+            for (square, pixel) in line.chunks_mut(magnifier.scale).zip(drawn) {
+                square.fill(*pixel);
+            }
+        }
+        self.pixels = pixels;
+    }
+
+    /// Writes the window as it is seen into a new PNG file.
+    pub(super) fn screenshot(&mut self, size: [usize; 2]) {
+        let name = |number| format!("shadetrade-{number:03}.png");
+        let write = |writer: &mut dyn Write| encode_png(writer, &self.pixels, size);
+        match write_numbered(&self.folder, name, write) {
+            Ok(path) => self.say(format!("saved {}", path.display())),
+            Err(error) => self.say(format!("no picture saved: {error}")),
+        }
+    }
+}
