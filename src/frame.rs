@@ -1,7 +1,7 @@
 //! The buffers of one frame, which threads draw in bands of rows.
 //!
-//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew; with several threads, a frame
-//! allocates a job for each but the calling one. Its bits do not depend on the number of threads.
+//! A frame of unchanged size reuses its memory and clears only pixels that the last frame drew. Its bits do not depend on the
+//! number of threads.
 
 mod aligned;
 mod band;
@@ -26,17 +26,16 @@ use crate::shading::{Scratch, TileKind};
 /// The SIMD level and the threads that draw.
 pub struct Workers {
     level: Level,
-    /// The threads beside the calling one.
     pool: Option<ThreadPool>,
 }
 
 impl Workers {
-    /// `threads` threads: the calling one, and the others, which it starts.
+    /// Starts `threads` threads; for 1 (or 0) the calling thread draws.
     ///
     /// # Errors
     /// If the threads cannot be started.
     pub fn new(threads: usize, level: Level) -> Result<Self, ThreadPoolBuildError> {
-        let pool = ThreadPoolBuilder::new().num_threads(threads.saturating_sub(1));
+        let pool = ThreadPoolBuilder::new().num_threads(threads);
         Ok(Workers {
             level,
             pool: (threads > 1).then(|| pool.build()).transpose()?,
@@ -55,8 +54,9 @@ impl Workers {
 
     /// The number of threads that draw.
     pub fn threads(&self) -> usize {
-        let pool = self.pool.as_ref();
-        1 + pool.map_or(0, ThreadPool::current_num_threads)
+        self.pool
+            .as_ref()
+            .map_or(1, ThreadPool::current_num_threads)
     }
 }
 
@@ -295,21 +295,23 @@ impl Frame {
                 *counts += draw(&list, &mut band, scratch);
             }
         };
-        if let [own, others @ ..] = &mut self.scratch[..] {
-            match &self.workers.pool {
-                Some(pool) if list.cuts.len() >= WORTH_SHARING => pool.in_place_scope(|scope| {
-                    for other in others {
-                        scope.spawn(|_| work(other));
-                    }
-                    work(own);
-                }),
-                _ => work(own),
+        match &self.workers.pool {
+            Some(pool) if list.cuts.len() >= WORTH_SHARING => {
+                pool.install(|| on_each_thread(&mut self.scratch, &work));
             }
+            _ => work(&mut self.scratch[0]),
         }
         for (_, counts) in &mut self.scratch {
             self.counts += std::mem::take(counts);
         }
         self.list = list;
+    }
+}
+
+/// Does `work` with each element, on the threads of the pool. Joins, unlike jobs of a scope, allocate nothing.
+fn on_each_thread<T: Send>(all: &mut [T], work: &(impl Fn(&mut T) + Sync)) {
+    if let [first, rest @ ..] = all {
+        rayon::join(|| work(first), || on_each_thread(rest, work));
     }
 }
 

@@ -5,6 +5,7 @@ use glam::DVec3;
 
 use super::app::App;
 use super::viewport::tag;
+use crate::components::range::Coordinate;
 use crate::components::{
     Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, get, ordered,
 };
@@ -128,6 +129,9 @@ impl App {
         let rounded = moved
             .to_array()
             .map(|it| (it / step).round() / step.recip());
+        if !rounded.iter().all(|it| Coordinate::RANGE.contains(it)) {
+            return from;
+        }
         let world = &mut self.scene.world;
         let lights = world
             .query_mut::<(&Name, &mut Transform)>()

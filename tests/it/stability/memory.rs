@@ -42,7 +42,7 @@ fn a_warm_frame_on_one_thread_allocates_nothing() {
 }
 
 #[test]
-fn a_warm_frame_on_two_threads_allocates_the_job_of_the_other_thread() {
+fn a_warm_frame_on_several_threads_allocates_nothing() {
     let mut world = still_life(1);
     let workers = Workers::new(2, Level::new()).expect("the system gives threads");
     let mut frame = Frame::new(Keep::Display, workers);
@@ -56,9 +56,8 @@ fn a_warm_frame_on_two_threads_allocates_the_job_of_the_other_thread() {
             systems::draw(&mut world, &view, &mut frame).expect("it fitted before");
         }
     });
-    // And one block of rayon's queue of work, which holds some dozens of entries.
-    assert!(taken.count_total <= 21, "{taken:?}");
-    assert!(taken.bytes_total <= 4096, "{taken:?}");
+    // One block of rayon's queue of work, which holds some dozens of entries.
+    assert!(taken.count_total <= 1, "{taken:?}");
 }
 
 #[test]
