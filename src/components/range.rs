@@ -43,8 +43,13 @@ impl<const LEAST: u64, const MOST: u64> TryFrom<f64> for Within<LEAST, MOST> {
         if Self::RANGE.contains(&number) {
             return Ok(Within(number + 0.0));
         }
+        let least = if least == f64::from_bits(1) {
+            "above 0".to_owned()
+        } else {
+            format!("from {least:?}")
+        };
         Err(format!(
-            "invalid value: {number:?}, expected a number from {least:?} to {most:?}"
+            "invalid value: {number:?}, expected a number {least} to {most:?}"
         ))
     }
 }

@@ -64,8 +64,12 @@ impl Phong<'_> {
         tile: &mut TileLights,
     ) -> (Option<Interpolant<S>>, u64) {
         let (budget, promising) = self.classify(places, interpolate, tile);
-        let any = budget.simd_gt(0.0).any_true();
-        (any.then(|| self.sample(simd, tile, budget)), promising)
+        let interpolant = if budget.simd_gt(0.0).any_true() {
+            Some(self.sample(simd, tile, budget))
+        } else {
+            None
+        };
+        (interpolant, promising)
     }
 
     /// Classifies the lights on four squares; returns the rest that bounds leave of the tolerance there, and the set of those
