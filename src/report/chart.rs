@@ -114,8 +114,8 @@ pub fn on<'a>(
     Ok(chart)
 }
 
-/// Round numbers on the axis: powers of ten, at most eight, or 1, 2 and 5 times them on a short axis, or every digit on
-/// a shorter one.
+/// Round numbers on the axis: powers of ten, at most eight, or 1, 2 and 5 times them on a short axis, or more
+/// digits on a shorter one.
 pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
     let [start, end] = [axis.start, axis.end].map(f64::log10);
     let steps = [1, 2, 3, 5, 10, 20, 30, 50];
@@ -132,12 +132,9 @@ pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
     if end - start >= 3.0 {
         return of(&[1.0]);
     }
-    let few = of(&[1.0, 2.0, 5.0]);
-    if few.len() < 3 {
-        of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
-    } else {
-        few
-    }
+    let few = [&[1.0, 2.0, 5.0][..], &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0]];
+    let few = few.map(of).into_iter().find(|ticks| ticks.len() >= 3);
+    few.unwrap_or_else(|| of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]))
 }
 
 /// `digit` times a power of ten, rounded once, so that its decimal form is short.
@@ -167,6 +164,7 @@ mod tests {
         for (axis, expected) in [
             (2.0..30.0, "2 5 10 20"),
             (3.0..4.5, "3 4"),
+            (0.06..0.28, "0.07 0.1 0.15 0.2"),
             (1.0..1000.0, "1 10 100 1000"),
             (5e-4..500.0, "0.001 0.01 0.1 1 10 100"),
             (1.5e4..9e5, "2e4 5e4 1e5 2e5 5e5"),

@@ -96,18 +96,19 @@ pub fn held(measured: &[Measurement], budget: f64) -> Option<(&Measurement, Stri
     let chosen = measured.iter().find(|it| it.method == method)?;
     let name = capital(&method_name(method));
     let [time, error] = [Some(cost), chosen.error].map(short);
-    let over = if cost > budget {
-        format!(
-            ", {} ms over the budget; nothing is faster",
-            short(Some(cost - budget))
-        )
+    let (over, nothing) = (over(cost, budget), "; nothing is faster");
+    let nothing = if over.is_empty() { "" } else { nothing };
+    let text = format!("{name}: {time} ms, off by {error} of 255{over}{nothing}");
+    Some((chosen, text))
+}
+
+/// ", 0.2 ms over the budget", or nothing if a time keeps the budget; both in milliseconds.
+pub fn over(time: f64, budget: f64) -> String {
+    if time > budget {
+        format!(", {} ms over the budget", short(Some(time - budget)))
     } else {
         String::new()
-    };
-    Some((
-        chosen,
-        format!("{name}: {time} ms, off by {error} of 255{over}"),
-    ))
+    }
 }
 
 /// Measures the methods of `drawing` and returns the result of [`held`] for a budget in milliseconds.

@@ -10,7 +10,7 @@ use super::keys::Command;
 use crate::components::range::Milliseconds;
 use crate::components::{Budget, ShadingMode, Tolerance};
 use crate::report::words::capital;
-use crate::trade::budget::{Hold, fitting, held, ladder};
+use crate::trade::budget::{Hold, fitting, held, ladder, over};
 use crate::trade::verdict::method_name;
 
 /// The factor of a press of a key.
@@ -117,8 +117,9 @@ impl App {
         let measured = self.facts.trade.current();
         let held = measured.and_then(|measured| held(measured, budget));
         let unmeasured = || {
-            let time = self.milliseconds().map_or_else(String::new, short);
-            format!("{}: {time} ms", capital(&method_name(method)))
+            let time = self.milliseconds().unwrap_or_default();
+            let (name, over) = (capital(&method_name(method)), over(time, budget));
+            format!("{name}: {} ms{over}", short(time))
         };
         let text = held.map_or_else(unmeasured, |(_, text)| text);
         let proof = self.facts.proof.current();
