@@ -18,6 +18,8 @@ use shadetrade::window::recording::Log;
 use shadetrade::window::replay;
 
 const SIZE: [usize; 2] = [960, 720];
+/// The time in which the window measures its methods again and again.
+const MEASURED: Duration = Duration::from_secs(8);
 
 fn main() -> anyhow::Result<()> {
     let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
@@ -37,7 +39,10 @@ fn main() -> anyhow::Result<()> {
         let start = Instant::now();
         let step = |app: &mut App| app.step(start.elapsed(), SIZE, RawInput::default());
         step(&mut app)?;
-        while app.facts.trade.current().is_none() || app.facts.proof.current().is_none() {
+        while start.elapsed() < MEASURED
+            || app.facts.trade.current().is_none()
+            || app.facts.proof.current().is_none()
+        {
             step(&mut app)?;
             thread::sleep(Duration::from_millis(20));
         }
