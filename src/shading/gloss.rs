@@ -22,6 +22,7 @@ pub struct Gloss {
     pub material: Material,
     /// The tolerance it is made for, in levels.
     pub tolerance: f64,
+    /// Above 0 where the material's is: 0^0 = 1, and the power of a negative s is 0.
     pub shininess: f32,
     /// For the bound on interpolation errors.
     pub bound: Highlight,
@@ -56,7 +57,11 @@ impl Gloss {
         Gloss {
             material: *surface.material,
             tolerance,
-            shininess: shininess as f32,
+            shininess: if shininess > 0.0 {
+                (shininess as f32).max(f32::MIN_POSITIVE)
+            } else {
+                0.0
+            },
             bound: Highlight::new(shininess),
             least,
             faint,
@@ -94,12 +99,13 @@ fn steepest(shininess: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::f32x16;
     use glam::DVec3;
 
     use super::*;
     use crate::components::{Illumination, PointLight};
     use crate::shading::U;
-    use crate::shading::specular::power_exact;
+    use crate::shading::specular::{self, power_exact};
     use crate::simd::token;
 
     /// A material under one light of 100 levels.
@@ -128,6 +134,18 @@ mod tests {
 
     fn propagated(gloss: &Gloss, chord: f64) -> f64 {
         gloss.propagated(Lanes::splat(token(), chord)).as_array()[0]
+    }
+
+    #[test]
+    fn a_positive_shininess_below_the_range_of_f32_ends_the_highlight_where_s_is_0() {
+        for (shininess, behind) in [(5e-324, 0.0), (1e-40, 0.0), (0.0, 1.0)] {
+            let shininess = gloss(shininess, 0.0).shininess;
+            let power = |one_minus_cos| {
+                let places = f32x16::splat(token(), one_minus_cos);
+                specular::power(shininess, places).as_array()[0]
+            };
+            assert_eq!([power(0.5), power(1.5)], [1.0, behind], "{shininess:e}");
+        }
     }
 
     #[test]
