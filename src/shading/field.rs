@@ -72,6 +72,8 @@ pub struct Field<S: Simd> {
     pub down: [Lanes<S>; 3],
     /// Its largest distance from the middle.
     pub radius: Lanes<S>,
+    /// A lower bound of its length.
+    pub shortest: Lanes<S>,
     /// p and q along x and along y: see [`super::bound`].
     pub rates: [[Lanes<S>; 2]; 2],
 }
@@ -134,6 +136,8 @@ impl<S: Simd> Field<S> {
             right,
             down,
             radius,
+            // Only changes along the middle make it shorter.
+            shortest: 1.0 - along[0].abs() - along[1].abs(),
             rates: [rates(along[0], right_length), rates(along[1], down_length)],
         }
     }
@@ -150,8 +154,8 @@ impl<S: Simd> Field<S> {
     #[inline(always)]
     pub fn rounding(&self) -> Lanes<S> {
         let infinite = Lanes::splat(self.radius.token(), f64::INFINITY);
-        let error = (self.radius * 6.0 + 3.0) * (1.0 / (1.0 - self.radius));
-        self.radius.simd_lt(1.0).select(error, infinite)
+        let error = (self.radius * 6.0 + 3.0) / self.shortest;
+        self.shortest.simd_gt(0.0).select(error, infinite)
     }
 
     /// The vector in f32, by square.

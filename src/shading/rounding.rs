@@ -18,7 +18,8 @@ pub const CHORD: f64 = 50.0;
 /// The rounding errors of the levels at a pixel or node of four squares, in units of U. Rows of polynomials are counted in
 /// [`super::interpolation`].
 ///
-/// A vector V = x a + (y b + c), |V| = 1 at the middle, |x a| + |y b| <= r, errs by this over its least length, 1 - r:
+/// A vector V = x a + (y b + c), |V| = 1 at the middle, |x a| + |y b| <= r, errs by this over its least length, at least
+/// 1 - |V.a| - |V.b| with V at the middle:
 ///
 /// ```text
 ///   operation                   count       why
@@ -26,7 +27,7 @@ pub const CHORD: f64 = 50.0;
 ///   x, y                        2 r         1 / half extent, and its product with whole pixels
 ///   products                    r           once each
 ///   sums                        2 + 2 r     once each, at the size of the sum, at most 1 + r
-///   delta                       3 + 6 r     in all; over 1 - r, the error of the direction of V
+///   delta                       3 + 6 r     in all; over the least length, the error of the direction of V
 /// ```
 /// The operations that follow:
 ///
@@ -200,7 +201,7 @@ mod tests {
         let direction_share = |vector: &Moving| {
             let [_, error] = lengths(&formed(vector));
             // The count is for the shortest vector there is on the square.
-            error / (1.0 - one(field(vector).radius)) / turned(vector)
+            error / one(field(vector).shortest) / turned(vector)
         };
         let any = largest(moving(), |vector| direction_share(&vector));
         assert_covers("a direction", any, 0.9);
