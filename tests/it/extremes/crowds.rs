@@ -7,6 +7,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Trans
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::prove::nearest;
 use shadetrade::reference::{Interval, Reference, Seen};
+use shadetrade::shading::TileKind;
 use shadetrade::systems;
 
 use super::is_full;
@@ -102,6 +103,18 @@ fn ten_thousand_cuboids_are_proven() {
     for mut view in views([96, 72], EYE).into_iter().step_by(step) {
         view.viewpoint.camera.fov = 45.0;
         assert_proven(&mut world, &view, 1000);
+    }
+}
+
+/// Over a whole face the normals turn by more than a right angle. Speed is lost if such a face needs f64.
+#[test]
+fn faces_of_a_few_pixels_are_evaluated_in_f32() {
+    let mut world = one_cuboid();
+    light_all(&mut world, DVec3::splat(10.0));
+    for view in views([20, 16], EYE) {
+        let counts = draw(&mut world, &view, Keep::Display).counts();
+        assert!(counts.covered_pixels > 30, "{counts:?}");
+        assert_eq!(counts.tiles[TileKind::Double as usize], 0, "{view:?}");
     }
 }
 
