@@ -73,7 +73,7 @@ impl Gloss {
     /// The error of s^rho, in roundings, caused by an error of |r - o| in roundings and by four roundings of 1 - s.
     ///
     /// From a shininess of 1 on relative errors of 1 - s become no larger: rho (1 - s) s^(rho - 1) <= 1. Below, s errs by
-    /// less than half of [`DOUBT`], so the slope is at most that at the other half.
+    /// less than half of `DOUBT`, so the slope is at most that at the other half.
     #[inline(always)]
     pub fn propagated<S: Simd>(&self, chord: Lanes<S>) -> Lanes<S> {
         /// sqrt(2) times this many roundings are less than half of [`DOUBT`].
