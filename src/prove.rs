@@ -24,7 +24,7 @@ use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
 use crate::memory;
 use crate::reference::{Interval, Reference, Seen};
-use crate::report::Monitor;
+use crate::report::{CANCELLED, Monitor};
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::{difference, displayed, ends};
@@ -262,7 +262,7 @@ pub fn prove(
             systems::draw_rows(world, view, rows.clone(), &mut displayed)?;
         }
         let truth = reference.picture(rows.clone(), monitor.is_cancelled, &|_| ());
-        let truth = truth.context("the work was cancelled")?;
+        let truth = truth.context(CANCELLED)?;
         let prove_row = |y: usize| {
             monitor.check()?;
             let mut row = Proof::default();

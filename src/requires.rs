@@ -28,6 +28,7 @@ use serde::Serialize;
 use crate::components::{Mesh, ShadingMode, View, ordered};
 use crate::frame::display_pixel;
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
+use crate::report::Monitor;
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::limit;
 use crate::trade::metrics::{difference, ends};
@@ -129,17 +130,18 @@ impl Change {
     }
 }
 
-/// The change of the picture without each of these lists of parts, computed on rayon's current threads. `None` as soon
-/// as `cancelled` returns true. `progress` receives the finished share, 0..=1.
+/// The change of the picture without each of these lists of parts, computed on rayon's current threads.
 ///
 /// Each cuboid keeps its own shading; that of the view is not used.
+///
+/// # Errors
+/// If the work is cancelled.
 pub fn changes(
     scene: &Scene,
     view: &View,
     left_out: &[Vec<Part>],
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(f64) + Sync),
-) -> Option<Vec<Change>> {
+    monitor: Monitor,
+) -> anyhow::Result<Vec<Change>> {
     let view = &View {
         shading: None,
         ..*view
@@ -161,9 +163,7 @@ pub fn changes(
         };
         let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
         let row = |y: usize| {
-            if cancelled() {
-                return None;
-            }
+            monitor.check()?;
             let full = full(y);
             let change = |(picture, is_enclosed): &(PixelRows, bool)| {
                 let pixels = full.iter().zip(picture(y));
@@ -176,15 +176,16 @@ pub fn changes(
                 }))
             };
             let changes = pictures.iter().map(change).collect();
-            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64);
-            Some(changes)
+            let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64;
+            (monitor.progress)("leaving out", share);
+            Ok(changes)
         };
         let by_row = (0..view.size[1]).into_par_iter().map(row);
-        let by_row: Vec<Vec<Change>> = by_row.collect::<Option<_>>()?;
+        let by_row: Vec<Vec<Change>> = by_row.collect::<anyhow::Result<_>>()?;
         let of_picture = |number: usize| Change::sum(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
     }
-    Some(changes)
+    Ok(changes)
 }
 
 /// A part, its name, and the change of the picture without it.
@@ -195,30 +196,30 @@ pub struct PartChange {
     pub change: Change,
 }
 
-/// The change of the picture without each part, the largest error first. `None` as soon as `cancelled` returns true.
-/// `progress` receives the finished share, 0..=1.
-pub fn ranked(
-    scene: &Scene,
-    view: &View,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(f64) + Sync),
-) -> Option<Vec<PartChange>> {
+/// The change of the picture without each part, the largest error first.
+///
+/// # Errors
+/// If the work is cancelled.
+pub fn ranked(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<PartChange>> {
     let parts = parts(scene);
     let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = changes(scene, view, &left_out, cancelled, progress)?;
+    let changes = changes(scene, view, &left_out, monitor)?;
     let part_change = |((part, name), change)| PartChange { part, name, change };
     let mut ranked: Vec<_> = parts.into_iter().zip(changes).map(part_change).collect();
     ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
-    Some(ranked)
+    Ok(ranked)
 }
 
-/// The reference's picture without a part, as 0x00RRGGBB. `None` as soon as `cancelled` returns true.
+/// The reference's picture without a part, as 0x00RRGGBB.
+///
+/// # Errors
+/// If the work is cancelled.
 pub fn picture_without(
     scene: &Scene,
     view: &View,
     part: Part,
-    cancelled: &(dyn Fn() -> bool + Sync),
-) -> Option<Vec<u32>> {
+    monitor: Monitor,
+) -> anyhow::Result<Vec<u32>> {
     let (world, rule) = (&without(scene, &[part]).world, rule(&[part]));
     let picture = match part {
         Part::F64SetUp => rows(Reference::<f32>::without(world, view, rule)),
@@ -227,11 +228,12 @@ pub fn picture_without(
     let row = |y| {
         let pixels = picture(y).into_iter();
         let pixel = |seen: Vec<FaceLevels>| display_pixel(seen[0].1.map(|[least, _]| least));
-        (!cancelled()).then(|| pixels.map(pixel).collect())
+        monitor.check()?;
+        Ok(pixels.map(pixel).collect())
     };
     let rows = (0..view.size[1]).into_par_iter().map(row);
-    let rows: Vec<Vec<u32>> = rows.collect::<Option<_>>()?;
-    Some(rows.concat())
+    let rows: Vec<Vec<u32>> = rows.collect::<anyhow::Result<_>>()?;
+    Ok(rows.concat())
 }
 
 /// The first rule among the parts, if there is one.

@@ -9,6 +9,9 @@ use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 /// Rows of a picture that are evaluated at once. They bound the memory of a comparison.
 const BAND: usize = 64;
 
+/// The error of work that is cancelled.
+pub const CANCELLED: &str = "the work was cancelled";
+
 /// The caller of long work.
 #[derive(Clone, Copy)]
 pub struct Monitor<'a> {
@@ -28,7 +31,7 @@ impl Monitor<'_> {
     /// # Errors
     /// If the work is cancelled.
     pub fn check(&self) -> anyhow::Result<()> {
-        ensure!(!(self.is_cancelled)(), "the work was cancelled");
+        ensure!(!(self.is_cancelled)(), CANCELLED);
         Ok(())
     }
 

@@ -33,6 +33,7 @@ use crate::components::{
     FACES, LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View,
 };
 use crate::reference::{Interval, LightSample, Reference, Sample, in_row};
+use crate::report::Monitor;
 use crate::report::words::short;
 use crate::scene::{CuboidRecord, Scene, SceneRecord};
 use crate::shading::limit;
@@ -224,16 +225,13 @@ impl Trial {
     }
 }
 
-/// The bits that each stage of the picture requires, computed on rayon's current threads. `None` as soon as `cancelled`
-/// returns true. `progress` receives the finished share, 0..=1.
+/// The bits that each stage of the picture requires, computed on rayon's current threads.
 ///
 /// Each cuboid keeps its own shading; that of the view is not used.
-pub fn bits(
-    scene: &Scene,
-    view: &View,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(f64) + Sync),
-) -> Option<Vec<StageBits>> {
+///
+/// # Errors
+/// If the work is cancelled.
+pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<StageBits>> {
     let view = &View {
         shading: None,
         ..*view
@@ -255,9 +253,7 @@ pub fn bits(
     let fewest = STAGES.map(|_| AtomicUsize::new(FORMATS.len()));
     let done = AtomicUsize::new(0);
     let row = |y: usize| {
-        if cancelled() {
-            return None;
-        }
+        monitor.check()?;
         let mut errors = [[0.0_f64; TRIALS]; STAGES.len()];
         let mut at_corners = HashMap::new();
         for (full, sample) in enclosures(y).iter().zip(in_row(world, view, y, &columns)) {
@@ -306,11 +302,12 @@ pub fn bits(
                 }
             }
         }
-        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / view.size[1] as f64);
-        Some(errors)
+        let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / view.size[1] as f64;
+        (monitor.progress)("rounding", share);
+        Ok(errors)
     };
     let by_row = (0..view.size[1]).into_par_iter().map(row);
-    let by_row: Vec<_> = by_row.collect::<Option<_>>()?;
+    let by_row: Vec<_> = by_row.collect::<anyhow::Result<_>>()?;
     let of_stage = |(number, fewest): (usize, AtomicUsize)| {
         let largest = |index: usize| {
             let errors = by_row.iter().map(|row| row[number][index]);
@@ -328,5 +325,5 @@ pub fn bits(
             }),
         }
     };
-    Some(fewest.into_iter().enumerate().map(of_stage).collect())
+    Ok(fewest.into_iter().enumerate().map(of_stage).collect())
 }

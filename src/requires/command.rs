@@ -2,7 +2,6 @@
 //!
 //! The least scene is a valid scene file. Its comments list the parts left out and their error.
 
-use anyhow::Context;
 use serde::Serialize;
 use serde_json::json;
 
@@ -45,11 +44,7 @@ const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its 
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
     let rows = rows(drawing, &view)?;
-    let stages = with_bar(|monitor| {
-        let progress = |share| (monitor.progress)("rounding", share);
-        bits(&drawing.scene, &view, monitor.is_cancelled, &progress)
-            .context("the search was cancelled")
-    })?;
+    let stages = with_bar(|monitor| bits(&drawing.scene, &view, monitor))?;
     let record = json!({
         "scene": drawing.scene.name,
         "tolerance": view.tolerance,
@@ -81,11 +76,7 @@ fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartRow>> {
         parts.iter().enumerate().map(of_part).collect()
     })?;
     let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = with_bar(|monitor| {
-        let progress = |share| (monitor.progress)("leaving out", share);
-        changes(scene, view, &left_out, monitor.is_cancelled, &progress)
-            .context("the comparison was cancelled")
-    })?;
+    let changes = with_bar(|monitor| changes(scene, view, &left_out, monitor))?;
     let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| PartRow {
         left_out,
         part,
@@ -139,11 +130,7 @@ fn write_least(
     });
     rows.sort_by(|left, right| left.change.most().total_cmp(&right.change.most()));
     let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
-    let (left_out, change) = with_bar(|monitor| {
-        let progress = |share| (monitor.progress)("looking for the least scene", share);
-        let least = least(scene, view, &candidates, monitor.is_cancelled, &progress);
-        least.context("the search was cancelled")
-    })?;
+    let (left_out, change) = with_bar(|monitor| least(scene, view, &candidates, monitor))?;
     rows.retain(|row| left_out.contains(&row.left_out));
     let names: Vec<String> = rows.into_iter().map(|row| row.part).collect();
     let most = (1e4 * change.most()).ceil() / 1e4;

@@ -5,18 +5,20 @@
 
 use super::{Change, Part, changes, without};
 use crate::components::{Mesh, View, ordered};
+use crate::report::Monitor;
 use crate::scene::Scene;
 
 /// Leaves out each candidate in turn if the picture then keeps its tolerance and a cuboid remains. Returns the parts
-/// left out and the change of the picture, or `None` as soon as `cancelled` returns true. `progress` receives the
-/// finished share, 0..=1.
+/// left out and the change of the picture.
+///
+/// # Errors
+/// If the work is cancelled.
 pub fn least(
     scene: &Scene,
     view: &View,
     candidates: &[Part],
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(f64) + Sync),
-) -> Option<(Vec<Part>, Change)> {
+    monitor: Monitor,
+) -> anyhow::Result<(Vec<Part>, Change)> {
     let (mut left_out, mut change) = (Vec::new(), Change::default());
     let all = candidates.len() as f64;
     for (index, part) in candidates.iter().enumerate() {
@@ -25,11 +27,17 @@ pub fn least(
             continue;
         }
         let one = std::slice::from_ref(&tried);
-        let progress = |share| progress((index as f64 + share) / all);
-        let without_it = changes(scene, view, one, cancelled, &progress)?[0];
+        let progress = |_, share| {
+            (monitor.progress)("looking for the least scene", (index as f64 + share) / all);
+        };
+        let monitor = Monitor {
+            progress: &progress,
+            ..monitor
+        };
+        let without_it = changes(scene, view, one, monitor)?[0];
         if without_it.keeps(view.tolerance) {
             (left_out, change) = (tried, without_it);
         }
     }
-    Some((left_out, change))
+    Ok((left_out, change))
 }

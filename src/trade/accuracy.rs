@@ -24,7 +24,7 @@ use crate::drawing::all_cores;
 use crate::frame::{Counts, Frame, Keep, Workers, display_step};
 use crate::memory;
 use crate::reference::{self, Truth};
-use crate::report::Monitor;
+use crate::report::{CANCELLED, Monitor};
 use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::systems;
@@ -82,7 +82,7 @@ pub fn exact(
 ) -> anyhow::Result<Truth> {
     let view = view.shaded(mode);
     let exact = reference::picture(world, &view, rows, monitor.is_cancelled, &progress);
-    exact.context("the work was cancelled")
+    exact.context(CANCELLED)
 }
 
 /// The work for each method's picture, and its accuracy, in the order of the methods of `request`.

@@ -210,8 +210,6 @@ pub fn answer_all(
     }
 }
 
-const CANCELLED: &str = "the work was cancelled";
-
 /// The answer to one question.
 fn answer(
     task: Task,
@@ -221,7 +219,6 @@ fn answer(
     level: Level,
     monitor: Monitor,
 ) -> anyhow::Result<Answer> {
-    let (cancelled, progress) = (monitor.is_cancelled, |share| (monitor.progress)("", share));
     Ok(match task {
         Task::Probe(pixel) => {
             let show: Show = get(&scene.world, viewer(&scene.world)).unwrap_or_default();
@@ -230,8 +227,8 @@ fn answer(
             put(section, |facts| &mut facts.section)
         }
         Task::LeaveOut(part) => {
-            let picture = requires::picture_without(scene, view, part, cancelled);
-            put(picture.context(CANCELLED)?, |facts| &mut facts.without)
+            let picture = requires::picture_without(scene, view, part, monitor)?;
+            put(picture, |facts| &mut facts.without)
         }
         Task::Compare => {
             let comparison = Comparison::of(&mut scene.world, view, level, monitor)?;
@@ -242,13 +239,10 @@ fn answer(
             put(proof, |facts| &mut facts.proof)
         }
         Task::Require => {
-            let parts = requires::ranked(scene, view, cancelled, &progress);
-            put(parts.context(CANCELLED)?, |facts| &mut facts.required)
+            let parts = requires::ranked(scene, view, monitor)?;
+            put(parts, |facts| &mut facts.required)
         }
-        Task::Bits => {
-            let stages = bits(scene, view, cancelled, &progress);
-            put(stages.context(CANCELLED)?, |facts| &mut facts.bits)
-        }
+        Task::Bits => put(bits(scene, view, monitor)?, |facts| &mut facts.bits),
         Task::Measure => {
             let request = Request {
                 camera: String::new(),

@@ -12,6 +12,7 @@ use shadetrade::components::{
     ActiveCamera, Background, Budget, FileOrder, Inspector, Magnifier, Material, Name, Orbit,
     Probed, Show, Spin, Tolerance, Transform, View,
 };
+use shadetrade::report::Monitor;
 use shadetrade::requires::{Change, Part, changes, parts};
 use shadetrade::scene::Scene;
 
@@ -56,7 +57,7 @@ fn scene_of(mut world: World, view: &View) -> Scene {
 
 /// The change of the picture without a part.
 fn change(scene: &Scene, view: &View, part: Part) -> Change {
-    let changes = changes(scene, view, &[vec![part]], &|| false, &|_| ());
+    let changes = changes(scene, view, &[vec![part]], Monitor::NONE);
     changes.expect("nobody cancels it")[0]
 }
 

@@ -8,6 +8,7 @@ use shadetrade::components::{
     LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View, overwrite,
 };
 use shadetrade::reference::in_row;
+use shadetrade::report::{CANCELLED, Monitor};
 use shadetrade::requires::bits::{FORMATS, Format, StageBits, bits};
 use shadetrade::scene::{BUILT_IN, Scene};
 
@@ -16,7 +17,7 @@ use crate::support::random::Random;
 use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view, view_from};
 
 fn of(scene: &Scene, view: &View) -> Vec<StageBits> {
-    bits(scene, view, &|| false, &|_| ()).expect("nobody cancels it")
+    bits(scene, view, Monitor::NONE).expect("nobody cancels it")
 }
 
 /// The row of a stage.
@@ -286,13 +287,20 @@ fn a_highlight_at_a_terminator_requires_more_bits_of_its_cosine() {
 fn progress_rises_to_one_and_a_search_can_be_cancelled() {
     let (scene, view) = built_in("cuboid", ShadingMode::Gouraud, [24, 18]);
     let shares = Mutex::new(Vec::new());
-    let found = bits(&scene, &view, &|| false, &|share| {
-        shares.lock().unwrap().push(share);
-    });
-    assert!(found.is_some());
+    let progress = |_, share| shares.lock().unwrap().push(share);
+    let monitor = Monitor {
+        progress: &progress,
+        ..Monitor::NONE
+    };
+    assert!(bits(&scene, &view, monitor).is_ok());
     let mut shares = shares.into_inner().unwrap();
     shares.sort_by(f64::total_cmp);
     assert_eq!((shares.len(), shares[17]), (18, 1.0));
     assert!(shares[0] > 0.0);
-    assert_eq!(bits(&scene, &view, &|| true, &|_| ()), None);
+    let monitor = Monitor {
+        is_cancelled: &|| true,
+        ..Monitor::NONE
+    };
+    let error = bits(&scene, &view, monitor).expect_err("it is cancelled");
+    assert_eq!(error.to_string(), CANCELLED);
 }

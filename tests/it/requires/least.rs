@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Projection, View};
+use shadetrade::report::Monitor;
 use shadetrade::requires::{self, Part, changes, without};
 
 use super::{WHITE, scene_of};
@@ -27,13 +28,13 @@ fn least(levels: &[f64], candidates: &[Part]) -> Vec<Part> {
         )
     };
     let scene = scene_of(world, &view);
-    let found = requires::least::least(&scene, &view, candidates, &|| false, &|_| ());
+    let found = requires::least::least(&scene, &view, candidates, Monitor::NONE);
     let (left_out, change) = found.expect("nobody cancels it");
     assert!(change.keeps(0.5), "{change:?}");
     // The remaining parts are those of the full scene minus those left out.
     let remains = without(&scene, &left_out);
     let change = |scene, left_out| {
-        let changes = changes(scene, &view, &[left_out], &|| false, &|_| ());
+        let changes = changes(scene, &view, &[left_out], Monitor::NONE);
         changes.expect("nobody cancels it")[0]
     };
     assert!(change(&scene, left_out.clone()).keeps(0.5));

@@ -2,6 +2,7 @@
 
 use shadetrade::components::View;
 use shadetrade::reference::Rule;
+use shadetrade::report::Monitor;
 use shadetrade::requires::{Part, changes};
 use shadetrade::scene::Scene;
 
@@ -63,7 +64,7 @@ fn every_answer_of_the_page_is_confirmed() {
         ];
         let left_out = parts.map(|part| vec![part]);
         let changes = |left_out: &[Vec<Part>]| {
-            let changes = changes(&scene, &view, left_out, &|| false, &|_| ());
+            let changes = changes(&scene, &view, left_out, Monitor::NONE);
             changes.expect("nobody cancels it")
         };
         let found = changes(&left_out);
