@@ -52,11 +52,13 @@ use self::face::Face;
 use self::field::Places;
 use self::gouraud::{Gouraud, TileColors};
 use self::interpolation::Interpolant;
+use self::kernel::At;
 use self::phong::{FaceLight, Phong, TileLights};
 use self::pixels::Pixels;
+use self::rows::Pointwise;
 use self::square::{MIN_SIDE, Square};
 use self::unit_vectors::UnitVectors;
-use crate::simd::outlined;
+use crate::simd::{inlined, outlined};
 
 /// Unit round-off of f32: half the distance from 1 to the next float.
 pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
@@ -163,33 +165,76 @@ impl Shader<'_> {
         index: usize,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
-        let pixels = &mut scratch.pixels;
-        let half = square.half();
-        let (single, double) = match self {
-            Shader::Gouraud(gouraud) => (
-                gouraud.evaluate(simd, &scratch.colors, index, half, pixels),
-                0,
-            ),
-            Shader::Phong(phong) => {
-                let highlights = phong.evaluate(simd, &scratch.tile, index, half, pixels);
-                (highlights, phong.surface.powers())
+        let single = self.single(index, scratch);
+        let Scratch {
+            pixels,
+            tile,
+            colors,
+            ..
+        } = scratch;
+        match self {
+            Shader::Gouraud(_) if single.is_some() => {
+                let levels = inlined!(|place| colors.levels(simd, At::Pixels(index), place));
+                outlined!(simd, pixels.evaluate(simd, square.half(), levels));
             }
-            Shader::UnitVectors(vectors) => (None, vectors.surface.powers()),
-        };
-        if single.is_none() {
-            if square.side > MIN_SIDE {
-                return None;
+            Shader::Phong(phong) if single.is_some() => {
+                let levels = inlined!(|place| phong.pixel_levels(simd, tile, index, place));
+                outlined!(simd, pixels.evaluate(simd, square.half(), levels));
             }
-            pixels.forget();
+            _ if square.side > MIN_SIDE => return None,
+            _ => pixels.forget(),
         }
         pixels.define(square.middle_from(picture), |x, y| self.define(x, y));
-        let pixels = pixels.count() as u64;
-        let has_model = !matches!(self, Shader::Gouraud(_));
-        Some(Evaluations {
+        Some(self.evaluations(single, pixels.count()))
+    }
+
+    /// Draws a square that is seen all over, as [`Self::evaluate`] does but by rows, if f32 suffices for all of its pixels.
+    /// Without rows, frames at tolerance 0 take 20 to 40 % longer.
+    pub fn fill<S: Simd>(
+        &self,
+        simd: S,
+        square: &Square,
+        index: usize,
+        scratch: &Scratch,
+        sink: &mut impl Sink<S>,
+    ) -> Option<Evaluations> {
+        let Scratch { tile, colors, .. } = scratch;
+        let highlights = self.single(index, scratch)?;
+        match self {
+            Shader::Gouraud(_) => {
+                let levels = inlined!(|place| colors.levels(simd, At::Pixels(index), place));
+                outlined!(simd, sink.draw(&mut Pointwise::new(simd, square, levels)));
+            }
+            Shader::Phong(phong) if phong.has_signs(tile, index) => {
+                let levels = inlined!(|place| phong.pixel_levels(simd, tile, index, place));
+                outlined!(simd, sink.draw(&mut Pointwise::new(simd, square, levels)));
+            }
+            _ => return None,
+        }
+        Some(self.evaluations(Some(highlights), square.pixels))
+    }
+
+    /// The number of highlights evaluated at a pixel of the square at `index`, if f32 keeps the tolerance there.
+    fn single(&self, index: usize, scratch: &Scratch) -> Option<usize> {
+        match self {
+            Shader::Gouraud(gouraud) => gouraud.single(&scratch.colors, index),
+            Shader::Phong(phong) => phong.single(&scratch.tile, index),
+            Shader::UnitVectors(_) => None,
+        }
+    }
+
+    /// The work of so many pixels with `single` highlights each in f32, or all of them in f64.
+    fn evaluations(&self, single: Option<usize>, pixels: usize) -> Evaluations {
+        let (model, powers) = match self {
+            Shader::Gouraud(_) => (0, 0),
+            Shader::Phong(phong) => (1, phong.surface.powers()),
+            Shader::UnitVectors(vectors) => (1, vectors.surface.powers()),
+        };
+        Evaluations {
             kind: single.map_or(TileKind::Double, |_| TileKind::Exact),
-            model: pixels * u64::from(has_model),
-            specular: pixels * single.unwrap_or(double) as u64,
-        })
+            model: model * pixels as u64,
+            specular: (pixels * single.unwrap_or(powers)) as u64,
+        }
     }
 
     /// The definition, in f64, at the pixel `x` right and `y` down of the picture's middle, in levels.
@@ -220,6 +265,17 @@ pub struct Evaluations {
     pub model: u64,
     /// Evaluations of the specular power.
     pub specular: u64,
+}
+
+impl Evaluations {
+    /// None at pixels, on a square that is interpolated.
+    pub fn none(kind: TileKind) -> Self {
+        Evaluations {
+            kind,
+            model: 0,
+            specular: 0,
+        }
+    }
 }
 
 /// Room for the lights of one face, for the pixels of one square, and for the lights that are evaluated there.

@@ -14,9 +14,8 @@ use super::face::{Face, Linear};
 use super::field::{Lanes, Places, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
 use super::kernel::{At, Squares};
-use super::pixels::Pixels;
 use super::{U, limit};
-use crate::simd::{inlined, outlined, three, two};
+use crate::simd::{inlined, three, two};
 
 /// Draws levels that were lit at the vertices.
 pub struct Gouraud<'a> {
@@ -45,7 +44,7 @@ pub struct TileColors {
 impl TileColors {
     /// w C / w at places on squares, x and y from -1 to 1.
     #[inline(always)]
-    fn levels<S: Simd>(&self, simd: S, at: At, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+    pub fn levels<S: Simd>(&self, simd: S, at: At, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
         let affine = inlined!(|of: &Squares| at.number(of, place));
         let inverse = 1.0 / affine(&self.w);
         let [first, second] = &self.colors;
@@ -158,23 +157,10 @@ impl<'a> Gouraud<'a> {
         Some(Interpolant::new(terms, [zero; 3], none, budget))
     }
 
-    /// Evaluates pixels of one of four squares in f32, if that keeps the tolerance; returns the number of highlights: none.
-    pub fn evaluate<S: Simd>(
-        &self,
-        simd: S,
-        tile: &TileColors,
-        index: usize,
-        half: [f64; 2],
-        pixels: &mut Pixels,
-    ) -> Option<usize> {
-        let evaluate =
-            inlined!(|place: [f32x16<S>; 2]| tile.levels(simd, At::Pixels(index), place));
+    /// The number of highlights evaluated at a pixel of one of four squares in f32, if f32 keeps the tolerance.
+    pub fn single(&self, tile: &TileColors, index: usize) -> Option<usize> {
         // False for an error that is not a number.
-        let keeps = tile.errors[index] <= limit(self.tolerance);
-        keeps.then(|| {
-            outlined!(simd, pixels.evaluate(simd, half, evaluate));
-            0
-        })
+        (tile.errors[index] <= limit(self.tolerance)).then_some(0)
     }
 
     /// See [`super::Shader::define`].

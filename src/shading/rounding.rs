@@ -10,7 +10,8 @@ use super::field::{Field, Lanes};
 use super::gloss::Gloss;
 use super::specular::POWER_ERROR;
 
-/// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`.
+/// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`. Of a normal of any
+/// length it is 10.05: `proofs/cosine.g`.
 pub const COSINE: f64 = 13.0;
 /// The error of |r - o|, in roundings: `proofs/chord.g`.
 pub const CHORD: f64 = 50.0;
@@ -32,7 +33,7 @@ pub const CHORD: f64 = 50.0;
 /// The operations that follow:
 ///
 /// ```text
-///   n.l                         13          proofs/chord.g: n as a unit vector 4.51, the rest 8.1
+///   n.l                         13          proofs/chord.g: n as a unit vector 4.51, the rest 8.1; proofs/cosine.g: 10.05
 ///     from directions           delta       of n and of l
 ///   |r - o|                     50          proofs/chord.g: 2 (n.l) n, l, o and two differences
 ///     from directions           delta       twice of n, of l and of o
@@ -226,6 +227,14 @@ mod tests {
             (dot(&unit(&n), &l) * inverse).error / count
         });
         assert_covers("n.l", cosine, 0.5);
+        let cosine = largest(three(), |[n, l, o]| {
+            let turned = [&n, &l].map(turned).iter().sum::<f64>();
+            let count = one(count(&n, &o).cosine(&field(&l))) - turned;
+            let [n, l] = [&n, &l].map(as_formed);
+            let inverse = Rounded::exact(1.0) / (dot(&n, &n) * dot(&l, &l)).sqrt();
+            (dot(&n, &l) * inverse).error / count
+        });
+        assert_covers("n.l of a normal of any length", cosine, 0.5);
 
         let chord = largest(three(), |[n, l, o]| {
             let turned = [&n, &n, &l, &o].map(turned).iter().sum::<f64>();
@@ -275,6 +284,9 @@ mod tests {
         let chord = goal(include_str!("../../proofs/chord.g"), "->");
         assert!(chord.contains(&format!("cosine + unit <= {COSINE}b-24")));
         assert!(chord.contains(&format!("+ unit <= {CHORD}b-24 }}")));
+        let cosine = goal(include_str!("../../proofs/cosine.g"), "->");
+        assert!(cosine.contains("<= 2573b-32 }"));
+        assert!(2573.0 / 256.0 < COSINE);
         let power = goal(include_str!("../../proofs/power.v"), "Goal");
         assert!(power.contains(&format!("<= {POWER_ERROR}/1.")));
         let rows = goal(include_str!("../../proofs/rows.v"), "Goal");

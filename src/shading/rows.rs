@@ -1,11 +1,11 @@
-//! Rows of levels, or of display bytes, of an interpolated colour.
+//! Rows of levels, or of display bytes, of a colour that is interpolated or evaluated at every pixel.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
 use super::display::{Rows, counted, display};
 use super::interpolation::Color;
-use super::square::MAX_SIDE;
+use super::square::{MAX_SIDE, Square};
 use crate::simd::{three, two};
 
 /// 1.5 * 2^15: a float added to it, of size below 2^14, is rounded to a multiple of 1/256 and stands, times 256, in the
@@ -169,5 +169,44 @@ impl<S: Simd> Rows<S> for Curve<S> {
         } else {
             display(self.levels(row))
         }
+    }
+}
+
+/// Levels that are evaluated at every pixel, from its place on the square: x and y from -1 to 1.
+pub struct Pointwise<S: Simd, F> {
+    evaluate: F,
+    /// The square's first pixel from the middle of what is covered, in pixels, and the inverse half extents.
+    first: [f32; 2],
+    scale: [f32; 2],
+    x: f32x16<S>,
+}
+
+impl<S: Simd, F> Pointwise<S, F> {
+    #[inline(always)]
+    pub fn new(simd: S, square: &Square, evaluate: F) -> Self {
+        Pointwise {
+            evaluate,
+            first: square.first().map(|first| first as f32),
+            scale: square.half().map(|half| (1.0 / half) as f32),
+            x: f32x16::splat(simd, 0.0),
+        }
+    }
+}
+
+impl<S: Simd, F: Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> Rows<S> for Pointwise<S, F> {
+    #[inline(always)]
+    fn go_to(&mut self, part: usize) {
+        self.x = (counted(self.x.token(), 16 * part) + self.first[0]) * self.scale[0];
+    }
+
+    #[inline(always)]
+    fn levels(&self, row: usize) -> [f32x16<S>; 3] {
+        let y = (self.first[1] + row as i32 as f32) * self.scale[1];
+        (self.evaluate)([self.x, f32x16::splat(self.x.token(), y)])
+    }
+
+    #[inline(always)]
+    fn pixels(&self, row: usize) -> u32x16<S> {
+        display(self.levels(row))
     }
 }

@@ -16,7 +16,7 @@ use crate::shading::interpolation;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Scratch, Shader, Surface, TileKind};
+use crate::shading::{Evaluations, Scratch, Shader, Surface};
 use crate::simd::{dispatch, four, outlined};
 
 impl Context<'_> {
@@ -155,7 +155,7 @@ impl Drawing<'_, '_> {
                     simd,
                     interpolation::draw(simd, interpolant, index, form, square, store)
                 );
-                self.finish(form.kind, 1);
+                self.finish(Evaluations::none(form.kind), 1);
             } else {
                 let promising = promising >> index & 1 == 1;
                 cut[index] = square.side > MIN_SIDE && promising || !self.listed(simd, index);
@@ -177,15 +177,29 @@ impl Drawing<'_, '_> {
         self.evaluated(simd, 0, strips);
     }
 
-    /// Lists the pixels of the square and draws them: see [`Drawing::evaluated`].
+    /// Draws the square at `index` of those prepared pixel by pixel, by rows or from a list; returns false where that may be
+    /// cheaper on its quarters.
     fn listed<S: Simd>(&mut self, simd: S, index: usize) -> bool {
-        let pixels = &mut self.scratch.pixels;
-        let strips = outlined!(simd, self.store.list(simd, pixels));
+        let Drawing {
+            shader,
+            store,
+            scratch,
+            ..
+        } = self;
+        let square = store.square;
+        if store.is_whole()
+            && let Some(evaluations) = shader.fill(simd, &square, index, scratch, store)
+        {
+            self.finish(evaluations, 1);
+            return true;
+        }
+        let pixels = &mut scratch.pixels;
+        let strips = outlined!(simd, store.list(simd, pixels));
         self.evaluated(simd, index, strips)
     }
 
-    /// Draws the listed pixels of the square one by one; returns false where that may be cheaper on the quarters of the
-    /// square. It is the one at `index` of those prepared, and counts as so many tiles.
+    /// Draws the listed pixels of the square at `index` of those prepared, which counts as so many tiles; returns false where
+    /// that may be cheaper on its quarters.
     fn evaluated<S: Simd>(&mut self, simd: S, index: usize, tiles: u64) -> bool {
         let store = &mut self.store;
         let evaluations =
@@ -194,14 +208,22 @@ impl Drawing<'_, '_> {
             return false;
         };
         outlined!(simd, store.draw_pixels(simd, &self.scratch.pixels));
-        self.counts.model_evaluations += evaluations.model;
-        self.counts.specular_evaluations += evaluations.specular;
-        self.finish(evaluations.kind, tiles);
+        self.finish(evaluations, tiles);
         true
     }
 
-    /// Counts the square as so many tiles, and notes its kind if the frame keeps that.
-    fn finish(&mut self, kind: TileKind, tiles: u64) {
+    /// Counts the work on the square as so many tiles, and notes its kind if the frame keeps that.
+    fn finish(
+        &mut self,
+        Evaluations {
+            kind,
+            model,
+            specular,
+        }: Evaluations,
+        tiles: u64,
+    ) {
+        self.counts.model_evaluations += model;
+        self.counts.specular_evaluations += specular;
         self.counts.tiles[kind as usize] += tiles;
         if !self.store.band.kinds.is_empty() {
             self.store.mark(kind, self.shader.face(), self.picture);

@@ -48,6 +48,11 @@ impl Store<'_, '_> {
             })
     }
 
+    /// Whether all pixels of the square are drawn, as bytes.
+    pub fn is_whole(&self) -> bool {
+        self.band.is_plain() && self.square.is_whole() && self.rows().len() == self.square.side
+    }
+
     /// Lists the pixels of the square in which the piece is seen; returns the number of strips in which these lie.
     #[inline(always)]
     pub fn list<S: Simd>(&self, simd: S, pixels: &mut Pixels) -> u64 {
@@ -145,10 +150,10 @@ impl Store<'_, '_> {
 impl<S: Simd> Sink<S> for Store<'_, '_> {
     #[inline(always)]
     fn draw(&mut self, rows: &mut impl Rows<S>) {
-        let held = self.rows();
-        if self.band.is_plain() && self.square.is_whole() && held.len() == self.square.side {
+        if self.is_whole() {
             return self.draw_whole(rows);
         }
+        let held = self.rows();
         let [left, top] = self.square.place;
         for part in self.square.parts() {
             rows.go_to(part);
