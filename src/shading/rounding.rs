@@ -286,7 +286,7 @@ mod tests {
         assert!(chord.contains(&format!("+ unit <= {CHORD}b-24 }}")));
         let cosine = goal(include_str!("../../proofs/cosine.g"), "->");
         assert!(cosine.contains("<= 2573b-32 }"));
-        assert!(2573.0 / 256.0 < COSINE);
+        const { assert!(2573.0 / 256.0 < COSINE) };
         let power = goal(include_str!("../../proofs/power.v"), "Goal");
         assert!(power.contains(&format!("<= {POWER_ERROR}/1.")));
         let rows = goal(include_str!("../../proofs/rows.v"), "Goal");
