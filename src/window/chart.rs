@@ -7,7 +7,9 @@
 //!       +------------- ms     both logarithmic
 //! ```
 
-use egui::{Color32, CursorIcon, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2};
+use egui::{
+    Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2,
+};
 use egui_plot::{Axis, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span};
 
 use super::app::App;
@@ -79,6 +81,10 @@ impl App {
             .iter()
             .filter_map(|it| Some((at(place_of(it)?), *it)))
             .collect();
+        let corner = shown.response.rect.right_top() + vec2(-3.0, 2.0);
+        let letters = FontId::proportional(10.0);
+        ui.painter()
+            .text(corner, Align2::RIGHT_TOP, "visible", letters, Color32::GRAY);
         let response = shown.response;
         if response.contains_pointer() || response.dragged() {
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
@@ -180,7 +186,11 @@ fn axes() -> Plot<'static> {
     };
     let words = |mark: GridMark| two_digits(10_f64.powf(mark.value)).to_string();
     let plot = Plot::new("trade").height(CHART).sense(Sense::drag());
-    let plot = plot.include_y(FLOOR.log10()).include_y(MOST.log10());
+    let plot = plot
+        .show_crosshair(false)
+        .grid_color(Color32::from_gray(58))
+        .include_y(FLOOR.log10())
+        .include_y(MOST.log10());
     let plot = plot.x_grid_spacer(move |input| {
         let (least, most) = input.bounds;
         let ticks = ticks(&(10_f64.powf(least)..10_f64.powf(most)));
@@ -202,7 +212,7 @@ fn draw(
     is_current: bool,
 ) {
     let [_, seen] = logarithms(1.0, 2.0 * UNSEEN);
-    let visible = Span::new("visible", seen..=MOST.log10()).axis(Axis::Y);
+    let visible = Span::new("", seen..=MOST.log10()).axis(Axis::Y);
     plot.span(
         visible
             .fill(Color32::from_rgb(52, 34, 34))

@@ -272,6 +272,7 @@ fn rows(ui: &mut Ui, table: &mut Value) {
                     let before = DVec3::deserialize(&*value).unwrap_or_default();
                     let mut after = before;
                     if COLORS.contains(&key.as_str()) {
+                        ui.spacing_mut().interact_size.x = 24.0;
                         color_button(ui, &mut after);
                     }
                     for axis in 0..3 {
