@@ -3,16 +3,18 @@
 //! ```text
 //! minifb --reports--> input --events of egui--> App::step --pixels, effects--> minifb
 //!                                                  |
-//!              keys, panel, inspector, viewport <--'--> jobs (a background thread)
+//!              keys, panel, inspector, viewport <--'--> questions (threads in the background)
 //! ```
 //! Only [`display`] and [`run`] need a display. A step is taken when something happens; else nothing is laid out, drawn or
 //! painted.
 
 pub mod app;
 mod budget;
+mod changes;
 mod chart;
 mod commands;
 pub mod comparison;
+pub mod desk;
 pub mod display;
 mod edits;
 pub mod facts;
@@ -20,14 +22,14 @@ pub mod file;
 pub mod history;
 pub mod input;
 pub mod inspector;
-pub mod jobs;
 pub mod keys;
 mod layout;
+mod legend;
 pub mod lights;
 mod panel;
 pub mod pictures;
 mod profile;
-pub mod recent;
+mod questions;
 pub mod recording;
 pub mod replay;
 mod screen;
@@ -35,6 +37,7 @@ pub mod style;
 mod tags;
 mod triangle;
 pub mod viewport;
+mod widgets;
 
 use std::fs::File;
 use std::path::Path;
@@ -48,7 +51,6 @@ use crate::drawing::Drawing;
 use crate::output;
 use app::App;
 use display::Display;
-use recent::Recent;
 use recording::{Log, Recorder};
 
 pub use display::{NoDisplay, restart_in_fit_environment};
@@ -72,10 +74,6 @@ const PRESENT_SHARE: u32 = 200;
 pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
-    app.desk.recent = Recent::of_user();
-    if let Some(path) = &app.scene.path {
-        app.desk.recent.add(path);
-    }
     if let Some(path) = recording {
         let file = File::create_new(path);
         let file = file.with_context(|| format!("cannot record to {}", path.display()))?;

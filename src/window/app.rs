@@ -1,7 +1,7 @@
 //! The program behind the window, without a display: events and a size in, pixels and effects out.
 //!
 //! ```text
-//! events --> keys, panels --write--> World --SceneRecord--> changed? --> undo, recording, jobs
+//! events --> keys, panels --write--> World --SceneRecord--> changed? --> undo, recording, questions
 //!                                      |
 //!                                      '--systems--> picture --copied--> pixels <--painted-- egui
 //! ```
@@ -15,27 +15,26 @@ use std::time::Duration;
 use egui::{CursorIcon, Event, OutputCommand, Rect, ViewportId};
 use fearless_simd::Level;
 use hecs::Component;
+use rayon::ThreadPool;
 
-use super::edits::differ;
-use super::facts::Facts;
+use super::changes::{is_another_method, is_another_view, shown};
+use super::desk::{Desk, Message};
+use super::facts::{Facts, Question, State, Work};
 use super::file::{INTERVAL, SceneFile};
 use super::history::History;
-use super::inspector::Kind;
-use super::jobs::{Jobs, State, Task};
 use super::pictures::Pictures;
-use super::recent::Recent;
 use super::recording::Recorder;
-use super::viewport::Grab;
-use crate::components::{Side, Spin, ViewMode, get, viewer};
+use crate::components::{Spin, ViewMode, get, viewer};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
-use crate::requires::Part;
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
 use crate::trade::budget::Hold;
 
 /// The time without a change after which the picture is compared, measured and proven.
 pub const REST: Duration = Duration::from_millis(100);
+/// The width of a window that opens without its panel, in pixels.
+const NARROW: usize = 430;
 /// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
 const DEGREE: Duration = Duration::from_millis(30);
 /// The time for which a message stands: at least this, and this long for each letter.
@@ -43,45 +42,6 @@ const MESSAGE: Duration = Duration::from_secs(3);
 const LETTER: Duration = Duration::from_millis(60);
 /// How long each of two pictures is shown while they take turns.
 pub const TURN: Duration = Duration::from_millis(500);
-
-/// A message in the status line.
-pub struct Message {
-    pub text: String,
-    /// When it goes.
-    pub until: Duration,
-}
-
-/// The state of the window that is not the scene's: nothing of it changes the picture that is judged.
-#[derive(Default)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
-pub struct Desk {
-    pub help: bool,
-    pub panel_folded: bool,
-    /// The profile below a wipe is folded.
-    pub profile_folded: bool,
-    /// Whether the panel and the inspector have room beside the picture.
-    pub has_room: [bool; 2],
-    /// The panel and the inspector are open over the picture, where there is no room beside it.
-    pub over: [bool; 2],
-    /// Two pictures take turns since this time, while a key is held.
-    pub blinks: Option<Duration>,
-    pub left_out: Option<Part>,
-    /// The method whose dot the mouse or the focus is on: its picture is shown instead.
-    pub preview: Option<Method>,
-    /// The window is to be written into a file.
-    pub screenshot: bool,
-    /// Asks whether to save before the program ends.
-    pub asks_to_save: bool,
-    pub message: Option<Message>,
-    /// The error in the scene's file.
-    pub file_error: Option<String>,
-    /// The kind and the name of the entity that the scene's tab shows.
-    pub selected: Option<(Kind, String)>,
-    pub grab: Grab,
-    pub recent: Recent,
-    /// The field of the scene's path.
-    pub path: String,
-}
 
 /// Everything but the display.
 pub struct App {
@@ -104,8 +64,12 @@ pub struct App {
     pub quits: bool,
     pub(super) painter: Painter,
     pub(super) pixels: Vec<u32>,
-    pub(super) jobs: Option<Jobs>,
-    pub(super) ordered: Vec<Task>,
+    /// Width and height of the window as of the last step, in pixels.
+    pub(super) size: [usize; 2],
+    /// The threads that probe, and those that answer all other questions.
+    pub(super) pools: Option<[ThreadPool; 2]>,
+    /// The probe, and the work on another question.
+    pub(super) works: [Option<Work>; 2],
     pub(super) level: Level,
     pub(super) threads: usize,
     /// When the picture last changed, until it rests.
@@ -115,9 +79,8 @@ pub struct App {
     /// The method that holds the budget: the machine's choice, and so no part of the scene.
     pub(super) held: Option<Method>,
     pub(super) hold: Hold,
+    /// The state, the size and the method in place of the state's, as they were drawn last.
     pub(super) drawn: Option<(Arc<SceneRecord>, [usize; 2], Option<Method>)>,
-    /// The method of [`Desk::preview`] whose picture was drawn since.
-    pub(super) previewed: Option<Method>,
 }
 
 /// The part of a step that the window system carries out.
@@ -131,26 +94,29 @@ pub struct Output {
 }
 
 impl App {
-    /// Starts with `drawing`. Without background jobs, questions about the picture are answered at once.
+    /// Starts with `drawing`. Without threads in the background, questions about the picture are answered at once.
     ///
     /// # Errors
     /// When the system gives no threads.
-    pub fn new(drawing: Drawing, has_jobs: bool) -> anyhow::Result<Self> {
+    pub fn new(drawing: Drawing, has_threads: bool) -> anyhow::Result<Self> {
         let (level, threads) = (drawing.level, drawing.threads);
         let workers = drawing.workers()?;
-        let jobs = has_jobs.then(|| Jobs::start(level)).transpose()?;
         let scene = drawing.scene;
         let state = Arc::new(SceneRecord::of(&scene.world));
         let painter = Painter::default();
         super::style::apply(&painter.context);
-        Ok(App {
+        let desk = Desk {
+            panel_folded: drawing.size[0] < NARROW,
+            ..Desk::default()
+        };
+        let mut app = App {
             history: History::new(&state),
             file: SceneFile::of(&scene),
             recorder: None,
             scene,
             state,
             facts: Facts::default(),
-            desk: Desk::default(),
+            desk,
             pictures: Pictures::new(workers),
             place: Rect::ZERO,
             folder: PathBuf::from("."),
@@ -159,18 +125,22 @@ impl App {
             quits: false,
             painter,
             pixels: Vec::new(),
-            jobs,
-            ordered: Vec::new(),
+            size: [0, 0],
+            pools: None,
+            works: [None, None],
             level,
             threads,
             moved: None,
             next_degree: Duration::ZERO,
             next_progress: Duration::ZERO,
             drawn: None,
-            previewed: None,
             held: None,
             hold: Hold::at(0),
-        })
+        };
+        if has_threads {
+            app.start_threads()?;
+        }
+        Ok(app)
     }
 
     /// A component of the viewer.
@@ -208,15 +178,23 @@ impl App {
     ) -> anyhow::Result<Output> {
         self.now = now;
         self.receive(now);
-        // A press may change the picture, and frames that are being timed would delay it.
-        let is_press = |event: &Event| {
-            matches!(
-                event,
-                Event::Key { pressed: true, .. } | Event::PointerButton { pressed: true, .. }
-            )
+        let is_gesture = |begins: bool| {
+            let is_end = move |event: &Event| match event {
+                Event::Key {
+                    pressed, repeat, ..
+                } => *pressed == begins && !repeat,
+                Event::PointerButton { pressed, .. } => *pressed == begins,
+                _ => false,
+            };
+            input.events.iter().any(is_end)
         };
-        if self.ordered == [Task::Measure] && input.events.iter().any(is_press) {
-            self.stop_jobs();
+        let [begins, ends] = [true, false].map(is_gesture);
+        if begins {
+            self.history.end_step();
+            // The press may change the picture, and frames that are being timed would delay it.
+            let times =
+                |work: &Work| [Question::Measure, Question::Refine].contains(&work.question);
+            self.works[1].take_if(|work| times(work));
         }
         self.spin_on();
         if let Some(news) = self.file.look(now) {
@@ -228,19 +206,18 @@ impl App {
         let context = self.painter.context.clone();
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
+        if ends {
+            self.history.end_step();
+        }
         self.record(size);
         self.hold_time();
         self.draw()?;
-        self.order_jobs();
+        self.ask();
         self.copy_picture(size);
         let platform = std::mem::take(&mut output.platform_output);
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
         let mut repaint_after = viewport.map_or(Duration::MAX, |it| it.repaint_delay);
         self.painter.paint(output, &mut self.pixels, size);
-        if std::mem::take(&mut self.desk.screenshot) {
-            self.screenshot(size);
-            repaint_after = Duration::ZERO;
-        }
         if self.moved.is_some() {
             repaint_after = repaint_after.min(REST);
         }
@@ -288,7 +265,7 @@ impl App {
     fn note_changes(&mut self) {
         let record = SceneRecord::of(&self.scene.world);
         if record == *self.state {
-            return self.history.feed(self.now, &self.state);
+            return;
         }
         if let Err(reason) = record.check() {
             self.restore(&Arc::clone(&self.state));
@@ -308,13 +285,14 @@ impl App {
             || self.state.view.pixel != after.view.pixel
                 && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
         {
-            self.facts.section.state = State::Idle;
+            self.works[0] = None;
+            self.facts.section.state = State::Old;
         }
         self.state = after;
     }
 
-    /// Goes to a state of the history.
-    pub fn travel(&mut self, record: &SceneRecord) {
+    /// Shows a state of the history.
+    pub(super) fn show(&mut self, record: &SceneRecord) {
         self.restore(record);
         self.adopt(Arc::new(SceneRecord::of(&self.scene.world)));
     }
@@ -329,16 +307,9 @@ impl App {
         }
     }
 
-    fn stop_jobs(&mut self) {
-        if let Some(jobs) = &self.jobs {
-            jobs.cancel();
-        }
-        self.ordered.clear();
-    }
-
-    /// Stops the jobs about the picture before. If the view is the same, only its method has changed.
+    /// Stops the work about the picture before. If the view is the same, only its method has changed.
     pub(super) fn picture_changed(&mut self, is_same_view: bool) {
-        self.stop_jobs();
+        self.works = [None, None];
         self.facts.are_old(is_same_view);
     }
 
@@ -362,28 +333,4 @@ impl App {
             ..spin
         });
     }
-}
-
-/// Whether two states show the scene otherwise, whatever the method.
-fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
-    let (one, other) = (&before.view, &after.view);
-    one.camera != other.camera
-        || (one.projection, one.turned) != (other.projection, other.turned)
-        || before.background != after.background
-        || before.light != after.light
-        || before.camera != after.camera
-        || differ(&before.cuboid, &after.cuboid, |it, other| {
-            it.shading = other.shading;
-        })
-}
-
-/// Whether two states of one view are drawn by different methods.
-fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
-    before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
-}
-
-/// The mode, the sides and the divider of the picture on screen.
-fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
-    let view = &record.view;
-    (view.show, view.sides, view.divider)
 }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use egui::{Slider, SliderClamping, Ui};
 
 use super::app::App;
-use super::inspector::{format_number, keep_digits, short, two_digits};
 use super::keys::Command;
+use super::widgets::{format_number, keep_digits, short, two_digits};
 use crate::components::range::Milliseconds;
 use crate::components::{Budget, ShadingMode, Tolerance};
 use crate::report::words::capital;
@@ -43,11 +43,9 @@ impl App {
 
     /// The milliseconds of the last frame, where another one is to be drawn now.
     fn last_frame(&self) -> Option<f64> {
-        let (state, ..) = self.drawn.as_ref()?;
-        let time = self
-            .pictures
-            .time
-            .filter(|_| !Arc::ptr_eq(state, &self.state));
+        let (state, _, method) = self.drawn.as_ref()?;
+        let is_held = *method == self.held && !Arc::ptr_eq(state, &self.state);
+        let time = self.pictures.time.filter(|_| is_held);
         Some(time?.as_secs_f64() * 1e3)
     }
 

@@ -6,7 +6,7 @@ use super::app::App;
 use super::keys::{self, Command, TOLERANCES, gouraud_phong};
 use super::tags::choices;
 use crate::components::{
-    ActiveCamera, Budget, Camera, Inspector, Light, Magnifier, Name, Orbit, Probed, Projection,
+    ActiveCamera, Budget, Camera, Inspector, Light, Magnifier, Orbit, Probed, Projection,
     ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
 };
 use crate::scene::SceneRecord;
@@ -47,7 +47,11 @@ impl App {
     pub fn run(&mut self, command: Command) {
         match command {
             Command::Light(index) => match ordered::<Light>(&self.scene.world).get(index) {
-                Some(light) => self.switch_light(*light),
+                Some(light) => {
+                    let light = self.scene.world.get::<&mut Light>(*light);
+                    // It was just found.
+                    let _ = light.map(|mut light| light.on ^= true);
+                }
                 None => self.say(format!("there is no light {}", index + 1)),
             },
             Command::LightNamed(name) => {
@@ -58,7 +62,6 @@ impl App {
                 }
             }
             Command::Shading(mode) => self.shade(mode),
-            Command::FileShading => self.shade_as_file(),
             Command::Tolerance(steps) => match self.look() {
                 Budget(Some(budget)) => self.step_budget(budget, steps),
                 Budget(None) => self.step_tolerance(steps),
@@ -107,24 +110,20 @@ impl App {
                 let Inspector(open) = self.look();
                 let is_open = open == Some(tab);
                 self.set_look(Inspector((!is_open).then_some(tab)));
-                self.desk.over[1] = !is_open;
             }
             Command::Undo => {
                 let before = self.history.undo(&self.state);
-                self.travel_or_say(before, "undo");
+                self.travel(before, "undo");
             }
             Command::Redo => {
                 let after = self.history.redo(&self.state);
-                self.travel_or_say(after, "redo");
+                self.travel(after, "redo");
             }
             Command::Save => drop(self.save(false)),
             Command::SaveAs => drop(self.save(true)),
-            Command::Panel => {
-                self.desk.panel_folded ^= true;
-                self.desk.over[0] ^= true;
-            }
+            Command::Panel => self.fold_panel(),
             Command::Help => self.desk.help ^= true,
-            Command::Screenshot => self.desk.screenshot = true,
+            Command::Screenshot => self.screenshot(),
             Command::Close => self.close(),
             Command::Quit if self.is_edited() => self.desk.asks_to_save = true,
             Command::Quit => self.quits = true,
@@ -137,26 +136,11 @@ impl App {
         self.desk.blinks = is_held.then_some(since);
     }
 
-    fn switch_light(&mut self, light: hecs::Entity) {
-        if let Ok(mut light) = self.scene.world.get::<&mut Light>(light) {
-            light.on = !light.on;
-        }
-    }
-
     /// Shades every cuboid in this mode, whatever time that takes.
     pub(super) fn shade(&mut self, mode: ShadingMode) {
         self.set_look(Budget(None));
         for own in self.scene.world.query_mut::<&mut ShadingMode>() {
             *own = mode;
-        }
-    }
-
-    fn shade_as_file(&mut self) {
-        self.set_look(Budget(None));
-        for (name, mode) in self.scene.world.query_mut::<(&Name, &mut ShadingMode)>() {
-            let mut saved = self.file.saved.cuboid.iter();
-            let saved = saved.find(|it| it.name == name.0);
-            *mode = saved.map_or(*mode, |saved| saved.shading);
         }
     }
 
@@ -243,31 +227,40 @@ impl App {
         self.probe([0, 1].map(|axis| before.map_or(size[axis] / 2, |it| moved(it, axis))));
     }
 
-    fn travel_or_say(&mut self, found: Option<(SceneRecord, String)>, verb: &str) {
+    fn travel(&mut self, found: Option<SceneRecord>, verb: &str) {
         match found {
-            Some((record, label)) => {
-                self.travel(&record);
-                self.say(format!("{verb}: {label}"));
+            Some(record) => {
+                self.show(&record);
+                self.say(verb);
             }
             None => self.say(format!("nothing to {verb}")),
         }
     }
 
+    /// Folds the panel, or opens it in the place of the inspector that hides it.
+    pub(super) fn fold_panel(&mut self) {
+        let Inspector(tab) = self.look();
+        let is_hidden = !self.desk.has_both && tab.is_some();
+        if is_hidden {
+            self.set_look(Inspector(None));
+        }
+        self.desk.panel_folded = !is_hidden && !self.desk.panel_folded;
+    }
+
     /// Closes the uppermost thing that can be closed.
     fn close(&mut self) {
         let desk = &mut self.desk;
-        let switches = [&mut desk.asks_to_save, &mut desk.help, &mut desk.over[0]];
-        let has_inspector = desk.has_room[1] && self.state.view.inspector.is_some();
-        let has_pixel = self.state.view.pixel.is_some();
-        if let Some(switch) = switches.into_iter().find(|switch| **switch) {
-            *switch = false;
-        } else if std::mem::take(&mut desk.over[1]) {
-            self.set_look(Inspector(None));
-        } else if desk.file_error.take().is_some() || desk.left_out.take().is_some() {
-            // The first of them is gone now.
-        } else if has_pixel {
+        let is_closed = std::mem::take(&mut desk.asks_to_save)
+            || std::mem::take(&mut desk.help)
+            || desk.file_error.take().is_some()
+            || desk.left_out.take().is_some();
+        if is_closed {
+            return;
+        }
+        let (Probed(pixel), Inspector(tab)) = (self.look(), self.look());
+        if pixel.is_some() {
             self.set_look(Probed(None));
-        } else if has_inspector {
+        } else if tab.is_some() {
             self.set_look(Inspector(None));
         } else {
             self.say("Q quits");

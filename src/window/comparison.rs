@@ -11,10 +11,7 @@ use crate::report::Monitor;
 use crate::systems;
 use crate::trade::accuracy::exact;
 use crate::trade::error_map::{self, Scale};
-use crate::trade::metrics::{self, Picture};
-
-/// Steps of a level in which differences are kept until the largest is known.
-const STEPS: f64 = 128.0;
+use crate::trade::metrics::{self, Picture, displayed};
 
 /// A picture against the reference in f64.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +42,7 @@ impl Comparison {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
         let mut errors = memory::reserve_pixels(view.size)?;
-        let mut steps = memory::reserve_pixels(view.size)?;
+        let mut differences = memory::reserve_pixels(view.size)?;
         let mut largest: Option<f64> = None;
         monitor.in_bands("comparing", view.size[1], |rows| {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
@@ -56,26 +53,31 @@ impl Comparison {
                 largest = Some(largest.map_or(error.max, |largest| largest.max(error.max)));
             }
             errors.extend(error_map::compared(drawn, compared));
-            steps.extend((0..drawn.levels.len()).map(|pixel| {
-                if drawn.shows_as(&compared, pixel) {
-                    difference(drawn.levels[pixel], exact.levels[pixel])
-                } else {
-                    [0; 3]
-                }
+            differences.extend((0..drawn.levels.len()).map(|pixel| {
+                let is_compared = drawn.shows_as(&compared, pixel);
+                let [drawn, exact] = [drawn.levels[pixel].map(f64::from), exact.levels[pixel]];
+                let difference = |it: usize| displayed(drawn[it]) - displayed(exact[it]);
+                [0, 1, 2].map(|it| {
+                    if is_compared {
+                        difference(it) as f32
+                    } else {
+                        0.0
+                    }
+                })
             }));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
             Ok(())
         })?;
         let scale = Scale::holding(largest.unwrap_or(0.0));
         let amplification = amplification(largest.unwrap_or(0.0));
+        let amplified = |difference: [f32; 3]| {
+            display_pixel(difference.map(|it| 128.0 + amplification * f64::from(it)))
+        };
         Ok(Comparison {
             exact: exact_pixels,
             error_map: errors.into_iter().map(|it| scale.color(it)).collect(),
             scale,
-            difference: steps
-                .into_iter()
-                .map(|it| amplified(it, amplification))
-                .collect(),
+            difference: differences.into_iter().map(amplified).collect(),
             amplification,
             error: largest,
         })
@@ -96,16 +98,4 @@ impl Comparison {
 /// The power of two, 1 to 256, that makes an error as large as the way from grey to white at most.
 fn amplification(error: f64) -> f64 {
     (127.0 / error).log2().floor().clamp(0.0, 8.0).exp2()
-}
-
-/// The difference of two levels, by channel, in [`STEPS`] of a level.
-fn difference(drawn: [f32; 3], exact: [f64; 3]) -> [i16; 3] {
-    [0, 1, 2].map(|channel: usize| {
-        let [drawn, exact] = [f64::from(drawn[channel]), exact[channel]].map(metrics::displayed);
-        (STEPS * (drawn - exact)).round() as i16
-    })
-}
-
-fn amplified(steps: [i16; 3], amplification: f64) -> u32 {
-    display_pixel(steps.map(|it| 128.0 + amplification / STEPS * f64::from(it)))
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use anyhow::Context;
 
 use super::app::App;
+use super::changes::has_edits;
 use super::facts::Facts;
 use super::file::{News, SceneFile};
 use super::history::History;
@@ -12,17 +13,9 @@ use crate::output::quoted;
 use crate::scene::{CameraRecord, Scene, SceneRecord, ViewRecord};
 
 impl App {
-    /// Whether the scene was edited since it was saved. Switching lights and modes and moving the camera is looking.
+    /// Whether the scene was edited since it was saved.
     pub fn is_edited(&self) -> bool {
-        let (state, saved) = (&*self.state, &*self.file.saved);
-        state.background != saved.background
-            || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
-            || differ(&state.cuboid, &saved.cuboid, |it, saved| {
-                it.shading = saved.shading;
-            })
-            || differ(&state.camera, &saved.camera, |it, saved| {
-                it.orbit = saved.orbit;
-            })
+        has_edits(&self.state, &self.file.saved)
     }
 
     /// The title of the window.
@@ -62,9 +55,6 @@ impl App {
 
     /// Shows another scene in place of this one.
     pub fn open(&mut self, scene: Scene) {
-        if let Some(path) = &scene.path {
-            self.desk.recent.add(path);
-        }
         self.file = SceneFile::of(&scene);
         self.scene = scene;
         self.state = Arc::new(SceneRecord::of(&self.scene.world));
@@ -134,16 +124,4 @@ impl App {
         }
         saved.is_ok()
     }
-}
-
-/// Whether two lists of entities differ after `forget` has overwritten fields of the first.
-pub fn differ<T: Clone + PartialEq>(one: &[T], other: &[T], forget: impl Fn(&mut T, &T)) -> bool {
-    let differ = |(one, other): (&T, &T)| {
-        one != other && {
-            let mut one = one.clone();
-            forget(&mut one, other);
-            one != *other
-        }
-    };
-    one.len() != other.len() || one.iter().zip(other).any(differ)
 }

@@ -134,9 +134,8 @@ impl SceneFile {
 ///
 /// # Errors
 /// The error of the file or in the scene, in words.
-pub fn load(path: &Path) -> Result<Scene, String> {
-    let is_other = fs::metadata(path).is_ok_and(|found| !found.is_file());
-    if is_other && !scene::is_built_in(path) {
+fn load(path: &Path) -> Result<Scene, String> {
+    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
         return Err(format!("{} is not a file", path.display()));
     }
     Scene::load_path(path).map_err(|error| error.to_string())

@@ -4,16 +4,12 @@ mod pixel;
 mod scene;
 mod section;
 
-use std::ops::RangeInclusive;
-
 use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
-use glam::DVec3;
 
-pub use self::scene::{Kind, intensity};
-pub use self::section::CHANNELS;
 use super::app::App;
-use super::jobs::{Job, State};
+use super::facts::{Fact, Question, State};
 use super::style::{BAD, GOOD, INK, STALE};
+use super::widgets::{ink, short};
 use crate::components::{Inspector, Tab, Tolerance};
 use crate::prove::Proof;
 use crate::requires::bits::StageBits;
@@ -42,9 +38,6 @@ impl App {
             let fold = ui.small_button("⏵");
             is_folded = fold.on_hover_text("Folds the inspector (Esc).").clicked();
         });
-        if is_folded {
-            self.desk.over[1] = false;
-        }
         let next = (!is_folded).then_some(tab);
         if next != open {
             self.set_look(Inspector(next));
@@ -66,7 +59,7 @@ impl App {
             "The largest error of the picture without a part, and whether tolerance {tolerance} \
              requires the part. A click leaves it out."
         ));
-        progress(ui, &self.facts.required.state, "leaving out part by part");
+        self.wait(ui, &self.facts.required.state);
         let ink = ink(&self.facts.required);
         let before = self.desk.left_out;
         let parts = self.facts.required.value.iter().flatten();
@@ -87,7 +80,8 @@ impl App {
             self.desk.left_out = None;
         }
         if self.desk.left_out != before {
-            self.facts.without = Job::default();
+            self.facts.without = Fact::default();
+            self.works[1].take_if(|work| work.question == Question::LeaveOut);
         }
         ui.separator();
         self.bits_section(ui);
@@ -99,7 +93,7 @@ impl App {
             "The fewest bits of significand that each stage needs, with the largest error in levels of \
              255, proven; and whether f16, bf16 and f32 keep the tolerance. The other stages are in f64.",
         );
-        progress(ui, &self.facts.bits.state, "rounding stage by stage");
+        self.wait(ui, &self.facts.bits.state);
         let ink = ink(&self.facts.bits);
         let stages = self.facts.bits.value.iter().flatten();
         let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
@@ -116,8 +110,21 @@ impl App {
         });
     }
 
+    /// Tells how far the work in the background is, or why there is no answer.
+    fn wait(&self, ui: &mut Ui, state: &State) {
+        match (state, self.progress()) {
+            (State::Current, _) => {}
+            (State::Old, None) => drop(ui.weak("waits until nothing moves")),
+            (State::Old, Some((step, share))) => {
+                let text = format!("{step}, {:.0} %", share * 100.0);
+                ui.add(ProgressBar::new(share as f32).text(text));
+            }
+            (State::Failed(reason), _) => drop(ui.colored_label(BAD, reason)),
+        }
+    }
+
     fn proof_tab(&mut self, ui: &mut Ui) {
-        progress(ui, &self.facts.proof.state, "enclosing every pixel");
+        self.wait(ui, &self.facts.proof.state);
         let Some(proof) = &self.facts.proof.value else {
             return;
         };
@@ -132,10 +139,6 @@ impl App {
                 ui.end_row();
             }
         });
-        if ui.button("copy").clicked() {
-            let line = |(name, value, ..): &Row| format!("{name}\t{value}\n");
-            ui.ctx().copy_text(rows.iter().map(line).collect());
-        }
         for example in &proof.examples {
             ui.monospace(format!("{example:?}"));
         }
@@ -157,61 +160,4 @@ fn proof_rows(proof: &Proof) -> [Row; 8] {
         ("widest enclosure", format!("{:.1e}", proof.widest_enclosure), INK, "In levels of 255."),
         ("error of f64", format!("{:.1e}", proof.reference_error), INK, "The largest error of the reference in f64 that the enclosures leave possible, in levels of 255."),
     ]
-}
-
-/// The ink of an answer: grey if it is that of an earlier picture.
-pub fn ink<T>(job: &Job<T>) -> Color32 {
-    if job.current().is_some() { INK } else { STALE }
-}
-
-/// Tells how far a job is, or why it failed.
-pub fn progress(ui: &mut Ui, state: &State, words: &str) {
-    match state {
-        State::Done => {}
-        State::Idle => drop(ui.weak("waits until nothing moves")),
-        State::Running(share) => {
-            let text = format!("{words}, {:.0} %", share * 100.0);
-            ui.add(ProgressBar::new(*share as f32).text(text));
-        }
-        State::Failed(reason) => drop(ui.colored_label(BAD, reason)),
-    }
-}
-
-/// A button with a colour whose click opens a picker; channels are shares of full strength.
-pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
-    let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let bytes = channels.to_array().map(byte);
-    let mut picked = bytes;
-    let response = ui.color_edit_button_srgb(&mut picked);
-    response.on_hover_text("Colour; each channel is a share of full strength.");
-    if picked != bytes {
-        *channels = DVec3::from(picked.map(|it| f64::from(it) / 255.0));
-    }
-}
-
-/// Three digits that matter, or fewer.
-pub fn short(value: f64) -> String {
-    crate::report::words::short(Some(value))
-}
-
-/// Two digits that matter: the movement of a hand means no more.
-pub fn two_digits(value: f64) -> f64 {
-    format!("{value:.1e}").parse().unwrap_or(value)
-}
-
-/// Six significant digits at most, with an exponent where the number is very large or small.
-pub fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    match rounded.abs() {
-        0.0 => "0".to_owned(),
-        1e-3..1e6 => rounded.to_string(),
-        _ => format!("{rounded:e}"),
-    }
-}
-
-/// Keeps the digits of a number that was only looked at: a widget writes back the digits that it shows.
-pub fn keep_digits(before: f64, value: &mut f64) {
-    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
-        *value = before;
-    }
 }

@@ -15,8 +15,6 @@ pub enum Command {
     LightNamed(&'static str),
     /// Shades every cuboid in this mode.
     Shading(ShadingMode),
-    /// Shades every cuboid as its file does.
-    FileShading,
     /// Goes to the next tolerance of [`TOLERANCES`]: a coarser one if positive.
     Tolerance(i32),
     /// Holds the time of a frame, or the error again.
@@ -113,7 +111,6 @@ pub const BINDINGS: &[Binding] = &[
     ]),
     bind("Shading", "Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Command::Shading(ShadingMode::Gouraud))]),
     bind("Shading", "Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Command::Shading(ShadingMode::Phong))]),
-    bind("Shading", "as the file", "Each cuboid is shaded as the scene's file says.", &[(NO, Key::F, Command::FileShading)]),
     bind("Shading", "finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Command::Tolerance(-1)), (NO, Key::PageDown, Command::Tolerance(-1))]),
     bind("Shading", "coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Command::Tolerance(1)), (NO, Key::PageUp, Command::Tolerance(1))]),
     bind("Shading", "hold the time", "The most exact method whose frame takes no longer than the budget draws.", &[(NO, Key::M, Command::HoldTime)]),

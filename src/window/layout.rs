@@ -1,16 +1,13 @@
 //! The frame of the window: the panel on the left, the inspector on the right, the status line below, the picture between.
 //!
-//! The picture keeps half of the width. A side for which there is no room folds; opened, it lies over the picture.
+//! Both sides together leave half of the width to the picture. A narrow window has room for one side.
 
-use egui::{
-    Align, Align2, Area, Frame, Id, Label, Layout, Modal, Order, Panel, Pos2, RichText, ScrollArea,
-    Ui, Vec2,
-};
+use egui::{Align, Id, Label, Layout, Modal, Panel, RichText, ScrollArea, Ui};
 
 use super::app::App;
-use super::inspector::short;
 use super::keys::{BINDINGS, SECTIONS, caption_of};
 use super::style::{BAD, GOOD, STALE};
+use super::widgets::short;
 use crate::components::{Inspector, Show, Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::trade::verdict::method_name;
@@ -18,8 +15,10 @@ use crate::trade::verdict::method_name;
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
 const USUAL: f32 = 300.0;
-/// The least width and height of a panel over the picture; a smaller window cuts it off.
-const LEAST_OVER: f32 = 60.0;
+/// The most that a side takes of a narrow window, as a share of its width.
+const MOST: f32 = 0.6;
+/// The least width and height of the help; a smaller window cuts it off.
+const LEAST_HELP: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
 
@@ -27,64 +26,41 @@ impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
     pub fn ui(&mut self, ui: &mut Ui) {
         let width = ui.available_width();
-        let has_room = [width >= 2.0 * LEAST, width >= 4.0 * LEAST];
-        for side in 0..2 {
-            self.desk.over[side] &= !has_room[side];
-        }
-        self.desk.has_room = has_room;
-        self.desk.panel_folded &= has_room[0];
+        self.desk.has_both = width >= 4.0 * LEAST;
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
         let Inspector(tab) = self.look();
-        let is_open = [
-            has_room[0] && !self.desk.panel_folded,
-            has_room[1] && tab.is_some(),
-        ];
-        let both = is_open == [true; 2];
-        let most = (width / 2.0 - if both { LEAST } else { 0.0 }).max(LEAST);
-        let usual = USUAL.min(width / if both { 4.0 } else { 3.0 }).max(LEAST);
+        let has_inspector = tab.is_some();
+        let is_hidden = has_inspector && !self.desk.has_both;
+        let has_panel = !self.desk.panel_folded && !is_hidden;
+        let both = has_panel && has_inspector;
+        let least = LEAST.min(MOST * width);
+        let most = (width / 2.0 - if both { LEAST } else { 0.0 }).max(least);
+        let usual = USUAL.min(width / if both { 4.0 } else { 3.0 }).max(least);
         // Each usual width has a remembered one of its own, so that a window that was narrow for a while looks as before.
         let id = |name: &str| Id::new(name).with((both, usual as i32));
-        let side = |panel: Panel| panel.size_range(LEAST..=most).default_size(usual);
-        if is_open[0] {
-            side(Panel::left(id("panel"))).show_inside(ui, |ui| self.scrolled_panel(ui));
+        let side = |panel: Panel| panel.size_range(least..=most).default_size(usual);
+        if has_panel {
+            side(Panel::left(id("panel"))).show_inside(ui, |ui| {
+                let scroll = ScrollArea::vertical().auto_shrink(false);
+                scroll.show(ui, |ui| self.panel(ui));
+            });
         } else if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
-            self.desk.panel_folded = false;
-            self.desk.over[0] ^= true;
+            self.fold_panel();
         }
-        if is_open[1] {
+        let folded = Panel::right("folded inspector");
+        if has_inspector {
             side(Panel::right(id("inspector"))).show_inside(ui, |ui| self.inspector(ui));
-        } else if is_opened(
-            ui,
-            Panel::right("folded inspector"),
-            "⏴",
-            "Opens the inspector.",
-        ) {
-            self.desk.over[1] ^= true;
-            let open = self.desk.over[1].then_some(tab.unwrap_or(Tab::Pixel));
-            self.set_look(Inspector(open));
+        } else if is_opened(ui, folded, "⏴", "Opens the inspector.") {
+            self.set_look(Inspector(Some(Tab::Pixel)));
         }
         self.viewport(ui);
-        let (room, place) = (self.place.size(), self.place);
-        if !has_room[0] && self.desk.over[0] {
-            let at = (Align2::LEFT_TOP, place.left_top());
-            over(ui, "panel over", at, room, |ui| self.scrolled_panel(ui));
-        }
-        if !has_room[1] && self.desk.over[1] && tab.is_some() {
-            let at = (Align2::RIGHT_TOP, place.right_top());
-            over(ui, "inspector over", at, room, |ui| self.inspector(ui));
-        }
         if self.desk.help {
             self.help(ui);
         }
         if self.desk.asks_to_save {
             self.ask_to_save(ui);
         }
-    }
-
-    fn scrolled_panel(&mut self, ui: &mut Ui) {
-        let scroll = ScrollArea::vertical().auto_shrink(false);
-        scroll.show(ui, |ui| self.panel(ui));
     }
 
     /// The status line: the facts about the picture, messages on the right, errors of the scene's file above.
@@ -165,10 +141,10 @@ impl App {
     fn help(&mut self, ui: &Ui) {
         let screen = ui.ctx().content_rect().size();
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
-            ui.set_width((screen.x - 40.0).clamp(LEAST_OVER, 640.0));
+            ui.set_width((screen.x - 40.0).clamp(LEAST_HELP, 640.0));
             ui.heading("Keys");
             ui.weak("H or Esc closes this. A tooltip says what a thing is.");
-            let height = (screen.y - 100.0).max(LEAST_OVER);
+            let height = (screen.y - 100.0).max(LEAST_HELP);
             let scroll = ScrollArea::vertical().max_height(height);
             scroll.show(ui, |ui| {
                 ui.columns(if screen.x > 600.0 { 2 } else { 1 }, |columns| {
@@ -222,16 +198,4 @@ fn is_opened(ui: &mut Ui, panel: Panel, arrow: &str, says: &str) -> bool {
     let folded = panel.exact_size(FOLDED).resizable(false);
     let button = folded.show_inside(ui, |ui| ui.button(arrow).on_hover_text(says));
     button.inner.clicked()
-}
-
-/// Lays out a side over the picture, with its corner at `at`.
-fn over(ui: &Ui, id: &str, at: (Align2, Pos2), room: Vec2, content: impl FnOnce(&mut Ui)) {
-    let area = Area::new(Id::new(id)).order(Order::Middle).constrain(false);
-    area.pivot(at.0).fixed_pos(at.1).show(ui.ctx(), |ui| {
-        Frame::side_top_panel(ui.style()).show(ui, |ui| {
-            ui.set_width((room.x - 16.0).clamp(LEAST_OVER, USUAL - 16.0));
-            ui.set_height((room.y - 8.0).max(LEAST_OVER));
-            content(ui);
-        });
-    });
 }

@@ -4,7 +4,7 @@ use egui::{Align2, Color32, Pos2, Rect, Vec2, vec2};
 use glam::DVec3;
 
 use super::app::App;
-use super::viewport::tag;
+use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
     Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, get, ordered,

@@ -2,28 +2,23 @@
 //!
 //! A panel is a query loop over the World: it reads components and writes them.
 
-use std::path::PathBuf;
-
 use egui::{
-    Button, CollapsingHeader, ComboBox, Grid, Key, Response, RichText, ScrollArea, Sense, Slider,
-    TextEdit, Ui,
+    Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, Slider, Ui,
 };
 use hecs::Entity;
 
 use super::app::App;
-use super::file::load;
-use super::inspector::{color_button, format_number, intensity, keep_digits, two_digits};
 use super::keys::{Command, binding, caption};
+use super::widgets::{color_button, format_number, keep_digits, number, two_digits};
+use crate::components::range::Strength;
 use crate::components::{
     ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side,
     Spin, Tab, Tolerance, ViewMode, active_camera, get, names, ordered,
 };
-use crate::scene::{BUILT_IN, EXTREMES};
+use crate::scene::{BUILT_IN, EXTREMES, Scene};
 
 const TOLERANCE: &str = "The largest error of a pixel against the exact evaluation of its mode, \
                          in levels of 255. A coarser tolerance is faster.";
-/// More lights than this scroll.
-const LIGHTS: usize = 12;
 
 impl App {
     pub fn panel(&mut self, ui: &mut Ui) {
@@ -38,8 +33,8 @@ impl App {
     /// A button with the name, the key and the sentence of a command, which a click runs.
     pub fn offer(&mut self, ui: &mut Ui, command: Command, is_chosen: bool) {
         let is_enabled = match command {
-            Command::Undo => self.history.has_undo(&self.state),
-            Command::Redo => self.history.has_redo(&self.state),
+            Command::Undo => self.history.has_undo(),
+            Command::Redo => self.history.has_redo(),
             _ => true,
         };
         if command_button(ui, command, is_chosen, is_enabled).clicked() {
@@ -53,7 +48,6 @@ impl App {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
                 self.offer(ui, Command::Shading(mode), shading == Some(mode));
             }
-            self.offer(ui, Command::FileShading, false);
         });
         self.budget_rows(ui);
         if self.look::<Budget>().0.is_some() {
@@ -100,9 +94,6 @@ impl App {
                 }
             });
         };
-        if lights.len() <= LIGHTS {
-            return rows(ui, 0..lights.len());
-        }
         let height = ui.spacing().interact_size.y;
         let scroll = ScrollArea::vertical().id_salt("lights").max_height(260.0);
         scroll.show_rows(ui, height, lights.len(), rows);
@@ -120,7 +111,8 @@ impl App {
                 LightKind::Specular => "Feeds the specular term, max(0, o.r)^shininess.",
             });
         color_button(ui, &mut light.color);
-        intensity(ui, &mut light.intensity);
+        let says = "Strength of the light, 0 to 1e30.";
+        number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
         let names = ["white", "red", "specular", "ambient"];
         let named = names.into_iter().find(|own| *own == name.0);
         ui.weak(caption(
@@ -194,36 +186,18 @@ impl App {
     }
 
     fn scene_rows(&mut self, ui: &mut Ui) {
-        let mut chosen: Option<PathBuf> = None;
+        let mut chosen = None;
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            let built_in = BUILT_IN.iter().chain(EXTREMES);
-            let built_in = built_in.map(|(name, text)| (PathBuf::from(name), heading(text)));
-            let recent = self.desk.recent.files.iter();
-            let recent = recent.map(|path| (path.clone(), "A file opened before.".to_owned()));
-            for (path, says) in recent.chain(built_in) {
-                let name = path.to_string_lossy();
-                let row = ui.selectable_label(self.scene.name == name, &*name);
-                if row.on_hover_text(says).clicked() {
-                    chosen = Some(path.clone());
+            for (name, text) in BUILT_IN.iter().chain(EXTREMES) {
+                let row = ui.selectable_label(self.scene.name == *name, *name);
+                if row.on_hover_text(heading(text)).clicked() {
+                    chosen = Scene::load(Some(name)).ok();
                 }
             }
         });
-        ui.horizontal(|ui| {
-            let field = TextEdit::singleline(&mut self.desk.path).hint_text("FILE.toml");
-            let field = ui.add(field.desired_width(130.0));
-            let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-            let open = ui.button("open");
-            let open = open.on_hover_text("Opens the scene in this file.");
-            if open.clicked() || is_entered {
-                chosen = Some(PathBuf::from(&self.desk.path));
-            }
-        });
-        if let Some(path) = chosen {
-            match load(&path) {
-                Ok(scene) => self.choose(scene),
-                Err(error) => self.desk.file_error = Some(error),
-            }
+        if let Some(scene) = chosen {
+            self.choose(scene);
         }
         ui.horizontal_wrapped(|ui| {
             for command in [

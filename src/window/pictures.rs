@@ -11,7 +11,7 @@ use hecs::World;
 use crate::components::{ShadingMode, Show, Side, View, ViewMode};
 use crate::frame::{Counts, Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
 use crate::memory::OutOfMemory;
-use crate::shading::{Method, TileKind};
+use crate::shading::TileKind;
 use crate::systems;
 
 /// The weight of a tile's tint, of 256, and that on its outline.
@@ -35,8 +35,6 @@ pub struct Pictures {
     levels: Frame,
     /// Left and right of the divider, as far as the renderer draws them.
     sides: [Vec<u32>; 2],
-    /// The picture of another method, which is looked at in between.
-    preview: Vec<u32>,
     /// The time of the last frame; `None` in a wipe, which has two.
     pub time: Option<Duration>,
 }
@@ -48,7 +46,6 @@ impl Pictures {
             frame: Frame::new(Keep::Display, workers),
             levels: Frame::new(Keep::Levels, Workers::alone(level)),
             sides: [Vec::new(), Vec::new()],
-            preview: Vec::new(),
             time: None,
         }
     }
@@ -105,27 +102,6 @@ impl Pictures {
             }
         }
         Ok(())
-    }
-
-    /// Draws the picture of another method beside the frame, which stays that of `view`.
-    ///
-    /// # Errors
-    /// As [`Pictures::draw`].
-    pub fn draw_preview(
-        &mut self,
-        world: &mut World,
-        method: Method,
-        view: &View,
-    ) -> Result<(), OutOfMemory> {
-        systems::draw(world, &method.view(view), &mut self.frame)?;
-        self.preview.clear();
-        self.preview.extend_from_slice(self.frame.pixels());
-        systems::draw(world, view, &mut self.frame)
-    }
-
-    /// The picture of [`Pictures::draw_preview`], 0x00RRGGBB.
-    pub fn preview(&self) -> &[u32] {
-        &self.preview
     }
 
     /// The picture of the view; `exact` and `error_map` are known once they were computed.

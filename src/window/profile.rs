@@ -4,11 +4,10 @@
 use egui::{Align2, Color32, Pos2, Rect, Ui, UiBuilder, pos2, vec2};
 
 use super::app::App;
-use super::inspector::CHANNELS;
 use super::keys::{Command, caption};
 use super::pictures::divider_column;
 use super::style::{EXACT, INK, STALE};
-use super::viewport::tag;
+use super::widgets::{CHANNELS, tag};
 use crate::components::{Probed, Show};
 use crate::paint::color;
 use crate::trade::error_map::Pixel;

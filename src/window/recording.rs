@@ -9,17 +9,15 @@
 //! A patch (RFC 6902) turns the record of the state before into that of the next. Lines of one time make one frame. A last
 //! line without an end was cut off and is left out.
 
-use std::fmt::Display;
 use std::io::{self, Write};
 use std::sync::Arc;
 use std::time::Duration;
 
-use anyhow::{Context, anyhow};
+use anyhow::{Context, anyhow, bail, ensure};
 use fearless_simd::Level;
 use json_patch::Patch;
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::drawing::Drawing;
 use crate::scene::{MAX_SIDE, Scene, SceneRecord};
@@ -64,9 +62,8 @@ impl Recorder {
     ) -> io::Result<()> {
         match self.state.replace(Arc::clone(state)) {
             Some(before) if self.name == name => {
-                let patch = patch(&before, state)?;
-                if !patch.is_empty() {
-                    self.line(now, "patch", &patch)?;
+                if before != *state {
+                    self.line(now, "patch", &patch(&before, state)?)?;
                 }
             }
             _ => {
@@ -93,50 +90,8 @@ impl Recorder {
 /// # Errors
 /// When a record cannot be written as JSON.
 pub fn patch(before: &SceneRecord, after: &SceneRecord) -> serde_json::Result<Patch> {
-    let (one, other, mut sides) = (before, after, [Value::Null, Value::Null]);
-    if !std::ptr::eq(one, other) {
-        keep_difference(&mut sides, "background", &one.background, &other.background)?;
-        keep_difference(&mut sides, "view", &one.view, &other.view)?;
-        keep_differences(&mut sides, "cuboid", &one.cuboid, &other.cuboid)?;
-        keep_differences(&mut sides, "light", &one.light, &other.light)?;
-        keep_differences(&mut sides, "camera", &one.camera, &other.camera)?;
-    }
-    Ok(json_patch::diff(&sides[0], &sides[1]))
-}
-
-/// Entities are compared before they become JSON, which would take longer than a frame for ten thousand of them.
-fn keep_differences<T: PartialEq + Serialize>(
-    sides: &mut [Value; 2],
-    kind: &str,
-    one: &[T],
-    other: &[T],
-) -> serde_json::Result<()> {
-    if one.len() != other.len() {
-        // The array as a whole is replaced.
-        return keep_difference(sides, kind, &None, &Some(other));
-    }
-    // The path of an array's element is that of an object whose keys are numbers.
-    let mut kept = [Value::Null, Value::Null];
-    for (index, (one, other)) in one.iter().zip(other).enumerate() {
-        keep_difference(&mut kept, &index.to_string(), one, other)?;
-    }
-    if kept[0] != Value::Null {
-        [sides[0][kind], sides[1][kind]] = kept;
-    }
-    Ok(())
-}
-
-fn keep_difference<T: PartialEq + Serialize>(
-    sides: &mut [Value; 2],
-    key: &str,
-    one: &T,
-    other: &T,
-) -> serde_json::Result<()> {
-    if one != other {
-        sides[0][key] = serde_json::to_value(one)?;
-        sides[1][key] = serde_json::to_value(other)?;
-    }
-    Ok(())
+    let [before, after] = [serde_json::to_value(before)?, serde_json::to_value(after)?];
+    Ok(json_patch::diff(&before, &after))
 }
 
 /// The record that a patch makes of another one.
@@ -189,17 +144,15 @@ impl Log {
     /// Reads a log that errors call `name`; pauses longer than `idle` are cut to it.
     ///
     /// # Errors
-    /// The first mistake, with its place.
+    /// The first mistake, with its line.
     pub fn read(name: &str, bytes: &[u8], idle: Duration) -> anyhow::Result<Log> {
         let text = String::from_utf8_lossy(bytes);
         let (text, rest) = text.split_at(text.rfind('\n').map_or(0, |end| end + 1));
         let (mut frames, mut start, mut state) = (Vec::<Frame>::new(), None, None);
         for (number, line) in (1..).zip(text.lines()) {
             let last = frames.last().map_or(Duration::ZERO, |frame| frame.time);
-            let (time, event) = read_line(line, last, &mut state).map_err(|(rest, reason)| {
-                let column = line[..line.len() - rest.len()].chars().count() + 1;
-                anyhow!("{name}:{number}:{column}: {reason}")
-            })?;
+            let (time, event) = read_line(line, last, &mut state)
+                .map_err(|reason| anyhow!("{name}:{number}: {reason:#}"))?;
             if let (Event::Scene(scene), None) = (&event, &start) {
                 start = Some(scene.clone());
             }
@@ -218,7 +171,7 @@ impl Log {
         Ok(Log {
             frames,
             cut_off: (!rest.is_empty()).then_some(text.lines().count() + 1),
-            start: start.with_context(|| format!("{name}:1:1: {}", found("", FIRST)))?,
+            start: start.with_context(|| format!("{name}:1: {}", found("", FIRST)))?,
         })
     }
 
@@ -245,65 +198,44 @@ impl Frame {
     }
 }
 
-/// The rest of a line from its mistake on, and the reason.
-type Fault<'a> = (&'a str, String);
-
 /// Reads a line after the time `last`, and changes the state as it says.
-fn read_line<'a>(
-    line: &'a str,
+fn read_line(
+    line: &str,
     last: Duration,
     state: &mut Option<SceneRecord>,
-) -> Result<(Duration, Event), Fault<'a>> {
+) -> anyhow::Result<(Duration, Event)> {
     let (time, rest) = line.split_once(' ').unwrap_or((line, ""));
     let (name, argument) = rest.split_once(' ').unwrap_or((rest, ""));
-    let fault = |reason: &dyn Display| (argument, format!("this gives no scene: {reason}"));
+    let seconds = time.parse().ok();
+    let known = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    let known = known.filter(|time| (last..=MAX_TIME).contains(time));
     let (least, most) = (last.as_secs_f64(), MAX_TIME.as_secs());
-    let time = time
-        .parse()
-        .ok()
-        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
-        .filter(|time| (last..=MAX_TIME).contains(time))
-        .ok_or_else(|| {
-            (
-                line,
-                found(time, &format!("seconds from {least} to {most}")),
-            )
-        })?;
+    let expected = || found(time, &format!("seconds from {least} to {most}"));
+    let time = known.with_context(expected)?;
     let event = match (name, &state) {
         ("scene", _) => {
-            let named: NamedScene = parsed(argument)?;
-            named.scene.check().map_err(|reason| fault(&reason))?;
+            let named: Box<NamedScene> = serde_json::from_str(argument)?;
+            named.scene.check()?;
             *state = Some(named.scene.clone());
-            Event::Scene(Box::new(named))
+            Event::Scene(named)
         }
-        (_, None) => return Err((rest, found(name, FIRST))),
+        (_, None) => bail!(found(name, FIRST)),
         ("patch", Some(record)) => {
-            let patch = parsed(argument)?;
-            *state = Some(patched(record, &patch).map_err(|reason| fault(&reason))?);
+            let patch = serde_json::from_str(argument)?;
+            *state = Some(patched(record, &patch)?);
             Event::Patch(patch)
         }
         ("size", _) => {
-            let size: [usize; 2] = parsed(argument)?;
-            if !size.iter().all(|side| (1..=MAX_SIDE).contains(side)) {
-                let expected = format!("two numbers from 1 to {MAX_SIDE}");
-                return Err((argument, found(argument, &expected)));
-            }
+            let size: [usize; 2] = serde_json::from_str(argument)?;
+            let is_legal = size.iter().all(|side| (1..=MAX_SIDE).contains(side));
+            let expected = format!("two numbers from 1 to {MAX_SIDE}");
+            ensure!(is_legal, found(argument, &expected));
             Event::Size(size)
         }
-        ("say", _) => Event::Say(parsed(argument)?),
-        _ => return Err((rest, found(name, "`scene`, `patch`, `size` or `say`"))),
+        ("say", _) => Event::Say(serde_json::from_str(argument)?),
+        _ => bail!(found(name, "`scene`, `patch`, `size` or `say`")),
     };
     Ok((time, event))
-}
-
-fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, Fault<'_>> {
-    serde_json::from_str(text).map_err(|error| {
-        let reason = error.to_string();
-        // The reason ends with a place in `text`, which is one of the log's line.
-        let reason = reason.split(" at line ").next().unwrap_or(&reason);
-        let rest = text.get(error.column().saturating_sub(1)..);
-        (rest.unwrap_or(text), reason.to_owned())
-    })
 }
 
 fn found(text: &str, expected: &str) -> String {

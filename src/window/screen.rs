@@ -10,6 +10,7 @@ use crate::components::{Magnifier, Probed, Show, View, ViewMode};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
 use crate::scene::SceneRecord;
+use crate::shading::Method;
 
 impl App {
     /// Width and height of the picture in pixels.
@@ -18,10 +19,28 @@ impl App {
         [size.x, size.y].map(|side| (side.round() as usize).max(1))
     }
 
+    /// The method that draws in place of the scene's: one that is looked at, or the one that holds the budget.
+    fn method_instead(&self) -> Option<Method> {
+        self.desk.preview.or(self.held)
+    }
+
     /// The view that is drawn.
     pub fn view(&self) -> View {
         let view = View::of(&self.scene.world, self.picture_size());
-        self.held.map_or(view.clone(), |method| method.view(&view))
+        let method = self.method_instead();
+        method.map_or(view.clone(), |method| method.view(&view))
+    }
+
+    /// The view mode and the sides that are shown: the picture alone while a method is looked at.
+    fn shows(&self) -> Show {
+        let show: Show = self.look();
+        match self.desk.preview {
+            Some(_) => Show {
+                mode: ViewMode::Picture,
+                ..show
+            },
+            None => show,
+        }
     }
 
     /// Whether the picture has not changed for a while.
@@ -31,29 +50,21 @@ impl App {
 
     /// Draws the pictures if the state or their size is another one.
     pub(super) fn draw(&mut self) -> Result<(), OutOfMemory> {
-        let (show, view): (Show, View) = (self.look(), self.view());
+        let (show, view) = (self.shows(), self.view());
         let size = view.size;
+        let present = (Arc::clone(&self.state), size, self.method_instead());
         let (world, drawn) = (&mut self.scene.world, self.drawn.take());
-        let present = (Arc::clone(&self.state), size, self.held);
-        let is_same = |(state, size, held): &(Arc<SceneRecord>, _, _)| {
-            Arc::ptr_eq(state, &present.0) && (*size, *held) == (present.1, present.2)
+        let is_same = |(state, size, method): &(Arc<SceneRecord>, _, _)| {
+            Arc::ptr_eq(state, &present.0) && (*size, *method) == (present.1, present.2)
         };
         if drawn.as_ref().is_some_and(is_same) {
             self.moved.take_if(|moved| self.now >= *moved + REST);
         } else {
             self.pictures.draw(world, &show, &view)?;
-            self.previewed = None;
             self.moved = Some(self.now);
             if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
                 self.keep_pixel(before, size);
                 self.picture_changed(false);
-            }
-        }
-        if self.desk.preview != self.previewed {
-            self.previewed = self.desk.preview;
-            if let Some(method) = self.previewed {
-                let world = &mut self.scene.world;
-                self.pictures.draw_preview(world, method, &view)?;
             }
         }
         self.drawn = Some(present);
@@ -83,7 +94,7 @@ impl App {
 
     /// The picture as it is shown, not magnified, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
-        let show: Show = self.look();
+        let show = self.shows();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
         let error_map = comparison.map(|it| match show.mode {
@@ -99,7 +110,6 @@ impl App {
             }
             (None, Some(0)) => or_dimmed(exact, frame),
             (None, Some(_)) => frame.into(),
-            _ if self.previewed.is_some() => self.pictures.preview().into(),
             _ => self.pictures.shown(&show, exact, error_map),
         }
     }
@@ -108,6 +118,7 @@ impl App {
     pub(super) fn copy_picture(&mut self, [width, height]: [usize; 2]) {
         let mut pixels = std::mem::take(&mut self.pixels);
         pixels.resize(width * height, 0);
+        self.size = [width, height];
         // A panel may paint less than it takes: contents that are too wide are cut off.
         let ground = self.painter.context.global_style().visuals.panel_fill;
         let [red, green, blue, _] = ground.to_array();
@@ -142,9 +153,9 @@ impl App {
     }
 
     /// Writes the window as it is seen into a new PNG file.
-    pub(super) fn screenshot(&mut self, size: [usize; 2]) {
+    pub(super) fn screenshot(&mut self) {
         let name = |number| format!("shadetrade-{number:03}.png");
-        let write = |writer: &mut dyn Write| encode_png(writer, &self.pixels, size);
+        let write = |writer: &mut dyn Write| encode_png(writer, &self.pixels, self.size);
         match write_numbered(&self.folder, name, write) {
             Ok(path) => self.say(format!("saved {}", path.display())),
             Err(error) => self.say(format!("no picture saved: {error}")),

@@ -4,10 +4,10 @@
 use egui::{Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 use super::app::App;
-use super::inspector::short;
 use super::pictures::divider_column;
 use super::style::{BAD, EXACT, INK, STALE, mode_ink};
 use super::viewport::DIVIDER_MARGIN;
+use super::widgets::short;
 use crate::components::{Inspector, Probed, Show, Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
@@ -187,7 +187,7 @@ impl App {
     pub fn probe(&mut self, pixel: [usize; 2]) {
         self.set_look(Probed(Some(pixel)));
         // The scene's tab stays open: a click selects the cuboid there.
-        if self.desk.has_room[1] && self.look::<Inspector>().0 != Some(Tab::Scene) {
+        if self.desk.has_both && self.look::<Inspector>().0 != Some(Tab::Scene) {
             self.set_look(Inspector(Some(Tab::Pixel)));
         }
     }

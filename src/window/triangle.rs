@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::app::App;
 use super::style::GOURAUD;
-use super::viewport::tag;
+use super::widgets::tag;
 use crate::components::{Lens, Mesh, Name, TRIANGLES, WorldTransform};
 use crate::frame::display_pixel;
 use crate::paint::color;

@@ -1,12 +1,9 @@
 //! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
-use egui::{
-    Align2, Color32, CursorIcon, Event, FontId, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2,
-    vec2,
-};
-use glam::DVec3;
+use egui::{Color32, CursorIcon, Event, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
 
 use super::app::App;
+use super::desk::{Grab, Kind};
 use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
@@ -19,19 +16,6 @@ const DRAG_TURN: f64 = 200.0;
 const REACH: f32 = 10.0;
 /// The divider stays this share of the picture's width away from either edge.
 pub const DIVIDER_MARGIN: f64 = 0.02;
-
-/// The thing that a drag moves.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum Grab {
-    #[default]
-    Nothing,
-    Camera,
-    Divider,
-    /// A light, by its name and its place before that is rounded.
-    Light(String, DVec3),
-    /// The magnified picture, by its place before the drag and the pixels of the window since.
-    Magnified(Magnifier, Vec2),
-}
 
 impl App {
     /// Lays out the picture's area in the rest of the window.
@@ -134,7 +118,7 @@ impl App {
 
     fn click(&mut self, at: Pos2, markers: &[Marker]) {
         if let Some(marker) = markers.iter().find(|marker| marker.is_caught(at)) {
-            self.desk.selected = Some((super::inspector::Kind::Light, marker.name.clone()));
+            self.desk.selected = Some((Kind::Light, marker.name.clone()));
             return;
         }
         let (pixel, size) = (self.pixel_at(at), self.picture_size());
@@ -243,15 +227,6 @@ impl App {
         let edge = (1.0, Color32::from_black_alpha(150));
         painter.circle(pos2(x, y), 8.0, Color32::WHITE, edge);
     }
-}
-
-/// Words on a dark ground that can be read over any picture.
-pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Color32) {
-    let text = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), ink);
-    let place = align.anchor_size(at, text.size());
-    let ground = Color32::from_black_alpha(170);
-    painter.rect_filled(place.expand2(vec2(4.0, 2.0)), 3.0, ground);
-    painter.galley(place.min, text, ink);
 }
 
 /// Marks a pixel that reaches this far from its middle, in points, and leaves it to be seen.

@@ -85,7 +85,6 @@ impl Program {
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("XMODIFIERS")
             .env("DISPLAY", &display.name)
-            .env("XDG_STATE_HOME", folder.path().join("state"))
             .envs(environment.iter().copied())
             .spawn()
             .expect("the program starts");

@@ -63,7 +63,7 @@ fn a_signal_during_a_screenshot_leaves_complete_files() {
     for signal in ["KILL", "TERM"] {
         let mut program = Program::open(&["--size", "3840x2160"], &[]);
         let folder = program.folder.path().to_owned();
-        // Presses within one frame make one screenshot, so the key is pressed until a second file is there.
+        // The key is pressed until a second file is there.
         until("a second screenshot is being written", || {
             program.press("F12");
             fs::read_dir(&folder).expect("listed").count() > 1

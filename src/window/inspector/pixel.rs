@@ -2,9 +2,6 @@
 
 use egui::{Grid, Label, RichText, Sense, Ui, vec2};
 
-use super::progress;
-use super::scene::shininess_row;
-use super::section::CHANNELS;
 use crate::components::{Material, Name, Probed};
 use crate::frame::display_pixel;
 use crate::paint::color;
@@ -12,6 +9,7 @@ use crate::probe::ProbedSurface;
 use crate::trade::metrics::displayed;
 use crate::window::app::App;
 use crate::window::style::{BAD, STALE};
+use crate::window::widgets::{CHANNELS, shininess};
 
 impl App {
     pub fn pixel_tab(&mut self, ui: &mut Ui) {
@@ -29,7 +27,7 @@ impl App {
                 self.set_look(Probed(None));
             }
         });
-        progress(ui, &self.facts.section.state, "probing");
+        self.wait(ui, &self.facts.section.state);
         let Some(probe) = self.probed() else {
             return;
         };
@@ -51,7 +49,10 @@ impl App {
             let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
             let mut cuboids = cuboids.iter();
             if let Some((_, material)) = cuboids.find(|(name, _)| name.0 == *object) {
-                shininess_row(ui, material);
+                ui.horizontal(|ui| {
+                    ui.label("shininess");
+                    shininess(ui, &mut material.shininess);
+                });
             }
         }
         ui.label(surface.drawn.cost());

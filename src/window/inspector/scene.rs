@@ -1,184 +1,136 @@
-//! The scene's tab: every number of every entity, and entities added, duplicated and deleted.
+//! The scene's tab: the keys of an entity's table in the scene file, and entities added and deleted.
 
 use std::ops::RangeInclusive;
 
-use egui::{Button, ComboBox, DragValue, Grid, ScrollArea, Slider, TextEdit, TextStyle, Ui, vec2};
+use egui::{Button, ScrollArea, TextEdit, TextStyle, Ui, vec2};
 use glam::DVec3;
-use hecs::Entity;
+use serde::Deserialize;
+use serde_json::{Value, json};
 
-use super::{color_button, format_number, keep_digits};
-use crate::components::{
-    Background, Camera, Light, LightKind, Material, Mesh, Name, Orbit, ShadingMode, Transform,
-    Viewpoint, active_camera, get, ordered,
-};
-use crate::scene::{CameraRecord, LightRecord, SceneRecord, range};
+use crate::components::{Background, LightKind, Viewpoint, active_camera};
+use crate::scene::{CameraRecord, LightRecord, SceneRecord};
 use crate::window::app::App;
+use crate::window::desk::Kind;
+use crate::window::widgets::{color_button, number};
 
-/// The kinds of entities that a scene holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Cuboid,
-    Light,
-    Camera,
-}
-
-impl Kind {
-    const ALL: [Kind; 3] = [Kind::Cuboid, Kind::Light, Kind::Camera];
-
-    fn name(self) -> String {
-        format!("{self:?}").to_lowercase()
-    }
-}
-
-/// A number of the scene, or three of them.
-struct Field {
-    name: &'static str,
-    range: RangeInclusive<f64>,
-    says: &'static str,
-}
-
-const fn field(name: &'static str, range: RangeInclusive<f64>, says: &'static str) -> Field {
-    Field { name, range, says }
-}
-
+const KINDS: [(Kind, &str); 3] = [
+    (Kind::Cuboid, "cuboid"),
+    (Kind::Light, "light"),
+    (Kind::Camera, "camera"),
+];
+/// The keys with three channels that a picker sets.
+const COLORS: [&str; 4] = ["ambient", "diffuse", "specular", "color"];
+/// The keys of words, with a word each.
+const CHOICES: [(&str, &str); 5] = [
+    ("shading", "gouraud"),
+    ("shading", "phong"),
+    ("kind", "ambient"),
+    ("kind", "diffuse"),
+    ("kind", "specular"),
+];
+/// Ranges are checked when a table is read.
+const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
+/// The width of a key, in points.
+const NAMES: f32 = 66.0;
+/// The keys and a sentence about each.
 #[rustfmt::skip]
-mod fields {
-    use super::{Field, field, range};
-
-    pub const BACKGROUND: Field = field("background", range::DisplayLevel::RANGE, "Levels of 255 where nothing is drawn");
-    pub const SIZE: Field = field("size", range::Length::RANGE, "Edge lengths, in world units");
-    pub const CENTRE: Field = field("position", range::Coordinate::RANGE, "Centre, in world units");
-    pub const ROTATION: Field = field("rotation", range::Angle::RANGE, "Degrees about the x, y and z axes, in this order");
-    pub const AMBIENT: Field = field("ambient", range::Strength::RANGE, "Reflected share of ambient light");
-    pub const DIFFUSE: Field = field("diffuse", range::Strength::RANGE, "Reflected share of diffuse light");
-    pub const SPECULAR: Field = field("specular", range::Strength::RANGE, "Reflected share of specular light");
-    pub const COLOR: Field = field("color", range::Strength::RANGE, "Share of full strength by channel");
-    pub const INTENSITY: Field = field("intensity", range::Strength::RANGE, "Strength of the light");
-    pub const GAIN: Field = field("gain", range::Strength::RANGE, "Levels of 255 for each unit of intensity");
-    pub const PLACE: Field = field("position", range::Coordinate::RANGE, "World units. Its disc in the picture can be dragged, with Shift in depth");
-    pub const EYE: Field = field("position", range::Coordinate::RANGE, "The eye, in world units");
-    pub const TARGET: Field = field("target", range::Coordinate::RANGE, "The point it looks at, in world units");
-    pub const UP: Field = field("up", range::Coordinate::RANGE, "The direction that is up in the picture");
-    pub const FOV: Field = field("fov", range::FieldOfView::RANGE, "Vertical field of view in degrees; perspective");
-    pub const HEIGHT: Field = field("height", range::Length::RANGE, "World units seen vertically; orthographic");
-    pub const NEAR: Field = field("near", range::Length::RANGE, "Distance of the near plane; else a thousandth of the distance to the target");
-    pub const AZIMUTH: Field = field("azimuth", range::OrbitAngle::RANGE, "Degrees that the camera was moved to the right");
-    pub const ELEVATION: Field = field("elevation", range::OrbitAngle::RANGE, "Degrees that the camera was moved up");
-    pub const ZOOM: Field = field("zoom", range::Zoom::RANGE, "Factor of the distance and of the height");
-}
+const SAYS: [(&str, &str); 22] = [
+    ("background", "Levels of 255 where nothing is drawn."),
+    ("name", "Unique among entities of its kind."),
+    ("size", "Edge lengths, in world units, 1e-100 to 1e100."),
+    ("position", "In world units. The disc of a light in the picture can be dragged, with Shift in depth."),
+    ("rotation", "Degrees about the x, y and z axes, in this order."),
+    ("shading", "Light is computed at the vertices (gouraud), or at every pixel (phong)."),
+    ("ambient", "Reflected share of ambient light, by channel, 0 to 1e30."),
+    ("diffuse", "Reflected share of diffuse light, by channel, 0 to 1e30."),
+    ("specular", "Reflected share of specular light, by channel, 0 to 1e30."),
+    ("shininess", "The exponent of the highlight, 0 to 1e6."),
+    ("kind", "The term of the model that the light feeds."),
+    ("color", "Share of full strength by channel, 0 to 1e30."),
+    ("intensity", "Strength of the light, 0 to 1e30."),
+    ("gain", "Levels of 255 for each unit of intensity, 0 to 1e30."),
+    ("target", "The point that the camera looks at, in world units."),
+    ("up", "The direction that is up in the picture."),
+    ("fov", "Vertical field of view in degrees, up to 179; perspective."),
+    ("height", "World units seen vertically; orthographic."),
+    ("near", "Distance of the near plane; usually a thousandth of the distance to the target."),
+    ("azimuth", "Degrees that the camera was moved to the right, -180 to 180."),
+    ("elevation", "Degrees that the camera was moved up, -180 to 180."),
+    ("zoom", "Factor of the distance and of the height."),
+];
 
 impl App {
     pub fn scene_tab(&mut self, ui: &mut Ui) {
-        self.entity_list(ui);
-        self.entity_buttons(ui);
+        let record = SceneRecord::of(&self.scene.world);
+        let names = names(&record);
+        let selected = self.desk.selected.take().filter(|it| names.contains(it));
+        let mut selected = selected.unwrap_or_else(|| names[0].clone());
+        entity_list(ui, &names, &mut selected);
+        let own = names.iter().filter(|(kind, _)| *kind == selected.0);
+        let place = own.clone().position(|it| *it == selected);
+        let is_last = selected.0 != Kind::Light && own.count() == 1;
+        self.desk.selected = Some(selected.clone());
+        self.entity_buttons(ui, &record, &selected, is_last);
         ui.separator();
-        if let Some((kind, name)) = self.desk.selected.clone()
-            && let Some(entity) = self.find(kind, &name)
-        {
-            self.name_row(ui, kind, entity, &name);
-            match kind {
-                Kind::Cuboid => self.cuboid_numbers(ui, entity),
-                Kind::Light => self.light_numbers(ui, entity),
-                Kind::Camera => self.camera_numbers(ui, entity),
-            }
-            ui.separator();
-        }
+        self.entity(ui, record, selected.0, place.unwrap_or_default());
+        ui.separator();
         let Background(before) = self.look();
-        let mut levels = before;
-        Grid::new("background").show(ui, |ui| fields::BACKGROUND.vector(ui, &mut levels));
+        let mut background = json!({ "background": before });
+        rows(ui, &mut background);
+        let levels = DVec3::deserialize(&background["background"]).unwrap_or(before);
+        let levels = levels.clamp(DVec3::ZERO, DVec3::splat(255.0));
         if levels != before {
             self.set_look(Background(levels));
         }
     }
 
-    /// The entities of a kind, in the order of the file.
-    fn entities(&self, kind: Kind) -> Vec<(Entity, String)> {
-        let world = &self.scene.world;
-        let entities = match kind {
-            Kind::Cuboid => ordered::<Mesh>(world),
-            Kind::Light => ordered::<Light>(world),
-            Kind::Camera => ordered::<Camera>(world),
-        };
-        let named = entities.into_iter().filter_map(|entity| {
-            let Name(name) = get(world, entity)?;
-            Some((entity, name))
-        });
-        named.collect()
-    }
-
-    fn find(&self, kind: Kind, name: &str) -> Option<Entity> {
-        let mut entities = self.entities(kind).into_iter();
-        let (entity, _) = entities.find(|(_, own)| own == name)?;
-        Some(entity)
-    }
-
-    fn entity_list(&mut self, ui: &mut Ui) {
-        let of_kind = |kind| {
-            let entities = self.entities(kind).into_iter();
-            entities.map(move |(_, name)| (kind, name))
-        };
-        let all: Vec<(Kind, String)> = Kind::ALL.into_iter().flat_map(of_kind).collect();
-        let selected = self.desk.selected.get_or_insert_with(|| all[0].clone());
-        let height = ui.text_style_height(&TextStyle::Body) + 4.0;
-        let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
-        scroll.show_rows(ui, height, all.len(), |ui, rows| {
-            for each in &all[rows] {
-                let row = Button::selectable(selected == each, &each.1);
-                let row = row.shortcut_text(each.0.name());
-                let row = row.min_size(vec2(ui.available_width(), 0.0));
-                if ui.add(row).clicked() {
-                    each.clone_into(selected);
-                }
-            }
-        });
-    }
-
-    /// Buttons that add and delete. They write a record, from which the World is spawned.
-    fn entity_buttons(&mut self, ui: &mut Ui) {
-        let selected = self.desk.selected.clone();
+    /// Buttons that add and delete.
+    fn entity_buttons(
+        &mut self,
+        ui: &mut Ui,
+        record: &SceneRecord,
+        selected: &(Kind, String),
+        is_last: bool,
+    ) {
         ui.horizontal_wrapped(|ui| {
-            for kind in Kind::ALL {
-                let add = ui.small_button(format!("add {}", kind.name()));
+            for (kind, name) in KINDS {
+                let add = ui.small_button(format!("add {name}"));
                 let says = "Adds a copy of the selected one beside it, or of the last. A camera is added where the \
                             picture is seen from now.";
                 if add.on_hover_text(says).clicked() {
-                    self.add(kind, selected.as_ref());
+                    self.add(kind, name, record.clone(), selected);
                 }
             }
-            let Some((kind, name)) = selected.as_ref() else {
-                return;
-            };
-            let is_last = *kind != Kind::Light && self.entities(*kind).len() == 1;
             let delete = ui.add_enabled(!is_last, Button::new("delete").small());
             let says = "A scene has at least one.";
             if delete.on_disabled_hover_text(says).clicked() {
-                self.delete(*kind, name);
+                self.delete(record.clone(), selected);
             }
         });
     }
 
-    fn add(&mut self, kind: Kind, selected: Option<&(Kind, String)>) {
+    fn add(&mut self, kind: Kind, noun: &str, mut record: SceneRecord, selected: &(Kind, String)) {
+        let names = names(&record);
+        let numbered = (2..).map(|number| format!("{noun} {number}"));
+        let mut free = std::iter::once(noun.to_owned()).chain(numbered);
+        let name = free.find(|name| !names.contains(&(kind, name.clone())));
+        let name = name.unwrap_or_default();
+        let mut own = names.iter().filter(|(own, _)| *own == kind);
+        let place = own.position(|it| it == selected);
         let world = &self.scene.world;
-        let mut record = SceneRecord::of(world);
         let seen = Viewpoint::of(world, active_camera(world));
-        let own = self.entities(kind);
-        let numbered = (2..).map(|number| format!("{} {number}", kind.name()));
-        let mut names = std::iter::once(kind.name()).chain(numbered);
-        let is_free = |name: &String| own.iter().all(|(_, taken)| taken != name);
-        let name = names.find(is_free).unwrap_or_default();
-        let place =
-            selected.and_then(|it| own.iter().position(|own| (kind, &own.1) == (it.0, &it.1)));
-        let place = place.unwrap_or(own.len().saturating_sub(1));
         match kind {
             Kind::Cuboid => {
-                let mut copy = record.cuboid[place].clone();
+                let copied = &record.cuboid[place.unwrap_or(record.cuboid.len() - 1)];
+                let mut copy = copied.clone();
                 copy.position.x += 1.25 * copy.size.x;
                 copy.name.clone_from(&name);
                 record.cuboid.push(copy);
             }
             Kind::Light => {
+                let copied = place.map_or(record.light.last(), |place| record.light.get(place));
                 let new = || LightRecord::new("", LightKind::Diffuse, 100.0, seen.position);
-                let copy = record.light.get(place).cloned().unwrap_or_else(new);
+                let copy = copied.cloned().unwrap_or_else(new);
                 let name = name.clone();
                 record.light.push(LightRecord { name, ..copy });
             }
@@ -196,13 +148,12 @@ impl App {
         self.desk.selected = Some((kind, name));
     }
 
-    fn delete(&mut self, kind: Kind, name: &str) {
-        let mut record = SceneRecord::of(&self.scene.world);
+    fn delete(&mut self, mut record: SceneRecord, (kind, name): &(Kind, String)) {
         match kind {
-            Kind::Cuboid => record.cuboid.retain(|it| it.name != name),
-            Kind::Light => record.light.retain(|it| it.name != name),
+            Kind::Cuboid => record.cuboid.retain(|it| it.name != *name),
+            Kind::Light => record.light.retain(|it| it.name != *name),
             Kind::Camera => {
-                record.camera.retain(|it| it.name != name);
+                record.camera.retain(|it| it.name != *name);
                 record.view.camera.take_if(|camera| camera == name);
             }
         }
@@ -210,177 +161,141 @@ impl App {
         self.desk.selected = None;
     }
 
-    fn name_row(&mut self, ui: &mut Ui, kind: Kind, entity: Entity, name: &str) {
-        ui.horizontal(|ui| {
-            ui.label("name")
-                .on_hover_text("Unique among entities of its kind.");
-            let id = ui.id().with(("name", name));
-            let typed = ui.data_mut(|data| data.get_temp::<String>(id));
-            let mut text = typed.unwrap_or_else(|| name.to_owned());
-            let field = ui.add(TextEdit::singleline(&mut text).desired_width(140.0));
-            if field.lost_focus() {
-                ui.data_mut(|data| data.remove::<String>(id));
-                self.rename(kind, entity, name, &text);
-            } else {
-                ui.data_mut(|data| data.insert_temp(id, text));
-            }
-        });
-    }
-
-    fn rename(&mut self, kind: Kind, entity: Entity, before: &str, name: &str) {
-        if name == before {
+    /// The keys of an entity. A value that the scene format does not allow is refused.
+    fn entity(&mut self, ui: &mut Ui, mut record: SceneRecord, kind: Kind, place: usize) {
+        let table = match kind {
+            Kind::Cuboid => serde_json::to_value(&record.cuboid[place]),
+            Kind::Light => serde_json::to_value(&record.light[place]),
+            Kind::Camera => serde_json::to_value(&record.camera[place]),
+        };
+        // Records can be written as JSON.
+        let before = table.unwrap_or_default();
+        let mut table = before.clone();
+        rows(ui, &mut table);
+        if table == before {
             return;
         }
-        let is_list = name.contains(',') || name == "all" || name == "none";
-        let is_name = !name.is_empty() && (kind != Kind::Light || !is_list);
-        if !is_name || self.find(kind, name).is_some() {
-            return self.say(format!("{name:?} is taken, or cannot be a name"));
-        }
-        // The entity was just found.
-        let _ = self.scene.world.insert_one(entity, Name(name.to_owned()));
-        self.desk.selected = Some((kind, name.to_owned()));
-    }
-
-    fn cuboid_numbers(&self, ui: &mut Ui, entity: Entity) {
-        let world = &self.scene.world;
-        let mut query =
-            world.query_one::<(&mut Transform, &mut Mesh, &mut Material, &mut ShadingMode)>(entity);
-        let Ok((transform, mesh, material, mode)) = query.get() else {
-            return;
-        };
-        let mut size = mesh.size();
-        Grid::new("cuboid").show(ui, |ui| {
-            fields::SIZE.vector(ui, &mut size);
-            fields::CENTRE.vector(ui, &mut transform.position);
-            fields::ROTATION.vector(ui, &mut transform.rotation);
-            fields::AMBIENT.color(ui, &mut material.ambient);
-            fields::DIFFUSE.color(ui, &mut material.diffuse);
-            fields::SPECULAR.color(ui, &mut material.specular);
-        });
-        if size != mesh.size() {
-            *mesh = Mesh::cuboid(size);
-        }
-        shininess_row(ui, material);
-        ui.horizontal(|ui| {
-            ui.label("shading");
-            ui.radio_value(mode, ShadingMode::Gouraud, "gouraud");
-            ui.radio_value(mode, ShadingMode::Phong, "phong");
-        });
-    }
-
-    fn light_numbers(&self, ui: &mut Ui, entity: Entity) {
-        let mut query = self
-            .scene
-            .world
-            .query_one::<(&mut Transform, &mut Light)>(entity);
-        let Ok((transform, light)) = query.get() else {
-            return;
-        };
-        ui.horizontal(|ui| {
-            ui.checkbox(&mut light.on, "on");
-            let kinds = ComboBox::from_id_salt("kind").selected_text(light.kind.name());
-            kinds.show_ui(ui, |ui| {
-                for kind in LightKind::ALL {
-                    ui.selectable_value(&mut light.kind, kind, kind.name());
-                }
-            });
-        });
-        Grid::new("light").show(ui, |ui| {
-            fields::COLOR.color(ui, &mut light.color);
-            fields::INTENSITY.number(ui, &mut light.intensity);
-            fields::GAIN.number(ui, &mut light.gain);
-            if light.kind != LightKind::Ambient {
-                fields::PLACE.vector(ui, &mut transform.position);
+        match edit(&mut record, kind, place, table) {
+            Ok(name) => {
+                self.desk.selected = Some((kind, name));
+                self.restore(&record);
             }
-        });
-    }
-
-    fn camera_numbers(&self, ui: &mut Ui, entity: Entity) {
-        let world = &self.scene.world;
-        let mut query = world.query_one::<(&mut Transform, &mut Camera, &mut Orbit)>(entity);
-        let Ok((transform, camera, orbit)) = query.get() else {
-            return;
-        };
-        Grid::new("camera").show(ui, |ui| {
-            fields::EYE.vector(ui, &mut transform.position);
-            fields::TARGET.vector(ui, &mut camera.target);
-            fields::UP.vector(ui, &mut camera.up);
-            fields::FOV.number(ui, &mut camera.fov);
-            fields::HEIGHT.number(ui, &mut camera.height);
-            let mut near = camera.near_from(transform.position);
-            let before = near;
-            fields::NEAR.number(ui, &mut near);
-            if near != before {
-                camera.near = Some(near);
-            }
-            fields::AZIMUTH.number(ui, &mut orbit.azimuth);
-            fields::ELEVATION.number(ui, &mut orbit.elevation);
-            fields::ZOOM.number(ui, &mut orbit.zoom);
-        });
+            Err(error) => self.say(error.to_string()),
+        }
     }
 }
 
-impl Field {
-    /// A row with one number.
-    fn number(&self, ui: &mut Ui, value: &mut f64) {
-        ui.label(self.name).on_hover_text(self.says);
-        self.drag(ui, value);
-        ui.end_row();
-    }
-
-    /// A row with three numbers.
-    fn vector(&self, ui: &mut Ui, value: &mut DVec3) {
-        ui.label(self.name).on_hover_text(self.says);
-        for axis in 0..3 {
-            self.drag(ui, &mut value[axis]);
+/// Overwrites an entity, and returns its name.
+fn edit(
+    record: &mut SceneRecord,
+    kind: Kind,
+    place: usize,
+    table: Value,
+) -> anyhow::Result<String> {
+    let name = table["name"].as_str().unwrap_or_default().to_owned();
+    match kind {
+        Kind::Cuboid => record.cuboid[place] = serde_json::from_value(table)?,
+        Kind::Light => {
+            let mut light: LightRecord = serde_json::from_value(table)?;
+            let has_place = light.kind != LightKind::Ambient;
+            light.position = has_place.then(|| light.position.unwrap_or_default());
+            record.light[place] = light;
         }
-        ui.end_row();
-    }
-
-    /// A row with three channels and their colour.
-    fn color(&self, ui: &mut Ui, value: &mut DVec3) {
-        ui.horizontal(|ui| {
-            ui.label(self.name).on_hover_text(self.says);
-            color_button(ui, value);
-        });
-        for channel in 0..3 {
-            self.drag(ui, &mut value[channel]);
+        Kind::Camera => {
+            let before = &record.camera[place].name;
+            if let Some(active) = record.view.camera.as_mut().filter(|it| *it == before) {
+                active.clone_from(&name);
+            }
+            record.camera[place] = serde_json::from_value(table)?;
         }
-        ui.end_row();
     }
-
-    /// A number that is dragged, or clicked and typed. A drag changes it by a share of itself, to reach any magnitude.
-    fn drag(&self, ui: &mut Ui, value: &mut f64) {
-        let [least, most] =
-            [self.range.start(), self.range.end()].map(|it| format_number(*it, 0..=0));
-        let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
-        let drag = DragValue::new(value).speed(speed).range(self.range.clone());
-        let drag = ui.add(drag.custom_formatter(format_number));
-        drag.on_hover_text(format!(
-            "{}.\nDrag it, or click and type a number, {least} to {most}.",
-            self.says
-        ));
-        keep_digits(before, value);
-    }
+    record.check()?;
+    Ok(name)
 }
 
-/// The strength of a light.
-pub fn intensity(ui: &mut Ui, value: &mut f64) {
-    fields::INTENSITY.drag(ui, value);
+/// The kinds and names of all entities, in the order of the file.
+fn names(record: &SceneRecord) -> Vec<(Kind, String)> {
+    let cuboids = record.cuboid.iter().map(|it| (Kind::Cuboid, &it.name));
+    let lights = record.light.iter().map(|it| (Kind::Light, &it.name));
+    let cameras = record.camera.iter().map(|it| (Kind::Camera, &it.name));
+    let all = cuboids.chain(lights).chain(cameras);
+    all.map(|(kind, name)| (kind, name.clone())).collect()
 }
 
-/// A slider for the exponent of the highlight.
-pub fn shininess_row(ui: &mut Ui, material: &mut Material) {
-    ui.horizontal(|ui| {
-        ui.label("shininess");
-        let before = material.shininess;
-        let slider =
-            Slider::new(&mut material.shininess, range::Shininess::RANGE).logarithmic(true);
-        let slider = slider
-            .smallest_positive(0.1)
-            .custom_formatter(format_number);
-        ui.add(slider)
-            .on_hover_text("The exponent of the highlight, 0 to 1e6.");
-        keep_digits(before, &mut material.shininess);
+fn entity_list(ui: &mut Ui, names: &[(Kind, String)], selected: &mut (Kind, String)) {
+    let height = ui.text_style_height(&TextStyle::Body) + 4.0;
+    let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
+    scroll.show_rows(ui, height, names.len(), |ui, rows| {
+        for each in &names[rows] {
+            let noun = KINDS.iter().find(|(kind, _)| *kind == each.0);
+            let row = Button::selectable(selected == each, &each.1);
+            let row = row.shortcut_text(noun.map_or("", |it| it.1));
+            let row = row.min_size(vec2(ui.available_width(), 0.0));
+            if ui.add(row).clicked() {
+                each.clone_into(selected);
+            }
+        }
     });
+}
+
+/// A row for each key of a table, and for those of the tables in it.
+fn rows(ui: &mut Ui, table: &mut Value) {
+    for (key, value) in table.as_object_mut().into_iter().flatten() {
+        if value.is_object() {
+            rows(ui, value);
+            continue;
+        }
+        ui.horizontal(|ui| {
+            let says = SAYS
+                .iter()
+                .find(|(own, _)| own == key)
+                .map_or("", |it| it.1);
+            let label = ui.label(key).on_hover_text(says);
+            ui.add_space((NAMES - label.rect.width()).max(0.0));
+            match value {
+                Value::Bool(on) => drop(ui.checkbox(on, "")),
+                Value::String(text) if key == "name" => name_field(ui, text),
+                Value::String(text) => {
+                    for (_, choice) in CHOICES.iter().filter(|(own, _)| own == key) {
+                        ui.radio_value(text, (*choice).to_owned(), *choice);
+                    }
+                }
+                Value::Number(_) => {
+                    let before = value.as_f64().unwrap_or_default();
+                    let mut after = before;
+                    number(ui, &mut after, ANY).on_hover_text(says);
+                    if after != before {
+                        *value = json!(after);
+                    }
+                }
+                _ => {
+                    let before = DVec3::deserialize(&*value).unwrap_or_default();
+                    let mut after = before;
+                    if COLORS.contains(&key.as_str()) {
+                        ui.spacing_mut().interact_size.x = 24.0;
+                        color_button(ui, &mut after);
+                    }
+                    for axis in 0..3 {
+                        number(ui, &mut after[axis], ANY).on_hover_text(says);
+                    }
+                    if after != before {
+                        *value = json!(after);
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// The field of a name, which is taken once the field has lost the focus.
+fn name_field(ui: &mut Ui, name: &mut String) {
+    let id = ui.id().with(("name", &*name));
+    let typed = ui.data_mut(|data| data.remove_temp::<String>(id));
+    let mut typed = typed.unwrap_or_else(|| name.clone());
+    let field = ui.add(TextEdit::singleline(&mut typed).desired_width(140.0));
+    if field.lost_focus() {
+        *name = typed;
+    } else {
+        ui.data_mut(|data| data.insert_temp(id, typed));
+    }
 }

@@ -9,10 +9,9 @@ use crate::probe::ProbedSurface;
 use crate::reference::LightSample;
 use crate::trade::metrics::displayed;
 use crate::window::app::App;
-use crate::window::chart::still;
 use crate::window::style::{EXACT, GOURAUD, PHONG, SHORTCUT};
+use crate::window::widgets::{CHANNELS, still};
 
-pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 /// The terms as they lie on one another, and the brightness of their light's colour there.
 const STACK: [(LightKind, f32); 3] = [
     (LightKind::Ambient, 0.25),

@@ -6,7 +6,7 @@ use shadetrade::components::{Inspector, ShadingMode, Tab, View};
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::jobs::State;
+use shadetrade::window::facts::State;
 
 use super::{PAUSE, Window};
 use crate::support::window::default_scene;
@@ -50,12 +50,9 @@ fn picture_and_numbers_belong_to_the_scene_that_is_shown() {
 fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::P);
-    // The inspector covers the small picture.
     window.click(window.app.place.center());
     window.press(Key::N);
-    for key in [Key::F5, Key::Escape] {
-        window.press(key);
-    }
+    window.press(Key::F5);
     let states = |window: &Window| {
         let facts = &window.app.facts;
         [
@@ -67,21 +64,12 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
         .map(Clone::clone)
     };
     window.step(Vec::new());
-    assert_eq!(states(&window), [const { State::Done }; 4]);
-    for key in [
-        Key::F2,
-        Key::F6,
-        Key::Z,
-        Key::X,
-        Key::H,
-        Key::H,
-        Key::I,
-        Key::I,
-    ] {
+    assert_eq!(states(&window), [const { State::Current }; 4]);
+    for key in [Key::F2, Key::F6, Key::Z, Key::X, Key::H, Key::H] {
         window.press(key);
         assert_eq!(
             states(&window),
-            [const { State::Done }; 4],
+            [const { State::Current }; 4],
             "{key:?} changes no picture"
         );
     }
@@ -96,23 +84,23 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
         Key::OpenBracket,
     ] {
         let facts = &mut window.app.facts;
-        facts.comparison.state = State::Done;
-        facts.required.state = State::Done;
-        facts.bits.state = State::Done;
+        facts.comparison.state = State::Current;
+        facts.required.state = State::Current;
+        facts.bits.state = State::Current;
         window.press(key);
         let facts = &window.app.facts;
-        assert_eq!(facts.comparison.state, State::Idle, "{key:?}");
-        assert_eq!(facts.required.state, State::Idle, "{key:?}");
-        assert_eq!(facts.bits.state, State::Idle, "{key:?}");
+        assert_eq!(facts.comparison.state, State::Old, "{key:?}");
+        assert_eq!(facts.required.state, State::Old, "{key:?}");
+        assert_eq!(facts.bits.state, State::Old, "{key:?}");
         assert!(facts.comparison.current().is_none() && facts.comparison.value.is_some());
     }
     let facts = &mut window.app.facts;
-    facts.comparison.state = State::Done;
+    facts.comparison.state = State::Current;
     window.size = [140, 90];
     window.step(Vec::new());
     assert_eq!(
         window.app.facts.comparison.state,
-        State::Idle,
+        State::Old,
         "another size"
     );
     assert_eq!(window.app.pixels().len(), 140 * 90);
@@ -193,7 +181,7 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 }
 
 #[test]
-fn different_modes_are_mixed_and_a_key_makes_them_equal() {
+fn different_modes_are_mixed_until_a_key_makes_them_equal() {
     let mut scene = default_scene();
     let mut record = shadetrade::scene::SceneRecord::of(&scene.world);
     record.cuboid.push(shadetrade::scene::CuboidRecord::new(
@@ -207,6 +195,6 @@ fn different_modes_are_mixed_and_a_key_makes_them_equal() {
     assert_eq!(window.app.shading(), None);
     window.press(Key::P);
     assert_eq!(window.app.shading(), Some(ShadingMode::Phong));
-    window.press(Key::F);
+    window.undo();
     assert_eq!(window.record().cuboid, record.cuboid);
 }

@@ -1,20 +1,21 @@
 //! Every key binding, by its command.
 
+use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2};
+use egui_kittest::kittest::Queryable;
 use shadetrade::components::{
     Inspector, Magnifier, Orbit, Projection, ShadingMode, Side, Spin, Tab, ViewMode,
 };
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::keys::{BINDINGS, Command};
 
-use super::widgets::path_field;
 use super::{PAUSE, SIZE, Window};
-use crate::support::window::{app, default_scene, widgets};
+use crate::support::window::{default_scene, widgets};
 
 /// Brings the window into a state in which the command has an effect.
 fn prepare(window: &mut Window, command: Command) {
     match command {
-        Command::Shading(ShadingMode::Gouraud) | Command::FileShading | Command::Undo => {
+        Command::Shading(ShadingMode::Gouraud) | Command::Undo => {
             window.press(Key::P);
         }
         Command::View(ViewMode::Picture) => window.press(Key::F5),
@@ -51,7 +52,7 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
             switch(lights.iter().position(|own| *own == name).expect("a light"));
         }
         Command::Shading(mode) => record.cuboid[0].shading = mode,
-        Command::FileShading | Command::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
+        Command::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
         Command::Redo => record.cuboid[0].shading = ShadingMode::Phong,
         Command::Tolerance(way) => {
             view.tolerance = if way > 0 { 1.0 } else { 0.25 };
@@ -156,23 +157,31 @@ fn a_key_without_effect_shows_a_message() {
         assert!(!window.message().is_empty(), "{key:?}");
     }
     window.undo();
-    (0..20).for_each(|_| window.undo());
+    (0..200).for_each(|_| window.undo());
     assert_eq!(window.message(), "nothing to undo");
+}
+
+/// A window with the scene's tab.
+fn editor() -> Window {
+    let mut window = Window::open();
+    window.press(Key::E);
+    window.step(Vec::new());
+    window
 }
 
 #[test]
 fn keys_type_into_a_focused_field_and_do_nothing_else() {
-    let app = app(default_scene(), SIZE, fearless_simd::Level::new());
-    let field = path_field(&widgets(app, SIZE));
-    let mut window = Window::open();
-    window.click(field);
+    let name = "wrsagpfmco=-bzxehniq1 23?[]";
+    let harness = widgets(editor().app, SIZE);
+    let mut window = editor();
+    window.click(harness.get_by_role(Role::TextInput).rect().center());
+    window.press_with(Modifiers::COMMAND, Key::A);
     let before = window.record();
-    window.enter("wrsagpfmco=-bzxehniq1 23?[]");
-    for key in [Key::Home, Key::ArrowLeft, Key::PageUp, Key::Space] {
+    window.enter(name);
+    for key in [Key::Home, Key::PageUp, Key::Space] {
         window.press(key);
     }
     assert_eq!(window.record(), before);
-    assert_eq!(window.app.desk.path, "wrsagpfmco=-bzxehniq1 23?[]");
     let desk = &window.app.desk;
     assert!(!desk.help && !desk.panel_folded && desk.blinks.is_none() && !window.app.quits);
     // Keys that a text field ignores.
@@ -180,7 +189,8 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     assert_eq!(window.record().view.show, ViewMode::Tiles);
     window.press_with(Modifiers::COMMAND, Key::S);
     assert_eq!(window.files(), ["cuboid.toml"], "{}", window.message());
-    window.press(Key::Escape);
+    window.press(Key::Enter);
+    assert_eq!(window.record().cuboid[0].name, name);
     window.press(Key::P);
     assert_eq!(window.record().cuboid[0].shading, ShadingMode::Phong);
 }
@@ -232,12 +242,19 @@ fn the_keys_of_panel_and_scene_show_and_hide_in_a_narrow_window_too() {
         assert!(window.app.pixels() != folded, "{key:?} opens");
         window.press(key);
         assert!(window.app.pixels() == folded, "{key:?} closes");
-        window.press(key);
-        window.press(Key::Escape);
-        assert!(window.app.pixels() == folded, "Escape closes {key:?}");
-        window.press(key);
-        assert!(window.app.pixels() != folded, "{key:?} opens again");
-        window.press(key);
-        assert!(window.app.pixels() == folded, "{key:?} closes again");
     }
+    // The inspector takes the panel's place, and the panel the inspector's.
+    for (key, has_inspector) in [
+        (Key::I, false),
+        (Key::E, true),
+        (Key::I, false),
+        (Key::E, true),
+    ] {
+        window.press(key);
+        let Inspector(tab) = window.app.look();
+        assert_eq!(tab.is_some(), has_inspector);
+        assert!(window.app.picture_size()[0] > 100, "a side takes the rest");
+    }
+    window.press(Key::Escape);
+    assert_eq!(window.app.look::<Inspector>(), Inspector(None));
 }

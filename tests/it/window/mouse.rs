@@ -7,7 +7,7 @@ use shadetrade::components::{
 };
 use shadetrade::frame::display_step;
 use shadetrade::scene::{LightRecord, Scene, SceneRecord};
-use shadetrade::window::inspector::Kind;
+use shadetrade::window::desk::Kind;
 use shadetrade::window::lights::Marker;
 
 use super::{PAUSE, SIZE, Window};

@@ -12,7 +12,7 @@ use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::metrics::displayed;
 use shadetrade::window::app::App;
-use shadetrade::window::jobs::State;
+use shadetrade::window::facts::State;
 use shadetrade::window::keys::gouraud_phong;
 use shadetrade::window::pictures::side_view;
 use shadetrade::window::style::{GOURAUD, PHONG};
@@ -144,7 +144,7 @@ fn a_price_of_another_view_is_grey_and_says_why() {
     harness.run_ok();
     for is_old in [false, true] {
         if is_old {
-            harness.state_mut().facts.trade.state = State::Idle;
+            harness.state_mut().facts.trade.state = State::Old;
         }
         let at = harness.get_by_label("worst pixel 165 of 255").rect();
         harness.hover_at(at.center());
@@ -314,6 +314,7 @@ fn the_amplified_difference_is_the_difference_to_exact_phong() {
     let factor = window.comparison().amplification;
     let largest = window.comparison().error.expect("a cuboid");
     assert!((63.5..=127.0).contains(&(factor * largest)), "{factor}");
+    window.app.desk.panel_folded = false;
     let harness = widgets(window.app, SIZE);
     let legend = places(&harness, &format!("difference x{factor}"));
     assert_eq!(legend.len(), 1, "the legend has the factor");

@@ -11,7 +11,7 @@ use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::Measurement;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::jobs::State;
+use shadetrade::window::facts::State;
 
 use super::{FRAME, Window};
 use crate::support::window::{app, default_scene, places, widgets};
@@ -133,7 +133,6 @@ fn hovering_a_dot_shows_its_picture_and_changes_nothing() {
         let expected = window.drawn(|view| method.view(&view));
         assert!(window.app.shown() == expected, "{method:?}");
         assert!(window.seen() == expected, "{method:?}");
-        assert!(window.app.pictures.frame() == frame, "{method:?}");
         assert!(window.app.facts.trade.current().is_some());
     }
     window.point_at(window.app.place.center());
@@ -169,6 +168,7 @@ fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
     window.point_at(dots[1]);
     assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
     window.button(dots[1], false);
+    window.point_at(window.app.place.center());
     // A method between two dots is drawn like any other.
     window.app.set_tolerance(0.7);
     window.step(Vec::new());
@@ -193,7 +193,7 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
     for key in [Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home] {
         window.app.facts.trade.finish(measured());
         window.press(key);
-        assert_eq!(window.app.facts.trade.state, State::Idle, "{key:?}");
+        assert_eq!(window.app.facts.trade.state, State::Old, "{key:?}");
         assert!(
             window.app.measured(Phong, 1.0).is_some(),
             "{key:?}: it is known to be old"
@@ -202,7 +202,7 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
     window.app.facts.trade.finish(measured());
     window.size = [800, 600];
     window.step(Vec::new());
-    assert_eq!(window.app.facts.trade.state, State::Idle, "another size");
+    assert_eq!(window.app.facts.trade.state, State::Old, "another size");
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // Measurements of another view say nothing about this one, and nothing moves.
-    window.app.facts.trade.state = State::Idle;
+    window.app.facts.trade.state = State::Old;
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // No frame of this picture takes so little time.

@@ -1,0 +1,83 @@
+//! The meaning of the colours of the error map and of tiles.
+
+use egui::{Color32, Sense, Ui, vec2};
+
+use super::app::App;
+use super::keys::Command;
+use super::pictures::TINTS;
+use crate::components::{Show, Tolerance, ViewMode};
+use crate::paint::color;
+use crate::prove::{REFUTED, UNDECIDED};
+use crate::shading::TileKind;
+use crate::trade::error_map::{EDGE, NOTHING, Scale};
+
+impl App {
+    /// The meaning of the colours of the error map or of tiles.
+    pub fn legend(&mut self, ui: &mut Ui, show: &Show) {
+        match show.mode {
+            ViewMode::Error | ViewMode::Difference => {
+                let comparison = self.facts.comparison.current();
+                let words = comparison.map_or_else(
+                    || "difference".to_owned(),
+                    |it| format!("difference x{}", it.amplification),
+                );
+                let mut is_difference = show.mode == ViewMode::Difference;
+                let switch = ui.checkbox(&mut is_difference, words);
+                let says = "Grey is no difference to exact Phong (F5 once more).";
+                if switch.on_hover_text(says).clicked() {
+                    self.run(Command::View(ViewMode::Error));
+                }
+                if !is_difference {
+                    self.error_legend(ui);
+                }
+            }
+            ViewMode::Tiles => {
+                let counts = self.pictures.counts().tiles;
+                for ((kind, tint), count) in TileKind::ALL.iter().zip(TINTS).zip(counts) {
+                    swatch(ui, tint, &format!("{count}  {}", kind.name()));
+                }
+            }
+            ViewMode::Picture | ViewMode::Wipe => {}
+        }
+    }
+
+    /// The scale of the error map, with marks at the tolerance and at the largest error.
+    fn error_legend(&self, ui: &mut Ui) {
+        let comparison = self.facts.comparison.current();
+        let scale = comparison.map_or(Scale::WIDEST, |it| it.scale);
+        let size = vec2(ui.available_width().min(260.0), 26.0);
+        let (place, response) = ui.allocate_exact_size(size, Sense::hover());
+        response.on_hover_text(
+            "Error against exact Phong, in levels of 255. White marks: the tolerance and the \
+             largest error.",
+        );
+        let painter = ui.painter_at(place);
+        scale.draw(&painter, place, Color32::GRAY);
+        let largest = comparison.and_then(|it| it.error);
+        let marks = [Some(self.look::<Tolerance>().0), largest];
+        for mark in marks.into_iter().flatten() {
+            // The scale leaves room for its last label.
+            let share = scale.position(mark) as f32;
+            let x = place.min.x + share * (place.width() - place.height());
+            painter.vline(x, place.min.y..=place.center().y, (1.5, Color32::WHITE));
+        }
+        swatch(ui, EDGE, "another face is seen");
+        swatch(ui, NOTHING, "nothing is drawn");
+        let proof = self.facts.proof.current();
+        if proof.is_some_and(|proof| proof.undecided > 0) {
+            swatch(ui, UNDECIDED, "undecided");
+        }
+        if proof.is_some_and(|proof| proof.refuted > 0) {
+            swatch(ui, REFUTED, "refuted");
+        }
+    }
+}
+
+fn swatch(ui: &mut Ui, pixel: u32, text: &str) {
+    ui.horizontal(|ui| {
+        let (place, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
+        ui.painter()
+            .rect_filled(place.shrink(1.0), 2.0, color(pixel));
+        ui.label(text);
+    });
+}

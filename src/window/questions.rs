@@ -1,0 +1,273 @@
+//! The questions about the picture that the window asks, and the facts that it shows.
+//!
+//! One question is answered at a time, and a pixel is probed beside it. A question of more worth takes the place of another.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use anyhow::Context;
+use rayon::ThreadPoolBuilder;
+
+use super::app::App;
+use super::comparison::Comparison;
+use super::desk::Kind;
+use super::facts::{Fact, Facts, Question, State, Work};
+use super::pictures::view_at;
+use crate::components::{
+    Inspector, Probed, ShadingMode, Show, Side, Tab, Tolerance, View, ViewMode,
+};
+use crate::drawing::all_cores;
+use crate::probe::{self, Probe};
+use crate::prove::prove;
+use crate::report::Monitor;
+use crate::requires::{self, bits::bits};
+use crate::scene::Scene;
+use crate::shading::{METHODS, Method};
+use crate::trade::{Measurement, Request, live};
+
+/// The time between two reports of progress: a layout takes time from the frames that are measured.
+const PROGRESS: Duration = Duration::from_millis(200);
+/// How long the frames of all methods are timed together, pass by pass, while nothing changes. The first takes the fewest
+/// samples that give a median.
+const PASSES: [Duration; 3] = [
+    Duration::ZERO,
+    Duration::from_secs(1),
+    Duration::from_secs(3),
+];
+
+impl App {
+    /// Lets threads in the background answer the questions; one core is left for the window.
+    ///
+    /// # Errors
+    /// When the system gives no threads.
+    pub(super) fn start_threads(&mut self) -> anyhow::Result<()> {
+        let pool = |threads: usize| {
+            // A panic was reported, and its question stays open.
+            let pool = ThreadPoolBuilder::new().panic_handler(|_| ());
+            let pool = pool.num_threads(threads.max(1)).build();
+            pool.context("cannot start the threads that compare and prove")
+        };
+        self.pools = Some([pool(1)?, pool(all_cores() - 1)?]);
+        Ok(())
+    }
+
+    /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there is
+    /// no background.
+    pub fn ask(&mut self) {
+        let (show, Inspector(tab)): (Show, Inspector) = (self.look(), self.look());
+        let (level, is_live) = (self.level, self.pools.is_some());
+        let shows_exact = self.desk.blinks.is_some()
+            || matches!(show.mode, ViewMode::Error | ViewMode::Difference)
+            || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
+        let [width, height] = self.pictures.size();
+        let Probed(pixel) = self.look();
+        if let Some(pixel) = pixel.filter(|[x, y]| *x < width && *y < height) {
+            let find = move |scene: &mut Scene, view: &View, _: Monitor| {
+                let view = view_at(&show, view, pixel[0]);
+                Ok(probe::section(scene, &view, pixel, level)?)
+            };
+            self.find(Question::Probe, |facts| &mut facts.section, find);
+        }
+        if let Some(part) = self.desk.left_out {
+            let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
+                requires::picture_without(scene, view, part, monitor)
+            };
+            self.find(Question::LeaveOut, |facts| &mut facts.without, find);
+        }
+        if is_live || shows_exact {
+            let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
+                Comparison::of(&mut scene.world, view, level, monitor)
+            };
+            self.find(Question::Compare, |facts| &mut facts.comparison, find);
+        }
+        if is_live && self.shows_times {
+            self.measure();
+        }
+        if is_live || tab == Some(Tab::Proof) {
+            let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
+                prove(&mut scene.world, view, None, level, monitor)
+            };
+            self.find(Question::Prove, |facts| &mut facts.proof, find);
+        }
+        if tab == Some(Tab::Required) {
+            let ranked = |scene: &mut Scene, view: &View, monitor: Monitor| {
+                requires::ranked(scene, view, monitor)
+            };
+            self.find(Question::Require, |facts| &mut facts.required, ranked);
+            let bits =
+                |scene: &mut Scene, view: &View, monitor: Monitor| bits(scene, view, monitor);
+            self.find(Question::Bits, |facts| &mut facts.bits, bits);
+        }
+    }
+
+    /// Measures all methods, in passes.
+    fn measure(&mut self) {
+        let methods = self.wanted_methods();
+        let is_unknown = |it: &Method| self.measured(it.mode, it.tolerance).is_none();
+        let known = self.facts.trade.current().cloned();
+        if known.is_some() && methods.iter().any(is_unknown) {
+            self.facts.passes = 0;
+        }
+        let Some(time) = PASSES.get(self.facts.passes).copied() else {
+            return;
+        };
+        let (threads, level) = (self.threads, self.level);
+        let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
+            let request = Request {
+                camera: String::new(),
+                scene: scene.snapshot(),
+                view: view.clone(),
+                methods,
+                threads,
+                level,
+                time,
+                command: String::new(),
+            };
+            live::measure(&request, &known.unwrap_or_default(), monitor)
+        };
+        let is_first = self.facts.passes == 0;
+        let question = if is_first {
+            Question::Measure
+        } else {
+            Question::Refine
+        };
+        self.find(question, |facts| &mut facts.trade, find);
+    }
+
+    /// Begins to find a fact about the present picture that is not known, unless a question of as much worth is being
+    /// answered. A pixel is probed even while things move, because that takes little time.
+    fn find<T: Send + 'static>(
+        &mut self,
+        question: Question,
+        place: fn(&mut Facts) -> &mut Fact<T>,
+        find: impl FnOnce(&mut Scene, &View, Monitor) -> anyhow::Result<T> + Send + 'static,
+    ) {
+        let is_probe = question == Question::Probe;
+        let is_pass = [Question::Measure, Question::Refine].contains(&question);
+        let is_open = is_pass || place(&mut self.facts).state == State::Old;
+        let index = usize::from(!is_probe);
+        let work = self.works[index].as_ref();
+        let is_next = work.is_none_or(|work| question < work.question);
+        let rests = is_probe || self.pools.is_none() || self.moved.is_none();
+        if !is_open || !is_next || !rests {
+            return;
+        }
+        let (name, record) = (self.scene.name.clone(), Arc::clone(&self.state));
+        let (size, held) = (self.picture_size(), self.held);
+        let find = move |monitor: Monitor| {
+            let mut scene = Scene::spawn(name, &record);
+            let view = View::of(&scene.world, size);
+            let view = held.map_or(view.clone(), |method| method.view(&view));
+            find(&mut scene, &view, monitor)
+        };
+        let pool = self.pools.as_ref().map(|pools| &pools[index]);
+        // The work before is cancelled first.
+        self.works[index] = None;
+        self.works[index] = Some(Work::begin(pool, question, place, find));
+        if self.pools.is_none() {
+            self.receive(self.now);
+        }
+    }
+
+    /// Takes the answers that were found; whether the window shows something new by them.
+    pub fn receive(&mut self, now: Duration) -> bool {
+        let mut is_new = self.works[1].is_some() && now >= self.next_progress;
+        for index in 0..2 {
+            let work = self.works[index].as_ref();
+            let answer = work.and_then(|work| Some((work.question, work.answer.try_recv().ok()?)));
+            let Some((question, answer)) = answer else {
+                continue;
+            };
+            is_new = true;
+            self.works[index] = None;
+            if let Some(reason) = answer(&mut self.facts) {
+                self.say(reason);
+            }
+            self.follow(question);
+        }
+        if is_new {
+            self.next_progress = now + PROGRESS;
+        }
+        is_new
+    }
+
+    /// Does the rest after an answer.
+    fn follow(&mut self, question: Question) {
+        let facts = &mut self.facts;
+        match question {
+            Question::Probe => {
+                let first = facts.section.value.iter().flatten().next();
+                if let Some(object) = first.and_then(|probe| probe.object.as_ref()) {
+                    self.desk.selected = Some((Kind::Cuboid, object.clone()));
+                }
+            }
+            Question::Prove => {
+                if let (Some(comparison), Some(proof)) =
+                    (&mut facts.comparison.value, &facts.proof.value)
+                {
+                    comparison.mark(proof);
+                }
+            }
+            Question::Measure | Question::Refine => facts.passes += 1,
+            _ => {}
+        }
+    }
+
+    /// The present step of the work in the background, and the share of it that is done, 0..=1.
+    pub fn progress(&self) -> Option<(&'static str, f64)> {
+        self.works[1].as_ref().map(Work::progress)
+    }
+
+    /// The answer about the probed pixel, possibly of an earlier picture.
+    pub fn probed(&self) -> Option<&Probe> {
+        let Probed(pixel) = self.look();
+        let mut section = self.facts.section.value.iter().flatten();
+        section.find(|probe| Some(probe.pixel) == pixel)
+    }
+
+    /// The measurement of a method, if there is one; the state of [`Facts::trade`] says whether it is that of the present
+    /// view.
+    pub fn measured(&self, mode: ShadingMode, tolerance: f64) -> Option<&Measurement> {
+        let method = Method::of(mode, tolerance);
+        let mut measured = self.facts.trade.value.iter().flatten();
+        measured.find(|it| it.method == method)
+    }
+
+    /// The method on screen; `None` where the cuboids have different modes.
+    pub fn method(&self) -> Option<Method> {
+        let Tolerance(tolerance) = self.look();
+        let own = || Some(Method::of(self.shading()?, tolerance));
+        self.held.or_else(own)
+    }
+
+    /// The milliseconds of a frame on screen: measured, or the last one's until that is done.
+    pub fn milliseconds(&self) -> Option<f64> {
+        let method = self
+            .method()
+            .filter(|_| self.facts.trade.current().is_some());
+        let measured = method.and_then(|it| self.measured(it.mode, it.tolerance));
+        let last = || self.pictures.time.map(|time| time.as_secs_f64() * 1e3);
+        measured.map(|it| it.timing.median).or_else(last)
+    }
+
+    /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
+    fn wanted_methods(&self) -> Vec<Method> {
+        let show: Show = self.look();
+        let side = |side: &Side| match *side {
+            Side::Method { mode, tolerance } if show.mode == ViewMode::Wipe => {
+                Some(Method::of(mode, tolerance))
+            }
+            _ => None,
+        };
+        // The assignment's shortcut is no way to save time, and its frames take so long that they would delay a key.
+        let mut methods = METHODS.to_vec();
+        methods.retain(|it| it.mode != ShadingMode::UnitVectors);
+        let sides = show.sides.iter().filter_map(side);
+        for method in self.method().into_iter().chain(sides) {
+            if !methods.contains(&method) {
+                methods.push(method);
+            }
+        }
+        methods
+    }
+}

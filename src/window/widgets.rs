@@ -1,0 +1,91 @@
+//! Widgets and numbers that several panels share.
+
+use std::ops::RangeInclusive;
+
+use egui::{Align2, Color32, DragValue, FontId, Pos2, Response, Slider, Ui, vec2};
+use egui_plot::Plot;
+use glam::DVec3;
+
+use super::facts::Fact;
+use super::style::{INK, STALE};
+use crate::components::range;
+
+pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+
+/// Three digits that matter, or fewer.
+pub fn short(value: f64) -> String {
+    crate::report::words::short(Some(value))
+}
+
+/// Two digits that matter: the movement of a hand means no more.
+pub fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
+/// Six significant digits at most, with an exponent where the number is very large or small.
+pub fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    match rounded.abs() {
+        0.0 => "0".to_owned(),
+        1e-3..1e6 => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
+/// Keeps the digits of a number that was only looked at: a widget writes back the digits that it shows.
+pub fn keep_digits(before: f64, value: &mut f64) {
+    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
+        *value = before;
+    }
+}
+
+/// The ink of an answer: grey if it is that of an earlier picture.
+pub fn ink<T>(fact: &Fact<T>) -> Color32 {
+    if fact.current().is_some() { INK } else { STALE }
+}
+
+/// A number that is dragged, or clicked and typed. A drag changes it by a share of itself, to reach any magnitude.
+pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Response {
+    let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
+    let drag = DragValue::new(value).speed(speed).range(range);
+    let response = ui.add(drag.custom_formatter(format_number));
+    keep_digits(before, value);
+    response
+}
+
+/// A slider for the exponent of the highlight.
+pub fn shininess(ui: &mut Ui, value: &mut f64) {
+    let before = *value;
+    let slider = Slider::new(value, range::Shininess::RANGE).logarithmic(true);
+    let slider = slider.smallest_positive(0.1);
+    ui.add(slider.custom_formatter(format_number))
+        .on_hover_text("The exponent of the highlight, 0 to 1e6.");
+    keep_digits(before, value);
+}
+
+/// A button with a colour whose click opens a picker; channels are shares of full strength.
+pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
+    let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let bytes = channels.to_array().map(byte);
+    let mut picked = bytes;
+    let response = ui.color_edit_button_srgb(&mut picked);
+    response.on_hover_text("Colour; each channel is a share of full strength.");
+    if picked != bytes {
+        *channels = DVec3::from(picked.map(|it| f64::from(it) / 255.0));
+    }
+}
+
+/// Words on a dark ground that can be read over any picture.
+pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Color32) {
+    let text = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), ink);
+    let place = align.anchor_size(at, text.size());
+    let ground = Color32::from_black_alpha(170);
+    painter.rect_filled(place.expand2(vec2(4.0, 2.0)), 3.0, ground);
+    painter.galley(place.min, text, ink);
+}
+
+/// A plot that the mouse does not move.
+pub fn still(plot: Plot<'_>) -> Plot<'_> {
+    let plot = plot.allow_drag(false).allow_zoom(false);
+    plot.allow_scroll(false).allow_boxed_zoom(false)
+}
