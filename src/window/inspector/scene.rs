@@ -245,7 +245,7 @@ fn rows(ui: &mut Ui, table: &mut Value) {
             rows(ui, value);
             continue;
         }
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let says = SAYS
                 .iter()
                 .find(|(own, _)| own == key)
