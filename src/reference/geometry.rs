@@ -308,9 +308,9 @@ impl<R: Real> CuboidGeometry<R> {
         height / descent(face, line)
     }
 
-    /// The coordinate of the cuboid's end along an axis, on the side of this sign, relative to the eye.
+    /// The coordinate of the cuboid's end along an axis, on the side of this sign (0 for its middle), relative to the eye.
     pub fn end(&self, axis: usize, sign: f64) -> R {
-        signed(sign, self.half(axis)) - self.eye.0[axis]
+        R::of(sign * self.mesh.corners[7][axis]) - self.eye.0[axis]
     }
 
     /// The intersection of the line with the plane of a face.
