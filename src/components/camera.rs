@@ -8,7 +8,8 @@ use glam::DVec3;
 use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
 
-use super::{Orbit, Transform, get, length, unit};
+use super::transform::Transform;
+use super::vector::{length, unit};
 
 /// A camera. Its position is that of its [`Transform`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,16 +68,7 @@ pub struct Viewpoint {
 }
 
 impl Viewpoint {
-    /// The viewpoint of a camera moved by its [`Orbit`].
-    ///
-    /// # Panics
-    /// If the entity is no camera.
-    pub fn of(world: &World, camera: Entity) -> Viewpoint {
-        let orbit: Orbit = get(world, camera).unwrap_or_default();
-        Viewpoint::own(world, camera).orbited(&orbit)
-    }
-
-    /// The viewpoint of a camera without its [`Orbit`].
+    /// The viewpoint of a camera without its [`Orbit`](super::Orbit).
     ///
     /// # Panics
     /// If the entity is no camera.

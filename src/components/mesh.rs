@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::unit;
+use super::vector::unit;
 
 /// A cuboid's eight corners, relative to its centre in world units, and its unit vertex normals; both before rotation.
 ///

@@ -4,11 +4,16 @@
 //! the poles, which are the camera's `up` and its opposite.
 
 use glam::DVec3;
-use hecs::World;
+use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
 
+use super::camera::Viewpoint;
+use super::entity::get;
+use super::mesh::Mesh;
 use super::range::{OrbitAngle, Zoom};
-use super::{Mesh, Spin, Transform, Viewpoint, active_camera, get, length, unit, viewer};
+use super::transform::Transform;
+use super::vector::{length, unit};
+use super::viewer::{Spin, active_camera, viewer};
 
 /// The least distance of an orbit from a pole, in degrees, unless the camera's own place is closer.
 const POLE_DISTANCE: f64 = 1.0;
@@ -84,6 +89,15 @@ impl Orbit {
 }
 
 impl Viewpoint {
+    /// The viewpoint of a camera moved by its [`Orbit`].
+    ///
+    /// # Panics
+    /// If the entity is no camera.
+    pub fn of(world: &World, camera: Entity) -> Viewpoint {
+        let orbit: Orbit = get(world, camera).unwrap_or_default();
+        Viewpoint::own(world, camera).orbited(&orbit)
+    }
+
     /// The viewpoint moved by `orbit`.
     #[must_use]
     pub fn orbited(&self, orbit: &Orbit) -> Viewpoint {

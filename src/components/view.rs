@@ -3,7 +3,9 @@
 use glam::DVec3;
 use hecs::World;
 
-use super::{Background, Projection, ShadingMode, Spin, Tolerance, Viewpoint, active_camera};
+use super::camera::{Projection, Viewpoint};
+use super::surface::ShadingMode;
+use super::viewer::{Background, Spin, Tolerance, active_camera};
 
 /// The settings of one frame.
 #[derive(Clone, Debug)]

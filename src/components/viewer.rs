@@ -4,7 +4,9 @@ use glam::DVec3;
 use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, ShadingMode, ordered};
+use super::camera::Camera;
+use super::entity::ordered;
+use super::surface::ShadingMode;
 
 /// The camera of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

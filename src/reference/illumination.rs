@@ -12,11 +12,11 @@
 
 use glam::DVec3;
 
+use super::geometry::{CuboidGeometry, FacePoint};
 use super::real::Real;
 use super::rule::Rule;
-use super::sight::{CuboidGeometry, FacePoint};
 use super::vector::RealVector;
-use crate::components::{Light, LightKind, Material, Mesh};
+use crate::components::{Light, LightKind, Material};
 
 /// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per
 /// specular light, by its number modulo [`TIES`]. Lights with the same bit open together, so not every legal picture is
@@ -65,14 +65,13 @@ pub struct ReferenceSurface<R> {
     pub lights: Vec<LightTerm<R>>,
     corners: [Corner<R>; 8],
     /// The levels at the corners with tied gates closed, and with tied gates open.
-    corner_levels: [[Lit<R>; 8]; 2],
+    corner_levels: Vec<[Lit<R>; 8]>,
 }
 
 impl<R: Real> ReferenceSurface<R> {
     /// The surface of a cuboid. `lights` are the lights that are on with their positions; positions are in world units.
     pub fn new(
         solid: &CuboidGeometry<R>,
-        mesh: &Mesh,
         material: &Material,
         lights: &[(DVec3, Light)],
         (eye, centre): (DVec3, DVec3),
@@ -96,7 +95,7 @@ impl<R: Real> ReferenceSurface<R> {
             }
         };
         let lights: Vec<_> = lights.iter().map(light_term).collect();
-        let corners = mesh.corners.map(|corner| {
+        let corners = solid.mesh.corners.map(|corner| {
             let place = RealVector::exact(corner);
             Corner {
                 // The normals of the three faces at a corner are the axes with the signs of its coordinates.
@@ -112,21 +111,14 @@ impl<R: Real> ReferenceSurface<R> {
             shininess: material.shininess,
             lights,
             corners,
-            corner_levels: [[Lit {
-                levels: RealVector::exact(DVec3::ZERO),
-                is_tied: false,
-            }; 8]; 2],
+            corner_levels: Vec::new(),
         };
-        surface.corner_levels = [0, ALL].map(|open| {
-            surface.corners.each_ref().map(|corner| {
-                surface.lit(
-                    corner.normal,
-                    corner.to_eye,
-                    |light| corner.to_lights[light],
-                    open,
-                )
-            })
-        });
+        let lit = |corner: &Corner<R>, open| {
+            let to_light = |light: usize| corner.to_lights[light];
+            surface.lit(corner.normal, corner.to_eye, to_light, open)
+        };
+        let lit = |open| surface.corners.each_ref().map(|corner| lit(corner, open));
+        surface.corner_levels = vec![lit(0), lit(ALL)];
         surface
     }
 

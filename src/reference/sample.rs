@@ -4,10 +4,10 @@ use glam::DVec3;
 use hecs::World;
 use serde::Serialize;
 
+use super::geometry::CuboidGeometry;
 use super::illumination::{blend, reflection};
-use super::sight::CuboidGeometry;
+use super::picture::{Met, Reference, ReferenceCuboid};
 use super::vector::RealVector;
-use super::{Met, Reference, ReferenceCuboid};
 use crate::components::{FileOrder, Light, LightKind, Name, View, in_file_order};
 
 /// The evaluation of one pixel. Vectors are unit vectors in world space.
@@ -86,12 +86,7 @@ pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Op
 impl Reference<f64> {
     /// The evaluation where a line of sight meets a cuboid. The names are those of the lights that are on.
     fn sample(&self, met: &Met<f64>, names: &[String]) -> Option<Sample> {
-        let ReferenceCuboid {
-            solid,
-            surface,
-            mesh,
-            ..
-        } = met.cuboid;
+        let ReferenceCuboid { solid, surface, .. } = met.cuboid;
         let face = met.meeting.faces().next()?;
         let place = solid.place(face, &met.line);
         let is_first = place.is_on_first?;
@@ -123,7 +118,8 @@ impl Reference<f64> {
             }
         });
         let on_screen = met.cuboid.shortcut_weights(corners, weights);
-        let normals = corners.map(|corner| RealVector::exact(mesh.corners[corner].signum()).unit());
+        let normals =
+            corners.map(|corner| RealVector::exact(solid.mesh.corners[corner].signum()).unit());
         Some(Sample {
             object: met.cuboid.number,
             triangle: 2 * face + usize::from(!is_first),

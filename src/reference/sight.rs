@@ -2,18 +2,12 @@
 //!
 //! In intervals every number encloses the exact one.
 
-mod beside;
-mod bounds;
-mod edge;
-mod solid;
-
 use glam::DVec3;
 
 use super::real::Real;
 use super::rule::Rule;
 use super::vector::RealVector;
 use crate::components::{Projection, Transform, View};
-pub use solid::{CuboidGeometry, FacePoint, Meeting};
 
 /// Larger than any distance in a scene, in world units.
 const FAR: f64 = 1e150;
@@ -24,13 +18,13 @@ pub struct Sight<R> {
     pub eye: DVec3,
     /// Right, up and forward: unit vectors in world space.
     pub axes: [RealVector<R>; 3],
-    projection: Projection,
+    pub projection: Projection,
     /// Distance of the near plane, in world units.
-    near: R,
+    pub near: R,
     /// Distance between neighbouring pixels: a slope in perspective, world units in orthographic projection.
-    pitch: R,
+    pub pitch: R,
     /// Width and height in pixels.
-    size: [usize; 2],
+    pub size: [usize; 2],
 }
 
 /// The line of sight through a pixel centre, `offset + along * t`, relative to the eye and in the cuboid's axes.
@@ -38,7 +32,8 @@ pub struct Line<R> {
     /// The start of the line relative to the eye; zero in perspective.
     pub offset: RealVector<R>,
     pub along: RealVector<R>,
-    pixel: [f64; 2],
+    /// Its offset from the picture's centre, right and down.
+    pub pixel: [f64; 2],
 }
 
 impl<R: Real> Sight<R> {
@@ -73,7 +68,7 @@ impl<R: Real> Sight<R> {
 }
 
 /// A cuboid's axes in world space, the columns of Rz * Ry * Rx.
-fn own_axes<R: Real>(transform: &Transform) -> [RealVector<R>; 3] {
+pub fn own_axes<R: Real>(transform: &Transform) -> [RealVector<R>; 3] {
     let [[sx, cx], [sy, cy], [sz, cz]]: [[R; 2]; 3] = transform.rotation.to_array().map(sin_cos);
     [
         RealVector([cz * cy, sz * cy, -sy]),
@@ -95,6 +90,3 @@ fn sin_cos<R: Real>(degrees: f64) -> [R; 2] {
         _ => [-cos, sin],
     }
 }
-
-#[cfg(test)]
-mod tests;

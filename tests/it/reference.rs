@@ -1,8 +1,6 @@
-//! The reference against values from paper, and the renderer against the reference.
+//! The reference against values from paper. `prove` compares its formula with a second arithmetic, and the renderer with it.
 
-mod agreement;
 mod invariance;
 mod light;
 mod scenes;
 mod sight;
-mod triangles;

@@ -2,14 +2,12 @@
 //!
 //! The value with 256 bits stands for the exact one: its relative error is some 1e-70.
 
-use proptest::prelude::*;
-use proptest::strategy::ValueTree;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::reference::{Interval, Real, Seen};
 
 use super::naive::{Big, Number, RIGHT, Scene};
 use super::{enclosures, known};
+use crate::support::cases::values;
 use crate::support::random::Random;
 use crate::support::random_scene::case;
 
@@ -51,13 +49,10 @@ fn compare(
 #[test]
 fn enclosures_of_random_scenes_hold_the_value_and_are_narrow() {
     const SIZE: [usize; 2] = [48, 36];
-    let rng = TestRng::deterministic_rng(RngAlgorithm::XorShift);
-    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
     let mut sum = (0.0_f64, 0);
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-        for _ in 0..20 {
-            let tree = case(mode).new_tree(&mut runner).expect("a scene is found");
-            let (world, view) = tree.current().build(SIZE, 0.0);
+        for case in values(&case(mode), 20) {
+            let (world, view) = case.build(SIZE, 0.0);
             let pixels = enclosures(&world, &view);
             let (widest, compared) = compare(&Scene::new(&world, &view), SIZE[0], &pixels, 37);
             sum = (sum.0.max(widest), sum.1 + compared);
@@ -97,20 +92,9 @@ fn assert_sharp(name: &str, at: f64, enclosure: Interval, value: &Big) {
 }
 
 #[test]
-fn operations_of_intervals_enclose_the_value_of_the_second_arithmetic() {
+fn sines_cosines_and_powers_enclose_the_value_of_the_second_arithmetic() {
     let mut random = Random(7);
     for _ in 0..2000 {
-        let x = 10.0_f64.powf(random.within(-12.0, 12.0));
-        let number = Interval::of(x);
-        assert_sharp("square", x, number.square(), &(Big::of(x) * Big::of(x)));
-        assert_sharp("root", x, Real::sqrt(number), &Big::of(x).root());
-        assert_sharp(
-            "third",
-            x,
-            number / Interval::of(3.0),
-            &(Big::of(x) / Big::of(3.0)),
-        );
-
         let degrees = random.within(-45.0, 45.0);
         let [found_sin, found_cos] = Interval::sin_cos(degrees);
         let [sin, cos] = Big::sine_and_cosine(degrees);
@@ -132,49 +116,5 @@ fn operations_of_intervals_enclose_the_value_of_the_second_arithmetic() {
             largest - least < 1e-9,
             "{base}^{exponent}: {power:?} is wide"
         );
-    }
-}
-
-#[test]
-fn operations_of_wide_intervals_enclose_the_results_of_their_members() {
-    let mut random = Random(9);
-    // From floats that are exact in every operation to floats with subnormal products.
-    let member = |random: &mut Random, reach: f64| match random.within(0.0, 4.0) as u8 {
-        0 => random.within(-8.0, 8.0).round(),
-        _ => random.within(-1.0, 1.0) * 10.0_f64.powf(random.within(-reach, reach)),
-    };
-    for case in 0..6000 {
-        let reach = [1.0, 20.0, 160.0][case % 3];
-        let [a, b, c, d] = [(); 4].map(|()| member(&mut random, reach));
-        let both = [(a, b), (c, d)].map(|(a, b)| Interval::new(a.min(b), a.max(b)));
-        let [left, right] = if case % 2 == 0 {
-            both
-        } else {
-            [a, c].map(Interval::of)
-        };
-        let [x, y] = [a, c].map(Big::of);
-        let zero = Big::of(0.0);
-        let mut cases = vec![
-            ("+", left + right, x.clone() + y.clone()),
-            ("-", left - right, x.clone() - y.clone()),
-            ("*", left * right, x.clone() * y.clone()),
-            ("square", left.square(), x.clone() * x.clone()),
-            ("max", left.max(right), x.clone().max(y.clone())),
-            ("min", left.min(right), x.clone().min(y.clone())),
-            ("either", left.either(right), y.clone()),
-            ("opposite", -left, -x.clone()),
-        ];
-        if y != zero {
-            cases.push(("/", left / right, x.clone() / y));
-        }
-        if x >= zero {
-            cases.push(("root", Real::sqrt(left), x.root()));
-        }
-        for (name, result, exact) in cases {
-            assert!(
-                holds(result, &exact),
-                "{left:?} {name} {right:?}: {result:?} does not hold {exact:?}"
-            );
-        }
     }
 }

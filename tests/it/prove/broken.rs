@@ -1,7 +1,7 @@
 //! Deliberately wrong pictures are refuted, and the right one is proven.
 
 use shadetrade::components::{LightKind, Projection, ShadingMode, View};
-use shadetrade::prove::{Shown, Verdict, judge};
+use shadetrade::prove::{Shown, judge};
 use shadetrade::reference::{Interval, Seen};
 use shadetrade::scene::Scene;
 
@@ -72,71 +72,25 @@ fn the_model_is_proven_and_every_wrong_one_is_refuted() {
             without: Some(kind),
             ..RIGHT
         };
+        let [mut affine, mut short, mut exponent] = [RIGHT; 3];
+        affine.is_affine = true;
+        short.is_short = true;
+        exponent.exponent = 1.001;
         let wrong = [
             (true, without(LightKind::Ambient)),
             (true, without(LightKind::Diffuse)),
             // No corner is in a highlight.
             (is_phong, without(LightKind::Specular)),
             // In orthographic projection both are equal.
-            (
-                is_perspective,
-                Model {
-                    is_affine: true,
-                    ..RIGHT
-                },
-            ),
-            (
-                is_phong,
-                Model {
-                    is_short: true,
-                    ..RIGHT
-                },
-            ),
-            (
-                is_phong,
-                Model {
-                    exponent: 1.001,
-                    ..RIGHT
-                },
-            ),
+            (is_perspective, affine),
+            (is_phong, short),
+            (is_phong, exponent),
         ];
         for (_, model) in wrong.iter().filter(|(matters, _)| *matters) {
             let [_, undecided, refuted] = evaluated(scene, seen, *model);
             println!("{mode:?} {projection:?} {model:?}: {refuted} refuted");
             assert_eq!(undecided, 0, "{model:?}");
             assert!(refuted > 0, "{mode:?} {projection:?} {model:?}");
-        }
-    });
-}
-
-#[test]
-fn a_level_slightly_beyond_the_limit_is_refuted_and_one_slightly_within_it_is_proven() {
-    check(|scene, mode, projection, seen| {
-        for limit in [1e-4, 0.05, 0.5, 4.0] {
-            for (share, expected) in [(0.9999, Verdict::Proven), (1.0001, Verdict::Refuted)] {
-                let mut judged = 0;
-                for (pixel, seen) in seen.iter().enumerate() {
-                    let [one] = seen[..] else {
-                        continue;
-                    };
-                    for channel in 0..3 {
-                        let mut shown = shown(scene, pixel, one.face(), RIGHT);
-                        // Levels away from the limits of the display.
-                        if !(8.0..247.0).contains(&shown.levels[channel]) {
-                            continue;
-                        }
-                        shown.levels[channel] +=
-                            share * if pixel % 2 == 0 { limit } else { -limit };
-                        let verdict = judge(shown, seen, limit).0.verdict;
-                        assert_eq!(
-                            verdict, expected,
-                            "{mode:?} {projection:?} pixel {pixel} {share} of {limit}"
-                        );
-                        judged += 1;
-                    }
-                }
-                assert!(judged > 1000, "{judged} levels were moved");
-            }
         }
     });
 }

@@ -149,98 +149,60 @@ fn a_name_is_unique_within_its_kind() {
     let text = format!("{cuboid}{}{camera}", cuboid.trim_start());
     let first = "no other cuboid has";
     assert_complaint(&text, "11:8", &["`cuboid.name`: ", "\"box\"", first]);
-    for (added, first) in [
-        (light, "no other light has"),
-        (camera, "no other camera has"),
-    ] {
+    for (added, first) in [(light, "no other light"), (camera, "no other camera")] {
         assert_complaint(&format!("{LEAST}{added}"), "23:8", &[first]);
     }
-    for (line, name) in [
+    let names = [
         (17, "white"),
         (17, "a, b"),
         (17, "all"),
         (11, "All"),
         (11, " "),
-    ] {
+    ];
+    for (line, name) in names {
         assert_accepted(&with_line(line, &format!("name = {name:?}")));
     }
 }
 
+/// A line of [`LEAST`], its replacement with `@` for the number, and the ends of its range.
+const RANGES: &str = "
+ 1 ¦ background = [0, @, 0]                  ¦ 0       ¦ 255
+ 4 ¦ size = [1, 1, @]                        ¦ 1e-100  ¦ 1e100
+ 4 ¦ size = [1, 1, 1]⏎position = [@, 0, 0]   ¦ -1e100  ¦ 1e100
+ 4 ¦ size = [1, 1, 1]⏎rotation = [@, 0, 0]   ¦ -1.7976931348623157e308 ¦ 1.7976931348623157e308
+ 6 ¦ ambient = [@, 0, 0]                     ¦ 0       ¦ 1e30
+ 7 ¦ diffuse = [0, @, 0]                     ¦ 0       ¦ 1e30
+ 8 ¦ specular = [0, 0, @]                    ¦ 0       ¦ 1e30
+ 9 ¦ shininess = @                           ¦ 0       ¦ 1e6
+13 ¦ color = [0, 0, @]                       ¦ 0       ¦ 1e30
+14 ¦ intensity = @                           ¦ 0       ¦ 1e30
+14 ¦ intensity = 1⏎gain = @                  ¦ 0       ¦ 1e30
+15 ¦ position = [@, 2, 3]                    ¦ -1e100  ¦ 1e100
+18 ¦ position = [1, 2, @]                    ¦ -1e100  ¦ 1e100
+19 ¦ target = [@, 2, 3]                      ¦ -1e100  ¦ 1e100
+20 ¦ fov = @                                 ¦ 5e-324  ¦ 179
+20 ¦ fov = 30⏎near = @                       ¦ 1e-100  ¦ 1e100
+20 ¦ fov = 30⏎up = [@, 1, 0]                 ¦ -1e100  ¦ 1e100
+21 ¦ height = @                              ¦ 1e-100  ¦ 1e100
+22 ¦ orbit.azimuth = @                       ¦ -180    ¦ 180
+22 ¦ orbit.elevation = @                     ¦ -180    ¦ 180
+22 ¦ [view]⏎divider = @                      ¦ 0       ¦ 1
+22 ¦ [view]⏎budget = @                       ¦ 0.001   ¦ 10000
+";
+
 #[test]
 fn every_range_contains_its_ends_and_nothing_beyond() {
-    let below_length = 1e-100_f64.next_down();
-    let below_coordinate = (-1e100_f64).next_down();
-    // A line, the key with `@` for the number, a number below the range, and both ends of the range.
-    let keys = [
-        (1, "background = [0, @, 0]", -5e-324, 0.0, 255.0),
-        (4, "size = [1, 1, @]", below_length, 1e-100, 1e100),
-        (
-            4,
-            "size = [1, 1, 1]⏎position = [@, 0, 0]",
-            below_coordinate,
-            -1e100,
-            1e100,
-        ),
-        (6, "ambient = [@, 0, 0]", -5e-324, 0.0, 1e30),
-        (7, "diffuse = [0, @, 0]", -5e-324, 0.0, 1e30),
-        (8, "specular = [0, 0, @]", -5e-324, 0.0, 1e30),
-        (9, "shininess = @", -5e-324, 0.0, 1e6),
-        (13, "color = [0, 0, @]", -5e-324, 0.0, 1e30),
-        (14, "intensity = @", -5e-324, 0.0, 1e30),
-        (14, "intensity = 1⏎gain = @", -5e-324, 0.0, 1e30),
-        (15, "position = [@, 2, 3]", below_coordinate, -1e100, 1e100),
-        (18, "position = [1, 2, @]", below_coordinate, -1e100, 1e100),
-        (19, "target = [@, 2, 3]", below_coordinate, -1e100, 1e100),
-        (20, "fov = @", 0.0, 5e-324, 179.0),
-        (20, "fov = 30⏎near = @", below_length, 1e-100, 1e100),
-        (
-            20,
-            "fov = 30⏎up = [@, 1, 0]",
-            below_coordinate,
-            -1e100,
-            1e100,
-        ),
-        (21, "height = @", below_length, 1e-100, 1e100),
-        (
-            22,
-            "orbit.azimuth = @",
-            (-180.0_f64).next_down(),
-            -180.0,
-            180.0,
-        ),
-        (
-            22,
-            "orbit.elevation = @",
-            (-180.0_f64).next_down(),
-            -180.0,
-            180.0,
-        ),
-        (22, "[view]⏎divider = @", -5e-324, 0.0, 1.0),
-        (
-            22,
-            "[view]⏎budget = @",
-            0.001_f64.next_down(),
-            0.001,
-            10_000.0,
-        ),
-        (
-            4,
-            "size = [1, 1, 1]⏎rotation = [@, 0, 0]",
-            f64::NEG_INFINITY,
-            f64::MIN,
-            f64::MAX,
-        ),
-    ];
-    for (line, key, below, low, high) in keys {
+    for row in RANGES.lines().skip(1) {
+        let cells: Vec<&str> = row.split('¦').map(str::trim).collect();
         let text = |number: f64| {
-            with_line(
-                line,
-                &key.replace('⏎', "\n").replace('@', &format!("{number:e}")),
-            )
+            let key = cells[1].replace('⏎', "\n");
+            let key = key.replace('@', &format!("{number:e}"));
+            with_line(cells[0].parse().unwrap(), &key)
         };
-        assert_accepted(&text(low));
-        assert_accepted(&text(high));
-        for beyond in [below, high.next_up()] {
+        let [least, most] = [2, 3].map(|cell| cells[cell].parse::<f64>().unwrap());
+        assert_accepted(&text(least));
+        assert_accepted(&text(most));
+        for beyond in [least.next_down(), most.next_up()] {
             let complaint = complaint(&text(beyond));
             assert!(complaint.contains(", expected a number "), "{complaint}");
         }
@@ -307,25 +269,8 @@ fn unlimited_nesting_is_refused() {
     assert_complaint(&dotted, "1:1", &["recursion limit"]);
 }
 
-/// Pieces for damaging a scene at random.
-const PIECES: [&str; 16] = [
-    "",
-    "\n",
-    "[",
-    "]",
-    "[[cuboid]]\n",
-    "[light]\n",
-    "=",
-    "\"",
-    "nan",
-    "-",
-    "1e999",
-    ".",
-    "é",
-    "\u{0}",
-    "\r",
-    "0x",
-];
+/// Pieces for damaging a scene at random, separated by `|`.
+const PIECES: &str = "|\n|[|]|[[cuboid]]\n|[light]\n|=|\"|nan|-|1e999|.|é|\0|\r|0x";
 
 proptest! {
     #[test]
@@ -336,13 +281,14 @@ proptest! {
     #[test]
     fn any_damaged_scene_is_a_scene_or_one_message(
         scene in 0..BUILT_IN.len(),
-        damages in prop::collection::vec((any::<prop::sample::Index>(), 0..40_usize, 0..PIECES.len()), 1..4),
+        damages in prop::collection::vec((any::<prop::sample::Index>(), 0..40_usize, 0..16_usize), 1..4),
     ) {
         let mut characters: Vec<char> = BUILT_IN[scene].1.chars().collect();
         for (at, length, piece) in damages {
             let start = at.index(characters.len() + 1);
             let end = (start + length).min(characters.len());
-            characters.splice(start..end, PIECES[piece].chars());
+            let piece = PIECES.split('|').nth(piece).unwrap_or_default();
+            characters.splice(start..end, piece.chars());
         }
         assert_scene_or_message(&characters.into_iter().collect::<String>());
     }

@@ -3,10 +3,7 @@
 use std::ops::RangeInclusive;
 
 use glam::DVec3;
-use proptest::collection::vec;
-use proptest::option::of;
 use proptest::prelude::*;
-use proptest::sample::select;
 use shadetrade::components::{
     LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance, ViewMode,
 };
@@ -16,168 +13,138 @@ use shadetrade::scene::range::{
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
+use crate::support::random::Random;
+
 /// A number as often near 0 as far from it, and sometimes an end of its range.
-fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
-    let (least, most) = range.into_inner();
+fn number(random: &mut Random, range: &RangeInclusive<f64>) -> f64 {
+    let (least, most) = (*range.start(), *range.end());
     let smallest = if least > 0.0 { least } else { 1e-320 };
-    let size = (smallest.ln()..most.ln()).prop_map(f64::exp);
-    let number = (size, any::<bool>()).prop_map(|(size, below)| if below { -size } else { size });
-    prop_oneof![8 => number, 1 => Just(least), 1 => Just(most)]
-        .prop_map(move |number| number.clamp(least, most) + 0.0)
+    let size = random.within(smallest.ln(), most.ln()).exp();
+    let number = [least, most, size, -size][random.below(20).min(2 + random.below(2))];
+    number.clamp(least, most) + 0.0
 }
 
-fn three(range: &RangeInclusive<f64>) -> impl Strategy<Value = DVec3> {
-    [(); 3]
-        .map(|()| number(range.clone()))
-        .prop_map(DVec3::from)
+fn three(random: &mut Random, range: &RangeInclusive<f64>) -> DVec3 {
+    DVec3::from([(); 3].map(|()| number(random, range)))
 }
 
-/// A text of any characters, or an ordinary name. The name of a light holds no comma.
-fn name() -> impl Strategy<Value = String> {
-    prop_oneof![any::<String>(), Just("white".to_owned())].prop_map(|name| name.replace(',', ""))
+fn one_of<T: Copy>(random: &mut Random, all: &[T]) -> T {
+    all[random.below(all.len())]
 }
 
-pub fn cuboid() -> impl Strategy<Value = CuboidRecord> {
-    let coefficients = [(); 3].map(|()| three(&Strength::RANGE));
-    let material = (coefficients, number(Shininess::RANGE));
-    let modes = select(vec![ShadingMode::Gouraud, ShadingMode::Phong]);
-    let places = (
-        three(&Length::RANGE),
-        three(&Coordinate::RANGE),
-        three(&Angle::RANGE),
-    );
-    (name(), places, modes, material).prop_map(
-        |(name, (size, position, rotation), shading, (coefficients, shininess))| {
-            let [ambient, diffuse, specular] = coefficients;
-            let material = Material {
-                ambient,
-                diffuse,
-                specular,
-                shininess,
-            };
-            CuboidRecord {
-                name,
-                size,
-                position,
-                rotation,
-                shading,
-                material,
-            }
+fn maybe<T>(random: &mut Random, of: impl FnOnce(&mut Random) -> T) -> Option<T> {
+    (random.below(2) == 0).then(|| of(random))
+}
+
+/// An ordinary name, or a text of any characters. The name of a light holds no comma.
+pub fn name(random: &mut Random) -> String {
+    let letter = |random: &mut Random| match random.below(3) {
+        0 => char::from(random.below(128) as u8),
+        1 => one_of(random, &['"', '\'', '\\', '\n', '\u{7f}', 'é', '#']),
+        _ => char::from_u32(random.below(0x0011_0000) as u32).unwrap_or('.'),
+    };
+    let letters = 0..random.below(8);
+    let text: String = letters.map(|_| letter(random)).collect();
+    maybe(random, |_| "white".to_owned()).unwrap_or_else(|| text.replace(',', ""))
+}
+
+pub fn cuboid(random: &mut Random) -> CuboidRecord {
+    let [ambient, diffuse, specular] = [(); 3].map(|()| three(random, &Strength::RANGE));
+    CuboidRecord {
+        rotation: three(random, &Angle::RANGE),
+        shading: one_of(random, &[ShadingMode::Gouraud, ShadingMode::Phong]),
+        material: Material {
+            ambient,
+            diffuse,
+            specular,
+            shininess: number(random, &Shininess::RANGE),
         },
-    )
+        ..CuboidRecord::new(
+            name(random),
+            three(random, &Length::RANGE),
+            three(random, &Coordinate::RANGE),
+        )
+    }
 }
 
-pub fn light() -> impl Strategy<Value = LightRecord> {
-    let kind = (
-        select(LightKind::ALL.to_vec()),
-        three(&Coordinate::RANGE),
-        any::<bool>(),
-    );
-    let strengths = (
-        three(&Strength::RANGE),
-        number(Strength::RANGE),
-        number(Strength::RANGE),
-    );
-    (name(), kind, strengths).prop_map(|(name, (kind, position, on), (color, intensity, gain))| {
-        LightRecord {
-            color,
-            gain,
-            on,
-            ..LightRecord::new(name, kind, intensity, position)
-        }
-    })
+pub fn light(random: &mut Random) -> LightRecord {
+    let kind = one_of(random, &LightKind::ALL);
+    let [intensity, gain] = [(); 2].map(|()| number(random, &Strength::RANGE));
+    LightRecord {
+        color: three(random, &Strength::RANGE),
+        gain,
+        on: random.below(2) == 0,
+        ..LightRecord::new(
+            name(random),
+            kind,
+            intensity,
+            three(random, &Coordinate::RANGE),
+        )
+    }
 }
 
-fn orbit() -> impl Strategy<Value = Orbit> {
-    (
-        number(OrbitAngle::RANGE),
-        number(OrbitAngle::RANGE),
-        number(Zoom::RANGE),
-    )
-        .prop_map(|(azimuth, elevation, zoom)| Orbit {
-            azimuth,
-            elevation,
-            zoom,
-        })
+pub fn camera(random: &mut Random) -> CameraRecord {
+    let [position, target, up] = [(); 3].map(|()| three(random, &Coordinate::RANGE));
+    let sees = [
+        number(random, &FieldOfView::RANGE),
+        number(random, &Length::RANGE),
+    ];
+    let orbit = maybe(random, |random| Orbit {
+        azimuth: number(random, &OrbitAngle::RANGE),
+        elevation: number(random, &OrbitAngle::RANGE),
+        zoom: number(random, &Zoom::RANGE),
+    });
+    CameraRecord {
+        up,
+        near: maybe(random, |random| number(random, &Length::RANGE)),
+        orbit: orbit.unwrap_or_default(),
+        ..CameraRecord::new(name(random), position, target, sees)
+    }
 }
 
-pub fn camera() -> impl Strategy<Value = CameraRecord> {
-    let places = (
-        three(&Coordinate::RANGE),
-        three(&Coordinate::RANGE),
-        three(&Coordinate::RANGE),
-    );
-    let sees = (
-        number(FieldOfView::RANGE),
-        number(Length::RANGE),
-        of(number(Length::RANGE)),
-    );
-    (name(), places, sees, of(orbit())).prop_map(
-        |(name, (position, target, up), (fov, height, near), orbit)| CameraRecord {
-            up,
-            near,
-            orbit: orbit.unwrap_or_default(),
-            ..CameraRecord::new(name, position, target, [fov, height])
-        },
-    )
+fn tolerance(random: &mut Random) -> f64 {
+    maybe(random, |random| number(random, &(1e-4..=255.0))).unwrap_or(0.0)
 }
 
-fn side() -> impl Strategy<Value = Side> {
-    let tolerance = prop_oneof![Just(0.0), number(1e-4..=255.0)];
-    let modes = select(vec![ShadingMode::Gouraud, ShadingMode::Phong]);
-    let method = (modes, tolerance).prop_map(|(mode, tolerance)| Side::Method { mode, tolerance });
+fn side(random: &mut Random) -> Side {
+    let [gouraud, phong] = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method {
+        mode,
+        tolerance: tolerance(random),
+    });
     let shortcut = Side::Method {
         mode: ShadingMode::UnitVectors,
         tolerance: 0.0,
     };
-    prop_oneof![
-        Just(Side::Picture),
-        Just(Side::Reference),
-        Just(shortcut),
-        method
-    ]
+    let sides = [Side::Picture, Side::Reference, shortcut, gouraud, phong];
+    one_of(random, &sides)
 }
 
 /// A view. Its camera is chosen where the cameras are known.
-pub fn view() -> impl Strategy<Value = ViewRecord> {
+pub fn view(random: &mut Random) -> ViewRecord {
     use ViewMode::{Difference, Error, Picture, Tiles, Wipe};
-    let view_modes = vec![Picture, Wipe, Error, Difference, Tiles];
-    let tabs = vec![Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof];
-    let pixel = || [0..16_384_usize, 0..16_384_usize];
-    let magnifier = (0..7, pixel()).prop_map(|(power, corner)| Magnifier {
-        scale: 1_usize << power,
-        corner,
-    });
-    let picture = (
-        select(Projection::ALL.to_vec()),
-        prop_oneof![Just(0.0), number(1e-4..=255.0)],
-        of(number(Milliseconds::RANGE)),
-        0..360_u32,
-    );
-    let show = (select(view_modes), [side(), side()], number(Share::RANGE));
-    let window = (of(pixel()), magnifier, of(select(tabs)));
-    let changed = (picture, show, window).prop_map(
-        |(
-            (projection, tolerance, budget, turned),
-            (show, sides, divider),
-            (pixel, magnifier, inspector),
-        )| {
-            ViewRecord {
-                camera: None,
-                projection,
-                tolerance: budget.map_or(tolerance, |_| Tolerance::default().0),
-                budget,
-                show,
-                sides,
-                divider,
-                turned,
-                pixel,
-                magnifier,
-                inspector,
-            }
+    if random.below(4) == 0 {
+        return ViewRecord::default();
+    }
+    let pixel = |random: &mut Random| [random.below(16_384), random.below(16_384)];
+    let budget = maybe(random, |random| number(random, &Milliseconds::RANGE));
+    ViewRecord {
+        camera: None,
+        projection: one_of(random, &Projection::ALL),
+        tolerance: budget.map_or_else(|| tolerance(random), |_| Tolerance::default().0),
+        budget,
+        show: one_of(random, &[Picture, Wipe, Error, Difference, Tiles]),
+        sides: [side(random), side(random)],
+        divider: number(random, &Share::RANGE),
+        turned: random.below(360) as u32,
+        pixel: maybe(random, pixel),
+        magnifier: Magnifier {
+            scale: 1 << random.below(7),
+            corner: pixel(random),
         },
-    );
-    prop_oneof![Just(ViewRecord::default()), changed]
+        inspector: maybe(random, |random| {
+            one_of(random, &[Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof])
+        }),
+    }
 }
 
 /// Renames duplicate and empty names.
@@ -199,27 +166,21 @@ pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
 
 /// A legal record. A random view is almost never parallel to `up`.
 pub fn record() -> impl Strategy<Value = SceneRecord> {
-    let all = (
-        three(&DisplayLevel::RANGE),
-        vec(cuboid(), 1..4),
-        vec(light(), 0..4),
-        vec(camera(), 1..4),
-    );
-    let record = (all, view(), any::<prop::sample::Index>());
-    record
-        .prop_map(|((background, cuboid, light, camera), view, active)| {
-            let mut record = with_own_names(SceneRecord {
-                background,
-                cuboid,
-                light,
-                camera,
-                view,
-            });
-            let active = active.index(record.camera.len());
-            record.view.camera = (active > 0).then(|| record.camera[active].name.clone());
-            record
-        })
-        .prop_filter("the numbers of a camera fit together", |record| {
-            record.check().is_ok()
-        })
+    let record = any::<u64>().prop_map(|seed| {
+        let random = &mut Random(seed);
+        let [cuboids, lights, cameras] = [0, 1, 0].map(|least| least..1 + random.below(3));
+        let mut record = with_own_names(SceneRecord {
+            background: three(random, &DisplayLevel::RANGE),
+            cuboid: cuboids.map(|_| cuboid(random)).collect(),
+            light: lights.map(|_| light(random)).collect(),
+            camera: cameras.map(|_| camera(random)).collect(),
+            view: view(random),
+        });
+        let active = random.below(record.camera.len());
+        record.view.camera = (active > 0).then(|| record.camera[active].name.clone());
+        record
+    });
+    record.prop_filter("the numbers of a camera fit together", |record| {
+        record.check().is_ok()
+    })
 }

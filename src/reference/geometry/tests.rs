@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::*;
-use crate::components::{Camera, Mesh, Viewpoint};
+use crate::components::{Camera, Mesh, View, Viewpoint};
 use crate::reference::Interval;
 
 const SIZE: [usize; 2] = [24, 18];

@@ -2,10 +2,11 @@
 
 use std::cmp::Ordering;
 
-use super::super::real::Real;
-use super::super::vector::RealVector;
-use super::solid::{CuboidGeometry, FacePoint, across, along, descent, signed};
-use super::{Line, edge};
+use super::edge;
+use super::geometry::{CuboidGeometry, FacePoint, across, along, descent, signed};
+use super::real::Real;
+use super::sight::Line;
+use super::vector::RealVector;
 use crate::components::Projection;
 
 impl<R: Real> CuboidGeometry<R> {

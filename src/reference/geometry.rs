@@ -22,26 +22,25 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::super::real::Real;
-use super::super::vector::RealVector;
 use super::edge::{self, EdgeFunction};
-use super::{Line, Sight, own_axes};
+use super::real::Real;
+use super::sight::{Line, Sight, own_axes};
+use super::vector::RealVector;
 use crate::components::{Mesh, Projection, TRIANGLES, Transform};
 
 /// The geometry of a cuboid for the lines of sight, in its own axes and world units.
 pub struct CuboidGeometry<R> {
     /// The cuboid's axes in world space.
     pub axes: [RealVector<R>; 3],
-    /// Half the lengths of its edges.
-    half: [f64; 3],
+    pub mesh: Mesh,
     /// The reciprocals of the lengths of its edges.
     per_edge: [R; 3],
     /// The eye relative to the cuboid's centre.
     pub eye: RealVector<R>,
     /// Change per pixel right and down of the line's direction in perspective, of its start in orthographic projection.
-    pub(super) step: [RealVector<R>; 2],
+    pub step: [RealVector<R>; 2],
     forward: RealVector<R>,
-    pub(super) projection: Projection,
+    pub projection: Projection,
     near: R,
     /// The faces that may be front-facing, in the order of [`crate::components::FACES`].
     faces: [Option<FaceEdges<R>>; 6],
@@ -129,11 +128,12 @@ impl<R: Real> CuboidGeometry<R> {
         let axes = own_axes(transform);
         let own = |v: RealVector<R>| RealVector(axes.map(|axis| axis.dot(v)));
         let [right, up, forward] = sight.axes.map(own);
-        let half = mesh.corners[7].to_array();
         let mut solid = CuboidGeometry {
             axes,
-            half,
-            per_edge: half.map(|half| R::of(0.5) / R::of(half)),
+            mesh: *mesh,
+            per_edge: mesh.corners[7]
+                .to_array()
+                .map(|half| R::of(0.5) / R::of(half)),
             eye: own(RealVector::exact(sight.eye) - RealVector::exact(transform.position)),
             step: [right * sight.pitch, -up * sight.pitch],
             forward,
@@ -151,6 +151,11 @@ impl<R: Real> CuboidGeometry<R> {
         solid
     }
 
+    /// Half the length of the edges along an axis.
+    fn half(&self, axis: usize) -> R {
+        R::of(self.mesh.corners[7][axis])
+    }
+
     /// A world vector in the cuboid's axes.
     pub fn own(&self, v: RealVector<R>) -> RealVector<R> {
         RealVector(self.axes.map(|axis| axis.dot(v)))
@@ -165,9 +170,9 @@ impl<R: Real> CuboidGeometry<R> {
     }
 
     /// The eye's height above the plane of a face.
-    pub(super) fn height(&self, face: usize) -> R {
+    pub fn height(&self, face: usize) -> R {
         let (axis, outwards) = across(face);
-        signed(outwards, self.eye.0[axis]) - R::of(self.half[axis])
+        signed(outwards, self.eye.0[axis]) - self.half(axis)
     }
 
     /// `Greater` if a face is front-facing.
@@ -203,7 +208,7 @@ impl<R: Real> CuboidGeometry<R> {
         });
         let sign = R::of(outwards);
         // Ratios, because products of lengths may overflow f64.
-        let [half_i, half_j] = [i, j].map(|axis| R::of(self.half[axis]));
+        let [half_i, half_j] = [i, j].map(|axis| self.half(axis));
         let longer = half_i.max(half_j);
         let diagonal = self.edge(to(i, 0.0), |to, along| {
             let [of_i, of_j] = [i, j].map(|axis| passing(axis, to, along));
@@ -303,9 +308,9 @@ impl<R: Real> CuboidGeometry<R> {
         height / descent(face, line)
     }
 
-    /// The coordinate of the cuboid's end along an axis, on the side of this sign, relative to the eye.
-    pub(super) fn end(&self, axis: usize, sign: f64) -> R {
-        R::of(sign * self.half[axis]) - self.eye.0[axis]
+    /// The coordinate of the cuboid's end along an axis, on the side of this sign (0 for its middle), relative to the eye.
+    pub fn end(&self, axis: usize, sign: f64) -> R {
+        R::of(sign * self.mesh.corners[7][axis]) - self.eye.0[axis]
     }
 
     /// The intersection of the line with the plane of a face.
@@ -323,7 +328,7 @@ impl<R: Real> CuboidGeometry<R> {
     }
 
     /// [`FacePoint::share`] of a point of a face, which is given relative to the eye.
-    pub(super) fn share(&self, face: usize, point: RealVector<R>) -> RealVector<R> {
+    pub fn share(&self, face: usize, point: RealVector<R>) -> RealVector<R> {
         let (axis, outwards) = across(face);
         let mut share = (self.eye + point).zip(RealVector(self.per_edge), R::mul);
         share.0[axis] = R::of(0.5 * outwards);
@@ -362,9 +367,9 @@ impl<R: Real> CuboidGeometry<R> {
     }
 
     /// The depths of corners along the view direction; `None` in orthographic projection, which does not use them.
-    pub fn depths(&self, corners: [usize; 3], mesh: &Mesh) -> Option<[R; 3]> {
-        let depth =
-            |corner: usize| (RealVector::exact(mesh.corners[corner]) - self.eye).dot(self.forward);
+    pub fn depths(&self, corners: [usize; 3]) -> Option<[R; 3]> {
+        let place = |corner: usize| RealVector::exact(self.mesh.corners[corner]);
+        let depth = |corner| (place(corner) - self.eye).dot(self.forward);
         (self.projection == Projection::Perspective).then(|| corners.map(depth))
     }
 
@@ -374,3 +379,6 @@ impl<R: Real> CuboidGeometry<R> {
         depths.iter().all(is_beyond)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,10 +5,10 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use super::super::interval::Interval;
-use super::super::real::Real;
-use super::super::vector::RealVector;
-use super::{Sight, own_axes};
+use super::interval::Interval;
+use super::real::Real;
+use super::sight::{Sight, own_axes};
+use super::vector::RealVector;
 use crate::components::{Mesh, Projection, Transform};
 
 impl Sight<Interval> {

@@ -1,0 +1,111 @@
+//! Material and shading mode of a cuboid, and what a frame derives for it.
+
+use glam::DVec3;
+use hecs::DynamicBundle;
+use serde::{Deserialize, Serialize};
+
+use super::entity::{FileOrder, Name};
+use super::mesh::Mesh;
+use super::range::{Shininess, Strength};
+use super::transform::{Transform, WorldTransform};
+
+/// The reflection of a surface: one coefficient for each channel and term, and the exponent of the highlight.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// kappa A, >= 0.
+    #[serde(deserialize_with = "Strength::three")]
+    pub ambient: DVec3,
+    /// kappa D, >= 0.
+    #[serde(deserialize_with = "Strength::three")]
+    pub diffuse: DVec3,
+    /// kappa E, >= 0.
+    #[serde(deserialize_with = "Strength::three")]
+    pub specular: DVec3,
+    /// rho, 0..=1e6.
+    #[serde(deserialize_with = "Shininess::one")]
+    pub shininess: f64,
+}
+
+/// The definition of the levels of a cuboid's surface. The tolerance allows an error against it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ShadingMode {
+    /// The model at the vertices; its levels are interpolated perspective-correctly (Gouraud 1971).
+    #[default]
+    Gouraud,
+    /// The model at every pixel; position and normal are interpolated perspective-correctly (Phong 1975).
+    Phong,
+    /// The assignment's shortcut: unit n, l and o are interpolated linearly on the screen and not normalised again.
+    #[serde(rename(serialize = "phong"), skip_deserializing)]
+    UnitVectors,
+}
+
+impl ShadingMode {
+    /// The name in scene files, on the command line and in reports. The assignment's shortcut counts as Phong.
+    pub const fn name(self) -> &'static str {
+        match self {
+            ShadingMode::Gouraud => "gouraud",
+            ShadingMode::Phong | ShadingMode::UnitVectors => "phong",
+        }
+    }
+}
+
+/// Unit vertex normals in world space, one per corner of the [`Mesh`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Normals(pub [DVec3; 8]);
+
+/// The model at each corner, in levels, unclamped.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VertexColors(pub [DVec3; 8]);
+
+/// The corners of a cuboid as the camera sees them, and the polygons of its triangles on the screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Projected {
+    /// The corners relative to the eye, along right, up and forward, in world units.
+    pub seen: [DVec3; 8],
+    /// The visible part of each of [`TRIANGLES`](super::TRIANGLES), empty where it faces away or is clipped.
+    pub polygons: [Polygon; 12],
+}
+
+/// A convex polygon on the screen, its vertices snapped to 1/256 pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Polygon {
+    /// x right and y down from the picture's top left corner, in 1/256 pixel, within +-2^30, counter-clockwise as seen.
+    pub vertices: [[i32; 2]; Polygon::MAX_VERTICES],
+    /// The number of vertices in use: 0, or 3..=8.
+    pub len: u8,
+}
+
+impl Polygon {
+    /// A triangle, cut by the near plane and by the four sides of the guard band.
+    pub const MAX_VERTICES: usize = 8;
+
+    /// The vertices in use.
+    pub fn vertices(&self) -> &[[i32; 2]] {
+        &self.vertices[..usize::from(self.len)]
+    }
+}
+
+/// Every component of a cuboid: those of the scene, and empty ones for a frame to derive.
+pub fn cuboid(
+    order: usize,
+    name: Name,
+    transform: Transform,
+    mesh: Mesh,
+    material: Material,
+    shading: ShadingMode,
+) -> impl DynamicBundle {
+    (
+        name,
+        FileOrder(order as u32),
+        transform,
+        mesh,
+        material,
+        shading,
+        WorldTransform::default(),
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
+    )
+}

@@ -1,0 +1,364 @@
+//! The surfaces that each pixel shows: the nearest of those that its line of sight hits, and their levels.
+
+use std::cmp::Ordering;
+use std::ops::Range;
+use std::sync::atomic::{self, AtomicUsize};
+
+use glam::DVec3;
+use hecs::World;
+use rayon::prelude::*;
+
+use super::geometry::{CuboidGeometry, FacePoint, Meeting};
+use super::illumination::{Lit, Open, ReferenceSurface, TIES, blend};
+use super::interval::Interval;
+use super::real::Real;
+use super::rule::Rule;
+use super::sight::{Line, Sight};
+use super::vector::RealVector;
+use crate::components::{
+    FileOrder, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View, in_file_order,
+};
+use crate::frame::NO_TRIANGLE;
+
+/// Relative difference of depths below which two cuboids tie; the cuboid earlier in the file is then visible. Rounding
+/// in f64 separates two coplanar faces by far less, and a visible gap is far larger.
+pub const DEPTH_TIE: f64 = 1e-11;
+
+/// Rows of the reference picture in f64.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Truth {
+    /// Pixels in a row.
+    pub width: usize,
+    /// Unclamped levels of 255, row by row from the top; the background level where no cuboid is hit.
+    pub levels: Vec<[f64; 3]>,
+    /// The visible triangle of each pixel: cuboid * 12 + triangle, or [`NO_TRIANGLE`].
+    pub triangles: Vec<u32>,
+}
+
+/// A picture that is evaluated pixel by pixel, in f64, f32 or intervals.
+pub struct Reference<R> {
+    /// The rule that is left out, if any.
+    without: Option<Rule>,
+    pub(super) sight: Sight<R>,
+    pub(super) cuboids: Vec<ReferenceCuboid<R>>,
+    background: RealVector<R>,
+    width: usize,
+}
+
+/// A cuboid: its geometry (`solid`) and its illumination (`surface`).
+pub struct ReferenceCuboid<R> {
+    /// Its index in the file, which does not change when other cuboids are removed.
+    pub number: usize,
+    pub solid: CuboidGeometry<R>,
+    pub surface: ReferenceSurface<R>,
+    mode: ShadingMode,
+    is_perspective_correct: bool,
+}
+
+/// A surface, or the background, that a pixel may show.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<R> {
+    /// Cuboid * 12 + triangle; `None` is the background. Under Phong the two triangles of a face do not differ, so near
+    /// the diagonal this is the first one.
+    pub triangle: Option<usize>,
+    /// Unclamped levels of 255.
+    pub levels: [R; 3],
+}
+
+impl<R> Seen<R> {
+    /// Cuboid * 6 + face; `None` is the background.
+    pub fn face(&self) -> Option<usize> {
+        self.triangle.map(|triangle| triangle / 2)
+    }
+}
+
+impl<R: Real> Reference<R> {
+    /// The picture of `world` for `view`. The tolerance of the view is not used.
+    pub fn new(world: &World, view: &View) -> Self {
+        Reference::without(world, view, None)
+    }
+
+    /// The picture without one rule of the model.
+    pub fn without(world: &World, view: &View, without: Option<Rule>) -> Self {
+        let sight = Sight::new(view, without);
+        let enclosed = Sight::<Interval>::new(view, without);
+        let mut query = world.query::<(&FileOrder, &Transform, &Light)>();
+        let lights = query.iter().filter(|(_, _, light)| light.on);
+        let lights = in_file_order(
+            lights.map(|(order, transform, light)| (*order, (transform.position, *light))),
+        );
+        let mut query = world.query::<(&FileOrder, &Transform, &Mesh, &Material, &ShadingMode)>();
+        let cuboids = query
+            .iter()
+            .map(|(order, transform, mesh, material, mode)| {
+                let transform = &transform.turned(view.turned);
+                let bounds = enclosed.bounds(transform, mesh);
+                let solid = CuboidGeometry::new(&sight, transform, mesh, bounds);
+                let places = (sight.eye, transform.position);
+                let cuboid = ReferenceCuboid {
+                    number: order.0 as usize,
+                    surface: ReferenceSurface::new(&solid, material, &lights, places, without),
+                    solid,
+                    mode: view.mode(*mode),
+                    is_perspective_correct: without != Some(Rule::PerspectiveCorrect),
+                };
+                (*order, cuboid)
+            });
+        let cuboids = in_file_order(cuboids);
+        Reference {
+            without,
+            sight,
+            cuboids,
+            background: RealVector::exact(view.background),
+            width: view.size[0],
+        }
+    }
+
+    /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel
+    /// may show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
+    pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
+        let here = |cuboid: &&ReferenceCuboid<R>| cuboid.solid.rows.contains(&y);
+        let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
+        for x in 0..self.width {
+            self.meet([x, y], &cuboids, &mut met);
+            self.see(&met, &mut seen);
+            each(x, &seen);
+        }
+    }
+
+    /// The surfaces that the pixel [x, y] may show.
+    pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
+        let cuboids: Vec<_> = self.cuboids.iter().collect();
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
+        self.meet(pixel, &cuboids, &mut met);
+        self.see(&met, &mut seen);
+        seen
+    }
+
+    /// Overwrites `seen` with the surfaces of the cuboids in `met`, and the background unless one of them is certainly
+    /// hit.
+    fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
+        seen.clear();
+        for met in met {
+            let Met {
+                cuboid,
+                line,
+                meeting,
+            } = met;
+            for face in meeting.faces() {
+                // Near an edge the pixel centre may lie outside the face.
+                if meeting.well_conditioned() {
+                    cuboid.see(face, &cuboid.solid.place(face, line), seen);
+                } else {
+                    for place in cuboid.solid.beside(face, line) {
+                        cuboid.see(face, &place, seen);
+                    }
+                }
+            }
+        }
+        if !met.iter().any(|met| met.meeting.is_certain) {
+            seen.push(Seen {
+                triangle: None,
+                levels: self.background.0,
+            });
+        }
+    }
+
+    /// Overwrites `met` with those of the cuboids that may be visible at pixel (`x`, `y`), in file order.
+    pub(super) fn meet<'a>(
+        &self,
+        [x, y]: [usize; 2],
+        cuboids: &[&'a ReferenceCuboid<R>],
+        met: &mut Vec<Met<'a, R>>,
+    ) {
+        met.clear();
+        for &cuboid in cuboids {
+            if !cuboid.solid.columns.contains(&x) {
+                continue;
+            }
+            let line = cuboid.solid.line(&self.sight, x, y);
+            let Some(meeting) = cuboid.solid.meet(&line) else {
+                continue;
+            };
+            let new = Met {
+                cuboid,
+                line,
+                meeting,
+            };
+            if self.without == Some(Rule::DepthTest) {
+                met.retain(|_| !meeting.is_certain);
+                met.push(new);
+                continue;
+            }
+            let depth = new.depth();
+            // The order of another depth to the new one; a tie counts as less, so that the earlier cuboid is visible.
+            let order = |other: &Met<R>| {
+                let (other, new) = other.depth().zip(depth)?;
+                (other * R::of(1.0 - DEPTH_TIE) - new).sign(0.0)
+            };
+            let is_before = |other: &Met<R>| {
+                other.meeting.is_certain
+                    && order(other).is_some_and(|order| order != Ordering::Greater)
+            };
+            let is_hidden = met.iter().any(is_before);
+            if meeting.is_certain {
+                met.retain(|other| order(other) != Some(Ordering::Greater));
+            }
+            if !is_hidden {
+                met.push(new);
+            }
+        }
+    }
+}
+
+/// A cuboid that a line of sight may hit.
+pub struct Met<'a, R> {
+    pub cuboid: &'a ReferenceCuboid<R>,
+    pub line: Line<R>,
+    pub meeting: Meeting,
+}
+
+impl<R: Real> Met<'_, R> {
+    /// Along the view direction, in world units.
+    fn depth(&self) -> Option<R> {
+        self.cuboid.solid.depth(self.meeting, &self.line)
+    }
+}
+
+impl<R: Real> ReferenceCuboid<R> {
+    /// Adds the levels at a place on a face, once for each state of the tied gates.
+    fn see(&self, face: usize, place: &FacePoint<R>, seen: &mut Vec<Seen<R>>) {
+        for &is_first in self.triangles(place) {
+            let mut see = |open| {
+                let lit = self.lit(face, is_first, place, open);
+                let triangle = 2 * face + usize::from(!is_first);
+                seen.push(Seen {
+                    triangle: Some(self.number * TRIANGLES.len() + triangle),
+                    levels: lit.levels.0,
+                });
+                lit.is_tied
+            };
+            if see(0) {
+                for open in 1..1 << TIES {
+                    see(open);
+                }
+            }
+        }
+    }
+
+    /// Whether the place may be on the first triangle of its face, on the second, or on both (near the diagonal). Under
+    /// perspective-correct Phong the triangles do not differ, and the first stands for both.
+    fn triangles(&self, place: &FacePoint<R>) -> &'static [bool] {
+        match place.is_on_first {
+            None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
+                &[true, false]
+            }
+            Some(false) => &[false],
+            _ => &[true],
+        }
+    }
+
+    /// The levels at a place on a triangle of a face, or on the triangle's plane beyond the diagonal.
+    fn lit(&self, face: usize, is_first: bool, place: &FacePoint<R>, open: Open) -> Lit<R> {
+        if self.mode == ShadingMode::Phong && self.is_perspective_correct {
+            return self.surface.phong(place, open);
+        }
+        let (corners, weights) = CuboidGeometry::weights(face, is_first, place);
+        if self.mode == ShadingMode::UnitVectors {
+            let weights = self.shortcut_weights(corners, weights);
+            return self.surface.unit_vectors(corners, weights);
+        }
+        let depths = self.solid.depths(corners);
+        let depths = depths.filter(|_| !self.is_perspective_correct);
+        let weights = depths.map_or(weights, |depths| on_screen(weights, depths));
+        if self.mode == ShadingMode::Gouraud {
+            return self.surface.gouraud(corners, weights, open);
+        }
+        self.surface.phong(&self.blended(corners, weights), open)
+    }
+
+    /// The weights of unit vectors: those on the screen, where all corners have a place there.
+    pub fn shortcut_weights(&self, corners: [usize; 3], weights: [R; 3]) -> [R; 3] {
+        let depths = self.solid.depths(corners);
+        let depths = depths.filter(|depths| self.solid.are_beyond_near(depths));
+        depths.map_or(weights, |depths| on_screen(weights, depths))
+    }
+
+    /// The place interpolated between the corners.
+    fn blended(&self, corners: [usize; 3], weights: [R; 3]) -> FacePoint<R> {
+        let corners = corners.map(|corner| self.solid.mesh.corners[corner]);
+        let [a, b, c] = corners.map(RealVector::exact);
+        let share = |corner: DVec3| RealVector::exact(corner.signum() / 2.0);
+        // Only differences of corners are weighted: weights of a distant eye would cost precision.
+        let point = a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2];
+        FacePoint {
+            point,
+            share: blend(corners.map(share), weights),
+            to_eye: self.solid.to_eye(point),
+            is_on_first: None,
+        }
+    }
+}
+
+/// Barycentric weights on the screen from those on the triangle: a za : b zb : c zc.
+///
+/// A weight is the area opposite its corner, which perspective divides by the depths of the other two corners.
+fn on_screen<R: Real>(weights: [R; 3], depths: [R; 3]) -> [R; 3] {
+    let [a, b, c] = RealVector(weights).zip(RealVector(depths), R::mul).0;
+    [a, b, c].map(|weight| weight / (a + b + c))
+}
+
+/// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used.
+///
+/// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
+/// `cancelled` is called before every row; the result is `None` once it returns true. `progress` receives the number of
+/// finished rows, from any thread.
+pub fn picture(
+    world: &World,
+    view: &View,
+    rows: Range<usize>,
+    cancelled: &(dyn Fn() -> bool + Sync),
+    progress: &(dyn Fn(usize) + Sync),
+) -> Option<Truth> {
+    Reference::new(world, view).picture(rows, cancelled, progress)
+}
+
+impl Reference<f64> {
+    /// Evaluates rows of the picture: see [`picture`].
+    pub fn picture(
+        &self,
+        rows: Range<usize>,
+        cancelled: &(dyn Fn() -> bool + Sync),
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Option<Truth> {
+        let width = self.width;
+        let mut levels = vec![self.background.0; width * rows.len()];
+        let mut triangles = vec![NO_TRIANGLE; width * rows.len()];
+        let done = AtomicUsize::new(0);
+        levels
+            .par_chunks_mut(width)
+            .zip(triangles.par_chunks_mut(width))
+            .zip(rows)
+            .try_for_each(|((levels, triangles), y)| {
+                if cancelled() {
+                    return None;
+                }
+                self.row(y, |x, seen| {
+                    if let [first, ..] = seen
+                        && let Some(triangle) = first.triangle
+                    {
+                        levels[x] = first.levels;
+                        triangles[x] = triangle as u32;
+                    }
+                });
+                progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);
+                Some(())
+            })?;
+        Some(Truth {
+            width,
+            levels,
+            triangles,
+        })
+    }
+}
