@@ -236,14 +236,14 @@ fn the_search_for_the_worst_comes_near_the_tolerance_and_never_exceeds_it() {
         .collect();
     for (Climb { asked, share, .. }, is_proven) in &found {
         assert!(is_proven, "a picture is not proven at {asked:?}");
-        // At the least tolerances roundings of f32 leave little to interpolation, or nothing.
+        // At the least tolerances roundings of f32 leave little to interpolation.
         let least = match asked.0 {
-            ..0.001 => 0.0,
-            ..0.01 => 0.3,
-            _ => 0.5,
+            ..0.001 => 0.05,
+            ..0.01 => 0.4,
+            _ => 0.6,
         };
         assert!(*share > least, "at {asked:?} only {share} of it was found");
     }
     let near = found.iter().filter(|(climb, _)| climb.share > 0.95).count();
-    assert!(near >= 5, "{near} climbs come near the tolerance");
+    assert!(near >= 8, "{near} climbs come near the tolerance");
 }
