@@ -251,6 +251,18 @@ mod tests {
     }
 
     #[test]
+    fn no_vector_on_a_square_is_shorter_than_the_shortest() {
+        let most = largest(moving(), |vector| {
+            let [middle, right, down] = vector.map(DVec3::from_array);
+            let corners = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+            let lengths = corners.map(|[x, y]| (middle + right * x + down * y).length());
+            // f64 rounds both.
+            (one(field(&vector).shortest) - 1e-12) / lengths.into_iter().fold(1.0, f64::min)
+        });
+        assert_covers("the shortest vector", most, 0.9);
+    }
+
+    #[test]
     fn a_vector_that_may_vanish_has_no_direction() {
         let vanishing = [[1.0, 0.0, 0.0], [-0.6, 0.0, 0.0], [0.4, 0.0, 0.0]];
         assert_eq!(turned(&vanishing), f64::INFINITY);
