@@ -56,7 +56,7 @@ use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
 use super::U;
 use super::field::{Field, Lanes, positive};
-use super::kernel::dot;
+use super::lanes::dot;
 use super::specular;
 use crate::simd::{four, three, two};
 

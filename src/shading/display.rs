@@ -19,6 +19,12 @@ pub trait Rows<S: Simd> {
     fn pixels(&self, row: usize) -> u32x16<S>;
 }
 
+/// Takes the rows of a square.
+pub trait Sink<S: Simd> {
+    /// Takes their covered pixels.
+    fn draw(&mut self, rows: &mut impl Rows<S>);
+}
+
 /// `from`, `from` + 1, ...
 #[inline(always)]
 pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {

@@ -6,7 +6,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
 
 use super::affine::Affine;
-use super::kernel::{Squares, dot};
+use super::lanes::{Squares, dot};
 use super::square::Square;
 use crate::components::length;
 use crate::simd::{four, inlined, three, two};

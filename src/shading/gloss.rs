@@ -5,7 +5,8 @@ use fearless_simd::prelude::*;
 
 use super::bound::Highlight;
 use super::field::Lanes;
-use super::{Surface, limit};
+use super::limit;
+use super::surface::Surface;
 use crate::components::Material;
 
 /// The part of the tolerance that highlights too faint to be drawn may use up together. A larger part leaves out more of them

@@ -13,7 +13,7 @@ use super::bound;
 use super::face::{Face, Linear};
 use super::field::{Lanes, Places, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::kernel::{At, Squares};
+use super::lanes::{LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
@@ -44,7 +44,12 @@ pub struct TileColors {
 impl TileColors {
     /// w C / w at places on squares, x and y from -1 to 1.
     #[inline(always)]
-    pub fn levels<S: Simd>(&self, simd: S, at: At, place: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+    pub fn levels<S: Simd>(
+        &self,
+        simd: S,
+        at: LaneLayout,
+        place: [f32x16<S>; 2],
+    ) -> [f32x16<S>; 3] {
         let affine = inlined!(|of: &Squares| at.number(of, place));
         let inverse = 1.0 / affine(&self.w);
         let [first, second] = &self.colors;
@@ -149,7 +154,7 @@ impl<'a> Gouraud<'a> {
         let terms = sampled(
             simd,
             inlined!(|place| {
-                let [red, green, blue] = tile.levels(simd, At::Nodes, place);
+                let [red, green, blue] = tile.levels(simd, LaneLayout::Nodes, place);
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
@@ -177,7 +182,7 @@ mod tests {
 
     #[test]
     fn the_count_of_roundings_covers_what_a_running_error_analysis_finds() {
-        // At a corner, where x = y = 1.
+        // LaneLayout a corner, where x = y = 1.
         let at = |terms: [f64; 3]| {
             let [middle, right, down] = terms.map(Rounded::stored);
             // The place is a product with the stored inverse of the half extent.

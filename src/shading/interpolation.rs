@@ -13,10 +13,11 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask64x4};
 
+use super::display::Sink;
 use super::field::Lanes;
-use super::rows::{Curve, Ramp};
+use super::rows::{Color, Curve, Ramp};
 use super::square::Square;
-use super::{Sink, TileKind, U};
+use super::{TileKind, U};
 use crate::simd::{four, three};
 
 /// The outer node of three.
@@ -105,9 +106,6 @@ pub struct Form {
     /// Whether in multiples of 1/256 level.
     fixed: bool,
 }
-
-/// The colour of one square, and n.l of the light that is cut off: `c[j][i]` for x^i y^j.
-pub type Color = [[[f64; 3]; 3]; 4];
 
 impl<S: Simd> Interpolant<S> {
     /// The cheapest rows that stay within the budget: the rest of the tolerance. A square with nothing left has no form.

@@ -9,15 +9,13 @@
 
 mod tile;
 
-use fearless_simd::{Simd, f32x16};
 use glam::DVec3;
 
 pub use self::tile::TileLights;
 use super::face::{Face, Linear};
 use super::field::Moving;
 use super::gloss::Gloss;
-use super::kernel::At;
-use super::{Surface, limit};
+use super::surface::Surface;
 use crate::components::{PointLight, unit};
 
 /// A point light on a face.
@@ -109,33 +107,6 @@ impl<'a> Phong<'a> {
     /// The brightest channel of the ambient term, in levels.
     fn brightest_ambient(&self) -> f64 {
         self.surface.ambient().max_element()
-    }
-
-    /// The number of highlights evaluated at a pixel of one of four squares in f32, if f32 keeps the tolerance.
-    pub fn single(&self, tile: &TileLights, index: usize) -> Option<usize> {
-        let lights = tile.lights.iter();
-        let highlights = lights.filter(|on| on.shines >> index & 1 == 1).count();
-        // False for an error that is not a number.
-        (tile.errors[index] <= limit(self.tolerance)).then_some(highlights)
-    }
-
-    /// Whether f32 has the signs of n.l and s at all pixels of one of four squares, wherever a highlight depends on them.
-    pub fn has_signs(&self, tile: &TileLights, index: usize) -> bool {
-        let mut shining = tile.lights.iter().filter(|on| on.shines >> index & 1 == 1);
-        shining.all(|on| on.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
-    }
-
-    /// The levels at a place on one of four squares, x and y from -1 to 1.
-    #[inline(always)]
-    pub fn pixel_levels<S: Simd>(
-        &self,
-        simd: S,
-        tile: &TileLights,
-        index: usize,
-        place: [f32x16<S>; 2],
-    ) -> [f32x16<S>; 3] {
-        let [red, green, blue, _] = self.levels(simd, tile, At::Pixels(index), place);
-        [red, green, blue]
     }
 
     /// See [`super::Shader::define`].

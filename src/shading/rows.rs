@@ -4,9 +4,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
 use super::display::{Rows, counted, display};
-use super::interpolation::Color;
 use super::square::{MAX_SIDE, Square};
 use crate::simd::{three, two};
+
+/// The colour of one square, and n.l of the light that is cut off: `c[j][i]` for x^i y^j.
+pub type Color = [[[f64; 3]; 3]; 4];
 
 /// 1.5 * 2^15: a float added to it, of size below 2^14, is rounded to a multiple of 1/256 and stands, times 256, in the
 /// low bits.

@@ -8,9 +8,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::Surface;
 use super::face::{Face, Linear, places};
 use super::specular::power_exact;
+use super::surface::Surface;
 use crate::components::{Lens, Projection, unit};
 
 /// The corners of a face that each of its triangles has.

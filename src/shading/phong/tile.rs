@@ -10,14 +10,14 @@
 //! All decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, mask64x4};
+use fearless_simd::{Simd, f32x16, mask64x4};
 
 use super::Phong;
 use crate::shading::field::{Field, Lanes, Places};
 use crate::shading::interpolation::{Interpolant, LEBESGUE, sampled};
-use crate::shading::kernel::{At, Squares};
+use crate::shading::lanes::{LaneLayout, Squares};
 use crate::shading::rounding::Rounding;
-use crate::shading::{U, bound};
+use crate::shading::{U, bound, limit};
 use crate::simd::{four, inlined, three};
 
 /// The largest number of lights without a bound on a square at which its quarters are tried: with more of them, a quarter hardly
@@ -70,6 +70,33 @@ impl Phong<'_> {
             None
         };
         (interpolant, promising)
+    }
+
+    /// The number of highlights evaluated at a pixel of one of four squares in f32, if f32 keeps the tolerance.
+    pub fn single(&self, tile: &TileLights, index: usize) -> Option<usize> {
+        let lights = tile.lights.iter();
+        let highlights = lights.filter(|on| on.shines >> index & 1 == 1).count();
+        // False for an error that is not a number.
+        (tile.errors[index] <= limit(self.tolerance)).then_some(highlights)
+    }
+
+    /// Whether f32 has the signs of n.l and s at all pixels of one of four squares, wherever a highlight depends on them.
+    pub fn has_signs(&self, tile: &TileLights, index: usize) -> bool {
+        let mut shining = tile.lights.iter().filter(|on| on.shines >> index & 1 == 1);
+        shining.all(|on| on.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
+    }
+
+    /// The levels at a place on one of four squares, x and y from -1 to 1.
+    #[inline(always)]
+    pub fn pixel_levels<S: Simd>(
+        &self,
+        simd: S,
+        tile: &TileLights,
+        index: usize,
+        place: [f32x16<S>; 2],
+    ) -> [f32x16<S>; 3] {
+        let [red, green, blue, _] = self.levels(simd, tile, LaneLayout::Pixels(index), place);
+        [red, green, blue]
     }
 
     /// Classifies the lights on four squares; returns the rest that bounds leave of the tolerance there, and the set of those
@@ -172,7 +199,7 @@ impl Phong<'_> {
     #[inline(always)]
     fn sample<S: Simd>(&self, simd: S, tile: &TileLights, budget: Lanes<S>) -> Interpolant<S> {
         let zero = Lanes::splat(simd, 0.0);
-        let sample = inlined!(|place| self.levels(simd, tile, At::Nodes, place));
+        let sample = inlined!(|place| self.levels(simd, tile, LaneLayout::Nodes, place));
         let terms = sampled(simd, sample);
         let mut crossing = [zero; 3];
         let mut crosses = mask64x4::splat(simd, false);

@@ -12,8 +12,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::Lens;
-use crate::components::{Polygon, Projection, length, unit};
+use crate::components::{Lens, Polygon, Projection, length, unit};
 
 /// Half the side of the square, in pixels round the picture's centre, to which polygons are clipped: with it and
 /// pictures of at most 16384 pixels a side, the edge functions of rasterization stay below 2^62.

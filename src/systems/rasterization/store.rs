@@ -9,11 +9,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
 use crate::frame::{Band, OUTLINE, face};
-use crate::shading::display::Rows;
+use crate::shading::TileKind;
+use crate::shading::display::{Rows, Sink};
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
-use crate::shading::{Sink, TileKind};
 use crate::simd::three;
 
 /// The pixels of a band that a piece covers.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use shadetrade::components::{
     Illumination, Lens, Material, Mesh, PointLight, Projection, ShadingMode, Transform,
 };
-use shadetrade::shading::display::Rows;
+use shadetrade::shading::display::{Rows, Sink};
 use shadetrade::shading::face::{Face, Rays, Solid};
 use shadetrade::shading::field::Places;
 use shadetrade::shading::gloss::Gloss;
@@ -14,7 +14,7 @@ use shadetrade::shading::interpolation;
 use shadetrade::shading::phong::Phong;
 use shadetrade::shading::square::Square;
 use shadetrade::shading::unit_vectors::UnitVectors;
-use shadetrade::shading::{EXACT, Scratch, Shader, Sink, Surface, TileKind};
+use shadetrade::shading::{EXACT, Scratch, Shader, Surface, TileKind};
 use shadetrade::simd::baseline;
 
 use super::SCENES;

@@ -1,0 +1,70 @@
+//! Numbers of four squares in sixteen lanes of f32: as nodes of all four, or as pixels of one.
+
+use std::ops::{Add, Mul};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x4, f32x16, mask32x16};
+
+use crate::simd::three;
+
+/// The scalar product.
+#[inline(always)]
+pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) -> V {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// An affine number on four squares: its value at the middle, and its changes from there to the right and to the lower edge;
+/// by square. A vector is three of them; its length at the middle is one.
+pub type Squares = [[f32; 4]; 3];
+
+/// The squares that the sixteen lanes belong to.
+#[derive(Clone, Copy)]
+pub enum LaneLayout {
+    /// Each of the four in turn.
+    Nodes,
+    /// One of them.
+    Pixels(usize),
+}
+
+impl LaneLayout {
+    /// Whether any lane is in a set of squares, a bit each.
+    #[inline(always)]
+    pub fn any(self, set: u64) -> bool {
+        match self {
+            LaneLayout::Nodes => set != 0,
+            LaneLayout::Pixels(square) => set >> square & 1 == 1,
+        }
+    }
+
+    /// A number of each square, in its lanes.
+    #[inline(always)]
+    pub fn lanes<S: Simd>(self, simd: S, squares: &[f32; 4]) -> f32x16<S> {
+        match self {
+            LaneLayout::Nodes => {
+                let four = f32x4::simd_from(simd, *squares);
+                let eight = four.combine(four);
+                eight.combine(eight)
+            }
+            LaneLayout::Pixels(square) => f32x16::splat(simd, squares[square]),
+        }
+    }
+
+    /// An affine number at places on the squares, x and y from -1 to 1.
+    #[inline(always)]
+    pub fn number<S: Simd>(self, of: &Squares, [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
+        let [middle, right, down] = three!(|term| self.lanes(x.token(), &of[term]));
+        x * right + (y * down + middle)
+    }
+
+    /// A number in the lanes of a set of squares, zero elsewhere; one lane at least is in the set.
+    #[inline(always)]
+    pub fn within<S: Simd>(self, simd: S, set: u64, number: f32) -> f32x16<S> {
+        let number = f32x16::splat(simd, number);
+        match self {
+            LaneLayout::Nodes => {
+                mask32x16::from_bitmask(simd, set * 0x1111).select(number, f32x16::splat(simd, 0.0))
+            }
+            LaneLayout::Pixels(_) => number,
+        }
+    }
+}
