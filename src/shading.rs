@@ -28,7 +28,7 @@ pub mod field;
 pub mod gloss;
 pub mod gouraud;
 pub mod interpolation;
-mod kernel;
+pub mod kernel;
 pub mod lanes;
 mod method;
 pub mod phong;
