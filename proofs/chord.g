@@ -3,6 +3,7 @@
 #   n, o    a unit vector errs by 4.51 u                                                (unit.g)
 #   i       errs by 3.51 u                                                              (unit.g)
 #   k       n.l of a given n errs by 8.1 u; the error of n adds 4.51 u: below 13 u      (below)
+#           for L of another length, too: the product errs by 3 u |L|, the inverse by 3.51 u / |L|, their product by u
 #   n t     |n| |error of t| + |t| |error of n| + u |n t|,  t <= 2
 #   l i     3.51 u + u;    first difference, of length 1: u;    second, of length at most 2: 2 u
 @rnd = float<24,-1000,ne>;

@@ -1,4 +1,5 @@
-//! shadetrade draws lit cuboids with Gouraud and Phong shading and measures what every shortcut costs.
+//! shadetrade draws lit cuboids with Gouraud and Phong shading and measures the time that each shortcut saves
+//! and the error that it causes.
 //!
 //! ```text
 //! scene.toml <--SceneRecord--> World --FRAME--> Frame
@@ -11,29 +12,29 @@
 //!
 //! # From scene to pixel
 //!
-//! **Entities, components, systems.** The state is a [`hecs::World`], and nothing else. Its entities are cuboids, lights,
+//! **Entities, components, systems.** All that a user can change is in a [`hecs::World`]. Its entities are cuboids, lights,
 //! cameras and one viewer; what each is made of are plain [`components`]: a cuboid has a `Transform`, a `Mesh`, a
 //! `Material` and a `ShadingMode`, the viewer has the `ActiveCamera`, the `Projection`, the `Tolerance` and all else that
-//! says how the scene is looked at. Whoever changes something writes components; [`systems`] query them and draw.
+//! says how the scene is looked at. Keys, the editor and the command line write components; [`systems`] query them and draw.
 //!
 //! **A scene is data.** [`scene::SceneRecord`] is the world written down: [`scene::SceneRecord::spawn`] and
 //! [`scene::SceneRecord::of`] are inverse, serde reads it from a TOML file and writes it to JSON, and [`scene::updated`]
 //! saves it into the file's text, comments kept.
 //! [`components::View::of`] is the one place that reads the viewer for a picture: it says from where, how large and how
-//! precisely a frame is to be drawn. What measures or proves overrides the method of a view and nothing else.
+//! precisely a frame is to be drawn. Code that measures or proves changes a copy of the view, never the viewer.
 //!
-//! **A frame is six stages**, named in order in [`systems::FRAME`]; each is a query loop over a pure function, and has its
-//! tests in a file of its name in `tests/it/systems`.
+//! **A frame is six stages**, named in order in [`systems::FRAME`]; each is a function of the world, the view and
+//! the frame. `tests/it/systems` tests each alone.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far all have turned.
 //! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`components::Viewpoint::of`] says where a
 //!    camera stands once its orbit has moved it.
 //! 3. [`systems::normals`]: the mesh's vertex normals, turned. One is the normalised sum of the unit normals of the faces there
-//!    (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). The corner of every
-//!    cuboid that stands upright has (±1, ±1, ±1) / √3.
+//!    (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's own
+//!    axes a corner has the normal (±1, ±1, ±1) / √3.
 //! 4. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
 //!    by depth and snapped to 1/256 pixel.
-//! 5. [`systems::lighting`]: the lights that are on, and the model at the vertices of what Gouraud will interpolate.
+//! 5. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud.
 //! 6. [`systems::rasterization`]: [`systems::coverage`] finds the pixels, each once, in integers, after the top-left rule;
 //!    squares of 32 x 32 of them go to a shader, and the display step comes once and last:
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
@@ -67,21 +68,21 @@
 //! r = 2 (n.l) n - l      l = unit(L - P)      o = unit(O - P)
 //! ```
 //!
-//! Over a face everything is interpolated: times a positive factor w it is affine in the pixel ([`shading::face`];
-//! Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in what "everything" is:
+//! Each mode interpolates some quantities over a face. A quantity times w, one over the depth up to a factor, is affine in
+//! the pixel ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in the quantities:
 //!
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
 //!   w n, w (L - P) and w (O - P) point where n, L - P and O - P do;
 //! - [`shading::unit_vectors`], the assignment's shortcut, interpolates n, l and o and does not normalise them.
 //!
-//! Ask one pixel what happened there: [`probe`] evaluates every light's term, and both modes beside the reference.
+//! [`probe`] explains one pixel: it evaluates every light's term, and both modes beside the reference.
 //!
 //! ```
 //! # use shadetrade::{components::View, probe, scene::Scene};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View::of(&scene.world, [960, 720]);
-//! // In the middle of the highlight that Gouraud misses, no vertex being in it.
+//! // The middle of the highlight. Gouraud misses it, because no vertex lies in it.
 //! let level = fearless_simd::Level::new();
 //! let found = probe::at(&mut scene, &view, [565, 327], level)?.surface.expect("a cuboid is there");
 //! assert_eq!(found.gouraud.bytes[2], 46);
@@ -93,22 +94,22 @@
 //!
 //! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
-//! derivatives and so how far it errs. What the tolerance leaves decides how the biquadratic is drawn
-//! ([`shading::interpolation`]); where it leaves nothing the square is cut in four, and a square of 16 x 16 pixels, or one
-//! whose quarters promise no more, is evaluated pixel by pixel. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
+//! derivatives and so the interpolation error. The rest of the tolerance decides which terms of the biquadratic are drawn
+//! ([`shading::interpolation`]). If nothing is left, the square is cut in four when its quarters promise more or f32 does
+//! not suffice. Otherwise, and at 16 x 16 pixels, each pixel is evaluated. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the
 //! vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
 //!
 //! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At tolerance 0 the model is evaluated at every pixel;
-//! only highlights that are certified to stay below an eightieth of a level are left out. 1 - o.r is taken as
-//! |r - o|² / 2 where f32 would cancel (Lyon 1993; [`shading::specular`]).
+//! only highlights that are certified to stay below an eightieth of a level are left out. 1 - o.r is computed as
+//! |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
 //!
-//! Whether that is true is not for the renderer to say. [`mod@reference`] draws the same picture by lines of sight through
-//! the pixels and shares no formula with it. Its one formula is evaluated over two kinds of numbers ([`reference::Real`]).
-//! In f64 it gives the truth at once: [`trade::metrics`] compares the two, [`trade::flip`] as a person would (Andersson et
-//! al. 2020), and [`trade`] adds what each method costs. In intervals with outward rounding it encloses the
-//! exact level of every pixel, from the scene's numbers on: [`mod@prove`] holds what is drawn against that.
+//! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and shares
+//! no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]). [`trade`]
+//! compares methods with it in f64 and measures their times: [`trade::metrics`] has the errors, and [`trade::flip`]
+//! estimates the difference that a person sees (Andersson et al. 2020). In intervals with outward rounding it encloses the
+//! exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the drawn picture with that.
 //!
 //! ```
 //! # use shadetrade::components::{ShadingMode, View};
@@ -126,28 +127,28 @@
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
 //! # use shadetrade::{prove::prove, report::Monitor};
 //!
-//! // The same as a fact: no value of any pixel's enclosure is farther away than half a level.
+//! // The same, proven: every pixel lies within half a level of every value of its enclosure.
 //! let level = fearless_simd::Level::new();
 //! let proof = prove(&mut scene.world, &view, None, level, Monitor::NONE)?;
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), anyhow::Error>(())
 //! ```
 //!
-//! Two such pictures, one without a part of the model, prove what that part is worth: [`mod@requires`] leaves out each
-//! light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn, and says which
+//! Enclosures of the picture with and without a part of the model bound the error of leaving it out. [`mod@requires`]
+//! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn, and says which
 //! of them the tolerance requires. [`reference::Rule`] defines the pictures that no scene file can ask for.
 //!
-//! # Where numbers end
+//! # Extreme numbers
 //!
-//! `assets/extremes` holds scenes at the ends of what numbers can be: the near plane through a corner, a light an ulp off a
-//! face, edges as one to 1e100, sums beyond every float. Each is built in and opens by its name as any scene does.
-//! [`extremes`] proves every pixel of them, and compares the levels that are known on paper. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 leave their limits.
+//! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
+//! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name.
+//! [`extremes`] proves every pixel of them, and compares the levels that are known on paper. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 exceed the tolerance.
 //!
 //! # What to touch to add ...
 //!
-//! - a method: a variant of [`components::ShadingMode`], a file under `shading/`, an arm of [`shading::Shader`] and of the
-//!   `match` in [`systems::rasterization`] (its listing and [`systems::lighting`] ask for one mode each), a row of [`shading::METHODS`]; its own definition in the reference; what it is called
-//!   in the window and how it is marked in the plot, which the compiler asks for;
+//! - a method: a variant of [`components::ShadingMode`] and of [`shading::Shader`] (the compiler shows the matches), a file
+//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; the tests for one mode in
+//!   `systems/rasterization/listing.rs` and [`systems::lighting`];
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference and in
 //!   the textbook's formula of [`extremes::stability`];
@@ -179,7 +180,8 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
-//! components and the number that stands for no triangle, never a formula of the renderer's; [`report`] takes nothing of ours; [`cli`] takes what a command's options are made into; minifb is
+//! components and the number that stands for no triangle, never a formula of the renderer's; [`report`] imports no module of this crate; [`cli`] imports the types
+//! that options are converted to; minifb is
 //! named in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the
 //! error map of [`trade`].
 //!

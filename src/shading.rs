@@ -5,7 +5,7 @@
 //!     classify the lights: each is dark, lit or crossing (n.l changes its sign) on the square, and shows a highlight or none
 //!     if bounds on the interpolation errors of all lights add up to less than the tolerance:
 //!         evaluate the model at nine nodes; draw the biquadratic through them, by the cheapest rows that the rest allows
-//!     else if the square is larger than 16 x 16 pixels and its quarters promise more:
+//!     else if the square is larger than 16 x 16 pixels, and its quarters promise more or f32 does not suffice:
 //!         draw each quarter
 //!     else:
 //!         evaluate the model at every pixel, in f32 where its rounding keeps the tolerance, in f64 elsewhere
@@ -14,11 +14,11 @@
 //! [`phong`] classifies the lights, [`kernel`] evaluates nodes and pixels, [`bound`] bounds interpolation and [`rounding`]
 //! rounding errors, [`interpolation`] chooses rows, [`rows`] fills them, and [`crate::systems::rasterization`] cuts squares.
 //!
-//! A terminator is a line in which n.l of a light is 0. Snapping moves an edge by up to 1/512 pixel. On a sliver, a face
+//! A terminator is a line in which n.l of a light is 0. Snapping moves a vertex by up to 1/512 pixel along each axis. On a sliver, a face
 //! that is not steady, a pixel's centre can then lie more than 1/128 of the face outside it; its place is clamped to the face.
 //!
 //! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance;
-//! f64 stands behind everything.
+//! f64 stands behind everything. The tolerance holds for levels before they are rounded to bytes.
 
 pub mod affine;
 pub mod bound;
@@ -58,7 +58,7 @@ pub(crate) fn limit(tolerance: f64) -> f64 {
     if tolerance > 0.0 { tolerance } else { EXACT }
 }
 
-/// How a square was drawn, from cheap to dear.
+/// How a square was drawn, from the simplest colour to the definition in f64.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TileKind {
     /// One colour, certified.

@@ -12,9 +12,9 @@
 //! f - I_x I_y f = (f - I_x f) + I_x (f - I_y f), so the error is at most (M_x + 5/3 M_y) / 24; and as I_x I_y = I_y I_x, x and
 //! y may be exchanged.
 //!
-//! **Third derivatives.** N, L and O are affine up to a positive factor, which no direction depends on. Along x such a
-//! vector moves from any point on in the plane of V and V_x as V(t) = |V| (1 + z t) with z complex, so its angle is
-//! Im log(1 + z t), whose derivatives at t = 0 are Im z, -Im z^2 and 2 Im z^3. With p >= |Im z| and q >= |z|, the unit
+//! **Third derivatives.** N, L and O are affine up to a positive factor, which no direction depends on. Take any point.
+//! Along x such a vector stays in the plane of V and V_x. In that plane, read as complex numbers with V as the real axis, it
+//! is V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose derivatives at t = 0 are Im z, -Im z^2 and 2 Im z^3. With p >= |Im z| and q >= |z|, the unit
 //! vector v = V / |V| has derivatives of length at most
 //!
 //! ```text
@@ -48,8 +48,8 @@
 //!
 //! Coq proves the theorems above, and `proofs/README.md` lists the steps by hand: `proofs/theorems`.
 //!
-//! Rule: four squares are bounded side by side, each as it would be alone. Whatever is not a number bounds nothing; a maximum
-//! or minimum may lose it, and then stands for a bound of its own or is part of a sum that has it still.
+//! Rule: four squares are bounded side by side, each as it would be alone. A NaN means that there is no bound. min and
+//! max may drop a NaN; this is harmless where the other operand is a bound by itself, or the NaN is also in a sum.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -165,7 +165,8 @@ pub fn reflection<S: Simd>(
     let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
     // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. So, theta being the
     // angle at the middle,
-    //   sin(theta) <= t - t^3 / 6 and s > 0:   theta may be within t, and s may reach 1
+    //   sin(theta) <= t - t^3 / 6 and s > 0:   theta may be within t, and s may reach 1; where t - t^3 / 6 < sin(theta) <= sin(t),
+    //                                          the next line gives more than 1 and is cut there
     //   sin(theta) >  t - t^3 / 6 and s > 0:   cos(theta - t) <= s - s t^2 / 2 + sin(theta) t, as sin(theta) (t - sin(t)) > t^4 / 24
     //   s <= 0:                                the same, as s cos(t) <= s (1 - t^2 / 2)
     //   always:                                cos(theta + t) >= s - |s| t^2 / 2 - sin(theta) t, at most -1 if theta + t > pi

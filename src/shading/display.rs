@@ -49,8 +49,8 @@ pub fn display_pixel(levels: [f64; 3]) -> u32 {
 /// 2^23: adding it to a float of 0..=255 leaves the nearest integer, halves to even, in the low bits.
 const INTEGERS: f32 = 8_388_608.0;
 
-/// The display step of levels in f32, the byte in the low bits and the rest as in [`INTEGERS`], without the saturating casts
-/// that keep loops from vectorising: halves go up, and so does the one float below an odd half.
+/// The display step of levels in f32, the byte in the low bits and the rest as in [`INTEGERS`]. Saturating casts would keep
+/// loops from being vectorised. Halves are rounded up, and so is the float just below a half that follows an odd integer.
 #[inline(always)]
 pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
     let simd = level.token();

@@ -108,7 +108,7 @@ impl Plane {
 }
 
 /// Overshoot, as a share of the face, from which a point is clamped to the face: coverage is decided on vertices moved by up
-/// to 1/512 pixel, which is nothing to a face of some pixels and everything to a sliver.
+/// to 1/512 pixel along each axis, which is nothing to a face of some pixels and everything to a sliver.
 pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// An upper bound of how far snapping moves an edge, in pixels.
@@ -246,9 +246,9 @@ impl<'a> Face<'a> {
 
     /// The place on the face that a line of sight beside it shows.
     ///
-    /// In perspective u w is `foot` w + `step`, where `foot` is u of the point of the plane nearest to the eye: turned
-    /// towards the plane, which makes w larger, the line of sight moves over the plane from afar towards that point. One that
-    /// snapping may have turned past the far end of the face, or past the horizon, where w <= 0, is turned back to that end.
+    /// In perspective u w is `foot` w + `step`, where `foot` is u of the point of the plane nearest to the eye. As the line of
+    /// sight turns towards the plane, w grows and the point moves from infinity to the foot. Snapping may show a pixel whose
+    /// line of sight passes beyond the far end of the face, or misses the plane (w <= 0). Such a pixel gets the far end.
     fn clamp(&self, x: f64, y: f64) -> [f64; 2] {
         let Rays {
             direction,

@@ -17,8 +17,8 @@ pub type Lanes<S> = f64x4<S>;
 /// The largest relative radius of a vector whose direction is bounded.
 pub const MAX_RADIUS: f64 = 0.5;
 
-/// The rounding of f64 may take this much off a vector product's length, relative to the factors: that is the square root of a
-/// difference of squares, which errs by at most 34 roundings, and sqrt(34 2^-53) = 6.2e-8: `proofs/cross.g`.
+/// The error of a vector product's length, relative to the lengths of a and b. It is computed as sqrt(|a|^2 |b|^2 - (a.b)^2),
+/// whose radicand errs by at most 34 roundings: sqrt(34 2^-53) = 6.2e-8, `proofs/cross.g`.
 pub(super) const CROSS_ERROR: f64 = 1e-7;
 
 /// The places of four squares: their middles from the picture's middle, and half their extents, in pixels.

@@ -73,8 +73,9 @@ impl Gloss {
 
     /// The error of s^rho, in roundings, caused by an error of |r - o| in roundings and by four roundings of 1 - s.
     ///
-    /// From a shininess of 1 on relative errors of 1 - s become no larger: rho (1 - s) s^(rho - 1) <= 1. Below, s errs by
-    /// less than half of `DOUBT`, so the slope is at most that at the other half.
+    /// From a shininess of 1 on relative errors of 1 - s become no larger: rho (1 - s) s^(rho - 1) <= 1. For a shininess
+    /// below 1, pixels with s < `DOUBT` are evaluated in f64. In f32 s errs by less than `DOUBT` / 2, so the slope is at most
+    /// that at s = `DOUBT` / 2.
     #[inline(always)]
     pub fn propagated<S: Simd>(&self, chord: Lanes<S>) -> Lanes<S> {
         /// sqrt(2) times this many roundings are less than half of [`DOUBT`].
@@ -111,19 +112,25 @@ mod tests {
 
     /// A material under one light of 100 levels.
     fn gloss(shininess: f64, tolerance: f64) -> Gloss {
+        lit(shininess, tolerance, 1)
+    }
+
+    /// The same under several lights.
+    fn lit(shininess: f64, tolerance: f64, lights: usize) -> Gloss {
         let material = Material {
             ambient: DVec3::ZERO,
             diffuse: DVec3::ZERO,
             specular: DVec3::ONE,
             shininess,
         };
+        let light = PointLight {
+            position: DVec3::ONE,
+            diffuse: DVec3::ZERO,
+            specular: DVec3::new(10.0, 100.0, 20.0),
+        };
         let illumination = Illumination {
             ambient: DVec3::ZERO,
-            points: vec![PointLight {
-                position: DVec3::ONE,
-                diffuse: DVec3::ZERO,
-                specular: DVec3::new(10.0, 100.0, 20.0),
-            }],
+            points: vec![light; lights],
         };
         let surface = Surface {
             material: &material,
@@ -190,6 +197,10 @@ mod tests {
         let known = gloss(2.0, 0.4);
         assert!((known.faint - 0.1).abs() < 1e-12);
         assert!((known.least - 1e-3_f64.sqrt()).abs() < 1e-12);
+        assert!(
+            (lit(2.0, 0.4, 5).faint - 0.02).abs() < 1e-12,
+            "lights share it"
+        );
         assert_eq!(gloss(2.0, 400.0).least, f64::INFINITY);
         assert_eq!(gloss(0.0, 0.4).least, f64::NEG_INFINITY);
         assert!(

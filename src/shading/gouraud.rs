@@ -120,7 +120,6 @@ impl<'a> Gouraud<'a> {
         for triangle in 0..2 {
             for [color, right, down] in colors[triangle] {
                 let most = color.abs() + right.abs() + down.abs();
-                // A comparison with something that is not a number is false, so that is kept.
                 let known = most.simd_le(largest) | !meets[triangle];
                 largest = known.select(largest, most);
             }

@@ -75,7 +75,7 @@ pub fn sampled<S: Simd>(
 /// ```text
 ///   operation            count   why
 ///   x^2 y^2                9     its coefficient, and two for each power of x and of y
-///   term that crosses      3     a product and two sums more
+///   term that crosses      3     its coefficient, a product and a sum
 ///   display                2     the byte may be that of the next float
 /// ```
 /// and, as each rounding enlarges the errors before it, a thousandth: `proofs/rows.v`.
@@ -89,8 +89,8 @@ const FIXED_RANGE: [f64; 2] = [0.0, 255.49];
 
 /// Colours of four squares, x and y from -1 to 1 over each, and how each square is drawn.
 pub struct Interpolant<S: Simd> {
-    /// By channel, and then n.l of a light whose terminator crosses the square: a cut at zero at each pixel enlarges no
-    /// error, for max(0, x) moves no more than x does.
+    /// Three channels, then n.l of the light whose terminator crosses the square. Each pixel takes max(0, n.l), which does not
+    /// enlarge an error: |max(0, a) - max(0, b)| <= |a - b|.
     terms: [Nine<S>; 4],
     /// The factors of that, in levels.
     crossing: [Lanes<S>; 3],

@@ -42,9 +42,9 @@ pub const CHORD: f64 = 50.0;
 ///   sum                         2 + terms   coefficient and product of each term, and each sum, at the largest sum
 ///   display                     3           stored in f32; the byte may be that of the next float
 /// ```
-/// The vectors at the middle are taken as exact: f64 forms them for the whole square alike, and the definition's own vectors
-/// have the same errors. So the bound is relative to what f64 can set up, and that may err by more than a
-/// tolerance: with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes away on.
+/// The rounding of f64 in the vectors at the middle is not counted; the definition uses the same vectors. Very far from the
+/// cuboid it can exceed the tolerance: with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes
+/// away on.
 pub struct Rounding<S: Simd> {
     /// Direction errors of n and o.
     normal: Lanes<S>,

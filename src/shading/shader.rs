@@ -25,8 +25,8 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for being evaluated; returns colours that keep the tolerance where they leave something of it, if
-    /// these are to be tried, and the set of squares, a bit each, whose quarters may have such colours if they have none.
+    /// Prepares four squares for being evaluated. Returns an interpolant, or None if `interpolate` is false or the bounds leave
+    /// nothing of the tolerance; and a set of squares, a bit each, whose quarters are worth trying.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &self,

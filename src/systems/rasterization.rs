@@ -26,8 +26,8 @@ use crate::shading::face::Rays;
 use crate::shading::square::MAX_SIDE;
 use crate::simd::dispatch;
 
-/// Depths that differ by less than this share of themselves are a tie, which the cuboid earlier in the file wins: coplanar faces
-/// are set up some roundings apart, and would else show by turns. Each face is compared with what is nearest so far, in the
+/// Depths whose relative difference is smaller than this tie, and the cuboid earlier in the file wins. Without this rule
+/// rounding would make coplanar faces flicker. Each face is compared with what is nearest so far, in the
 /// order of the file; where one ties with two that do not tie with each other, that order decides which of the two is seen.
 const DEPTH_TIE: f64 = 1e-11;
 

@@ -99,8 +99,8 @@ impl Phong<'_> {
         [red, green, blue]
     }
 
-    /// Classifies the lights on four squares; returns the rest that bounds leave of the tolerance there, and the set of those
-    /// whose quarters may have bounds on all lights.
+    /// Classifies the lights on four squares. Returns the budget of each square: the tolerance less all bounded errors, at most
+    /// 0 where an error has no bound; and the set of squares whose quarters are worth trying.
     #[inline(always)]
     fn classify<S: Simd>(
         &self,

@@ -29,27 +29,36 @@ proptest! {
         solid in solid(),
         orthographic in any::<bool>(),
         tilt in -0.2..0.2_f64,
-        pitch in sized(-4, -2),
+        coarser in 0.5..1.0_f64,
         along in -1.0..=1.0_f64,
         side in 0..4_usize,
         aside in [-1.0..=1.0, -1.0..=1.0_f64],
     ) {
         let (sine, cosine) = tilt.sin_cos();
-        let lens = Lens {
+        let edge = [[along, 1.0], [along, -1.0], [1.0, along], [-1.0, along]][side];
+        let lens = |pitch: f64| Lens {
             axes: [DVec3::X, DVec3::new(0.0, cosine, sine), DVec3::new(0.0, sine, -cosine)],
             projection: if orthographic { Projection::Orthographic } else { Projection::Perspective },
             near: 1e-3,
             pitch,
             ..Lens::default()
         };
+        let pixel = |lens: &Lens, face: &Face| {
+            let seen = lens.seen(face.from_eye(edge));
+            (seen.z > lens.near).then(|| lens.pixel(lens.homogeneous(seen)))
+        };
+        // Pixels as coarse as a face allows that is just steady at the edge.
+        let fine = lens(1e-4);
+        let rays = Rays::new(&fine);
+        let face = Face::new(2, &solid, &rays);
+        let Some([x, y]) = pixel(&fine, &face) else { return Ok(()) };
+        let lens = lens(1e-4 * coarser * face.place.at(x, y).z / face.least_steady());
         let rays = Rays::new(&lens);
         let face = Face::new(2, &solid, &rays);
-        let edge = [[along, 1.0], [along, -1.0], [1.0, along], [-1.0, along]][side];
-        let seen = lens.seen(face.from_eye(edge));
-        let [x, y] = lens.pixel(lens.homogeneous(seen));
+        let Some([x, y]) = pixel(&lens, &face) else { return Ok(()) };
         // Snapping moves a vertex, and so an edge, by at most 1/512 pixel.
         let place = face.place.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
-        if seen.z > lens.near && face.is_steady(place.z) {
+        if face.is_steady(place.z) {
             let beyond = (place.x.abs().max(place.y.abs()) / place.z) - 1.0;
             prop_assert!(beyond <= 2.0 * OVERSHOOT + 1e-6, "{beyond}");
         }

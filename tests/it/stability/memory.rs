@@ -61,6 +61,23 @@ fn a_warm_frame_on_several_threads_allocates_nothing() {
 }
 
 #[test]
+fn a_picture_that_memory_cannot_hold_names_its_bytes() {
+    // Pixels take 4 bytes, levels 12, kinds 1, triangles 4 and depths 8.
+    for (keep, cuboids, bytes) in [
+        (Keep::Display, 1, 4),
+        (Keep::Display, 2, 16),
+        (Keep::Levels, 1, 17),
+        (Keep::Levels, 2, 25),
+    ] {
+        let mut frame = Frame::new(keep, Workers::alone(Level::new()));
+        let view = views([1 << 20, 1 << 20]).swap_remove(0);
+        let refused = systems::draw(&mut still_life(cuboids), &view, &mut frame);
+        let needed = refused.expect_err("no machine has a terabyte left").needed;
+        assert_eq!(needed, bytes << 40, "{keep:?}, {cuboids} cuboids");
+    }
+}
+
+#[test]
 fn saving_a_picture_allocates_its_bytes_and_the_file() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let output = Output::File(folder.path().join("a.png"));
