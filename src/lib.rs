@@ -29,9 +29,9 @@
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far all have turned.
 //! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`components::Viewpoint::of`] says where a
 //!    camera stands once its orbit has moved it.
-//! 3. [`systems::normals`]: the mesh's vertex normals, turned. One is the normalised sum of the unit normals of the faces there
-//!    (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's own
-//!    axes a corner has the normal (±1, ±1, ±1) / √3.
+//! 3. [`systems::normals`]: the mesh's vertex normals, turned. One is the normalised sum of the unit normals of the faces
+//!    there (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's
+//!    own axes a corner has the normal (±1, ±1, ±1) / √3.
 //! 4. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
 //!    by depth and snapped to 1/256 pixel.
 //! 5. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud.
@@ -96,13 +96,15 @@
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
 //! derivatives and so the interpolation error. The rest of the tolerance decides which terms of the biquadratic are drawn
 //! ([`shading::interpolation`]). If nothing is left, the square is cut in four when its quarters promise more or f32 does
-//! not suffice. Otherwise, and at 16 x 16 pixels, each pixel is evaluated. [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
+//! not suffice. Otherwise, and at 16 x 16 pixels, each pixel is evaluated. [`shading::TileKind`] lists the ways, and the
+//! window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the
 //! vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
 //!
-//! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At tolerance 0 the model is evaluated at every pixel;
-//! only highlights that are certified to stay below an eightieth of a level are left out. 1 - o.r is computed as
+//! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At
+//! tolerance 0 the model is evaluated at every pixel; only highlights that are certified to stay below an eightieth of a
+//! level are left out. 1 - o.r is computed as
 //! |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
 //!
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and shares
@@ -135,14 +137,15 @@
 //! ```
 //!
 //! Enclosures of the picture with and without a part of the model bound the error of leaving it out. [`mod@requires`]
-//! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn, and says which
-//! of them the tolerance requires. [`reference::Rule`] defines the pictures that no scene file can ask for.
+//! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn,
+//! and says which of them the tolerance requires. [`reference::Rule`] defines the pictures that no scene file can ask for.
 //!
 //! # Extreme numbers
 //!
 //! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
-//! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name.
-//! [`extremes`] proves every pixel of them, and compares the levels that are known on paper. Its charts ([`extremes::stability`]) sweep one number at a time and show where f32 and f64 exceed the tolerance.
+//! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`extremes`] proves every
+//! pixel of them, and compares the levels that are known on paper. Its charts ([`extremes::stability`]) sweep one number at
+//! a time and show where f32 and f64 exceed the tolerance.
 //!
 //! # What to touch to add ...
 //!
@@ -179,11 +182,10 @@
 //! components   paint        memory       simd
 //! ```
 //!
-//! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`] takes
-//! components and the number that stands for no triangle, never a formula of the renderer's; [`report`] imports no module of this crate; [`cli`] imports the types
-//! that options are converted to; minifb is
-//! named in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the
-//! error map of [`trade`].
+//! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
+//! takes components and the number that stands for no triangle, never a formula of the renderer's; [`report`] imports no
+//! module of this crate; [`cli`] imports the types that options are converted to; minifb is named in [`window`] alone, and
+//! egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map of [`trade`].
 //!
 //! # What is not modelled, and why
 //!

@@ -14,8 +14,9 @@
 //! [`phong`] classifies the lights, [`kernel`] evaluates nodes and pixels, [`bound`] bounds interpolation and [`rounding`]
 //! rounding errors, [`interpolation`] chooses rows, [`rows`] fills them, and [`crate::systems::rasterization`] cuts squares.
 //!
-//! A terminator is a line in which n.l of a light is 0. Snapping moves a vertex by up to 1/512 pixel along each axis. On a sliver, a face
-//! that is not steady, a pixel's centre can then lie more than 1/128 of the face outside it; its place is clamped to the face.
+//! A terminator is a line in which n.l of a light is 0. Snapping moves a vertex by up to 1/512 pixel along each axis. On a
+//! sliver, a face that is not steady, a pixel's centre can then lie more than 1/128 of the face outside it; its place is
+//! clamped to the face.
 //!
 //! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance;
 //! f64 stands behind everything. The tolerance holds for levels before they are rounded to bytes.

@@ -6,16 +6,16 @@
 //! ```text
 //!   (M_x + M_y + 2/3 min(M_x, M_y)) / 24        M_x >= |d^3 f / dx^3| all over the square, x in units of h_x; M_y alike
 //! ```
-//! In one direction a quadratic through three Chebyshev nodes errs by M / (3! 2^2), and interpolating in the other direction
-//! enlarges an error by at most the Lebesgue constant 5/3 of three nodes (Trefethen, "Approximation Theory and
-//! Approximation Practice", chapters 6 and 15). With I_x and I_y the interpolations in one direction,
-//! f - I_x I_y f = (f - I_x f) + I_x (f - I_y f), so the error is at most (M_x + 5/3 M_y) / 24; and as I_x I_y = I_y I_x, x and
-//! y may be exchanged.
+//! In one direction a quadratic through three Chebyshev nodes errs by M / (3! 2^2), and interpolating in the other
+//! direction enlarges an error by at most the Lebesgue constant 5/3 of three nodes (Trefethen, "Approximation Theory and
+//! Approximation Practice", chapters 6 and 15). With I_x and I_y the interpolations in one direction, f - I_x I_y f = (f -
+//! I_x f) + I_x (f - I_y f), so the error is at most (M_x + 5/3 M_y) / 24; and as I_x I_y = I_y I_x, x and y may be
+//! exchanged.
 //!
 //! **Third derivatives.** N, L and O are affine up to a positive factor, which no direction depends on. Take any point.
-//! Along x such a vector stays in the plane of V and V_x. In that plane, read as complex numbers with V as the real axis, it
-//! is V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose derivatives at t = 0 are Im z, -Im z^2 and 2 Im z^3. With p >= |Im z| and q >= |z|, the unit
-//! vector v = V / |V| has derivatives of length at most
+//! Along x such a vector stays in the plane of V and V_x. In that plane, read as complex numbers with V as the real axis,
+//! it is V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose derivatives at t = 0 are Im z, -Im z^2
+//! and 2 Im z^3. With p >= |Im z| and q >= |z|, the unit vector v = V / |V| has derivatives of length at most
 //!
 //! ```text
 //!   |v'| = |Im z| <= p      |v''| <= min(2 p q, 2/sqrt(3) q^2)      |v'''| = 3 |Im z| sqrt(4 Re^4 + Im^4) <= min(6 p q^2, 3 q^3)
@@ -281,9 +281,9 @@ pub fn power<S: Simd>(shininess: f32, most: Lanes<S>) -> Lanes<S> {
 
 /// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.
 ///
-/// Let A be the numerator at any place. Along x the quotient is const + k / (w + e t) with k = (b w - A e) / e up to its sign,
-/// so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x. Along y
-/// alike.
+/// Let A be the numerator at any place. Along x the quotient is const + k / (w + e t) with k = (b w - A e) / e up to its
+/// sign, so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x.
+/// Along y alike.
 #[inline(always)]
 pub fn quotient_error<S: Simd>([a, b, c]: [Lanes<S>; 3], [e, g]: [Lanes<S>; 2]) -> Lanes<S> {
     let least = 1.0 - e.abs() - g.abs();

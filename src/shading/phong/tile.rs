@@ -20,8 +20,9 @@ use crate::shading::rounding::Rounding;
 use crate::shading::{U, bound, limit};
 use crate::simd::{four, inlined, three};
 
-/// The largest number of lights without a bound on a square at which its quarters are tried: with more of them, a quarter hardly
-/// ever has bounds on all. Against 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
+/// The largest number of lights without a bound on a square at which its quarters are tried: with more of them, a quarter
+/// hardly ever has bounds on all. Against 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights,
+/// 480x360).
 const UNSURE: f64 = 1.0;
 
 /// A light on four squares, which it does not leave dark altogether. The sets are of these squares, a bit each.
@@ -99,8 +100,8 @@ impl Phong<'_> {
         [red, green, blue]
     }
 
-    /// Classifies the lights on four squares. Returns the budget of each square: the tolerance less all bounded errors, at most
-    /// 0 where an error has no bound; and the set of squares whose quarters are worth trying.
+    /// Classifies the lights on four squares. Returns the budget of each square: the tolerance less all bounded errors, at
+    /// most 0 where an error has no bound; and the set of squares whose quarters are worth trying.
     #[inline(always)]
     fn classify<S: Simd>(
         &self,
