@@ -1,15 +1,12 @@
 //! Proofs: right pictures are proven, wrong ones refuted, and the enclosures hold the exact values.
 
 mod arithmetic;
-mod broken;
 mod judge;
 mod known;
-mod limits;
 mod naive;
 mod picture;
 mod scenes;
 mod search;
-mod ties;
 
 use fearless_simd::Level;
 use hecs::World;

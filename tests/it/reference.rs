@@ -1,6 +1,267 @@
-//! The reference against values from paper. `prove` compares its formula with a second arithmetic, and the renderer with it.
+//! The reference: visibility on paper, and changes that must not change its picture. `shading` compares its levels with
+//! paper, `prove` its formula with a second arithmetic, and the renderer with it.
 
-mod invariance;
-mod light;
-mod scenes;
-mod sight;
+use std::sync::Mutex;
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::reference::{at_pixel, picture};
+
+use crate::support::scene::{at, empty, shine, spawn_cuboid, truth, view};
+
+/// kA 0.1, kD 1 and kE 0.5 in every channel.
+const MATERIAL: Material = Material {
+    ambient: DVec3::splat(0.1),
+    diffuse: DVec3::ONE,
+    specular: DVec3::splat(0.5),
+    shininess: 2.0,
+};
+
+/// A view from this height on the z axis, 90 degrees or 10 units high.
+fn above(size: [usize; 2], height: f64, projection: Projection) -> View {
+    let mut view = view(size, DVec3::Z * height, DVec3::ZERO, projection);
+    (view.viewpoint.camera.fov, view.viewpoint.camera.height) = (90.0, 10.0);
+    view
+}
+
+/// A cuboid at the origin, rotated about z.
+fn turned(size: [f64; 3], degrees: f64) -> World {
+    let mut world = empty();
+    let transform = Transform {
+        rotation: DVec3::Z * degrees,
+        ..Transform::default()
+    };
+    spawn_cuboid(&mut world, size.into(), transform, MATERIAL);
+    world
+}
+
+#[track_caller]
+fn assert_near(found: DVec3, expected: [f64; 3]) {
+    let error = (found - DVec3::from(expected)).length();
+    assert!(error < 1e-9, "{found} is not {expected:?}");
+}
+
+#[test]
+fn a_pixel_shows_the_point_that_its_line_of_sight_hits() {
+    let unit = |v: DVec3| v.normalize().to_array();
+    // Column 60 of 100 is (2 * 60 + 1 - 100) / 100 = 0.21 right of the axis per unit of depth, row 44 is 0.11 above.
+    // The face is at distance 4. The normal of a cube at (x, y, 1) is proportional to (x, y, 1). A wider picture has
+    // margins.
+    let world = turned([2.0; 3], 0.0);
+    for (width, column) in [(100, 60), (200, 110)] {
+        let view = above([width, 100], 5.0, Projection::Perspective);
+        let seen = at_pixel(&world, &view, column, 44).expect("the cube");
+        assert_near(seen.position, [0.84, 0.44, 1.0]);
+        assert_near(seen.normal, unit(DVec3::new(0.84, 0.44, 1.0)));
+        assert_near(seen.to_eye, unit(DVec3::new(-0.84, -0.44, 4.0)));
+        // Right of the diagonal of face +z.
+        assert_eq!((seen.object, seen.triangle), (0, 8));
+    }
+    // 10 units on 10 rows: column 5 sees x = 5 + 0.5 - 10 / 2 = 0.5, row 3 sees y = 1.5.
+    let world = turned([4.0, 4.0, 2.0], 0.0);
+    let view = above([10, 10], 5.0, Projection::Orthographic);
+    let seen = at_pixel(&world, &view, 5, 3).expect("the cuboid");
+    assert_near(seen.position, [0.5, 1.5, 1.0]);
+    assert_near(seen.normal, unit(DVec3::new(0.25, 0.75, 1.0)));
+    assert_near(seen.to_eye, [0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn a_pixel_centre_on_an_edge_belongs_to_the_triangle_right_of_it_or_below() {
+    // A face of 3 x 3 pixels with border and diagonal through pixel centres: the left and upper border are covered, the
+    // right and lower border are not, and the diagonal belongs to the triangle on its right. Rotated by quarter turns
+    // in the plane of the picture it is the same face with another corner on top.
+    for (degrees, expected) in [
+        (0.0, "999 998 988"),
+        (90.0, "888 988 998"),
+        (180.0, "888 889 899"),
+        (270.0, "999 899 889"),
+    ] {
+        let view = above([10, 10], 5.0, Projection::Orthographic);
+        let triangles = truth(&turned([3.0; 3], degrees), &view).triangles;
+        let rows = triangles.chunks(10).map(|row| {
+            let seen = row.iter().filter(|id| **id != NO_TRIANGLE);
+            seen.map(u32::to_string).collect::<String>()
+        });
+        let rows: Vec<String> = rows.filter(|row| !row.is_empty()).collect();
+        assert_eq!(rows.join(" "), expected, "{degrees} degrees");
+        let first = triangles.iter().position(|id| *id != NO_TRIANGLE);
+        assert_eq!(first, Some(33), "row 3, column 3");
+    }
+}
+
+#[test]
+fn surfaces_nearer_than_the_near_plane_are_invisible() {
+    // The face is at distance 4, and behind it are only back faces.
+    let world = turned([2.0; 3], 0.0);
+    for projection in Projection::ALL {
+        let mut view = above([11, 11], 5.0, projection);
+        view.viewpoint.camera.near = Some(4.0);
+        assert!(at_pixel(&world, &view, 5, 5).is_some());
+        view.viewpoint.camera.near = Some(4.0 + 1e-12);
+        assert_eq!(at_pixel(&world, &view, 5, 5), None);
+        assert_eq!(truth(&world, &view).levels[60], view.background.to_array());
+    }
+}
+
+#[test]
+fn a_cuboid_a_trillion_times_longer_than_wide_is_as_exact_as_a_cube() {
+    // Rotated by 30 degrees about z, its long axis is (cos 30, sin 30, 0). From 4 above the face z = 1, row 3 of 11
+    // shows the point y = 4 * 2 * (5.5 - 3.5) / 11 = 16 / 11 up in the picture if that is rotated likewise.
+    let axis = DVec3::from((glam::DVec2::from_angle(30_f64.to_radians()), 0.0));
+    for length in [2e6, 2e9, 2e12] {
+        let mut world = turned([4.0, length, 2.0], -60.0);
+        let point = axis * 16.0 / 11.0 + DVec3::Z;
+        shine(
+            &mut world,
+            LightKind::Diffuse,
+            100.0,
+            point + 2.0 * DVec3::Z,
+        );
+        let mut view = above([11, 11], 5.0, Projection::Perspective);
+        view.viewpoint.camera.up = axis;
+        let seen = at_pixel(&world, &view, 5, 3).expect("the cuboid");
+        assert_eq!(seen.triangle / 2, 4, "face +z");
+        assert_near(seen.position, point.to_array());
+        // The light is straight above, and the normal has no tilt: kD * 100.
+        assert_near(seen.phong, [100.0; 3]);
+    }
+}
+
+#[test]
+fn a_light_exactly_at_the_point_has_no_direction() {
+    for (z, is_there) in [(0.999, true), (1.0, false)] {
+        let mut world = turned([2.0; 3], 0.0);
+        shine(&mut world, LightKind::Specular, 100.0, DVec3::Z * z);
+        let view = above([11, 11], 5.0, Projection::Orthographic);
+        let seen = at_pixel(&world, &view, 5, 5).expect("the cube");
+        assert_eq!(seen.phong, DVec3::ZERO);
+        let vectors = [seen.lights[0].to_light, seen.lights[0].reflected];
+        assert_eq!(vectors.map(|it| it.is_some()), [is_there; 2]);
+    }
+}
+
+/// Two cuboids and a light of each kind. Every position is moved by `offset`, every length multiplied by `scale`.
+fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View) {
+    let place = |p: [f64; 3]| DVec3::from(p) * scale + offset;
+    let mut world = empty();
+    let transform = Transform {
+        position: place([0.0; 3]),
+        rotation: DVec3::new(30.0, 40.0, 50.0),
+    };
+    spawn_cuboid(
+        &mut world,
+        DVec3::new(4.0, 3.0, 2.0) * scale,
+        transform,
+        MATERIAL,
+    );
+    let size = DVec3::new(0.5, 8.0, 0.5) * scale;
+    spawn_cuboid(&mut world, size, at(place([1.0, 0.0, 2.0])), MATERIAL);
+    // Lights at one position share l in the reference; these do not.
+    for (kind, x) in LightKind::ALL.into_iter().zip([5.0, 5.0, 4.0]) {
+        shine(&mut world, kind, 100.0, place([x, 6.0, 7.0]));
+    }
+    let mut view = view(
+        [40, 30],
+        place([4.0, 3.0, 6.0]),
+        place([0.0; 3]),
+        projection,
+    );
+    view.viewpoint.camera.near = Some(0.5 * scale);
+    view.viewpoint.camera.height = 10.0 * scale;
+    view.viewpoint.camera.fov = 45.0;
+    (world, view)
+}
+
+#[track_caller]
+fn assert_close(found: f64, expected: f64) {
+    let error = (found - expected).abs();
+    assert!(
+        error <= 1e-9 * expected.abs().max(1.0),
+        "{found}, not {expected}"
+    );
+}
+
+#[test]
+fn a_scene_a_billion_units_away_or_of_another_size_is_the_same_picture() {
+    for projection in Projection::ALL {
+        let (world, view) = mixed_scene(0.0, 1.0, projection);
+        let expected = truth(&world, &view);
+        let covered = expected.triangles.iter().filter(|id| **id != NO_TRIANGLE);
+        assert!(covered.count() > 100, "there is something to compare");
+        let power = 2.0_f64.powi(300);
+        for (offset, scale, has_same_bits) in [
+            (1e9, 1.0, true),
+            (0.0, power, true),
+            (0.0, power.recip(), true),
+            (0.0, 1e98, false),
+            (0.0, 1e-98, false),
+        ] {
+            let (world, view) = mixed_scene(offset, scale, projection);
+            let found = truth(&world, &view);
+            assert_eq!(found.triangles, expected.triangles, "{scale}");
+            assert!(
+                found == expected || !has_same_bits,
+                "{offset} {scale} {projection:?}"
+            );
+            for (found, expected) in found
+                .levels
+                .as_flattened()
+                .iter()
+                .zip(expected.levels.as_flattened())
+            {
+                assert_close(*found, *expected);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_single_pixel_equals_that_of_the_picture_and_its_terms_add_up() {
+    let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
+    let [gouraud, phong] =
+        [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| truth(&world, &view.shaded(mode)));
+    for pixel in 0..40 * 30 {
+        let Some(seen) = at_pixel(&world, &view, pixel % 40, pixel / 40) else {
+            assert_eq!(phong.triangles[pixel], NO_TRIANGLE);
+            continue;
+        };
+        assert_eq!(
+            seen.object * 12 + seen.triangle,
+            phong.triangles[pixel] as usize
+        );
+        let levels = [seen.gouraud.to_array(), seen.phong.to_array()];
+        assert_eq!(levels, [gouraud.levels[pixel], phong.levels[pixel]]);
+        assert_close(seen.lights.iter().map(|it| it.phong.x).sum(), seen.phong.x);
+        assert_close(
+            seen.lights.iter().map(|it| it.gouraud.x).sum(),
+            seen.gouraud.x,
+        );
+        for light in &seen.lights {
+            let is_ambient = light.kind == LightKind::Ambient;
+            for vector in [light.to_light, light.reflected] {
+                assert_eq!(vector.is_none(), is_ambient);
+                assert_close(vector.map_or(1.0, DVec3::length), 1.0);
+            }
+        }
+    }
+    assert_eq!(at_pixel(&world, &view, 40, 5), None);
+}
+
+#[test]
+fn some_rows_equal_those_of_the_picture_and_each_is_reported_unless_it_is_cancelled() {
+    let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
+    let whole = truth(&world, &view);
+    let told = Mutex::new(Vec::new());
+    let tell = |done| told.lock().expect("no thread has panicked").push(done);
+    let part = picture(&world, &view, 7..19, &|| false, &tell).expect("it is not cancelled");
+    assert_eq!(part.width, 40);
+    assert_eq!(part.levels, whole.levels[7 * 40..19 * 40]);
+    assert_eq!(part.triangles, whole.triangles[7 * 40..19 * 40]);
+    let mut told = told.into_inner().expect("no thread has panicked");
+    told.sort_unstable();
+    assert_eq!(told, (1..=12).collect::<Vec<_>>());
+    assert_eq!(picture(&world, &view, 0..30, &|| true, &|_| ()), None);
+}

@@ -1,10 +1,7 @@
-//! Changes that must keep every bit of a picture, and extreme scenes that must keep it defined.
+//! Changes that must keep every bit of a picture, and faults found earlier.
 
 mod bits;
-mod depth;
-mod extremes;
 mod found;
 pub mod life;
 mod memory;
-mod redrawing;
 mod symmetries;

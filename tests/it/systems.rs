@@ -18,10 +18,11 @@ use fearless_simd::Level;
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform, View,
-    Viewpoint, WorldTransform, cuboid,
+    Light, LightKind, Material, Projection, Transform, View, WorldTransform,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
+
+use crate::support::scene::{at, view};
 
 const PROJECTIONS: [Projection; 2] = Projection::ALL;
 
@@ -40,30 +41,19 @@ fn empty_frame() -> Frame {
 
 /// From z = 10 towards the origin: 90 degrees or 20 units high, at tolerance 0, on black.
 fn ahead(projection: Projection, size: [usize; 2]) -> View {
-    let camera = Camera {
-        target: DVec3::ZERO,
-        up: DVec3::Y,
-        fov: 90.0,
-        height: 20.0,
-        near: Some(1.0),
-    };
-    View {
-        size,
-        viewpoint: Viewpoint {
-            position: DVec3::Z * 10.0,
-            camera,
-        },
-        projection,
-        background: DVec3::ZERO,
-        turned: 0,
-        shading: None,
-        tolerance: 0.0,
-    }
+    let mut view = view(size, DVec3::Z * 10.0, DVec3::ZERO, projection);
+    let camera = &mut view.viewpoint.camera;
+    (camera.fov, camera.height, camera.near) = (90.0, 20.0, Some(1.0));
+    view.background = DVec3::ZERO;
+    view
 }
 
-/// A position without rotation.
-fn at(position: DVec3) -> Transform {
-    Transform::at(position)
+/// A rotation at the origin, in degrees.
+fn turned(rotation: DVec3) -> Transform {
+    Transform {
+        rotation,
+        ..Transform::default()
+    }
 }
 
 /// The derived placement in the world for `transform`.
@@ -72,19 +62,6 @@ fn place(transform: Transform) -> WorldTransform {
         position: transform.position,
         axes: transform.axes(),
     }
-}
-
-/// A cuboid with its index in the file.
-fn spawn_cuboid(
-    world: &mut World,
-    order: usize,
-    transform: Transform,
-    size: DVec3,
-    material: Material,
-    mode: ShadingMode,
-) -> Entity {
-    let (name, mesh) = (Name(format!("cuboid {order}")), Mesh::cuboid(size));
-    world.spawn(cuboid(order, name, transform, mesh, material, mode))
 }
 
 /// A white light of this many levels that is on.

@@ -5,7 +5,7 @@
 use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::reference::{Interval, Real, Seen};
 
-use super::naive::{Big, Number, RIGHT, Scene};
+use super::naive::{Big, Scene, big, power, sine_and_cosine};
 use super::{enclosures, known};
 use crate::support::cases::values;
 use crate::support::random::Random;
@@ -14,14 +14,14 @@ use crate::support::random_scene::case;
 /// Whether an enclosure holds a value.
 fn holds(enclosure: Interval, value: &Big) -> bool {
     let [least, largest] = enclosure.endpoints();
-    (least.is_infinite() || Big::of(least) <= *value)
-        && (largest.is_infinite() || *value <= Big::of(largest))
+    (least.is_infinite() || big(least) <= *value)
+        && (largest.is_infinite() || *value <= big(largest))
 }
 
 /// Compares every `stride`-th pixel with a single possible surface; returns the largest width of an enclosure and the
 /// number of pixels.
 fn compare(
-    scene: &Scene<Big>,
+    scene: &Scene,
     width: usize,
     pixels: &[Vec<Seen<Interval>>],
     stride: usize,
@@ -32,7 +32,7 @@ fn compare(
         let [seen] = &seen[..] else { continue };
         let Some(face) = seen.face() else { continue };
         let at = [pixel % width, pixel / width];
-        let exact = scene.levels(face, at, RIGHT);
+        let exact = scene.levels(face, at);
         for (level, exact) in seen.levels.into_iter().zip(&exact) {
             let [least, largest] = level.endpoints();
             assert!(holds(level, exact), "{at:?}: {exact:?} is not in {level:?}");
@@ -97,24 +97,24 @@ fn sines_cosines_and_powers_enclose_the_value_of_the_second_arithmetic() {
     for _ in 0..2000 {
         let degrees = random.within(-45.0, 45.0);
         let [found_sin, found_cos] = Interval::sin_cos(degrees);
-        let [sin, cos] = Big::sine_and_cosine(degrees);
+        let [sin, cos] = sine_and_cosine(degrees);
         assert_sharp("sine", degrees, found_sin, &sin);
         assert_sharp("cosine", degrees, found_cos, &cos);
         let half = random.within(1e-3, 89.5);
         let [found_sin, found_cos] = Interval::sin_cos(half);
-        let [sin, cos] = Big::sine_and_cosine(half);
+        let [sin, cos] = sine_and_cosine(half);
         let tan = found_sin / found_cos;
         assert!(holds(tan, &(sin / cos)), "tangent of {half}: {tan:?}");
 
         let base = 1.0 - 10.0_f64.powf(random.within(-15.0, 0.0));
         let exponent = 10.0_f64.powf(random.within(-3.0, 6.0));
-        let power = Interval::of(base).power(exponent);
-        let exact = Big::of(base).power(exponent);
-        assert!(holds(power, &exact), "{base}^{exponent}: {power:?}");
-        let [least, largest] = power.endpoints();
+        let found = Interval::of(base).power(exponent);
+        let exact = power(&big(base), exponent);
+        assert!(holds(found, &exact), "{base}^{exponent}: {found:?}");
+        let [least, largest] = found.endpoints();
         assert!(
             largest - least < 1e-9,
-            "{base}^{exponent}: {power:?} is wide"
+            "{base}^{exponent}: {found:?} is wide"
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::prove::{Shown, Verdict, judge};
 
 use super::{enclosures, proof};
@@ -116,4 +116,37 @@ pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
         projection,
     );
     (world, view.shaded(mode))
+}
+
+const SHINY: Material = Material {
+    ambient: DVec3::ZERO,
+    diffuse: DVec3::ZERO,
+    specular: DVec3::ONE,
+    shininess: 1.0,
+};
+
+/// The corners of the cube's face z = 1 have n = (±1, ±1, 1) / sqrt(3) and, for a light 2 above its middle, l = (∓1,
+/// ∓1, 2) / sqrt(6), so n.l is 0 at all four on paper. The light is reflected to r = -l, which meets the eye from below
+/// if the gate is open.
+#[test]
+fn corners_of_one_face_may_decide_a_tie_independently() {
+    let mut random = Random(3);
+    let mut covered = 0;
+    for _ in 0..40 {
+        let transform = Transform {
+            position: DVec3::ZERO,
+            rotation: random.around(180.0),
+        };
+        let axes = transform.axes();
+        let mut world = empty();
+        spawn_cuboid(&mut world, DVec3::splat(2.0), transform, SHINY);
+        let light = axes * (3.0 * DVec3::Z);
+        shine(&mut world, LightKind::Specular, 200.0, light);
+        let eye = axes * DVec3::new(6.0, 1.0, -4.0);
+        let view = view([24, 18], eye, DVec3::ZERO, Projection::Perspective);
+        let proof = proof(&mut world, &view.shaded(ShadingMode::Gouraud));
+        assert!(proof.examples.is_empty(), "{:?}", proof.examples);
+        covered += proof.covered;
+    }
+    assert!(covered > 1000, "{covered} pixels were covered");
 }

@@ -5,16 +5,16 @@
 use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{Mesh, ShadingMode, Transform, length};
+use shadetrade::components::{Mesh, ShadingMode, Transform, View, length};
 use shadetrade::frame::Keep;
-use shadetrade::reference;
 use shadetrade::trade::metrics::{Picture, compare};
 
 use super::proof;
 use crate::support::cases::{cases, values};
-use crate::support::extreme::{Number, extreme, is_legal};
+use crate::support::extreme::{exaggerated, graze};
+use crate::support::random::Random;
 use crate::support::random_scene::{Case, between, case};
-use crate::support::scene::draw;
+use crate::support::scene::{draw, truth};
 
 /// A scene and a tolerance in levels.
 fn asked() -> impl Strategy<Value = (Case, f64)> {
@@ -26,10 +26,10 @@ fn asked() -> impl Strategy<Value = (Case, f64)> {
 #[test]
 fn every_pixel_of_random_scenes_is_proven() {
     let (mut covered, mut outline, mut proven) = (0, 0, 0);
-    for (number, (case, tolerance)) in values(&asked(), cases(150)).enumerate() {
+    for (case, tolerance) in values(&asked(), cases(150)) {
         let (mut world, view) = case.build([48, 36], tolerance);
         let proof = proof(&mut world, &view);
-        let what = format!("scene {number}, tolerance {tolerance}: {proof:?}\n{case:?}");
+        let what = format!("tolerance {tolerance}: {proof:?}\n{case:?}");
         assert_eq!([proof.refuted, proof.undecided], [0, 0], "{what}");
         assert!(proof.reference_error < 1e-6, "{what}");
         covered += proof.covered;
@@ -40,15 +40,15 @@ fn every_pixel_of_random_scenes_is_proven() {
     assert!(outline * 10 < covered, "{outline} of {covered} are outline");
 }
 
-/// The shortcut's vectors are not normalised, so its enclosures are wide. It is compared with the f64 reference instead.
+/// The shortcut's vectors are not normalised, so its enclosures are wide. It is compared with the f64 reference instead,
+/// which a tolerance does not concern.
 #[test]
 fn the_assignment_s_shortcut_is_drawn_as_the_reference_defines_it() {
     let mut compared = 0;
     for case in values(&case(ShadingMode::UnitVectors), cases(64)) {
-        let (mut world, view) = case.build([64, 48], 0.0);
-        let truth = reference::picture(&world, &view, 0..48, &|| false, &|_| ());
-        let truth = truth.expect("nobody cancels it");
+        let (mut world, view) = case.build([64, 48], 4.0);
         let frame = draw(&mut world, &view, Keep::Levels);
+        let truth = truth(&world, &view);
         let difference = compare(Picture::from(&frame), Picture::from(&truth));
         let error = difference.error.map_or(0.0, |error| error.max);
         assert!(error <= 0.05, "{error}: {case:?}");
@@ -68,24 +68,38 @@ fn distance(world: &mut World, eye: DVec3) -> f64 {
 }
 
 #[test]
-fn no_pixel_of_random_scenes_with_numbers_of_any_magnitude_is_refuted() {
-    let strategy = (asked(), prop::collection::vec(extreme(), 1..3));
+fn no_pixel_of_random_scenes_with_numbers_of_any_magnitude_is_refuted_or_undefined() {
     let mut sum = [0; 3];
-    for (number, ((case, tolerance), mut extremes)) in values(&strategy, cases(200)).enumerate() {
-        extremes.sort_by_key(|extreme| extreme.number == Number::Gap);
-        // In a picture with odd sides the middle line of sight is exact.
-        let (mut world, mut view) = case.build([49, 37], tolerance);
-        for extreme in &extremes {
-            extreme.apply(&mut world, &mut view);
+    let random = &mut Random(9);
+    for (case, tolerance) in values(&asked(), cases(200)) {
+        let mut record = case.record(tolerance);
+        for _ in 0..=random.below(2) {
+            record = exaggerated(&record, random);
         }
-        if !is_legal(&view) {
+        if random.below(4) == 0 {
+            graze(&mut record, random);
+        }
+        if record.check().is_err() {
             continue;
         }
+        let mut world = record.spawn();
+        // In a picture with odd sides the middle line of sight is exact.
+        let view = View::of(&world, [49, 37]);
         let proof = proof(&mut world, &view);
         let is_far = distance(&mut world, view.viewpoint.position) > 1e10;
-        let what = || format!("scene {number}, tolerance {tolerance}, {extremes:?}: {case:?}");
         let is_right = proof.refuted == 0 && (proof.undecided == 0 || is_far);
-        assert!(is_right, "{}\n{:?}", what(), proof.examples);
+        assert!(is_right, "{record:?}\n{:?}", proof.examples);
+        let shortcut = draw(
+            &mut world,
+            &view.shaded(ShadingMode::UnitVectors),
+            Keep::Levels,
+        );
+        let is_undefined = shortcut
+            .levels()
+            .as_flattened()
+            .iter()
+            .any(|it| it.is_nan());
+        assert!(!is_undefined, "{record:?}");
         let counts = [proof.proven, proof.covered, proof.undecided];
         sum = [0, 1, 2].map(|i| sum[i] + counts[i]);
     }

@@ -50,21 +50,15 @@ pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
 
 /// Asserts that a triangle within a small square at the first pixels covers the same pixels if each is tested alone.
 fn assert_small(polygon: &Polygon, [width, height]: [usize; 2]) {
-    let small = |coordinate: &i32| (-128..16 * 256).contains(coordinate);
-    let (&[a, b, c], true) = (
-        polygon
-            .vertices()
-            .first_chunk::<3>()
-            .unwrap_or(&[[i32::MAX; 2]; 3]),
-        polygon.len == 3,
-    ) else {
+    let is_small = |coordinate: &i32| (-128..16 * 256).contains(coordinate);
+    let Ok(corners) = <[[i32; 2]; 3]>::try_from(polygon.vertices()) else {
         return;
     };
-    if ![a, b, c].as_flattened().iter().all(small) {
+    if !corners.as_flattened().iter().all(is_small) {
         return;
     }
     let simd = baseline().expect("every machine has them");
-    let bits = covered(simd, [a, b, c], [0, 0], SMALL);
+    let bits = covered(simd, corners, [0, 0], SMALL);
     let mut expected = [0; SMALL];
     for (row, from, to) in spans(polygon, 0..SMALL.min(height), SMALL.min(width)) {
         expected[row] = (1 << to) - (1 << from);
@@ -140,18 +134,4 @@ pub fn assert_twin(
         assert_eq!(count, u32::from(twin(x, y)), "({x}, {y}) of {polygons:?}");
     }
     counts.iter().sum()
-}
-
-/// The definition: a convex polygon covers the inner side of each edge. It covers an edge itself if that is a left edge
-/// (which goes down) or a top edge (horizontal, to the left). 128 bits cannot overflow.
-pub fn covers(polygon: &Polygon, x: usize, y: usize) -> bool {
-    let [x, y] = [x, y].map(|pixels| 256 * pixels as i128 + 128);
-    let ring = polygon.vertices();
-    (0..ring.len()).all(|index| {
-        let ends = [ring[index], ring[(index + 1) % ring.len()]];
-        let [from, to] = ends.map(|vertex| vertex.map(i128::from));
-        let [right, down] = [to[0] - from[0], to[1] - from[1]];
-        let inwards = down * (x - from[0]) - right * (y - from[1]);
-        from == to || inwards > 0 || (inwards == 0 && (down > 0 || (down == 0 && right < 0)))
-    })
 }

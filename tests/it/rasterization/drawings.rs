@@ -8,46 +8,6 @@
 use super::counting::{assert_counts, pixels, polygon, snapped};
 
 #[test]
-fn a_pixel_is_covered_where_its_centre_is() {
-    assert_counts(
-        &[polygon([[2.0, 0.0], [0.0, 6.0], [12.0, 3.0]])],
-        "
-        ..11........
-        .111111.....
-        .111111111..
-        .111111111..
-        111111......
-        11..........
-        ............",
-    );
-}
-
-#[test]
-fn polygons_that_share_an_edge_leave_no_gap_and_draw_nothing_twice() {
-    let [a, b, c, d] = [[8.0, 0.0], [0.0, 6.0], [13.0, 9.0], [18.0, 2.0]];
-    let expected = "
-        .......111........
-        ......111111111...
-        .....1111111111111
-        ...11111111111111.
-        ..11111111111111..
-        .11111111111111...
-        ..1111111111111...
-        ......11111111....
-        ...........11.....";
-    assert_counts(&[polygon([a, b, c]), polygon([a, c, d])], expected);
-    assert_counts(&[polygon([a, b, d]), polygon([b, c, d])], expected);
-    assert_counts(&[polygon([a, b, c, d])], expected);
-}
-
-#[test]
-fn polygons_that_overlap_are_both_drawn() {
-    let [left, right] =
-        [0.0, 2.0].map(|x| polygon([[x, 0.0], [x, 3.0], [x + 4.0, 3.0], [x + 4.0, 0.0]]));
-    assert_counts(&[left, right], "112211 112211 112211");
-}
-
-#[test]
 fn a_rectangle_of_five_by_five_is_split_into_fifteen_and_ten_pixels() {
     // The example of Microsoft's "Rasterization rules": the diagonal is a left edge of the upper triangle.
     let upper = polygon([[0.0, 0.0], [5.0, 5.0], [5.0, 0.0]]);
@@ -58,24 +18,37 @@ fn a_rectangle_of_five_by_five_is_split_into_fifteen_and_ten_pixels() {
 }
 
 #[test]
-fn a_square_with_corners_on_pixel_centres_covers_its_top_and_left_edges() {
+fn corners_on_pixel_centres_cover_them_at_the_top_and_at_the_left() {
     let square = polygon([[0.5, 0.5], [0.5, 4.5], [4.5, 4.5], [4.5, 0.5]]);
     assert_counts(&[square], "1111.. 1111.. 1111.. 1111.. ...... ......");
+    let diamond = polygon([[3.5, 0.5], [0.5, 3.5], [3.5, 6.5], [6.5, 3.5]]);
+    let expected = "....... ..11... .1111.. 111111. .1111.. ..11... .......";
+    assert_counts(&[diamond], expected);
 }
 
 #[test]
-fn a_diamond_with_corners_on_pixel_centres_covers_only_its_left_corner() {
-    let diamond = polygon([[3.5, 0.5], [0.5, 3.5], [3.5, 6.5], [6.5, 3.5]]);
+fn a_concave_polygon_covers_only_pixels_inside_all_its_edges() {
+    // The edges go down at x = 2, up again to (6, 4), down at x = 6, and back. In rows 4 to 9 the span ends at the edge
+    // that goes up, before the second edge that goes down begins it. The last edge is at x = 12 - 3/7 y.
+    let notched = polygon([
+        [2.0, 0.0],
+        [2.0, 10.0],
+        [6.0, 4.0],
+        [6.0, 14.0],
+        [12.0, 0.0],
+    ]);
     assert_counts(
-        &[diamond],
+        &[notched],
         "
-        .......
-        ..11...
-        .1111..
-        111111.
-        .1111..
-        ..11...
-        .......",
+        ..1111111111
+        ..111111111.
+        ..111111111.
+        ..11111111..
+        ............ ............ ............ ............ ............ ............
+        ......1.....
+        ......1.....
+        ......1.....
+        ............",
     );
 }
 
@@ -96,16 +69,36 @@ fn a_polygon_is_clipped_to_the_picture() {
     let square = |x: f64, y: f64| polygon([[x, y], [x, y + 4.0], [x + 4.0, y + 4.0], [x + 4.0, y]]);
     assert_counts(&[square(-2.0, -2.0)], "11.... 11.... ...... ......");
     assert_counts(&[square(4.0, 2.0)], "...... ...... ....11 ....11");
-    for (x, y) in [
-        (-4.0, 0.0),
-        (6.0, 0.0),
-        (0.0, -4.0),
-        (0.0, 4.0),
-        (-3e6, 0.0),
-        (9.0, 3e6),
-    ] {
+    let beside = [
+        [-4.0, 0.0],
+        [6.0, 0.0],
+        [0.0, -4.0],
+        [0.0, 4.0],
+        [-3e6, 0.0],
+        [9.0, 3e6],
+    ];
+    for [x, y] in beside {
         assert_counts(&[square(x, y)], "...... ...... ...... ......");
     }
     let all_around = polygon([[-3e6, -3e6], [-3e6, 3e6], [3e6, 3e6], [3e6, -3e6]]);
     assert_counts(&[all_around], "111111 111111 111111 111111");
+}
+
+#[test]
+fn degenerate_and_back_facing_polygons_cover_nothing() {
+    let [a, b, c, d] = [[0, 0], [0, 2048], [2048, 2048], [2048, 0]];
+    let on_centres = [128, 128 + 256, 128 + 512].map(|place| [place, place]);
+    let polygons: [&[[i32; 2]]; 8] = [
+        &[],
+        &[a, a, a],
+        &[a, b, a],
+        &[a, a, c, c],
+        &[a, c, a, c, a],
+        &on_centres,
+        &[c, b, a],
+        &[d, c, b, a],
+    ];
+    let counts = polygons.map(|vertices| pixels(&snapped(vertices), [8, 8]));
+    assert_eq!(counts, [0; 8]);
+    assert_eq!(pixels(&snapped(&[a, b, c, d]), [8, 8]), 64);
 }

@@ -1,23 +1,22 @@
-//! Coverage of random polygons against independent implementations.
+//! Coverage of random polygons against an independent implementation in 128 bits.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use shadetrade::components::Polygon;
 
-use super::counting::{assert_twin, covers, encloses, facing, snapped, spans, turn};
+use super::counting::{assert_twin, encloses, facing, snapped, spans, turn};
 use crate::support::random::Random;
 
 #[test]
 fn two_halves_of_any_quadrilateral_cover_exactly_its_pixels_once() {
     let mut random = Random(1);
-    let mut covered = 0;
-    let mut left = 100_000;
+    let (mut covered, mut left) = (0, 100_000);
     while left > 0 {
         // Half of them on a coarse grid, where edges meet pixel centres.
-        let unit = if left % 2 == 0 { 128.0 } else { 1.0 };
-        let mut coordinate =
-            || (random.within(-256.0, 8.0 * 256.0) / unit).round() as i32 * unit as i32;
-        let ring: [[i32; 2]; 4] = std::array::from_fn(|_| [coordinate(), coordinate()]);
+        let unit = [1.0, 128.0][left % 2];
+        let ring = [(); 4].map(|()| {
+            [(); 2].map(|()| (random.within(-256.0, 2048.0) / unit).round() as i32 * unit as i32)
+        });
         let [a, b, c, d] = ring;
         if turn([a, b, c]) > 0 && turn([a, c, d]) > 0 {
             let halves = [snapped(&[a, b, c]), snapped(&[a, c, d])];
@@ -34,8 +33,7 @@ fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {
     for reach in [1000.0, 1e5, 1e8] {
         let mut covered = 0;
         for _ in 0..1000 {
-            let mut component = || random.within(-reach, reach) as i64;
-            let (across, down) = (component(), component());
+            let [across, down] = [(); 2].map(|()| random.within(-reach, reach) as i64);
             // The least distance: `down` u - `across` v = 1.
             let (divisor, u, v) = bezout(down, -across);
             if divisor != 1 {
@@ -45,13 +43,12 @@ fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {
                 let at = |right: i64, below: i64| {
                     [miss * u + right, miss * v + below].map(|c| (8 * 256 + 128 + c) as i32)
                 };
-                let sides = [at(-down, across), at(down, -across)];
                 // At most one step up or down, or the edge would miss by a multiple of the least distance.
                 for end in [at(-across, -down), at(across, down)] {
-                    for side in sides {
-                        let triangle = facing([at(0, 0), end, side]);
-                        covered +=
-                            assert_twin(&[triangle], [17, 17], |x, y| covers(&triangle, x, y));
+                    for side in [at(-down, across), at(down, -across)] {
+                        let ring = [at(0, 0), end, side];
+                        let twin = |x, y| encloses(&ring, x, y);
+                        covered += assert_twin(&[facing(ring)], [17, 17], twin);
                     }
                 }
             }
@@ -67,6 +64,29 @@ fn bezout(a: i64, b: i64) -> (i64, i64, i64) {
     } else {
         let (divisor, u, v) = bezout(b, a % b);
         (divisor, v, u - a / b * v)
+    }
+}
+
+/// Triangles around a small picture in all directions: in 1/256 pixel up to `reach` long on both sides of it, and up to
+/// twice `aside` wide.
+#[test]
+fn long_triangles_and_slivers_cover_the_centres_they_contain() {
+    let limit = f64::from(1 << 30) - 4096.0;
+    let mut random = Random(4);
+    for (reach, aside) in [(4000.0 * 256.0, 1.0), (limit, 1000.0), (limit, 0.1 * limit)] {
+        let mut covered = 0;
+        for _ in 0..4000 {
+            let (sin, cos) = random.within(0.0, std::f64::consts::TAU).sin_cos();
+            let middle = [(); 2].map(|()| random.within(0.0, 4096.0));
+            let ends = [1.0, -1.0, 1.0].map(|sign| {
+                let along = sign * reach * random.within(0.5, 0.99);
+                let aside = random.within(-aside, aside);
+                let [x, y] = [along * cos - aside * sin, along * sin + aside * cos];
+                [middle[0] + x, middle[1] + y].map(|coordinate| coordinate.round() as i32)
+            });
+            covered += assert_twin(&[facing(ends)], [16, 16], |x, y| encloses(&ends, x, y));
+        }
+        assert!(covered > 0, "some pixels are covered");
     }
 }
 
@@ -110,15 +130,17 @@ proptest! {
     })]
 
     #[test]
-    fn any_convex_polygon_covers_the_pixels_of_the_definition(polygon in convex()) {
-        assert_twin(&[polygon], [36, 36], |x, y| covers(&polygon, x, y));
-    }
-
-    #[test]
-    fn some_rows_of_a_polygon_equal_those_of_the_whole(polygon in convex(), from in 0..36_usize, rows in 0..36_usize) {
+    fn any_convex_polygon_covers_the_pixels_of_the_definition(
+        polygon in convex(),
+        from in 0..36_usize,
+        rows in 0..36_usize,
+    ) {
+        assert_twin(&[polygon], [36, 36], |x, y| encloses(polygon.vertices(), x, y));
+        // Some rows equal those of the whole.
         let spans = |rows| spans(&polygon, rows, 36).collect::<Vec<_>>();
         let to = (from + rows).min(36);
-        let expected: Vec<_> = spans(0..36).into_iter().filter(|span| (from..to).contains(&span.0)).collect();
+        let mut expected = spans(0..36);
+        expected.retain(|(row, _, _)| (from..to).contains(row));
         prop_assert_eq!(spans(from..to), expected);
     }
 }

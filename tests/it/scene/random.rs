@@ -19,17 +19,13 @@ use crate::support::random::Random;
 fn number(random: &mut Random, range: &RangeInclusive<f64>) -> f64 {
     let (least, most) = (*range.start(), *range.end());
     let smallest = if least > 0.0 { least } else { 1e-320 };
-    let size = random.within(smallest.ln(), most.ln()).exp();
+    let size = random.between(smallest, most);
     let number = [least, most, size, -size][random.below(20).min(2 + random.below(2))];
     number.clamp(least, most) + 0.0
 }
 
 fn three(random: &mut Random, range: &RangeInclusive<f64>) -> DVec3 {
     DVec3::from([(); 3].map(|()| number(random, range)))
-}
-
-fn one_of<T: Copy>(random: &mut Random, all: &[T]) -> T {
-    all[random.below(all.len())]
 }
 
 fn maybe<T>(random: &mut Random, of: impl FnOnce(&mut Random) -> T) -> Option<T> {
@@ -40,7 +36,7 @@ fn maybe<T>(random: &mut Random, of: impl FnOnce(&mut Random) -> T) -> Option<T>
 pub fn name(random: &mut Random) -> String {
     let letter = |random: &mut Random| match random.below(3) {
         0 => char::from(random.below(128) as u8),
-        1 => one_of(random, &['"', '\'', '\\', '\n', '\u{7f}', 'é', '#']),
+        1 => random.one_of(&['"', '\'', '\\', '\n', '\u{7f}', 'é', '#']),
         _ => char::from_u32(random.below(0x0011_0000) as u32).unwrap_or('.'),
     };
     let letters = 0..random.below(8);
@@ -52,7 +48,7 @@ pub fn cuboid(random: &mut Random) -> CuboidRecord {
     let [ambient, diffuse, specular] = [(); 3].map(|()| three(random, &Strength::RANGE));
     CuboidRecord {
         rotation: three(random, &Angle::RANGE),
-        shading: one_of(random, &[ShadingMode::Gouraud, ShadingMode::Phong]),
+        shading: random.one_of(&[ShadingMode::Gouraud, ShadingMode::Phong]),
         material: Material {
             ambient,
             diffuse,
@@ -68,7 +64,7 @@ pub fn cuboid(random: &mut Random) -> CuboidRecord {
 }
 
 pub fn light(random: &mut Random) -> LightRecord {
-    let kind = one_of(random, &LightKind::ALL);
+    let kind = random.one_of(&LightKind::ALL);
     let [intensity, gain] = [(); 2].map(|()| number(random, &Strength::RANGE));
     LightRecord {
         color: three(random, &Strength::RANGE),
@@ -116,7 +112,7 @@ fn side(random: &mut Random) -> Side {
         tolerance: 0.0,
     };
     let sides = [Side::Picture, Side::Reference, shortcut, gouraud, phong];
-    one_of(random, &sides)
+    random.one_of(&sides)
 }
 
 /// A view. Its camera is chosen where the cameras are known.
@@ -129,10 +125,10 @@ pub fn view(random: &mut Random) -> ViewRecord {
     let budget = maybe(random, |random| number(random, &Milliseconds::RANGE));
     ViewRecord {
         camera: None,
-        projection: one_of(random, &Projection::ALL),
+        projection: random.one_of(&Projection::ALL),
         tolerance: budget.map_or_else(|| tolerance(random), |_| Tolerance::default().0),
         budget,
-        show: one_of(random, &[Picture, Wipe, Error, Difference, Tiles]),
+        show: random.one_of(&[Picture, Wipe, Error, Difference, Tiles]),
         sides: [side(random), side(random)],
         divider: number(random, &Share::RANGE),
         turned: random.below(360) as u32,
@@ -142,7 +138,7 @@ pub fn view(random: &mut Random) -> ViewRecord {
             corner: pixel(random),
         },
         inspector: maybe(random, |random| {
-            one_of(random, &[Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof])
+            random.one_of(&[Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof])
         }),
     }
 }

@@ -1,11 +1,9 @@
-//! A picture has the same bits with any number of threads, in any parts, and after any other picture.
-
-use std::ops::Range;
+//! A picture has the same bits with any number of threads, at any SIMD level and in any parts.
 
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Light, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::{simd, systems};
 
@@ -21,38 +19,44 @@ fn frame(keep: Keep, threads: usize, level: Level) -> Frame {
     )
 }
 
-fn bits(world: &mut World, view: &View, frame: &mut Frame) -> Bits {
-    systems::draw(world, view, frame).expect("a small picture fits");
-    Bits::of(frame)
-}
-
-fn rows_of(world: &mut World, view: &View, rows: Range<usize>, frame: &mut Frame) -> Bits {
-    systems::draw_rows(world, view, rows, frame).expect("a small picture fits");
-    Bits::of(frame)
+/// Asserts that a picture has the same bits and counts with any number of threads, and that at least this many pixels show
+/// a cuboid.
+fn assert_same_with_threads(world: &mut World, views: &[View], keep: Keep, least: u64) {
+    let mut together = [2, 3, 4, 7].map(|threads| frame(keep, threads, Level::new()));
+    for view in views {
+        let alone = draw(world, view, keep);
+        assert!(
+            alone.counts().covered_pixels > least,
+            "{:?}",
+            alone.counts()
+        );
+        for frame in &mut together {
+            systems::draw(world, view, frame).expect("a small picture fits");
+            let threads = frame.workers().threads();
+            assert!(
+                Bits::of(frame) == Bits::of(&alone),
+                "{threads} threads, {view:?}"
+            );
+            assert_eq!(
+                frame.counts(),
+                alone.counts(),
+                "{threads} threads, {view:?}"
+            );
+        }
+    }
 }
 
 #[test]
 fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
-    for cuboids in [1, 3] {
-        let mut world = still_life(cuboids);
-        for keep in KEEPS {
-            let mut alone = frame(keep, 1, Level::new());
-            let mut together: Vec<Frame> = [2, 3, 4, 7]
-                .map(|threads| frame(keep, threads, Level::new()))
-                .into();
-            for mut view in views([400, 320]).into_iter().step_by(2) {
-                // So near that the frame is drawn on several threads.
-                view.viewpoint.camera.fov = 10.0;
-                view.viewpoint.camera.height = 2.0;
-                let view = &view;
-                let expected = bits(&mut world, view, &mut alone);
-                assert!(alone.counts().covered_pixels > 100_000);
-                for frame in &mut together {
-                    let same = bits(&mut world, view, frame) == expected;
-                    assert!(same, "{} threads, {view:?}", frame.workers().threads());
-                    assert_eq!(frame.counts(), alone.counts());
-                }
-            }
+    let mut views: Vec<View> = views([400, 320]).into_iter().step_by(2).collect();
+    for view in &mut views {
+        // So near that the frame is drawn on several threads.
+        view.viewpoint.camera.fov = 10.0;
+        view.viewpoint.camera.height = 2.0;
+    }
+    for keep in KEEPS {
+        for cuboids in [1, 3] {
+            assert_same_with_threads(&mut still_life(cuboids), &views, keep, 100_000);
         }
     }
 }
@@ -62,31 +66,18 @@ fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
     // 26 x 21 cuboids of about 15 pixels: many cross rows at which the picture may be cut.
     let mut world = still_life(1);
     for index in 0..26 * 21 {
-        let place = DVec3::new(
-            f64::from(index % 26) - 12.5,
-            f64::from(index / 26) - 10.0,
-            3.0,
-        );
-        let material = white(20.0);
+        let [x, y] = [index % 26, index / 26].map(f64::from);
         let transform = Transform {
             rotation: DVec3::splat(7.0 * f64::from(index)),
-            ..at(place)
+            ..at(DVec3::new(x - 12.5, y - 10.0, 3.0))
         };
-        spawn_cuboid(&mut world, DVec3::splat(0.7), transform, material);
+        spawn_cuboid(&mut world, DVec3::splat(0.7), transform, white(20.0));
     }
-    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-        let eye = DVec3::new(0.0, 0.0, 30.0);
-        let mut view = view([400, 320], eye, DVec3::ZERO, Projection::Orthographic).shaded(mode);
-        view.viewpoint.camera.height = 20.0;
-        let mut alone = frame(Keep::Display, 1, Level::new());
-        let expected = bits(&mut world, &view, &mut alone);
-        assert!(alone.counts().covered_pixels > 60_000);
-        for threads in [2, 5] {
-            let mut together = frame(Keep::Display, threads, Level::new());
-            assert!(bits(&mut world, &view, &mut together) == expected);
-            assert_eq!(together.counts(), alone.counts(), "{threads} threads");
-        }
-    }
+    let eye = DVec3::new(0.0, 0.0, 30.0);
+    let mut view = view([400, 320], eye, DVec3::ZERO, Projection::Orthographic);
+    view.viewpoint.camera.height = 20.0;
+    let views = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| view.shaded(mode));
+    assert_same_with_threads(&mut world, &views, Keep::Display, 60_000);
 }
 
 #[test]
@@ -97,9 +88,11 @@ fn every_simd_level_of_this_machine_draws_the_same_bits() {
         let mut world = still_life(cuboids);
         for keep in KEEPS {
             for view in views([160, 120]) {
-                let expected = bits(&mut world, &view, &mut frame(keep, 1, Level::new()));
+                let expected = Bits::of(&draw(&mut world, &view, keep));
                 for &level in &levels {
-                    let same = bits(&mut world, &view, &mut frame(keep, 1, level)) == expected;
+                    let mut frame = frame(keep, 1, level);
+                    systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
+                    let same = Bits::of(&frame) == expected;
                     assert!(same, "{}, {view:?}", simd::name(level));
                 }
             }
@@ -114,7 +107,7 @@ fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
         for keep in KEEPS {
             let mut part = frame(keep, 1, Level::new());
             for view in views([160, 131]) {
-                let whole = bits(&mut world, &view, &mut frame(keep, 1, Level::new()));
+                let whole = Bits::of(&draw(&mut world, &view, keep));
                 for rows in [
                     0..1,
                     3..17,
@@ -125,61 +118,15 @@ fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
                     33..131,
                     130..131,
                 ] {
-                    let found = rows_of(&mut world, &view, rows.clone(), &mut part);
-                    let pixels = 160 * rows.start..160 * rows.end;
-                    let same = match keep {
-                        Keep::Display => found.pixels == whole.pixels[pixels],
-                        Keep::Levels => {
-                            found.levels == whole.levels[pixels.clone()]
-                                && found.triangles == whole.triangles[pixels]
-                        }
-                    };
-                    assert!(same, "rows {rows:?} of {cuboids}, {keep:?}, {view:?}");
+                    systems::draw_rows(&mut world, &view, rows.clone(), &mut part)
+                        .expect("a small picture fits");
+                    let expected = whole.part(160 * rows.start..160 * rows.end);
+                    assert!(
+                        Bits::of(&part) == expected,
+                        "rows {rows:?} of {cuboids}, {view:?}"
+                    );
                 }
             }
         }
-    }
-}
-
-#[test]
-fn a_light_switched_off_and_on_again_leaves_the_same_bits() {
-    let mut world = still_life(3);
-    for view in views([160, 120]) {
-        let expected = Bits::of(&draw(&mut world, &view, Keep::Levels));
-        let mut matter = 0;
-        for light in 0..5 {
-            let mut switch = |on: bool| {
-                let lights = world.query_mut::<&mut Light>().into_iter();
-                lights
-                    .enumerate()
-                    .for_each(|(index, other)| other.on = on || index != light);
-                Bits::of(&draw(&mut world, &view, Keep::Levels))
-            };
-            matter += u32::from(switch(false) != expected);
-            assert!(switch(true) == expected, "light {light}, {view:?}");
-        }
-        assert!(
-            matter >= 4,
-            "every light changes the picture except a highlight that the vertices miss: {matter}"
-        );
-    }
-}
-
-#[test]
-fn a_mode_of_their_own_or_of_the_view_gives_the_same_bits() {
-    for view in views([160, 120]) {
-        let mut world = still_life(3);
-        let expected = Bits::of(&draw(&mut world, &view, Keep::Levels));
-        for own in world.query_mut::<&mut ShadingMode>() {
-            *own = view.shading.expect("every view has a mode");
-        }
-        let view = View {
-            shading: None,
-            ..view
-        };
-        assert!(
-            Bits::of(&draw(&mut world, &view, Keep::Levels)) == expected,
-            "{view:?}"
-        );
     }
 }

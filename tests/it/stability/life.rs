@@ -1,5 +1,7 @@
 //! A scene of three intersecting cuboids under five lights, and all ways to draw it.
 
+use std::ops::Range;
+
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
@@ -79,6 +81,15 @@ impl Bits {
             pixels: frame.pixels().to_vec(),
             levels: levels.map(|levels| levels.map(f32::to_bits)).collect(),
             triangles: frame.triangles().to_vec(),
+        }
+    }
+
+    /// Some of the pixels. Buffers that the frame does not keep are empty.
+    pub fn part(&self, pixels: Range<usize>) -> Self {
+        Bits {
+            pixels: self.pixels.get(pixels.clone()).unwrap_or_default().to_vec(),
+            levels: self.levels.get(pixels.clone()).unwrap_or_default().to_vec(),
+            triangles: self.triangles.get(pixels).unwrap_or_default().to_vec(),
         }
     }
 }

@@ -19,13 +19,32 @@ impl Random {
         from + (to - from) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
+    /// A number from `least` to `most`, evenly distributed in the logarithm.
+    pub fn between(&mut self, least: f64, most: f64) -> f64 {
+        self.within(least.ln(), most.ln()).exp().clamp(least, most)
+    }
+
     /// A whole number in `0..count`.
     pub fn below(&mut self, count: usize) -> usize {
         self.within(0.0, count as f64) as usize
     }
 
+    pub fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.below(choices.len())]
+    }
+
     /// A vector with coordinates in `-reach..reach`.
     pub fn around(&mut self, reach: f64) -> DVec3 {
-        DVec3::from_array([(); 3].map(|()| self.within(-reach, reach)))
+        DVec3::ZERO.map(|_| self.within(-reach, reach))
+    }
+
+    /// A unit vector.
+    pub fn direction(&mut self) -> DVec3 {
+        loop {
+            let vector = self.around(1.0);
+            if vector.length() > 0.1 {
+                return vector.normalize();
+            }
+        }
     }
 }

@@ -2,12 +2,13 @@
 
 use fearless_simd::Level;
 use glam::DVec3;
-use hecs::World;
+use hecs::{Entity, World};
 use shadetrade::components::{
     Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
     View, Viewpoint, cuboid, ordered,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::reference::{Truth, picture};
 use shadetrade::scene::Scene;
 use shadetrade::systems;
 
@@ -17,17 +18,19 @@ pub fn empty() -> World {
 }
 
 /// Adds a cuboid, which is shaded as the view says.
-pub fn spawn_cuboid(world: &mut World, size: DVec3, transform: Transform, material: Material) {
+pub fn spawn_cuboid(
+    world: &mut World,
+    size: DVec3,
+    transform: Transform,
+    material: Material,
+) -> Entity {
     let order = world.query_mut::<&Mesh>().into_iter().count();
-    let (name, mesh) = (Name("cuboid".into()), Mesh::cuboid(size));
-    world.spawn(cuboid(
-        order,
-        name,
-        transform,
-        mesh,
-        material,
+    let (name, mesh, mode) = (
+        Name("cuboid".into()),
+        Mesh::cuboid(size),
         ShadingMode::Phong,
-    ));
+    );
+    world.spawn(cuboid(order, name, transform, mesh, material, mode))
 }
 
 /// Adds a light of `levels` per channel.
@@ -100,4 +103,9 @@ pub fn draw(world: &mut World, view: &View, keep: Keep) -> Frame {
     let mut frame = Frame::new(keep, workers);
     systems::draw(world, view, &mut frame).expect("a small picture fits");
     frame
+}
+
+/// The picture of the reference in f64.
+pub fn truth(world: &World, view: &View) -> Truth {
+    picture(world, view, 0..view.size[1], &|| false, &|_| ()).expect("it is not cancelled")
 }

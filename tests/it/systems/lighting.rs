@@ -9,9 +9,8 @@ use shadetrade::components::{
 use shadetrade::frame::Frame;
 use shadetrade::systems::lighting;
 
-use super::{
-    MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, place, read, signs, spawn_cuboid,
-};
+use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, place, read, signs};
+use crate::support::scene::spawn_cuboid;
 
 fn run(world: &mut World, view: &View) -> Frame {
     let mut frame = empty_frame();
@@ -21,10 +20,9 @@ fn run(world: &mut World, view: &View) -> Frame {
 }
 
 /// The colours at the corners of an upright cube of two units at the origin under these lights, and the frame.
-fn cube(lights: &[(DVec3, Light)], mode: ShadingMode, view: &View) -> ([DVec3; 8], Frame) {
+fn cube(lights: &[(DVec3, Light)], view: &View) -> ([DVec3; 8], Frame) {
     let mut world = World::new();
-    let size = DVec3::splat(2.0);
-    let cuboid = spawn_cuboid(&mut world, 0, at(DVec3::ZERO), size, MATERIAL, mode);
+    let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), at(DVec3::ZERO), MATERIAL);
     let third = 1.0 / 3.0_f64.sqrt();
     let normals = Normals(std::array::from_fn(|corner| signs(corner) * third));
     let derived = (place(at(DVec3::ZERO)), normals);
@@ -68,89 +66,59 @@ fn a_light_that_is_off_is_left_out_and_lights_at_one_place_are_one() {
 }
 
 #[test]
-fn vertex_colours_are_computed_anew_after_a_light_went_off() {
-    let view = ahead(Projection::Perspective, [8, 8]);
-    let mut world = World::new();
-    world.spawn((at(DVec3::X), light(LightKind::Diffuse, 10.0)));
-    world.spawn((at(DVec3::X), light(LightKind::Ambient, 10.0)));
-    let mut frame = run(&mut world, &view);
-    assert_ne!(frame.illumination, Illumination::default());
-    for light in world.query_mut::<&mut Light>() {
-        light.on = false;
-    }
-    lighting::run(&mut world, &view, &mut frame);
-    assert_eq!(frame.illumination, Illumination::default());
-}
-
-#[test]
-fn ambient_light_alone_is_the_same_at_every_corner() {
-    for projection in PROJECTIONS {
-        let lights = [(DVec3::ZERO, light(LightKind::Ambient, 200.0))];
-        let (colors, _) = cube(&lights, ShadingMode::Gouraud, &ahead(projection, [8, 8]));
-        // kA is 0.1.
-        assert_eq!(colors, [DVec3::splat(20.0); 8]);
-    }
-}
-
-#[test]
 fn gouraud_s_vertex_colours_are_the_model_at_the_vertices() {
     // Both lights are four units above the corner + + +; the eye is nine above the origin, at (0, 0, 10).
     let over = dvec3(1.0, 1.0, 5.0);
-    let lights = [
-        (over, light(LightKind::Diffuse, 100.0)),
-        (over, light(LightKind::Specular, 100.0)),
-    ];
-    let view = ahead(Projection::Perspective, [8, 8]);
-    let (perspective, frame) = cube(&lights, ShadingMode::Gouraud, &view);
-    let view = ahead(Projection::Orthographic, [8, 8]);
-    let (orthographic, _) = cube(&lights, ShadingMode::Gouraud, &view);
-    // At + + +: l = (0, 0, 1), n.l = 1 / sqrt 3, and r = 2 (n.l) n - l = (2, 2, -1) / 3.
-    let cosine = 1.0 / 3.0_f64.sqrt();
-    // o = (-1, -1, 9) / sqrt 83 in perspective: o.r < 0. Orthographic: o = (0, 0, 1), o.r < 0 too.
-    let expected = DVec3::splat(50.0 * cosine);
-    assert!(perspective[7].abs_diff_eq(expected, 1e-12));
-    assert!(orthographic[7].abs_diff_eq(expected, 1e-12));
-    // At - + +: l = (2, 0, 4) / sqrt 20, n.l = 2 / sqrt 60, r = (-10, 4, -8) / (3 sqrt 20): o.r < 0.
-    let expected = DVec3::splat(50.0 * 2.0 / 60.0_f64.sqrt());
-    assert!(orthographic[6].abs_diff_eq(expected, 1e-12));
-    // The lower four corners face away from the lights.
-    assert_eq!(perspective[..4], [DVec3::ZERO; 4]);
-    // Eight corners with one highlight each.
-    let counts = frame.counts();
-    assert_eq!(
-        (counts.model_evaluations, counts.specular_evaluations),
-        (8, 8)
-    );
+    let lights = [LightKind::Diffuse, LightKind::Specular].map(|kind| (over, light(kind, 100.0)));
+    for projection in PROJECTIONS {
+        let view = ahead(projection, [8, 8]).shaded(ShadingMode::Gouraud);
+        let (colors, frame) = cube(&lights, &view);
+        // At + + +: l = (0, 0, 1), n.l = 1 / sqrt 3, and r = 2 (n.l) n - l = (2, 2, -1) / 3. o is (-1, -1, 9) / sqrt 83 in
+        // perspective, (0, 0, 1) in orthographic projection: o.r < 0.
+        let expected = DVec3::splat(50.0 / 3.0_f64.sqrt());
+        assert!(colors[7].abs_diff_eq(expected, 1e-12));
+        // At - + +: l = (2, 0, 4) / sqrt 20, n.l = 2 / sqrt 60, r = (-10, 4, -8) / (3 sqrt 20): o.r < 0.
+        let expected = DVec3::splat(50.0 * 2.0 / 60.0_f64.sqrt());
+        assert!(colors[6].abs_diff_eq(expected, 1e-12));
+        // The lower four corners face away from the lights.
+        assert_eq!(colors[..4], [DVec3::ZERO; 4]);
+        // Eight corners with one highlight each.
+        let counts = frame.counts();
+        let evaluations = (counts.model_evaluations, counts.specular_evaluations);
+        assert_eq!(evaluations, (8, 8));
+    }
 }
 
 #[test]
 fn a_vertex_that_reflects_the_light_to_the_eye_shows_the_highlight() {
     // At + + + r = (2, 2, -1) / 3: see above.
-    let over = dvec3(1.0, 1.0, 5.0);
-    let lights = [(over, light(LightKind::Specular, 100.0))];
-    let shown = |eye: DVec3| {
-        let mut view = ahead(Projection::Perspective, [8, 8]);
+    let lights = [(dvec3(1.0, 1.0, 5.0), light(LightKind::Specular, 100.0))];
+    for (eye, expected) in [
+        // (1, 1, 1) + 9 r: o = r.
+        (dvec3(7.0, 7.0, -2.0), 100.0),
+        // o = (1, 1, 1) / sqrt 3: o.r = 1 / sqrt 3, squared by rho = 2.
+        (dvec3(10.0, 10.0, 10.0), 100.0 / 3.0),
+    ] {
+        let mut view = ahead(Projection::Perspective, [8, 8]).shaded(ShadingMode::Gouraud);
         view.viewpoint.position = eye;
-        cube(&lights, ShadingMode::Gouraud, &view).0[7].x
-    };
-    // (7, 7, -2) is (1, 1, 1) + 9 r: o = r.
-    assert!((shown(dvec3(7.0, 7.0, -2.0)) - 100.0).abs() < 1e-9);
-    // o = (1, 1, 1) / sqrt 3: o.r = 1 / sqrt 3, squared by rho = 2.
-    assert!((shown(dvec3(10.0, 10.0, 10.0)) - 100.0 / 3.0).abs() < 1e-9);
+        let found = cube(&lights, &view).0[7].x;
+        assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
+    }
 }
 
 #[test]
-fn a_cuboid_under_phong_has_no_vertex_colours() {
+fn only_a_cuboid_under_gouraud_has_vertex_colours() {
+    // The cuboid's own mode is Phong, which the view overrides. kA is 0.1.
     let lights = [(DVec3::ZERO, light(LightKind::Ambient, 200.0))];
-    let view = ahead(Projection::Perspective, [8, 8]);
-    let (colors, frame) = cube(&lights, ShadingMode::Phong, &view);
-    assert_eq!(colors, [DVec3::ZERO; 8]);
-    assert_eq!(frame.counts().model_evaluations, 0);
-    // Except if the view overrides the mode with Gouraud.
-    let asked = View {
-        shading: Some(ShadingMode::Gouraud),
-        ..view
-    };
-    let (colors, _) = cube(&lights, ShadingMode::Phong, &asked);
-    assert_eq!(colors, [DVec3::splat(20.0); 8]);
+    for (mode, expected, evaluations) in [
+        (None, 0.0, 0),
+        (Some(ShadingMode::Phong), 0.0, 0),
+        (Some(ShadingMode::Gouraud), 20.0, 8),
+    ] {
+        let mut view = ahead(Projection::Perspective, [8, 8]);
+        view.shading = mode;
+        let (colors, frame) = cube(&lights, &view);
+        assert_eq!(colors, [DVec3::splat(expected); 8], "{mode:?}");
+        assert_eq!(frame.counts().model_evaluations, evaluations, "{mode:?}");
+    }
 }

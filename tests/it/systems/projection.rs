@@ -2,12 +2,12 @@
 
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
-use shadetrade::components::{
-    Lens, Mesh, Projected, Projection, ShadingMode, Transform, View, WorldTransform,
-};
-use shadetrade::systems::{self, projection};
+use shadetrade::components::{Lens, Mesh, Projected, Projection, View, WorldTransform};
+use shadetrade::frame::Keep;
+use shadetrade::systems::projection;
 
-use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, spawn_cuboid};
+use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, turned};
+use crate::support::scene::{draw, spawn_cuboid};
 
 /// The first triangle of face +z: corners 4, 5 and 7.
 const FRONT: usize = 8;
@@ -31,49 +31,50 @@ fn seen(position: DVec3, size: DVec3, view: &View) -> Projected {
     read(&world, cuboid)
 }
 
-#[test]
-fn a_corner_on_the_optical_axis_is_projected_to_the_middle_of_the_picture() {
-    for projection in PROJECTIONS {
-        // Corner 4 of face +z, at -x and -y, is the origin.
-        let position = dvec3(1.0, 1.0, -1.0);
-        let seen = seen(position, DVec3::splat(2.0), &ahead(projection, [300, 200]));
-        assert_eq!(seen.seen[4], dvec3(0.0, 0.0, 10.0));
-        let middle = [150 * 256, 100 * 256];
-        assert_eq!(seen.polygons[FRONT].vertices()[0], middle);
-    }
+fn is_drawn(projected: &Projected) -> bool {
+    projected.polygons.iter().any(|polygon| polygon.len > 0)
 }
 
 #[test]
-fn half_the_vertical_field_of_view_is_the_edge_of_the_picture() {
-    for fov in [1.0, 30.0, 90.0, 126.87, 170.0] {
-        let mut perspective = ahead(Projection::Perspective, [300, 200]);
-        perspective.viewpoint.camera.fov = fov;
-        let mut orthographic = ahead(Projection::Orthographic, [300, 200]);
-        orthographic.viewpoint.camera.height = fov;
+fn the_axis_is_the_middle_of_the_picture_and_half_the_field_of_view_its_edge() {
+    for fov in [1.0_f64, 30.0, 90.0, 126.87, 170.0] {
         let half_angle = (fov / 2.0).to_radians().tan();
-        for (view, half) in [(perspective, 10.0 * half_angle), (orthographic, fov / 2.0)] {
+        for (projection, half) in PROJECTIONS.into_iter().zip([10.0 * half_angle, fov / 2.0]) {
+            let mut view = ahead(projection, [300, 200]);
+            (view.viewpoint.camera.fov, view.viewpoint.camera.height) = (fov, fov);
             // The front face is ten units away, as high as the picture, and half as wide as it is high.
             let size = dvec3(half, 2.0 * half, 2.0);
-            let seen = seen(DVec3::NEG_Z, size, &view);
-            let expected = [[100, 200], [200, 200], [200, 0]].map(|pixel| pixel.map(|x| x * 256));
-            assert_eq!(
-                seen.polygons[FRONT].vertices(),
-                expected,
-                "{:?}, {fov}",
-                view.projection
-            );
+            for (aside, expected) in [
+                (DVec3::ZERO, [[100, 200], [200, 200], [200, 0]]),
+                // Corner 4 of face +z, at -x and -y, is on the axis.
+                (
+                    size / 2.0 * dvec3(1.0, 1.0, 0.0),
+                    [[150, 100], [250, 100], [250, -100]],
+                ),
+            ] {
+                let seen = seen(DVec3::NEG_Z + aside, size, &view);
+                let expected = expected.map(|pixel| pixel.map(|x| x * 256));
+                assert_eq!(
+                    seen.polygons[FRONT].vertices(),
+                    expected,
+                    "{projection:?}, {fov}"
+                );
+            }
         }
     }
+    let seen = seen(
+        dvec3(1.0, 1.0, -1.0),
+        DVec3::splat(2.0),
+        &ahead(Projection::Perspective, [3, 2]),
+    );
+    assert_eq!(seen.seen[4], dvec3(0.0, 0.0, 10.0));
 }
 
 #[test]
 fn a_cuboid_behind_the_near_plane_leaves_no_polygon() {
     for projection in PROJECTIONS {
         let view = ahead(projection, [300, 200]);
-        let drawn = |position: DVec3| {
-            let seen = seen(position, DVec3::splat(2.0), &view);
-            seen.polygons.iter().any(|polygon| polygon.len > 0)
-        };
+        let drawn = |position: DVec3| is_drawn(&seen(position, DVec3::splat(2.0), &view));
         // The eye is at z = 10, the near plane at z = 9.
         assert!(drawn(DVec3::Z * 7.9), "nearer than the near plane");
         // Clipped by it, one of the four other faces is visible, unless it is edge-on.
@@ -92,14 +93,11 @@ fn polygons_are_computed_anew_after_a_cuboid_moved() {
     let cuboids = [DVec3::ZERO, DVec3::X].map(|at| spawn(&mut world, at, DVec3::ONE));
     run(&mut world, &view);
     let before = cuboids.map(|cuboid| read::<Projected>(&world, cuboid));
-    world
-        .get::<&mut WorldTransform>(cuboids[0])
-        .expect("a cuboid has one")
-        .position = DVec3::Z * 50.0;
+    let moved = world.get::<&mut WorldTransform>(cuboids[0]);
+    moved.expect("a cuboid has one").position = DVec3::Z * 50.0;
     run(&mut world, &view);
     let after = cuboids.map(|cuboid| read::<Projected>(&world, cuboid));
-    assert!(before[0].polygons.iter().any(|polygon| polygon.len > 0));
-    assert!(after[0].polygons.iter().all(|polygon| polygon.len == 0));
+    assert!(is_drawn(&before[0]) && !is_drawn(&after[0]));
     assert_eq!(before[1], after[1]);
 }
 
@@ -118,15 +116,12 @@ fn a_face_is_drawn_everywhere_even_if_its_visible_part_is_tiny() {
                 let camera = &mut view.viewpoint.camera;
                 (camera.target, camera.fov, camera.height) = (target, least, least);
                 let mut world = World::new();
-                let turned = Transform {
-                    rotation,
-                    ..at(dvec3(0.1, 0.1, 0.1))
-                };
-                let (size, mode) = (DVec3::splat(2.0), ShadingMode::Phong);
-                spawn_cuboid(&mut world, 0, turned, size, MATERIAL, mode);
-                let mut frame = empty_frame();
-                systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
-                let covered = frame.counts().covered_pixels;
+                let mut transform = turned(rotation);
+                transform.position = DVec3::splat(0.1);
+                spawn_cuboid(&mut world, DVec3::splat(2.0), transform, MATERIAL);
+                let covered = draw(&mut world, &view, Keep::Levels)
+                    .counts()
+                    .covered_pixels;
                 assert_eq!(covered, 600, "{projection:?}, {least}, {rotation}");
             }
         }

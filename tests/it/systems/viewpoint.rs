@@ -6,7 +6,7 @@ use shadetrade::components::{
     Background, Camera, Lens, Limits, Orbit, Projection, ShadingMode, Spin, Tolerance, View,
     active_camera, names, overwrite,
 };
-use shadetrade::scene::Scene;
+use shadetrade::scene::{CameraRecord, CuboidRecord, Scene, SceneRecord};
 use shadetrade::systems::viewpoint;
 
 use super::{PROJECTIONS, ahead, empty_frame};
@@ -17,58 +17,41 @@ fn run(view: &View) -> Lens {
     frame.lens
 }
 
-/// Two cameras at a distance of ten from the origin: one in front of it, one to the right of it.
-const CAMERAS: &str = r#"
-[[cuboid]]
-name = "cube"
-size = [1.0, 1.0, 1.0]
-[cuboid.material]
-ambient = [1.0, 1.0, 1.0]
-diffuse = [1.0, 1.0, 1.0]
-specular = [1.0, 1.0, 1.0]
-shininess = 1.0
-[[camera]]
-name = "front"
-position = [0.0, 0.0, 10.0]
-target = [0.0, 0.0, 0.0]
-fov = 90.0
-height = 20.0
-[[camera]]
-name = "right"
-position = [10.0, 0.0, 0.0]
-target = [0.0, 0.0, 0.0]
-fov = 90.0
-height = 20.0
-"#;
+/// Two cameras at a distance of ten from a cube: one in front of it, one to the right of it.
+fn cameras() -> Scene {
+    let sees = [90.0, 20.0];
+    let record = SceneRecord {
+        cuboid: vec![CuboidRecord::new("cube", DVec3::ONE, DVec3::ZERO)],
+        camera: vec![
+            CameraRecord::new("front", DVec3::Z * 10.0, DVec3::ZERO, sees),
+            CameraRecord::new("right", DVec3::X * 10.0, DVec3::ZERO, sees),
+        ],
+        ..SceneRecord::default()
+    };
+    Scene::spawn("cameras".to_owned(), &record)
+}
 
 /// The lens of the active camera with this orbit.
 fn moved(scene: &Scene, orbit: Orbit) -> Lens {
-    let camera = active_camera(&scene.world);
-    *scene
-        .world
-        .get::<&mut Orbit>(camera)
-        .expect("a camera has one") = orbit;
+    let camera = scene.world.get::<&mut Orbit>(active_camera(&scene.world));
+    *camera.expect("a camera has one") = orbit;
     run(&View::of(&scene.world, [300, 200]))
 }
 
-#[test]
-fn a_camera_that_looks_along_minus_z_has_x_to_the_right_and_y_up() {
-    for projection in PROJECTIONS {
-        let lens = run(&ahead(projection, [300, 200]));
-        assert_eq!(lens.axes, [DVec3::X, DVec3::Y, DVec3::NEG_Z]);
-        assert_eq!(lens.eye, DVec3::Z * 10.0);
-        assert_eq!(lens.near, 1.0);
-        assert_eq!(lens.half, [150.0, 100.0]);
-        assert_eq!(lens.projection, projection);
-    }
+fn seen_from(scene: &Scene) -> DVec3 {
+    View::of(&scene.world, [3, 2]).viewpoint.position
 }
 
 #[test]
-fn the_field_of_view_or_the_height_is_divided_by_the_rows() {
+fn a_lens_has_the_axes_of_the_camera_and_the_size_of_a_pixel() {
     // 90 degrees are two units at distance one; 20 units are 20 units.
     for (projection, seen) in PROJECTIONS.into_iter().zip([2.0, 20.0]) {
         for rows in [1, 200, 16384] {
             let lens = run(&ahead(projection, [300, rows]));
+            assert_eq!(lens.axes, [DVec3::X, DVec3::Y, DVec3::NEG_Z]);
+            assert_eq!((lens.eye, lens.near), (DVec3::Z * 10.0, 1.0));
+            assert_eq!(lens.half, [150.0, rows as f64 / 2.0]);
+            assert_eq!(lens.projection, projection);
             let error = lens.pitch * rows as f64 - seen;
             assert!(error.abs() < 1e-14, "{projection:?}, {rows} rows: {error}");
         }
@@ -76,74 +59,47 @@ fn the_field_of_view_or_the_height_is_divided_by_the_rows() {
 }
 
 #[test]
-fn an_orbit_of_ninety_degrees_looks_from_the_right() {
-    let scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
+fn an_orbit_moves_the_active_camera_around_its_target() {
+    let mut scene = cameras();
     let here = moved(&scene, Orbit::default());
     assert_eq!(here.eye, DVec3::Z * 10.0);
-    let orbit = Orbit {
+    let quarter = Orbit {
         azimuth: 90.0,
         ..Orbit::default()
     };
-    let lens = moved(&scene, orbit);
-    assert!(lens.eye.abs_diff_eq(DVec3::X * 10.0, 1e-14), "{}", lens.eye);
-    let expected = [DVec3::NEG_Z, DVec3::Y, DVec3::NEG_X];
-    for (axis, expected) in lens.axes.into_iter().zip(expected) {
-        assert!(axis.abs_diff_eq(expected, 1e-15), "{axis} {expected}");
+    let lens = moved(&scene, quarter);
+    let expected = [DVec3::X * 10.0, DVec3::NEG_Z, DVec3::Y, DVec3::NEG_X];
+    let [x, y, z] = lens.axes;
+    for (found, expected) in [lens.eye, x, y, z].into_iter().zip(expected) {
+        assert!(found.abs_diff_eq(expected, 1e-14), "{found} {expected}");
     }
-    assert_eq!(moved(&scene, Orbit::default()), here, "and back");
-}
-
-#[test]
-fn zoom_is_a_factor_of_the_distance() {
-    let scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
-    let orbit = Orbit {
+    let nearer = Orbit {
         zoom: 1.0 / 1.21,
         ..Orbit::default()
     };
     let expected = dvec3(0.0, 0.0, 10.0 / 1.21);
-    assert!(moved(&scene, orbit).eye.abs_diff_eq(expected, 1e-14));
-}
-
-#[test]
-fn only_the_orbit_of_the_active_camera_counts() {
-    let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
-    let orbit = Orbit {
-        elevation: 45.0,
-        ..Orbit::default()
-    };
-    let seen_from = |scene: &Scene| View::of(&scene.world, [3, 2]).viewpoint.position;
-    assert_eq!(seen_from(&scene), DVec3::Z * 10.0);
+    assert!(moved(&scene, nearer).eye.abs_diff_eq(expected, 1e-14));
+    // The other camera keeps its own orbit.
     scene.look_from("right").expect("it is there");
     assert_eq!(seen_from(&scene), DVec3::X * 10.0);
-    moved(&scene, orbit);
-    assert_ne!(seen_from(&scene), DVec3::X * 10.0);
     scene.look_from("left").expect_err("there is none");
     scene.look_from("front").expect("it is there");
-    assert_eq!(seen_from(&scene), DVec3::Z * 10.0);
+    assert_eq!(moved(&scene, Orbit::default()), here, "and back");
 }
 
 #[test]
 fn without_its_active_camera_a_scene_uses_the_first() {
-    let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
+    let mut scene = cameras();
     scene.look_from("right").expect("it is there");
     let active = active_camera(&scene.world);
     scene.world.despawn(active).expect("it is there");
     assert_eq!(names::<Camera>(&scene.world), ["front"]);
-    let view = View::of(&scene.world, [3, 2]);
-    assert_eq!(view.viewpoint.position, DVec3::Z * 10.0);
+    assert_eq!(seen_from(&scene), DVec3::Z * 10.0);
 }
 
 #[test]
-fn a_view_has_the_components_of_the_viewer() {
-    let mut scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
-    let view = View::of(&scene.world, [3, 2]);
-    assert_eq!(
-        (view.size, view.projection),
-        ([3, 2], Projection::Perspective)
-    );
-    assert_eq!((view.tolerance, view.turned), (0.5, 0));
-    assert_eq!((view.background, view.shading), (DVec3::ZERO, None));
-
+fn a_view_has_the_components_of_the_viewer_and_its_mode_overrides_that_of_every_cuboid() {
+    let mut scene = cameras();
     let spin = Spin {
         degrees: 7,
         on: true,
@@ -159,33 +115,25 @@ fn a_view_has_the_components_of_the_viewer() {
         ([30, 20], Projection::Orthographic)
     );
     assert_eq!((view.tolerance, view.turned), (0.25, 7));
-    assert_eq!(view.background, DVec3::ONE);
-}
-
-#[test]
-fn the_mode_of_a_view_overrides_that_of_every_cuboid() {
-    let view = ahead(Projection::Perspective, [3, 2]);
+    assert_eq!((view.background, view.shading), (DVec3::ONE, None));
     for own in [ShadingMode::Gouraud, ShadingMode::Phong] {
         assert_eq!(view.mode(own), own);
         for mode in [ShadingMode::Gouraud, ShadingMode::UnitVectors] {
             assert_eq!(view.shaded(mode).mode(own), mode);
         }
     }
-    assert_eq!(view.with_tolerance(3.0).tolerance, 3.0);
 }
 
 /// At a distance of ten from a cube of size one: the nearest zoom is at its corner, the farthest at thirty times its
 /// size.
 #[test]
 fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
-    let scene = Scene::parse("cameras", CAMERAS).expect("the scene above is valid");
-    let limits = Limits::of(&scene.world);
+    let limits = Limits::of(&cameras().world);
     let own = Orbit::default();
     assert!((own.zoomed(2, &limits).zoom - 1.0 / 1.21).abs() < 1e-15);
     assert!((own.zoomed(-3, &limits).zoom - 1.331).abs() < 1e-15);
     for steps in [-7, -1, 0, 1, 2, 19, 23] {
-        let there = own.zoomed(steps, &limits);
-        let back = there.zoomed(-steps, &limits);
+        let back = own.zoomed(steps, &limits).zoomed(-steps, &limits);
         assert_eq!(back, own, "{steps} steps");
     }
     let root = 3.0_f64.sqrt();
@@ -193,10 +141,8 @@ fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
     let closest = root / 2.0 * 1.001_002;
     assert!((closest..closest * 1.1).contains(&ends[0]), "{ends:?}");
     // The height at twice the distance is the limit.
-    assert!(
-        (15.0 * root / 1.1..=15.0 * root).contains(&ends[1]),
-        "{ends:?}"
-    );
+    let farthest = 15.0 * root;
+    assert!((farthest / 1.1..=farthest).contains(&ends[1]), "{ends:?}");
     // A file may place a camera beyond the limits of the keys.
     let outside = Orbit { zoom: 50.0, ..own };
     assert!(outside.zoomed(1, &limits).zoom < 50.0);
