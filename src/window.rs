@@ -35,7 +35,6 @@ pub mod replay;
 mod screen;
 pub mod style;
 mod tags;
-mod triangle;
 pub mod viewport;
 mod widgets;
 

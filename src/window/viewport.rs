@@ -209,7 +209,6 @@ impl App {
         }
         if let Some(pixel) = self.look::<Probed>().0 {
             let at = self.place_of(pixel.map(|it| it as i32));
-            self.draw_triangle(&painter);
             self.draw_arrows(&painter, at);
             let half = self.magnifier().scale as f32 / self.scale() / 2.0;
             draw_cross(&painter, at, half);
