@@ -252,8 +252,7 @@ impl App {
         let desk = &mut self.desk;
         let is_closed = std::mem::take(&mut desk.asks_to_save)
             || std::mem::take(&mut desk.help)
-            || desk.file_error.take().is_some()
-            || desk.left_out.take().is_some();
+            || desk.file_error.take().is_some();
         if is_closed {
             return;
         }

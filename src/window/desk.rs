@@ -6,7 +6,6 @@ use egui::Vec2;
 use glam::DVec3;
 
 use crate::components::Magnifier;
-use crate::requires::Part;
 use crate::shading::Method;
 
 /// The kinds of entities that a scene holds.
@@ -49,7 +48,6 @@ pub struct Desk {
     pub has_both: bool,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
-    pub left_out: Option<Part>,
     /// The method whose dot the mouse or the focus is on: its picture is shown instead.
     pub preview: Option<Method>,
     /// Asks whether to save before the program ends.

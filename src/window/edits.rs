@@ -60,7 +60,6 @@ impl App {
         self.state = Arc::new(SceneRecord::of(&self.scene.world));
         self.history = History::new(&self.state);
         self.facts = Facts::default();
-        self.desk.left_out = None;
         self.desk.selected = None;
         self.desk.file_error = None;
         self.picture_changed(false);

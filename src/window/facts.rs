@@ -10,7 +10,7 @@ use super::comparison::Comparison;
 use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
-use crate::requires::PartChange;
+use crate::requires::Change;
 use crate::requires::bits::StageBits;
 use crate::trade::Measurement;
 
@@ -57,11 +57,9 @@ impl<T> Fact<T> {
 pub struct Facts {
     /// The pixels of a row on one face, from left to right.
     pub section: Fact<Vec<Probe>>,
-    /// The picture without the part that is left out, 0x00RRGGBB.
-    pub without: Fact<Vec<u32>>,
     pub comparison: Fact<Comparison>,
     pub proof: Fact<Proof>,
-    pub required: Fact<Vec<PartChange>>,
+    pub required: Fact<Vec<(String, Change)>>,
     pub bits: Fact<Vec<StageBits>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Fact<Vec<Measurement>>,
@@ -74,7 +72,6 @@ impl Facts {
     pub fn are_old(&mut self, is_same_view: bool) {
         for state in [
             &mut self.section.state,
-            &mut self.without.state,
             &mut self.comparison.state,
             &mut self.proof.state,
             &mut self.required.state,
@@ -94,8 +91,6 @@ impl Facts {
 pub enum Question {
     /// The values at the probed pixel, and along its row on the face seen there.
     Probe,
-    /// The picture without a part of the model.
-    LeaveOut,
     Compare,
     /// The first timing of all methods, which takes less time than a proof.
     Measure,

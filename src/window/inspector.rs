@@ -7,7 +7,7 @@ mod section;
 use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use super::app::App;
-use super::facts::{Fact, Question, State};
+use super::facts::State;
 use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::{ink, short};
 use crate::components::{Inspector, Tab, Tolerance};
@@ -52,37 +52,26 @@ impl App {
         });
     }
 
-    /// A row for each part of the model, the one that matters most first; a click shows the picture without it.
-    fn required_tab(&mut self, ui: &mut Ui) {
+    /// A row for each part of the model, the one that matters most first.
+    fn required_tab(&self, ui: &mut Ui) {
         let Tolerance(tolerance) = self.look();
         ui.label(format!(
             "The largest error of the picture without a part, and whether tolerance {tolerance} \
-             requires the part. A click leaves it out."
+             requires the part."
         ));
         self.wait(ui, &self.facts.required.state);
         let ink = ink(&self.facts.required);
-        let before = self.desk.left_out;
         let parts = self.facts.required.value.iter().flatten();
         Grid::new("required").striped(true).show(ui, |ui| {
-            for part in parts {
-                let is_left_out = before == Some(part.part);
-                if ui.selectable_label(is_left_out, &part.name).clicked() {
-                    self.desk.left_out = (!is_left_out).then_some(part.part);
-                }
-                let error = ui.colored_label(ink, short(part.change.most()));
+            for (name, change) in parts {
+                ui.label(name);
+                let error = ui.colored_label(ink, short(change.most()));
                 error.on_hover_text("Levels of 255, proven.");
-                let is_kept = part.change.keeps(tolerance);
+                let is_kept = change.keeps(tolerance);
                 ui.colored_label(ink, if is_kept { "not required" } else { "required" });
                 ui.end_row();
             }
         });
-        if before.is_some() && ui.button("show the whole picture").clicked() {
-            self.desk.left_out = None;
-        }
-        if self.desk.left_out != before {
-            self.facts.without = Fact::default();
-            self.works[1].take_if(|work| work.question == Question::LeaveOut);
-        }
         ui.separator();
         self.bits_section(ui);
     }

@@ -98,12 +98,11 @@ impl App {
     fn facts_line(&self, ui: &mut Ui, width: f32) {
         let show: Show = self.look();
         let is_wipe = show.mode == ViewMode::Wipe;
-        let (name, is_shown) = match (self.desk.left_out, self.turn(), self.desk.preview) {
-            (Some(_), ..) => ("Without a part, in f64".to_owned(), false),
-            (_, Some(turn), _) if is_wipe => (self.side_name(&show.sides[turn]), false),
-            (_, Some(0), _) => (self.side_name(&Side::Reference), false),
-            (_, None, Some(method)) => (capital(&method_name(method)), false),
-            (_, None, None) if is_wipe => ("Two pictures".to_owned(), false),
+        let (name, is_shown) = match (self.turn(), self.desk.preview) {
+            (Some(turn), _) if is_wipe => (self.side_name(&show.sides[turn]), false),
+            (Some(0), _) => (self.side_name(&Side::Reference), false),
+            (None, Some(method)) => (capital(&method_name(method)), false),
+            (None, None) if is_wipe => ("Two pictures".to_owned(), false),
             _ => (self.side_name(&Side::Picture), true),
         };
         ui.label(name).on_hover_text(

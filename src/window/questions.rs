@@ -68,12 +68,6 @@ impl App {
             };
             self.find(Question::Probe, |facts| &mut facts.section, find);
         }
-        if let Some(part) = self.desk.left_out {
-            let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
-                requires::picture_without(scene, view, part, monitor)
-            };
-            self.find(Question::LeaveOut, |facts| &mut facts.without, find);
-        }
         if is_live || shows_exact {
             let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
                 Comparison::of(&mut scene.world, view, level, monitor)

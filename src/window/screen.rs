@@ -101,16 +101,14 @@ impl App {
             ViewMode::Difference => it.difference.as_slice(),
             _ => &it.error_map,
         });
-        let without = self.facts.without.current().map(Vec::as_slice);
         let frame = self.pictures.frame();
-        match (self.desk.left_out, self.turn()) {
-            (Some(_), _) => or_dimmed(without, frame),
-            (None, Some(turn)) if show.mode == ViewMode::Wipe => {
+        match self.turn() {
+            Some(turn) if show.mode == ViewMode::Wipe => {
                 self.pictures.side(show.sides[turn], turn, exact)
             }
-            (None, Some(0)) => or_dimmed(exact, frame),
-            (None, Some(_)) => frame.into(),
-            _ => self.pictures.shown(&show, exact, error_map),
+            Some(0) => or_dimmed(exact, frame),
+            Some(_) => frame.into(),
+            None => self.pictures.shown(&show, exact, error_map),
         }
     }
 

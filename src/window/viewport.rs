@@ -192,7 +192,7 @@ impl App {
     /// The divider's x in the window, where the view has one.
     fn divider(&self) -> Option<f32> {
         let show: Show = self.look();
-        let has_divider = show.mode == ViewMode::Wipe && self.desk.left_out.is_none();
+        let has_divider = show.mode == ViewMode::Wipe;
         let column = divider_column(show.divider, self.picture_size()[0]);
         let left = self.place_of([column as i32, 0]).x;
         let half = self.magnifier().scale as f32 / 2.0 / self.scale();
