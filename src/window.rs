@@ -140,7 +140,6 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
                 title = output.title;
                 display.set_title(&title);
             }
-            display.set_cursor(output.cursor);
             if let Some(text) = output.copied
                 && let Err(error) = display.copy(text)
             {

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{CursorIcon, Event, OutputCommand, Rect, ViewportId};
+use egui::{Event, OutputCommand, Rect, ViewportId};
 use fearless_simd::Level;
 use hecs::Component;
 use rayon::ThreadPool;
@@ -86,7 +86,6 @@ pub struct App {
 /// The part of a step that the window system carries out.
 pub struct Output {
     pub title: String,
-    pub cursor: CursorIcon,
     /// A text for the clipboard.
     pub copied: Option<String>,
     /// The time after which a step is wanted though nothing happens.
@@ -214,7 +213,7 @@ impl App {
         self.draw()?;
         self.ask();
         self.copy_picture(size);
-        let platform = std::mem::take(&mut output.platform_output);
+        let commands = std::mem::take(&mut output.platform_output.commands);
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
         let mut repaint_after = viewport.map_or(Duration::MAX, |it| it.repaint_delay);
         self.painter.paint(output, &mut self.pixels, size);
@@ -238,8 +237,7 @@ impl App {
         };
         Ok(Output {
             title: self.title(),
-            cursor: platform.cursor_icon,
-            copied: platform.commands.into_iter().rev().find_map(copied),
+            copied: commands.into_iter().rev().find_map(copied),
             repaint_after,
         })
     }

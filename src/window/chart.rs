@@ -7,9 +7,7 @@
 //!       +------------- ms     both logarithmic
 //! ```
 
-use egui::{
-    Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2,
-};
+use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2};
 use egui_plot::{Axis, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span};
 
 use super::app::App;
@@ -86,9 +84,6 @@ impl App {
         ui.painter()
             .text(corner, Align2::RIGHT_TOP, "visible", letters, Color32::GRAY);
         let response = shown.response;
-        if response.contains_pointer() || response.dragged() {
-            ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
-        }
         if response.dragged()
             && ui.input(|input| input.pointer.is_decidedly_dragging())
             && let Some(to) = response.interact_pointer_pos()

@@ -1,6 +1,6 @@
 //! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
-use egui::{Color32, CursorIcon, Event, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Color32, Event, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
 
 use super::app::App;
 use super::desk::{Grab, Kind};
@@ -55,23 +55,11 @@ impl App {
                 steps if modifiers.command => self.magnify(steps, Some(at)),
                 steps => self.zoom(steps),
             }
-            let cursor = self.cursor(at, &markers, response.dragged());
-            ui.ctx().set_cursor_icon(cursor);
         }
         self.draw_over(ui, &markers);
         if let Some(x) = self.divider() {
             self.tags(ui, x);
             self.profile(ui);
-        }
-    }
-
-    fn cursor(&self, at: Pos2, markers: &[Marker], is_dragged: bool) -> CursorIcon {
-        match self.grab(at, markers, false) {
-            _ if self.desk.grab == Grab::Divider => CursorIcon::ResizeHorizontal,
-            _ if is_dragged => CursorIcon::Grabbing,
-            Grab::Divider => CursorIcon::ResizeHorizontal,
-            Grab::Light(..) => CursorIcon::Grab,
-            _ => CursorIcon::Crosshair,
         }
     }
 
