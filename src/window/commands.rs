@@ -6,8 +6,8 @@ use super::app::App;
 use super::keys::{self, Command, TOLERANCES, gouraud_phong};
 use super::tags::choices;
 use crate::components::{
-    ActiveCamera, Budget, Camera, Inspector, Light, Magnifier, Orbit, Probed, Projection,
-    ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
+    ActiveCamera, Budget, Camera, Inspector, Light, Orbit, Probed, Projection, ShadingMode, Show,
+    Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
 };
 use crate::scene::SceneRecord;
 
@@ -92,7 +92,6 @@ impl App {
             Command::Worst => self.explain_worst(),
             Command::Profile => self.desk.profile_folded ^= true,
             Command::Probe(right, down) => self.step_probed([right, down]),
-            Command::Magnify(steps) => self.magnify(steps, None),
             // It acts while it is held.
             Command::Blink => {}
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
@@ -102,7 +101,6 @@ impl App {
                     degrees: 0,
                     ..self.look()
                 });
-                self.set_look(Magnifier::default());
                 self.set_orbit(Orbit::default());
             }
             Command::Rotate => self.rotate(),

@@ -2,10 +2,8 @@
 
 use std::time::Duration;
 
-use egui::Vec2;
 use glam::DVec3;
 
-use crate::components::Magnifier;
 use crate::shading::Method;
 
 /// The kinds of entities that a scene holds.
@@ -25,8 +23,6 @@ pub enum Grab {
     Divider,
     /// A light, by its name and its place before that is rounded.
     Light(String, DVec3),
-    /// The magnified picture, by its place before the drag and the pixels of the window since.
-    Magnified(Magnifier, Vec2),
 }
 
 /// A message in the status line.

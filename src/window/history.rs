@@ -82,7 +82,7 @@ impl History {
     }
 }
 
-/// A state without the rotation, the probed pixel, the magnification and the open tab, which undo leaves as they are.
+/// A state without the rotation, the probed pixel and the open tab, which undo leaves as they are.
 fn undoable(record: &Arc<SceneRecord>) -> Arc<SceneRecord> {
     let view = placed(&record.view, &ViewRecord::default());
     if view == record.view {
@@ -92,7 +92,7 @@ fn undoable(record: &Arc<SceneRecord>) -> Arc<SceneRecord> {
     Arc::new(SceneRecord { view, ..record })
 }
 
-/// A state that was kept, with the rotation, pixel, magnification and tab of another one.
+/// A state that was kept, with the rotation, pixel and tab of another one.
 fn seen_as(record: &SceneRecord, present: &SceneRecord) -> SceneRecord {
     SceneRecord {
         view: placed(&record.view, &present.view),
@@ -104,7 +104,6 @@ fn placed(view: &ViewRecord, place: &ViewRecord) -> ViewRecord {
     ViewRecord {
         turned: place.turned,
         pixel: place.pixel,
-        magnifier: place.magnifier,
         inspector: place.inspector,
         ..view.clone()
     }

@@ -32,15 +32,13 @@ pub enum Command {
     Profile,
     /// Moves the probed pixel: columns to the right, rows down.
     Probe(i32, i32),
-    /// Magnifies by powers of two.
-    Magnify(i32),
     /// Two pictures take turns while its key is held.
     Blink,
     /// Moves the camera about its target: degrees to the right and up.
     Orbit(f64, f64),
     /// Steps towards the target.
     Zoom(i32),
-    /// Undoes orbit, zoom, rotation and magnification.
+    /// Undoes orbit, zoom and rotation.
     ResetView,
     /// Starts and stops the rotation of the cuboids.
     Rotate,
@@ -137,8 +135,6 @@ pub const BINDINGS: &[Binding] = &[
         (SHIFT, Key::ArrowLeft, Command::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Command::Probe(1, 0)),
         (SHIFT, Key::ArrowUp, Command::Probe(0, -1)), (SHIFT, Key::ArrowDown, Command::Probe(0, 1)),
     ]),
-    bind("View", "magnify, or Ctrl wheel", "Pixels are shown twice as large.", &[(NO, Key::Z, Command::Magnify(1))]),
-    bind("View", "magnify less", "Pixels are shown half as large.", &[(NO, Key::X, Command::Magnify(-1))]),
     bind("Scene", "edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Command::Tab(Tab::Scene))]),
     bind("Scene", "required", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Command::Tab(Tab::Required))]),
     bind("Scene", "undo", "Takes back the last change.", &[(CTRL, Key::Z, Command::Undo)]),
@@ -210,7 +206,7 @@ mod tests {
             Some(Command::Light(0))
         );
         assert_eq!(command(Key::Z, BOTH), Some(Command::Redo));
-        assert_eq!(command(Key::Z, Modifiers::NONE), Some(Command::Magnify(1)));
+        assert_eq!(command(Key::Z, Modifiers::NONE), None);
         assert_eq!(command(Key::W, Modifiers::COMMAND), None);
         assert_eq!(caption(Command::SaveAs), "Ctrl Shift S");
     }

@@ -178,11 +178,6 @@ impl App {
             self.offer(ui, Command::Rotate, self.look::<Spin>().on);
             self.offer(ui, Command::ResetView, false);
         });
-        let scale = self.magnifier().scale;
-        if scale > 1 {
-            ui.label(format!("magnified {scale} times"));
-            self.offer(ui, Command::Magnify(-1), false);
-        }
     }
 
     fn scene_rows(&mut self, ui: &mut Ui) {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::app::{App, REST, TURN};
 use super::pictures::or_dimmed;
-use crate::components::{Magnifier, Probed, Show, View, ViewMode};
+use crate::components::{Probed, Show, View, ViewMode};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
 use crate::scene::SceneRecord;
@@ -92,7 +92,7 @@ impl App {
         Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
     }
 
-    /// The picture as it is shown, not magnified, 0x00RRGGBB.
+    /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
         let show = self.shows();
         let comparison = self.facts.comparison.current();
@@ -112,7 +112,7 @@ impl App {
         }
     }
 
-    /// Copies the picture into its place in the window, magnified.
+    /// Copies the picture into its place in the window.
     pub(super) fn copy_picture(&mut self, [width, height]: [usize; 2]) {
         let mut pixels = std::mem::take(&mut self.pixels);
         pixels.resize(width * height, 0);
@@ -121,31 +121,15 @@ impl App {
         let ground = self.painter.context.global_style().visuals.panel_fill;
         let [red, green, blue, _] = ground.to_array();
         let ground = u32::from_be_bytes([0, red, green, blue]);
-        let [columns, rows] = self.pictures.size();
-        let shown = self.shown();
-        let magnifier = self.look::<Magnifier>().within([columns, rows]);
+        pixels.fill(ground);
+        let columns = self.pictures.size()[0];
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
-        let [left, right] = [left, left + columns].map(|x| x.min(width));
-        for (y, line) in pixels.chunks_exact_mut(width).enumerate() {
-            if !(top..top + rows).contains(&y) {
-                line.fill(ground);
-                continue;
-            }
-            let [x, y] = magnifier.pixel([0, (y - top) as i32]);
-            let drawn = &shown[y * columns..][x..columns];
-            line[..left].fill(ground);
-            line[right..].fill(ground);
-            let line = &mut line[left..right];
-            if magnifier.scale == 1 {
-                // Squares of one pixel are slow to fill.
-                let count = line.len().min(drawn.len());
-                line[..count].copy_from_slice(&drawn[..count]);
-                continue;
-            }
-            for (square, pixel) in line.chunks_mut(magnifier.scale).zip(drawn) {
-                square.fill(*pixel);
-            }
+        let lines = pixels.chunks_exact_mut(width).skip(top);
+        for (line, drawn) in lines.zip(self.shown().chunks_exact(columns)) {
+            let line = line.get_mut(left..).unwrap_or_default();
+            let count = line.len().min(columns);
+            line[..count].copy_from_slice(&drawn[..count]);
         }
         self.pixels = pixels;
     }

@@ -7,7 +7,7 @@ use super::desk::{Grab, Kind};
 use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
-    Inspector, Limits, Magnifier, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
+    Inspector, Limits, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
 };
 
 /// How far a drag across the picture's shorter side turns, in degrees.
@@ -32,7 +32,7 @@ impl App {
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(PointerButton::Primary) {
             let from = ui.input(|input| input.pointer.press_origin());
-            self.desk.grab = self.grab(from.unwrap_or_default(), &markers, modifiers.command);
+            self.desk.grab = self.grab(from.unwrap_or_default(), &markers);
         }
         if response.dragged_by(PointerButton::Primary) {
             let pointer = response.interact_pointer_pos().unwrap_or_default();
@@ -44,7 +44,7 @@ impl App {
         if let Some(at) = pointer.filter(|_| response.clicked()) {
             self.click(at, &markers);
         }
-        if let Some(at) = response.hover_pos() {
+        if response.hovered() {
             let turned = |event: &Event| match event {
                 Event::MouseWheel { delta, .. } => delta.y,
                 _ => 0.0,
@@ -52,7 +52,6 @@ impl App {
             let turned: f32 = ui.input(|input| input.events.iter().map(turned).sum());
             match turned.round() as i32 {
                 0 => {}
-                steps if modifiers.command => self.magnify(steps, Some(at)),
                 steps => self.zoom(steps),
             }
         }
@@ -64,24 +63,22 @@ impl App {
     }
 
     /// The thing that a press at `at` catches.
-    fn grab(&self, at: Pos2, markers: &[Marker], pans: bool) -> Grab {
+    fn grab(&self, at: Pos2, markers: &[Marker]) -> Grab {
         let marker = markers.iter().find(|marker| marker.is_caught(at));
         match marker {
             Some(marker) => Grab::Light(marker.name.clone(), marker.position),
             None if self.divider().is_some_and(|x| (x - at.x).abs() < REACH) => Grab::Divider,
-            None if pans => Grab::Magnified(self.magnifier(), Vec2::ZERO),
             None => Grab::Camera,
         }
     }
 
     fn drag(&mut self, by: Vec2, pointer: Pos2, in_depth: bool) {
         let size = self.picture_size();
-        let magnifier = self.magnifier();
-        let pixels = by * self.scale() / magnifier.scale as f32;
+        let pixels = by * self.scale();
         match self.desk.grab.clone() {
             Grab::Nothing => {}
             Grab::Camera => {
-                let degrees = DRAG_TURN / size[0].min(size[1]) as f64 * magnifier.scale as f64;
+                let degrees = DRAG_TURN / size[0].min(size[1]) as f64;
                 // The cuboid follows the mouse, so the camera goes the other way.
                 let [left, down] = [f64::from(-pixels.x), f64::from(pixels.y)];
                 self.orbit(left * degrees, down * degrees);
@@ -95,11 +92,6 @@ impl App {
             Grab::Light(name, place) => {
                 let place = self.drag_light(&name, place, pixels, in_depth);
                 self.desk.grab = Grab::Light(name, place);
-            }
-            Grab::Magnified(from, before) => {
-                let by = before + by * self.scale();
-                self.set_look(from.panned([by.x as i32, by.y as i32], size));
-                self.desk.grab = Grab::Magnified(from, by);
             }
         }
     }
@@ -145,36 +137,16 @@ impl App {
         let _ = self.scene.world.insert_one(camera, orbit);
     }
 
-    /// Magnifies by powers of two; the pixel at `at`, the probed one or the middle one stays where it is.
-    pub fn magnify(&mut self, steps: i32, at: Option<Pos2>) {
-        let (size, before) = (self.picture_size(), self.magnifier());
-        let Probed(probed) = self.look();
-        let probed = probed.map(|pixel| self.place_of(pixel.map(|it| it as i32)));
-        let at = at.or(probed).unwrap_or(self.place.center());
-        let place = (at - self.place.min) * self.scale();
-        let after = before.stepped(steps, [place.x as i32, place.y as i32], size);
-        match after == before {
-            true if steps > 0 => self.say("largest magnification"),
-            true => self.say("not magnified"),
-            false => self.set_look(after),
-        }
-    }
-
-    /// The magnifier, within the picture.
-    pub fn magnifier(&self) -> Magnifier {
-        self.look::<Magnifier>().within(self.picture_size())
-    }
-
     /// The pixel of the picture at a place in the window.
     fn pixel_at(&self, at: Pos2) -> [usize; 2] {
         let place = (at - self.place.min) * self.scale();
-        self.magnifier().pixel([place.x as i32, place.y as i32])
+        [place.x, place.y].map(|it| it.max(0.0) as usize)
     }
 
     /// The place in the window of the middle of a pixel.
     pub fn place_of(&self, pixel: [i32; 2]) -> Pos2 {
-        let [x, y] = self.magnifier().place(pixel);
-        self.place.min + vec2(x as f32 + 0.5, y as f32 + 0.5) / self.scale()
+        let [x, y] = pixel.map(|it| it as f32 + 0.5);
+        self.place.min + vec2(x, y) / self.scale()
     }
 
     /// The divider's x in the window, where the view has one.
@@ -183,8 +155,7 @@ impl App {
         let has_divider = show.mode == ViewMode::Wipe;
         let column = divider_column(show.divider, self.picture_size()[0]);
         let left = self.place_of([column as i32, 0]).x;
-        let half = self.magnifier().scale as f32 / 2.0 / self.scale();
-        let x = has_divider.then_some(left - half);
+        let x = has_divider.then_some(left - 0.5 / self.scale());
         x.filter(|x| self.place.x_range().contains(*x))
     }
 
@@ -198,8 +169,7 @@ impl App {
         if let Some(pixel) = self.look::<Probed>().0 {
             let at = self.place_of(pixel.map(|it| it as i32));
             self.draw_arrows(&painter, at);
-            let half = self.magnifier().scale as f32 / self.scale() / 2.0;
-            draw_cross(&painter, at, half);
+            draw_cross(&painter, at);
         }
         for marker in markers.iter().rev() {
             marker.draw(&painter, self.place);
@@ -216,10 +186,10 @@ impl App {
     }
 }
 
-/// Marks a pixel that reaches this far from its middle, in points, and leaves it to be seen.
-fn draw_cross(painter: &egui::Painter, at: Pos2, reach: f32) {
+/// Marks a pixel, and leaves it to be seen.
+fn draw_cross(painter: &egui::Painter, at: Pos2) {
     for way in [Vec2::RIGHT, Vec2::LEFT, Vec2::DOWN, Vec2::UP] {
-        let line = [at + way * (reach + 3.0), at + way * (reach + 11.0)];
+        let line = [at + way * 3.5, at + way * 11.5];
         painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
         painter.line_segment(line, (1.5, Color32::WHITE));
     }

@@ -54,7 +54,6 @@ fn keys_change_the_picture_and_restore_it() {
         ("Up", "Home"),
         ("plus", "minus"),
         ("KP_Subtract", "KP_Add"),
-        ("z", "x"),
         ("F3", "F2"),
         ("F6", "F2"),
         ("h", "h"),

@@ -43,7 +43,6 @@ Values of the wrong type.
 22 ¦ [view]⏎inspector = "help"         ¦ 23:13 ¦ expected one of `pixel`, `scene`, `required`, `proof` ¦ help
 22 ¦ [view]⏎sides = ["phong-0"]        ¦ 23:9  ¦ expected an array of 2 values
 22 ¦ [view]⏎sides = ["phong-0", "x-1"] ¦ 23:9  ¦ "x-1" ¦ expected "picture", "reference", "phong-unit-vectors"
-22 ¦ [view]⏎magnifier.corner = [1]     ¦ 23:20 ¦ expected an array of 2 values
 22 ¦ [view]⏎pixel = [0, -1]            ¦ 23:13 ¦ -1
 
 Numbers out of range; every range is tried below.
@@ -55,8 +54,6 @@ Numbers out of range; every range is tried below.
 22 ¦ [view]⏎tolerance = nan            ¦ 23:13 ¦ `view.tolerance`: ¦ NaN
 22 ¦ [view]⏎turned = 360               ¦ 23:10 ¦ `view.turned`: ¦ from 0 to 359 ¦ 360
 22 ¦ [view]⏎pixel = [0, 16384]         ¦ 23:9  ¦ `view.pixel`: ¦ from 0 to 16383 ¦ 16384
-22 ¦ [view]⏎magnifier.scale = 3        ¦ 23:19 ¦ `view.magnifier.scale`: ¦ a power of two from 1 to 64 ¦ 3
-22 ¦ [view]⏎magnifier.scale = 128      ¦ 23:19 ¦ `view.magnifier.scale`: ¦ 128
 
 Names, and values that do not go together.
  3 ¦ name = ''                         ¦ 3:8   ¦ `cuboid.name`: ¦ expected a name that is not empty ¦ ''

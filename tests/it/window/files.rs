@@ -46,7 +46,7 @@ fn save(window: &mut Window) {
 #[test]
 fn a_file_is_saved_in_place_with_its_comments_and_read_again() {
     let (mut window, path) = on_file();
-    for key in [Key::W, Key::ArrowUp, Key::F3, Key::O, Key::E, Key::Z] {
+    for key in [Key::W, Key::ArrowUp, Key::F3, Key::O, Key::E] {
         window.press(key);
     }
     edit(&mut window, 12.5);

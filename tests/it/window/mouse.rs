@@ -1,9 +1,9 @@
 //! Clicks, drags and the wheel over the picture, and their effect on it.
 
-use egui::{Key, Modifiers, Pos2, Rect, vec2};
+use egui::{Key, Pos2, Rect, vec2};
 use shadetrade::components::LightKind;
 use shadetrade::components::{
-    Inspector, Light, Magnifier, Probed, ShadingMode, Show, Spin, Tab, Transform, ViewMode,
+    Inspector, Light, Probed, ShadingMode, Show, Spin, Tab, Transform, ViewMode,
 };
 use shadetrade::frame::display_step;
 use shadetrade::scene::{LightRecord, Scene, SceneRecord};
@@ -179,54 +179,6 @@ fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
             assert!(format!("{number}").len() <= 6, "{position:?}");
         }
     }
-}
-
-#[test]
-fn the_magnifier_keeps_the_pixel_under_the_mouse_and_shows_squares() {
-    let mut window = Window::open();
-    let at = window.app.place.center() + vec2(33.0, 21.0);
-    let frame = window.app.pictures.frame().to_vec();
-    let [width, height] = window.app.picture_size();
-    window.modifiers = Modifiers::COMMAND;
-    for scale in [2, 4, 8] {
-        window.wheel(at, 1.0);
-        let magnifier = window.app.magnifier();
-        assert_eq!(magnifier.scale, scale);
-        let [x, y] = magnifier.corner;
-        let seen = window.seen();
-        for row in 0..height {
-            for column in 0..width {
-                let [from_x, from_y] = [x + column / scale, y + row / scale];
-                if from_x < width && from_y < height {
-                    assert_eq!(seen[row * width + column], frame[from_y * width + from_x]);
-                }
-            }
-        }
-        let place = (at - window.app.place.min) / scale as f32;
-        let pixel = [x + place.x as usize, y + place.y as usize];
-        let wanted = at - window.app.place.min;
-        assert_eq!(pixel, [wanted.x as usize, wanted.y as usize]);
-    }
-    window.wheel(at, -3.0);
-    assert_eq!(window.app.magnifier().scale, 1);
-}
-
-#[test]
-fn a_magnified_picture_moves_equally_far_by_small_steps_or_a_large_one() {
-    let corners = [1, 5, 64].map(|steps| {
-        let mut window = Window::open();
-        (0..4).for_each(|_| window.press(Key::Z));
-        window.modifiers = Modifiers::COMMAND;
-        let from = window.app.place.center();
-        window.point_at(from);
-        window.button(from, true);
-        for step in 1..=steps {
-            window.point_at(from - vec2(64.0 * step as f32 / steps as f32, 0.0));
-        }
-        window.app.look::<Magnifier>().corner
-    });
-    assert_eq!(corners[0], corners[1]);
-    assert_eq!(corners[0], corners[2]);
 }
 
 #[test]

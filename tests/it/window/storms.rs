@@ -179,7 +179,6 @@ fn after_a_storm_everything_can_be_undone_and_the_saved_file_is_read_again() {
         let (mut first, present) = (storm.first, window.record());
         first.view.turned = present.view.turned;
         first.view.pixel = present.view.pixel;
-        first.view.magnifier = present.view.magnifier;
         first.view.inspector = present.view.inspector;
         assert_eq!(present, first, "{seed}");
     }
