@@ -19,7 +19,7 @@ use rayon::ThreadPool;
 
 use super::changes::{is_another_method, is_another_view, shown};
 use super::desk::{Desk, Message};
-use super::facts::{Facts, Question, State, Work};
+use super::facts::{Facts, Question, Work};
 use super::file::{INTERVAL, SceneFile};
 use super::history::History;
 use super::pictures::Pictures;
@@ -178,30 +178,28 @@ impl App {
         self.now = now;
         self.receive(now);
         let is_gesture = |begins: bool| {
-            let is_end = move |event: &Event| match event {
+            input.events.iter().any(|event| match event {
                 Event::Key {
-                    pressed, repeat, ..
-                } => *pressed == begins && !repeat,
-                Event::PointerButton { pressed, .. } => *pressed == begins,
+                    pressed,
+                    repeat: false,
+                    ..
+                }
+                | Event::PointerButton { pressed, .. } => *pressed == begins,
                 _ => false,
-            };
-            input.events.iter().any(is_end)
+            })
         };
         let [begins, ends] = [true, false].map(is_gesture);
         if begins {
             self.history.end_step();
             // The press may change the picture, and frames that are being timed would delay it.
-            let times =
-                |work: &Work| [Question::Measure, Question::Refine].contains(&work.question);
-            self.works[1].take_if(|work| times(work));
+            self.works[1].take_if(|work| work.question == Question::Measure);
         }
         self.spin_on();
         if let Some(news) = self.file.look(now) {
             self.take_news(news);
         }
         input.time = Some(now.as_secs_f64());
-        let screen = area(size) / self.scale();
-        input.screen_rect = Some(screen);
+        input.screen_rect = Some(area(size) / self.scale());
         let context = self.painter.context.clone();
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
@@ -215,41 +213,34 @@ impl App {
         self.copy_picture(size);
         let commands = std::mem::take(&mut output.platform_output.commands);
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
-        let mut repaint_after = viewport.map_or(Duration::MAX, |it| it.repaint_delay);
+        let spin = self.look::<Spin>().on;
+        let waits = [
+            viewport.map(|it| it.repaint_delay),
+            self.moved.map(|_| REST),
+            self.desk.blinks.map(|_| TURN / 10),
+            spin.then(|| self.next_degree.saturating_sub(now)),
+            self.file.path.as_ref().map(|_| INTERVAL),
+        ];
+        let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
-        if self.moved.is_some() {
-            repaint_after = repaint_after.min(REST);
-        }
-        if let Some(since) = self.desk.blinks {
-            let passed = self.now.saturating_sub(since).as_millis() % TURN.as_millis();
-            let rest = TURN.saturating_sub(Duration::from_millis(passed as u64));
-            repaint_after = repaint_after.min(rest);
-        }
-        if self.look::<Spin>().on {
-            repaint_after = repaint_after.min(self.next_degree.saturating_sub(self.now));
-        }
-        if self.file.path.is_some() {
-            repaint_after = repaint_after.min(INTERVAL);
-        }
-        let copied = |command| match command {
-            OutputCommand::CopyText(text) => Some(text),
-            _ => None,
-        };
         Ok(Output {
             title: self.title(),
-            copied: commands.into_iter().rev().find_map(copied),
-            repaint_after,
+            copied: commands
+                .into_iter()
+                .rev()
+                .find_map(|command| match command {
+                    OutputCommand::CopyText(text) => Some(text),
+                    _ => None,
+                }),
+            repaint_after: repaint_after.unwrap_or(Duration::MAX),
         })
     }
 
     /// Shows a message for as long as it takes to read.
     pub fn say(&mut self, text: impl Into<String>) {
         let text = text.into();
-        let time = MESSAGE.max(LETTER * text.chars().count() as u32);
-        self.desk.message = Some(Message {
-            text,
-            until: self.now + time,
-        });
+        let until = self.now + MESSAGE.max(LETTER * text.len() as u32);
+        self.desk.message = Some(Message { text, until });
     }
 
     /// Puts the World into another state.
@@ -284,7 +275,7 @@ impl App {
                 && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
         {
             self.works[0] = None;
-            self.facts.section.state = State::Old;
+            self.facts.section.is_current = false;
         }
         self.state = after;
     }

@@ -6,13 +6,8 @@ use glam::DVec3;
 
 use crate::shading::Method;
 
-/// The kinds of entities that a scene holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Cuboid,
-    Light,
-    Camera,
-}
+/// An entity of the scene: the key of its kind in scene files, and its name.
+pub type Entity = (&'static str, String);
 
 /// The thing that a drag over the picture moves.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,7 +46,7 @@ pub struct Desk {
     pub message: Option<Message>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
-    /// The kind and the name of the entity that the scene's tab shows.
-    pub selected: Option<(Kind, String)>,
+    /// The entity that the scene's tab shows.
+    pub selected: Option<Entity>,
     pub grab: Grab,
 }

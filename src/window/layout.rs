@@ -5,7 +5,7 @@
 use egui::{Align, Id, Label, Layout, Modal, Panel, RichText, ScrollArea, Ui};
 
 use super::app::App;
-use super::keys::{BINDINGS, SECTIONS, caption_of};
+use super::keys::{BINDINGS, caption_of};
 use super::style::{BAD, GOOD, STALE};
 use super::widgets::short;
 use crate::components::{Inspector, Show, Side, Tab, ViewMode};
@@ -65,20 +65,12 @@ impl App {
 
     /// The status line: the facts about the picture, messages on the right, errors of the scene's file above.
     fn status(&mut self, ui: &mut Ui) {
-        if let Some(error) = self.desk.file_error.clone() {
-            ui.horizontal_top(|ui| {
-                if ui.button("copy").clicked() {
-                    ui.ctx().copy_text(error.clone());
-                }
-                ui.label(RichText::new(error).monospace().color(BAD));
-            });
+        if let Some(error) = &self.desk.file_error {
+            ui.label(RichText::new(error).monospace().color(BAD));
         }
-        let until = self.desk.message.as_ref().map(|message| message.until);
-        if let Some(until) = until {
-            match until.checked_sub(self.now) {
-                Some(rest) => ui.ctx().request_repaint_after(rest),
-                None => self.desk.message = None,
-            }
+        self.desk.message.take_if(|it| it.until <= self.now);
+        if let Some(message) = &self.desk.message {
+            ui.ctx().request_repaint_after(message.until - self.now);
         }
         ui.horizontal(|ui| {
             let width = ui.available_width();
@@ -147,11 +139,11 @@ impl App {
             let scroll = ScrollArea::vertical().max_height(height);
             scroll.show(ui, |ui| {
                 ui.columns(if screen.x > 600.0 { 2 } else { 1 }, |columns| {
-                    for (index, section) in SECTIONS.iter().enumerate() {
+                    for (index, (section, rows)) in BINDINGS.iter().enumerate() {
                         let ui = &mut columns[index % columns.len()];
                         ui.add_space(6.0);
                         ui.strong(*section);
-                        for row in BINDINGS.iter().filter(|row| row.section == *section) {
+                        for row in *rows {
                             let keys: Vec<String> = row.keys.iter().map(caption_of).collect();
                             ui.horizontal(|ui| {
                                 ui.label(row.name);

@@ -100,7 +100,7 @@ impl App {
         let border = self.place.shrink(3.0 * RADIUS);
         if seen.z > lens.near {
             let [x, y] = lens.pixel(lens.homogeneous(seen));
-            let at = self.place_of([x, y].map(|it| it.clamp(-1e6, 1e6) as i32));
+            let at = self.place.min + vec2(x as f32, y as f32) / self.scale();
             if border.contains(at) {
                 return (at, None);
             }

@@ -26,8 +26,12 @@ impl App {
 
     /// The view that is drawn.
     pub fn view(&self) -> View {
+        self.view_by(self.method_instead())
+    }
+
+    /// The view as a method draws it, or as the scene says.
+    pub(super) fn view_by(&self, method: Option<Method>) -> View {
         let view = View::of(&self.scene.world, self.picture_size());
-        let method = self.method_instead();
         method.map_or(view.clone(), |method| method.view(&view))
     }
 

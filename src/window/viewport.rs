@@ -3,7 +3,7 @@
 use egui::{Color32, Event, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
 
 use super::app::App;
-use super::desk::{Grab, Kind};
+use super::desk::Grab;
 use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
@@ -84,9 +84,9 @@ impl App {
                 self.orbit(left * degrees, down * degrees);
             }
             Grab::Divider => {
-                let column = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
                 let show: Show = self.look();
-                let divider = column.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
+                let share = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
+                let divider = share.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
                 self.set_look(Show { divider, ..show });
             }
             Grab::Light(name, place) => {
@@ -98,7 +98,7 @@ impl App {
 
     fn click(&mut self, at: Pos2, markers: &[Marker]) {
         if let Some(marker) = markers.iter().find(|marker| marker.is_caught(at)) {
-            self.desk.selected = Some((Kind::Light, marker.name.clone()));
+            self.desk.selected = Some(("light", marker.name.clone()));
             return;
         }
         let (pixel, size) = (self.pixel_at(at), self.picture_size());
@@ -144,19 +144,21 @@ impl App {
     }
 
     /// The place in the window of the middle of a pixel.
-    pub fn place_of(&self, pixel: [i32; 2]) -> Pos2 {
-        let [x, y] = pixel.map(|it| it as f32 + 0.5);
-        self.place.min + vec2(x, y) / self.scale()
+    pub fn place_of(&self, [x, y]: [usize; 2]) -> Pos2 {
+        self.place.min + vec2(x as f32 + 0.5, y as f32 + 0.5) / self.scale()
+    }
+
+    /// The first column right of the divider.
+    pub fn divider_column(&self) -> usize {
+        let Show { divider, .. } = self.look();
+        divider_column(divider, self.picture_size()[0])
     }
 
     /// The divider's x in the window, where the view has one.
     fn divider(&self) -> Option<f32> {
         let show: Show = self.look();
-        let has_divider = show.mode == ViewMode::Wipe;
-        let column = divider_column(show.divider, self.picture_size()[0]);
-        let left = self.place_of([column as i32, 0]).x;
-        let x = has_divider.then_some(left - 0.5 / self.scale());
-        x.filter(|x| self.place.x_range().contains(*x))
+        let x = self.place.min.x + self.divider_column() as f32 / self.scale();
+        (show.mode == ViewMode::Wipe).then_some(x)
     }
 
     /// Draws the divider, the probed pixel with its vectors, and the lights.
@@ -167,7 +169,7 @@ impl App {
             self.draw_worst(&painter);
         }
         if let Some(pixel) = self.look::<Probed>().0 {
-            let at = self.place_of(pixel.map(|it| it as i32));
+            let at = self.place_of(pixel);
             self.draw_arrows(&painter, at);
             draw_cross(&painter, at);
         }
@@ -180,7 +182,7 @@ impl App {
         let line = self.place.y_range();
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
         painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
-        let y = self.place_of([0, self.profile_row() as i32]).y;
+        let y = self.place_of([0, self.profile_row()]).y;
         let edge = (1.0, Color32::from_black_alpha(150));
         painter.circle(pos2(x, y), 8.0, Color32::WHITE, edge);
     }

@@ -6,7 +6,6 @@ use shadetrade::components::{Inspector, ShadingMode, Tab, View};
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::facts::State;
 
 use super::{PAUSE, Window};
 use crate::support::window::default_scene;
@@ -53,56 +52,47 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     window.click(window.app.place.center());
     window.press(Key::N);
     window.press(Key::F5);
-    let states = |window: &Window| {
+    window.step(Vec::new());
+    let are_current = |window: &Window| {
         let facts = &window.app.facts;
         [
-            &facts.section.state,
-            &facts.comparison.state,
-            &facts.required.state,
-            &facts.bits.state,
+            facts.section.is_current,
+            facts.comparison.is_current,
+            facts.required.is_current,
         ]
-        .map(Clone::clone)
     };
-    window.step(Vec::new());
-    assert_eq!(states(&window), [const { State::Current }; 4]);
     for key in [Key::F2, Key::F6, Key::H, Key::H] {
         window.press(key);
         assert_eq!(
-            states(&window),
-            [const { State::Current }; 4],
+            are_current(&window),
+            [true; 3],
             "{key:?} changes no picture"
         );
     }
+    // Nothing that is asked for answers again.
     window.app.set_look(Inspector(None));
-    window.press(Key::F2);
-    for key in [
+    let changes = [
         Key::W,
         Key::G,
         Key::O,
         Key::ArrowLeft,
         Key::C,
         Key::OpenBracket,
-    ] {
-        let facts = &mut window.app.facts;
-        facts.comparison.state = State::Current;
-        facts.required.state = State::Current;
-        facts.bits.state = State::Current;
-        window.press(key);
-        let facts = &window.app.facts;
-        assert_eq!(facts.comparison.state, State::Old, "{key:?}");
-        assert_eq!(facts.required.state, State::Old, "{key:?}");
-        assert_eq!(facts.bits.state, State::Old, "{key:?}");
-        assert!(facts.comparison.current().is_none() && facts.comparison.value.is_some());
+    ];
+    for key in changes.map(Some).into_iter().chain([None]) {
+        window.press(Key::F2);
+        window.app.facts.comparison.is_current = true;
+        window.app.facts.required.is_current = true;
+        match key {
+            Some(key) => window.press(key),
+            None => {
+                window.size = [140, 90];
+                window.step(Vec::new());
+            }
+        }
+        assert_eq!(are_current(&window)[1..], [false; 2], "{key:?}");
+        assert!(window.app.facts.comparison.value.is_some());
     }
-    let facts = &mut window.app.facts;
-    facts.comparison.state = State::Current;
-    window.size = [140, 90];
-    window.step(Vec::new());
-    assert_eq!(
-        window.app.facts.comparison.state,
-        State::Old,
-        "another size"
-    );
     assert_eq!(window.app.pixels().len(), 140 * 90);
 }
 

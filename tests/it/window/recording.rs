@@ -244,7 +244,7 @@ fn mistakes_are_reported_with_their_place() {
         ("1e300 say \"a\"", "1000000000"),
         ("0.999 say \"a\"", "seconds from 1 "),
         ("2", "`say`"),
-        ("2 quit", "`scene`, `patch`, `size` or `say`"),
+        ("2 quit", "`scene`, `patch`, `size`, `say`"),
         ("2 say words", "expected value"),
         ("2 say 3", "string"),
         ("2 size [0,1]", "16384"),

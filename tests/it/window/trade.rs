@@ -3,7 +3,7 @@
 use egui::{Key, Pos2, RawInput};
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Budget, Show, Side, Tolerance, View, ViewMode};
+use shadetrade::components::{Budget, Show, Side, View, ViewMode};
 use shadetrade::drawing::Drawing;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
@@ -11,7 +11,6 @@ use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::Measurement;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::facts::State;
 
 use super::{FRAME, Window};
 use crate::support::window::{app, default_scene, places, widgets};
@@ -44,7 +43,7 @@ fn measured() -> Vec<Measurement> {
 fn app_with_trade() -> App {
     let mut app = app(default_scene(), SIZE, Level::new());
     app.shows_times = true;
-    app.facts.trade.finish(measured());
+    app.facts.trade.finish(Some(measured()));
     app
 }
 
@@ -141,41 +140,6 @@ fn hovering_a_dot_shows_its_picture_and_changes_nothing() {
 }
 
 #[test]
-fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
-    let dots = dots();
-    let mut window = open();
-    let (from, to) = (dots[3], dots[7]);
-    window.point_at(from);
-    window.button(from, true);
-    window.point_at(from + egui::vec2(-20.0, 20.0));
-    let (mut last, mut between) = (f64::INFINITY, 0);
-    for step in 1..=40 {
-        // Outside of the staircase.
-        let at = from + (to - from) * (step as f32 / 40.0) + egui::vec2(0.0, 3.0);
-        window.point_at(at);
-        let Tolerance(tolerance) = window.app.look();
-        assert!(tolerance <= last, "{tolerance} after {last}");
-        assert_eq!(window.app.shading(), Some(Phong));
-        between += i32::from(METHODS.iter().all(|it| it.tolerance != tolerance));
-        last = tolerance;
-    }
-    assert!(
-        between > 10 && (0.2..0.28).contains(&last),
-        "{between}, {last}"
-    );
-    window.point_at(dots[8]);
-    assert_eq!(window.app.method(), Some(Method::of(Phong, 0.0)));
-    window.point_at(dots[1]);
-    assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
-    window.button(dots[1], false);
-    window.point_at(window.app.place.center());
-    // A method between two dots is drawn like any other.
-    window.app.set_tolerance(0.7);
-    window.step(Vec::new());
-    assert!(window.app.pictures.frame() == window.drawn(|view| view.with_tolerance(0.7)));
-}
-
-#[test]
 fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
     let mut window = open();
     for key in [Key::P, Key::OpenBracket, Key::G, Key::F5, Key::H, Key::H] {
@@ -183,18 +147,18 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
         assert!(window.app.facts.trade.current().is_some(), "{key:?}");
     }
     for key in [Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home] {
-        window.app.facts.trade.finish(measured());
+        window.app.facts.trade.finish(Some(measured()));
         window.press(key);
-        assert_eq!(window.app.facts.trade.state, State::Old, "{key:?}");
+        assert!(!window.app.facts.trade.is_current, "{key:?}");
         assert!(
             window.app.measured(Phong, 1.0).is_some(),
             "{key:?}: it is known to be old"
         );
     }
-    window.app.facts.trade.finish(measured());
+    window.app.facts.trade.finish(Some(measured()));
     window.size = [800, 600];
     window.step(Vec::new());
-    assert_eq!(window.app.facts.trade.state, State::Old, "another size");
+    assert!(!window.app.facts.trade.is_current, "another size");
 }
 
 #[test]
@@ -247,7 +211,7 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // Measurements of another view say nothing about this one, and nothing moves.
-    window.app.facts.trade.state = State::Old;
+    window.app.facts.trade.is_current = false;
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // No frame of this picture takes so little time.
