@@ -19,7 +19,7 @@ use rayon::ThreadPool;
 
 use super::changes::{is_another_method, is_another_view, shown};
 use super::desk::{Desk, Message};
-use super::facts::{Facts, Question, Work};
+use super::facts::{Facts, Question, Work, pools};
 use super::file::{INTERVAL, SceneFile};
 use super::history::History;
 use super::pictures::Pictures;
@@ -108,7 +108,7 @@ impl App {
             panel_folded: drawing.size[0] < NARROW,
             ..Desk::default()
         };
-        let mut app = App {
+        Ok(App {
             history: History::new(&state),
             file: SceneFile::of(&scene),
             recorder: None,
@@ -125,7 +125,7 @@ impl App {
             painter,
             pixels: Vec::new(),
             size: [0, 0],
-            pools: None,
+            pools: has_threads.then(pools).transpose()?,
             works: [None, None],
             level,
             threads,
@@ -135,11 +135,7 @@ impl App {
             drawn: None,
             held: None,
             hold: Hold::at(0),
-        };
-        if has_threads {
-            app.start_threads()?;
-        }
-        Ok(app)
+        })
     }
 
     /// A component of the viewer.
@@ -195,8 +191,10 @@ impl App {
             self.works[1].take_if(|work| work.question == Question::Measure);
         }
         self.spin_on();
-        if let Some(news) = self.file.look(now) {
-            self.take_news(news);
+        match self.file.look(now) {
+            Some(Ok(scene)) => self.reload(&scene),
+            Some(Err(error)) => self.desk.file_error = Some(error),
+            None => {}
         }
         input.time = Some(now.as_secs_f64());
         input.screen_rect = Some(area(size) / self.scale());

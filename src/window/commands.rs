@@ -66,13 +66,10 @@ impl App {
                 Budget(None) => self.step_tolerance(steps),
             },
             Command::HoldTime => self.switch_budget(),
-            Command::NextProjection => {
-                let next = match self.look() {
-                    Projection::Perspective => Projection::Orthographic,
-                    Projection::Orthographic => Projection::Perspective,
-                };
-                self.set_look(next);
-            }
+            Command::NextProjection => self.set_look(match self.look() {
+                Projection::Perspective => Projection::Orthographic,
+                Projection::Orthographic => Projection::Perspective,
+            }),
             Command::NextCamera => self.next_camera(),
             Command::View(ViewMode::Wipe) => {
                 let Tolerance(tolerance) = self.look();
@@ -97,12 +94,11 @@ impl App {
                     degrees: 0,
                     ..self.look()
                 });
-                self.set_orbit(Orbit::default());
+                self.change_orbit("the view is reset", |_| Orbit::default());
             }
             Command::Rotate => self.rotate(),
             Command::Tab(tab) => {
-                let Inspector(open) = self.look();
-                let is_open = open == Some(tab);
+                let is_open = self.look::<Inspector>().0 == Some(tab);
                 self.set_look(Inspector((!is_open).then_some(tab)));
             }
             Command::Undo => {

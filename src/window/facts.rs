@@ -4,9 +4,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::ThreadPool;
+use anyhow::Context;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::comparison::Comparison;
+use crate::drawing::all_cores;
 use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
@@ -74,6 +76,20 @@ pub enum Question {
     Measure,
     Prove,
     Require,
+}
+
+/// The threads that probe, and those that answer all other questions; one core is left for the window.
+///
+/// # Errors
+/// When the system gives no threads.
+pub fn pools() -> anyhow::Result<[ThreadPool; 2]> {
+    let pool = |threads: usize| {
+        // A panic was reported, and its question stays open.
+        let pool = ThreadPoolBuilder::new().panic_handler(|_| ());
+        let pool = pool.num_threads(threads.max(1)).build();
+        pool.context("cannot start the threads that compare and prove")
+    };
+    Ok([pool(1)?, pool(all_cores() - 1)?])
 }
 
 /// Puts a fact among the others; returns the reason if there is none.

@@ -22,6 +22,12 @@ const LEAST_HELP: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
 
+const METHOD: &str = "The method on screen.";
+const TIME: &str = "The median time of a warm frame, from the World to the picture's pixels; that of the last frame \
+                    until it is measured.";
+const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255.";
+const PROVEN: &str = "Pixels whose error is proven to be within the tolerance.";
+
 impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
     pub fn ui(&mut self, ui: &mut Ui) {
@@ -97,35 +103,30 @@ impl App {
             (None, None) if is_wipe => ("Two pictures".to_owned(), false),
             _ => (self.side_name(&Side::Picture), true),
         };
-        ui.label(name).on_hover_text(
-            "The method on screen, and its largest error against its own exact evaluation, in levels of 255.",
-        );
-        let fact = |ui: &mut Ui, text: String, ink, is_current: bool, says: &str| {
-            let ink = if is_shown && is_current { ink } else { STALE };
-            ui.separator();
-            ui.label(RichText::new(text).color(ink)).on_hover_text(says);
-        };
-        let ink = ui.visuals().text_color();
-        if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
-            let says = "The median time of a warm frame, from the World to the picture's pixels; \
-                        that of the last frame until it is measured.";
-            fact(ui, format!("{} ms", short(time)), ink, true, says);
-        }
-        let comparison = &self.facts.comparison;
+        ui.label(name).on_hover_text(METHOD);
+        let (comparison, proof) = (&self.facts.comparison, &self.facts.proof);
+        let text_ink = ui.visuals().text_color();
+        let time = self.milliseconds().filter(|_| self.shows_times);
+        let time = time.map(|time| (0.0, format!("{} ms", short(time)), text_ink, true, TIME));
         let error = comparison.value.as_ref().and_then(|it| it.error);
-        if let Some(error) = error.filter(|_| width > 400.0) {
-            let says = "The largest error of a pixel against exact Phong, in levels of 255.";
+        let error = error.map(|error| {
             let text = format!("off by {} of 255", short(error));
-            fact(ui, text, ink, comparison.current().is_some(), says);
-        }
-        if let Some(proof) = self.facts.proof.value.as_ref().filter(|_| width > 620.0) {
-            let pixels = proof.proven + proof.refuted + proof.undecided;
-            let (text, ink) = match pixels - proof.proven {
+            (400.0, text, text_ink, comparison.is_current, ERROR)
+        });
+        let proven = proof.value.as_ref().map(|it| {
+            let pixels = it.proven + it.refuted + it.undecided;
+            let (text, ink) = match pixels - it.proven {
                 0 => ("every pixel proven".to_owned(), GOOD),
-                _ => (format!("proven {} of {pixels}", proof.proven), BAD),
+                _ => (format!("proven {} of {pixels}", it.proven), BAD),
             };
-            let says = "Pixels whose error is proven to be within the tolerance.";
-            fact(ui, text, ink, self.facts.proof.current().is_some(), says);
+            (620.0, text, ink, proof.is_current, PROVEN)
+        });
+        for (least, text, ink, is_current, says) in [time, error, proven].into_iter().flatten() {
+            if width > least {
+                let ink = if is_shown && is_current { ink } else { STALE };
+                ui.separator();
+                ui.label(RichText::new(text).color(ink)).on_hover_text(says);
+            }
         }
     }
 

@@ -5,9 +5,6 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use anyhow::Context;
-use rayon::ThreadPoolBuilder;
-
 use super::app::App;
 use super::comparison::Comparison;
 use super::facts::{Fact, Facts, Question, Work};
@@ -15,7 +12,6 @@ use super::pictures::view_at;
 use crate::components::{
     Inspector, Probed, ShadingMode, Show, Side, Tab, Tolerance, View, ViewMode,
 };
-use crate::drawing::all_cores;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
 use crate::report::Monitor;
@@ -30,21 +26,6 @@ const PROGRESS: Duration = Duration::from_millis(200);
 const TIMING: Duration = Duration::from_secs(1);
 
 impl App {
-    /// Lets threads in the background answer the questions; one core is left for the window.
-    ///
-    /// # Errors
-    /// When the system gives no threads.
-    pub(super) fn start_threads(&mut self) -> anyhow::Result<()> {
-        let pool = |threads: usize| {
-            // A panic was reported, and its question stays open.
-            let pool = ThreadPoolBuilder::new().panic_handler(|_| ());
-            let pool = pool.num_threads(threads.max(1)).build();
-            pool.context("cannot start the threads that compare and prove")
-        };
-        self.pools = Some([pool(1)?, pool(all_cores() - 1)?]);
-        Ok(())
-    }
-
     /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there is
     /// no background.
     pub fn ask(&mut self) {
@@ -217,16 +198,11 @@ impl App {
     /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
     fn wanted_methods(&self) -> Vec<Method> {
         let show: Show = self.look();
-        let side = |side: &Side| match *side {
-            Side::Method { mode, tolerance } if show.mode == ViewMode::Wipe => {
-                Some(Method::of(mode, tolerance))
-            }
-            _ => None,
-        };
+        let sides = show.sides.iter().filter(|_| show.mode == ViewMode::Wipe);
+        let sides = sides.filter_map(|side| self.side_method(side));
         // The assignment's shortcut is no way to save time, and its frames take so long that they would delay a key.
         let mut methods = METHODS.to_vec();
         methods.retain(|it| it.mode != ShadingMode::UnitVectors);
-        let sides = show.sides.iter().filter_map(side);
         for method in self.method().into_iter().chain(sides) {
             if !methods.contains(&method) {
                 methods.push(method);

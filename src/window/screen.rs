@@ -9,7 +9,6 @@ use super::pictures::or_dimmed;
 use crate::components::{Probed, Show, View, ViewMode};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
-use crate::scene::SceneRecord;
 use crate::shading::Method;
 
 impl App {
@@ -37,14 +36,11 @@ impl App {
 
     /// The view mode and the sides that are shown: the picture alone while a method is looked at.
     fn shows(&self) -> Show {
-        let show: Show = self.look();
-        match self.desk.preview {
-            Some(_) => Show {
-                mode: ViewMode::Picture,
-                ..show
-            },
-            None => show,
+        let mut show: Show = self.look();
+        if self.desk.preview.is_some() {
+            show.mode = ViewMode::Picture;
         }
+        show
     }
 
     /// Whether the picture has not changed for a while.
@@ -57,16 +53,13 @@ impl App {
         let (show, view) = (self.shows(), self.view());
         let size = view.size;
         let present = (Arc::clone(&self.state), size, self.method_instead());
-        let (world, drawn) = (&mut self.scene.world, self.drawn.take());
-        let is_same = |(state, size, method): &(Arc<SceneRecord>, _, _)| {
-            Arc::ptr_eq(state, &present.0) && (*size, *method) == (present.1, present.2)
-        };
-        if drawn.as_ref().is_some_and(is_same) {
+        let before = self.drawn.take();
+        if before.as_ref() == Some(&present) {
             self.moved.take_if(|moved| self.now >= *moved + REST);
         } else {
-            self.pictures.draw(world, &show, &view)?;
+            self.pictures.draw(&mut self.scene.world, &show, &view)?;
             self.moved = Some(self.now);
-            if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
+            if let Some((_, before, _)) = before.filter(|(_, before, _)| *before != size) {
                 self.keep_pixel(before, size);
                 self.picture_changed(false);
             }

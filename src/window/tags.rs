@@ -1,7 +1,7 @@
-//! The two sides of a wipe: a tag for each beside the divider, with a menu of methods and the price of the one that is shown,
+//! The two sides of a wipe: a tag for each, with a menu of methods and the price of the one that is shown,
 //! and a mark on its worst pixel.
 
-use egui::{Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, Ui, UiBuilder, vec2};
 
 use super::app::App;
 use super::style::{BAD, EXACT, STALE, mode_ink};
@@ -13,7 +13,7 @@ use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
 use crate::trade::verdict::method_name;
 
-/// The usual width of a tag, and its distance from the divider and from the edges of the picture, in points.
+/// The usual width of a tag, and its distance from the edges of the picture, in points.
 const WIDTH: f32 = 188.0;
 const GAP: f32 = 9.0;
 /// A smaller picture has tags without a price, in points.
@@ -37,7 +37,7 @@ fn choices() -> Vec<Side> {
 
 impl App {
     /// The method of a side; `None` for the reference, and where the cuboids have different modes.
-    fn side_method(&self, side: &Side) -> Option<Method> {
+    pub fn side_method(&self, side: &Side) -> Option<Method> {
         match *side {
             Side::Picture => self.method(),
             Side::Method { mode, tolerance } => Some(Method::of(mode, tolerance)),
@@ -69,31 +69,23 @@ impl App {
         })
     }
 
-    /// Lays out both tags beside the divider at `x`, each whole; while they take turns, that of the side on screen.
-    pub fn tags(&mut self, ui: &mut Ui, x: f32) {
+    /// Lays out the tag of each side; while the sides take turns, that of the side on screen.
+    pub fn tags(&mut self, ui: &mut Ui) {
         let Show { mut sides, .. } = self.look();
         let before = sides;
         let prices = self.prices();
         let times = prices.iter().flatten().map(|price| price.timing.median);
         let slowest = times.fold(0.0, f64::max);
         let has_room = self.place.height() > ROOM;
-        let [left, right] = [self.place.min.x, self.place.max.x];
-        let width = ((right - left - 3.0 * GAP) / 2.0).clamp(0.0, WIDTH);
-        // A tag that has no room on its side of the divider moves the other one along.
-        let at = [
-            (x - GAP - width)
-                .min(right - 2.0 * (GAP + width))
-                .max(left + GAP),
-            (x + GAP)
-                .min(right - GAP - width)
-                .max(left + 2.0 * GAP + width),
-        ];
+        let width = ((self.place.width() - 3.0 * GAP) / 2.0).clamp(0.0, WIDTH);
         let mut clicked = None;
         for (index, side) in sides.iter_mut().enumerate() {
             if self.turn().is_some_and(|turn| turn != index) {
                 continue;
             }
-            let corner = pos2(at[index], self.place.min.y + GAP);
+            // The left tag stands in the left corner, the right tag in the right one.
+            let right = self.place.width() - width - GAP;
+            let corner = self.place.min + vec2([GAP, right][index], GAP);
             let place = Rect::from_min_size(corner, vec2(width, 0.0));
             let mut tag = ui.new_child(UiBuilder::new().max_rect(place).id_salt(("tag", index)));
             tag.set_clip_rect(self.place);

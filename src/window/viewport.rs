@@ -56,8 +56,8 @@ impl App {
             }
         }
         self.draw_over(ui, &markers);
-        if let Some(x) = self.divider() {
-            self.tags(ui, x);
+        if self.divider().is_some() {
+            self.tags(ui);
             self.profile(ui);
         }
     }
@@ -108,33 +108,30 @@ impl App {
 
     /// Moves the camera about its target, by degrees to the right and up.
     pub fn orbit(&mut self, azimuth: f64, elevation: f64) {
-        let camera = active_camera(&self.scene.world);
-        let own = Viewpoint::own(&self.scene.world, camera);
-        let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
-        let moved = orbit.moved(&own, azimuth, elevation);
-        if moved == orbit {
-            return self.say("the camera stops short of the pole");
-        }
-        self.set_orbit(moved);
+        let world = &self.scene.world;
+        let own = Viewpoint::own(world, active_camera(world));
+        let limit = "the camera stops short of the pole";
+        self.change_orbit(limit, |orbit| orbit.moved(&own, azimuth, elevation));
     }
 
     /// Steps towards the target, or away where negative.
     pub fn zoom(&mut self, steps: i32) {
-        let camera = active_camera(&self.scene.world);
-        let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
-        let zoomed = orbit.zoomed(steps, &Limits::of(&self.scene.world));
-        match zoomed == orbit {
-            true if steps > 0 => self.say("the camera goes no closer"),
-            true => self.say("the camera goes no further"),
-            false => self.set_orbit(zoomed),
-        }
+        let limits = Limits::of(&self.scene.world);
+        let way = if steps > 0 { "closer" } else { "further" };
+        let limit = format!("the camera goes no {way}");
+        self.change_orbit(&limit, |orbit| orbit.zoomed(steps, &limits));
     }
 
-    /// Overwrites the orbit of the active camera.
-    pub fn set_orbit(&mut self, orbit: Orbit) {
+    /// Changes the orbit of the active camera, or tells its limit where nothing changes.
+    pub fn change_orbit(&mut self, limit: &str, change: impl FnOnce(Orbit) -> Orbit) {
         let camera = active_camera(&self.scene.world);
-        // A scene's cameras have an orbit.
-        let _ = self.scene.world.insert_one(camera, orbit);
+        let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
+        let changed = change(orbit);
+        if changed == orbit {
+            return self.say(limit);
+        }
+        // It was just found.
+        let _ = self.scene.world.insert_one(camera, changed);
     }
 
     /// The pixel of the picture at a place in the window.

@@ -65,10 +65,9 @@ impl App {
             stack(plot, &places, channel, &ink);
             let line = curve(&places, |it| levels(it, channel)[1]);
             plot.line(Line::new("exact Phong", line).color(PHONG).width(1.5));
-            let drawn = |it: &ProbedSurface| displayed(it.drawn.levels[channel]);
             if here.drawn.mode == ShadingMode::UnitVectors {
-                let line = Line::new("unit vectors", curve(&places, drawn));
-                plot.line(line.color(SHORTCUT).width(1.5));
+                let line = curve(&places, |it| displayed(it.drawn.levels[channel]));
+                plot.line(Line::new("unit vectors", line).color(SHORTCUT).width(1.5));
             }
             straight(plot, &places, |it| levels(it, channel)[0]);
             dot(plot, &places, here, GOURAUD, levels(here, channel)[0]);
@@ -109,9 +108,7 @@ fn levels(surface: &ProbedSurface, channel: usize) -> [f64; 2] {
 
 /// The factor of a light that interpolation between the vertices gives.
 fn interpolated(light: &LightSample) -> f64 {
-    let strongest =
-        (0..3).max_by(|one, other| light.strength[*one].total_cmp(&light.strength[*other]));
-    let channel = strongest.unwrap_or_default();
+    let channel = light.strength.max_position();
     match light.strength[channel] {
         0.0 => 0.0,
         strength => light.gouraud[channel] / strength,
@@ -170,15 +167,9 @@ fn stack(
 fn straight(plot: &mut PlotUi, places: &Places, of: impl Fn(&ProbedSurface) -> f64) {
     let line = Line::new("interpolated", curve(places, &of));
     plot.line(line.color(GOURAUD).width(1.5));
-    let is_edge = |index: &usize| {
-        let triangle = |index: usize| places.get(index).map(|(_, it)| it.triangle);
-        let own = triangle(*index);
-        *index == 0 || triangle(index - 1) != own || *index + 1 == places.len()
-    };
-    let edges = (0..places.len()).filter(is_edge);
-    let dots: PlotPoints = edges
-        .map(|index| [places[index].0, of(places[index].1)])
-        .collect();
+    let triangles = places.chunk_by(|one, other| one.1.triangle == other.1.triangle);
+    let ends = triangles.flat_map(|same| [same[0], same[same.len() - 1]]);
+    let dots: PlotPoints = ends.map(|(x, surface)| [x, of(surface)]).collect();
     plot.points(Points::new("edges", dots).color(GOURAUD).radius(4.0));
 }
 

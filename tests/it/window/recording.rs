@@ -90,9 +90,8 @@ fn read(text: &str) -> anyhow::Result<Log> {
 fn replayed(log: &Log, threads: usize, level: Level) -> Vec<(Duration, Arc<SceneRecord>, u64)> {
     let mut frames = Vec::new();
     let drawing = log.drawing(threads, level);
-    draw(log, drawing, |drawn| {
-        let hash = hash(&drawn.app.shown());
-        frames.push((drawn.time, Arc::clone(&drawn.app.state), hash));
+    draw(log, drawing, |app, frame, _| {
+        frames.push((frame.time, Arc::clone(&app.state), hash(&app.shown())));
         Ok(())
     })
     .expect("there is memory");
