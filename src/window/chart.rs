@@ -19,7 +19,6 @@ use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::shading::Method;
 use crate::trade::Measurement;
-use crate::trade::budget::ladder;
 use crate::trade::plot::FLOOR;
 use crate::trade::verdict::{UNSEEN, method_name, sentence};
 
@@ -54,19 +53,12 @@ impl App {
             (false, None) => "measured in another view or size; soon in this one".to_owned(),
             _ => "largest error of 255; ms a frame".to_owned(),
         });
-        let measured = self.facts.trade.value.clone().unwrap_or_default();
-        let (front, _) = ladder(&measured);
+        let measured = self.facts.trade.value.iter().flatten().cloned();
         let known: Vec<_> = measured
-            .into_iter()
             .filter_map(|it| Some((logarithms(it.timing.median, it.error?), it)))
             .collect();
-        let place_of = |method: &Method| {
-            let found = known.iter().find(|(_, it)| it.method == *method);
-            found.map(|(place, _)| *place)
-        };
-        let steps: Vec<_> = front.iter().filter_map(place_of).collect();
         let is_current = self.facts.trade.current().is_some();
-        let shown = axes().show(ui, |plot| draw(plot, &known, &steps, is_current));
+        let shown = axes().show(ui, |plot| draw(plot, &known, is_current));
         let at = |place: [f64; 2]| {
             let place = PlotPoint::from(place);
             shown.transform.position_from_point(&place)
@@ -84,9 +76,11 @@ impl App {
             let place = Rect::from_center_size(dots[index], Vec2::splat(2.0 * reach));
             self.dot(ui, one, place);
         }
-        if let Some(place) = self.method().and_then(|it| place_of(&it)) {
+        let shown = self.method();
+        let own = known.iter().find(|(_, it)| Some(it.method) == shown);
+        if let Some((place, _)) = own {
             let line = (if is_current { 2.0 } else { 1.0 }, Color32::WHITE);
-            ui.painter().circle_stroke(at(place), RING, line);
+            ui.painter().circle_stroke(at(*place), RING, line);
         }
     }
 
@@ -170,12 +164,7 @@ fn axes() -> Plot<'static> {
 }
 
 /// Draws the band of visible errors, the staircase of best trades, and the dots and whiskers of the methods.
-fn draw(
-    plot: &mut PlotUi,
-    known: &[([f64; 2], Measurement)],
-    steps: &[[f64; 2]],
-    is_current: bool,
-) {
+fn draw(plot: &mut PlotUi, known: &[([f64; 2], Measurement)], is_current: bool) {
     let [_, seen] = logarithms(1.0, 2.0 * UNSEEN);
     let visible = Span::new("", seen..=MOST.log10()).axis(Axis::Y);
     plot.span(
@@ -183,15 +172,16 @@ fn draw(
             .fill(Color32::from_rgb(52, 34, 34))
             .border_width(0.0),
     );
-    let line = |from: [f64; 2], to: [f64; 2], ink: Color32| {
-        let line = Line::new("", vec![from, to]).color(ink);
+    let line = |points: Vec<[f64; 2]>, ink: Color32| {
+        let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)
     };
-    for pair in steps.windows(2) {
-        let corner = [pair[0][0], pair[1][1]];
-        plot.line(line(pair[0], corner, Color32::from_gray(120)));
-        plot.line(line(corner, pair[1], Color32::from_gray(120)));
-    }
+    let front = known.iter().filter(|(_, it)| it.on_front);
+    let mut front: Vec<[f64; 2]> = front.map(|it| it.0).collect();
+    front.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let step = |pair: &[[f64; 2]]| [pair[0], [pair[0][0], pair[1][1]], pair[1]];
+    let staircase = front.windows(2).flat_map(step).collect();
+    plot.line(line(staircase, Color32::from_gray(120)));
     for (place, one) in known {
         let ink = if is_current {
             mode_ink(one.method.mode)
@@ -200,7 +190,7 @@ fn draw(
         };
         let ink = ink.gamma_multiply(if one.on_front { 1.0 } else { 0.6 });
         let [from, to] = one.timing.interval.map(|time| logarithms(time, 1.0)[0]);
-        plot.line(line([from, place[1]], [to, place[1]], ink));
+        plot.line(line(vec![[from, place[1]], [to, place[1]]], ink));
         let dot = Points::new("", vec![*place]).radius(DOT).color(ink);
         plot.points(dot.filled(is_current).allow_hover(false));
     }

@@ -25,7 +25,8 @@ pub struct Marker {
     pub name: String,
     /// The light's place, in world units.
     pub position: DVec3,
-    at: Pos2,
+    /// The middle of its disc in the window.
+    pub at: Pos2,
     /// The direction of a light out of sight.
     way: Option<Vec2>,
     color: Color32,

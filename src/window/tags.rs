@@ -1,7 +1,9 @@
 //! The two sides of a wipe: a tag for each, with a menu of methods and the price of the one that is shown,
 //! and a mark on its worst pixel.
 
-use egui::{Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{
+    Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, TextWrapMode, Ui, UiBuilder, vec2,
+};
 
 use super::app::App;
 use super::style::{BAD, EXACT, STALE, mode_ink};
@@ -93,6 +95,7 @@ impl App {
             let ground = ground.corner_radius(4.0).inner_margin(Margin::same(6));
             ground.show(&mut tag, |ui| {
                 ui.set_width((width - 12.0).max(0.0));
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
                 let name = format!("{} ⏷", self.side_name(side));
                 ui.menu_button(RichText::new(name).strong(), |ui| {
                     for choice in choices() {

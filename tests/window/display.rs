@@ -137,38 +137,6 @@ fn no_tap_of_a_key_is_lost() {
 }
 
 #[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn any_size_is_drawn() {
-    let mut program = Program::open(&[], &[]);
-    let start = picture(&program.picture());
-    for size in [
-        [320, 240],
-        [1, 1],
-        [480, 360],
-        [3840, 2160],
-        [1, 2160],
-        [3840, 1],
-        [17, 900],
-        [1920, 1080],
-    ] {
-        program.resize(size);
-        until("the window has its size", || {
-            program.picture().dimensions() == (size[0], size[1])
-        });
-        for key in ["i", "e", "h"] {
-            program.press(key);
-            program.press(key);
-        }
-    }
-    program.resize([960, 720]);
-    until("the picture is as ever", || {
-        let window = program.picture();
-        window.dimensions() == (960, 720) && picture(&window) == start
-    });
-    assert!(program.is_running());
-}
-
-#[test]
 #[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
 fn q_asks_about_edits_and_closing_the_frame_rescues_them() {
     let mut program = Program::open(&[], &[]);

@@ -9,6 +9,7 @@ use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::Measurement;
+use shadetrade::trade::verdict::method_name;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
 
@@ -54,19 +55,11 @@ fn open() -> Window {
 /// The positions of the dots in the window, in the order of [`METHODS`].
 fn dots() -> Vec<Pos2> {
     let harness = widgets(app_with_trade(), SIZE);
-    let names = [
-        "exact Gouraud",
-        "Gouraud",
-        "interpolated unit vectors",
-        "Phong within 4 levels",
-        "Phong within 2 levels",
-        "Phong within 1 level",
-        "Phong within half a level",
-        "Phong within 0.25 levels",
-        "exact Phong",
-    ];
-    let dot = |name: &str| places(&harness, &format!("choose {name}"));
-    names.map(|name| *dot(name).first().expect(name)).to_vec()
+    let dot = |method: &Method| {
+        let label = format!("choose {}", method_name(*method));
+        places(&harness, &label)[0]
+    };
+    METHODS.iter().map(dot).collect()
 }
 
 #[test]
@@ -74,22 +67,10 @@ fn dots_lie_by_time_and_error() {
     let (dots, measured) = (dots(), measured());
     for (one, at) in measured.iter().zip(&dots) {
         for (other, there) in measured.iter().zip(&dots) {
-            if one.timing.median < other.timing.median {
-                assert!(
-                    at.x < there.x,
-                    "{:?} is faster than {:?}",
-                    one.method,
-                    other.method
-                );
-            }
-            if one.error > other.error {
-                assert!(
-                    at.y < there.y,
-                    "{:?} errs more than {:?}",
-                    one.method,
-                    other.method
-                );
-            }
+            let is_faster = one.timing.median < other.timing.median;
+            assert!(!is_faster || at.x < there.x, "{one:?}, {other:?}");
+            let errs_more = one.error > other.error;
+            assert!(!errs_more || at.y < there.y, "{one:?}, {other:?}");
         }
     }
 }
@@ -250,19 +231,10 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     };
     let mut app = App::new(drawing, true).expect("there are threads");
     run(&mut app, |app| app.facts.trade.current().is_some());
-    let methods: Vec<Method> = app
-        .facts
-        .trade
-        .value
-        .iter()
-        .flatten()
-        .map(|it| it.method)
-        .collect();
-    let ladder: Vec<Method> = METHODS
-        .iter()
-        .copied()
-        .filter(|it| it.mode != UnitVectors)
-        .collect();
+    let measured = app.facts.trade.value.iter().flatten();
+    let methods: Vec<Method> = measured.map(|it| it.method).collect();
+    let mut ladder = METHODS.to_vec();
+    ladder.retain(|it| it.mode != UnitVectors);
     assert_eq!(methods, ladder);
     app.choose_method(Method::of(Phong, 0.7));
     run(&mut app, |app| {
