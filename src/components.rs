@@ -7,7 +7,7 @@
 //! light    Name FileOrder Transform Light
 //! camera   Name FileOrder Transform Camera Orbit
 //! viewer   ActiveCamera Projection Background Tolerance
-//!          Budget Spin Show Magnifier Probed Inspector
+//!          Budget Spin Show Probed Inspector
 //! ```
 //! A scene has one viewer. Keys and widgets write components. [`View::of`] alone reads those of the viewer and of its
 //! camera for a picture. [`Lens`] and [`Illumination`] are derived once a frame, for all cuboids.
@@ -17,7 +17,6 @@
 mod camera;
 mod entity;
 mod light;
-mod magnifier;
 mod mesh;
 mod orbit;
 pub mod range;
@@ -31,7 +30,6 @@ mod viewer;
 pub use self::camera::{Camera, Lens, Projection, Viewpoint};
 pub use self::entity::{FileOrder, Name, get, in_file_order, names, ordered, overwrite};
 pub use self::light::{Illumination, Light, LightKind, PointLight};
-pub use self::magnifier::Magnifier;
 pub use self::mesh::{FACES, Mesh, TRIANGLES};
 pub use self::orbit::{Limits, Orbit};
 pub use self::surface::{Material, Normals, Polygon, Projected, ShadingMode, VertexColors, cuboid};

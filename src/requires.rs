@@ -26,7 +26,6 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::{Mesh, ShadingMode, View, ordered};
-use crate::frame::display_pixel;
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::report::Monitor;
 use crate::scene::{Scene, SceneRecord};
@@ -188,52 +187,23 @@ pub fn changes(
     Ok(changes)
 }
 
-/// A part, its name, and the change of the picture without it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PartChange {
-    pub part: Part,
-    pub name: String,
-    pub change: Change,
-}
-
-/// The change of the picture without each part, the largest error first.
+/// Each part by its name, and the change of the picture without it, the largest error first.
 ///
 /// # Errors
 /// If the work is cancelled.
-pub fn ranked(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<PartChange>> {
-    let parts = parts(scene);
-    let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = changes(scene, view, &left_out, monitor)?;
-    let part_change = |((part, name), change)| PartChange { part, name, change };
-    let mut ranked: Vec<_> = parts.into_iter().zip(changes).map(part_change).collect();
-    ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
-    Ok(ranked)
-}
-
-/// The reference's picture without a part, as 0x00RRGGBB.
-///
-/// # Errors
-/// If the work is cancelled.
-pub fn picture_without(
+pub fn ranked(
     scene: &Scene,
     view: &View,
-    part: Part,
     monitor: Monitor,
-) -> anyhow::Result<Vec<u32>> {
-    let (world, rule) = (&without(scene, &[part]).world, rule(&[part]));
-    let picture = match part {
-        Part::F64SetUp => rows(Reference::<f32>::without(world, view, rule)),
-        _ => rows(Reference::<f64>::without(world, view, rule)),
-    };
-    let row = |y| {
-        let pixels = picture(y).into_iter();
-        let pixel = |seen: Vec<FaceLevels>| display_pixel(seen[0].1.map(|[least, _]| least));
-        monitor.check()?;
-        Ok(pixels.map(pixel).collect())
-    };
-    let rows = (0..view.size[1]).into_par_iter().map(row);
-    let rows: Vec<Vec<u32>> = rows.collect::<anyhow::Result<_>>()?;
-    Ok(rows.concat())
+) -> anyhow::Result<Vec<(String, Change)>> {
+    let (parts, names): (Vec<_>, Vec<_>) = parts(scene)
+        .into_iter()
+        .map(|(part, name)| (vec![part], name))
+        .unzip();
+    let changes = changes(scene, view, &parts, monitor)?;
+    let mut ranked: Vec<_> = names.into_iter().zip(changes).collect();
+    ranked.sort_by(|one, other| other.1.most().total_cmp(&one.1.most()));
+    Ok(ranked)
 }
 
 /// The first rule among the parts, if there is one.

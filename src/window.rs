@@ -35,7 +35,6 @@ pub mod replay;
 mod screen;
 pub mod style;
 mod tags;
-mod triangle;
 pub mod viewport;
 mod widgets;
 
@@ -129,9 +128,7 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
             };
             let mut next = Duration::MAX;
             if let Some(script) = &mut script {
-                app.quits = [Key::Escape, Key::Q]
-                    .iter()
-                    .any(|key| is_pressed(&input, *key));
+                app.quits = input.events.iter().any(quits);
                 input = RawInput::default();
                 next = script(app, now)?;
             }
@@ -141,7 +138,6 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
                 title = output.title;
                 display.set_title(&title);
             }
-            display.set_cursor(output.cursor);
             if let Some(text) = output.copied
                 && let Err(error) = display.copy(text)
             {
@@ -166,8 +162,8 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
     Ok(())
 }
 
-fn is_pressed(input: &RawInput, wanted: Key) -> bool {
-    let is_press =
-        |event: &Event| matches!(event, Event::Key { key, pressed: true, .. } if *key == wanted);
-    input.events.iter().any(is_press)
+/// Whether a key ends a replay.
+fn quits(event: &Event) -> bool {
+    let is_quit = |key: &Key| [Key::Escape, Key::Q].contains(key);
+    matches!(event, Event::Key { key, pressed: true, .. } if is_quit(key))
 }

@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::record::{CameraRecord, LightRecord, SceneRecord, ViewRecord};
 use crate::components::range::Length;
-use crate::components::{LightKind, Magnifier, Tolerance, length, unit};
+use crate::components::{LightKind, Tolerance, length, unit};
 
 /// `up` and the view are parallel if the sine of their angle is smaller.
 const PARALLEL: f64 = 1e-9;
@@ -187,21 +187,10 @@ impl ViewRecord {
         )?;
         let expected = "a whole number of degrees from 0 to 359";
         require(self.turned < 360, at, "turned", self.turned, expected)?;
-        let Magnifier { scale, corner } = self.magnifier;
-        let is_scale = scale.is_power_of_two() && scale <= Magnifier::MAX_SCALE;
-        let expected = "a power of two from 1 to 64";
-        require(is_scale, at, "magnifier.scale", scale, expected)?;
         let pixel = self.pixel.unwrap_or_default();
-        for (key, pixel) in [("magnifier.corner", corner), ("pixel", pixel)] {
-            let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
-            require(
-                is_pixel,
-                at,
-                key,
-                pixel,
-                "two whole numbers from 0 to 16383",
-            )?;
-        }
+        let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
+        let expected = "two whole numbers from 0 to 16383";
+        require(is_pixel, at, "pixel", pixel, expected)?;
         Ok(())
     }
 }

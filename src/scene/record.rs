@@ -12,8 +12,8 @@ use crate::components::range::{
     Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, Share, Strength, array,
 };
 use crate::components::{
-    LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Show, Side, Tab, Tolerance,
-    ViewMode, table,
+    LightKind, Material, Orbit, Projection, ShadingMode, Show, Side, Tab, Tolerance, ViewMode,
+    table,
 };
 
 /// The material of the built-in default scene.
@@ -128,8 +128,6 @@ pub struct ViewRecord {
     pub turned: u32,
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
     pub pixel: Option<[usize; 2]>,
-    #[serde(deserialize_with = "table::one")]
-    pub magnifier: Magnifier,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inspector: Option<Tab>,
 }
@@ -151,7 +149,6 @@ impl Default for ViewRecord {
             divider,
             turned: 0,
             pixel: None,
-            magnifier: Magnifier::default(),
             inspector: None,
         }
     }

@@ -4,9 +4,9 @@ use hecs::World;
 
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 use crate::components::{
-    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, Magnifier, Material,
-    Mesh, Name, Orbit, Probed, Projection, ShadingMode, Show, Spin, Tolerance, Transform,
-    active_camera, cuboid, get, in_file_order, ordered,
+    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, Material, Mesh, Name,
+    Orbit, Probed, Projection, ShadingMode, Show, Spin, Tolerance, Transform, active_camera,
+    cuboid, get, in_file_order, ordered,
 };
 
 impl SceneRecord {
@@ -62,11 +62,11 @@ impl SceneRecord {
         });
         let mut viewers = world.query::<(
             (&Background, &Projection, &Tolerance, &Budget, &Spin),
-            (&Show, &Magnifier, &Probed, &Inspector),
+            (&Show, &Probed, &Inspector),
         )>();
         let viewer = viewers.iter().next().expect("a scene has a viewer");
         let ((background, projection, tolerance, budget, spin), shown) = viewer;
-        let (show, magnifier, probed, inspector) = shown;
+        let (show, probed, inspector) = shown;
         let active = active_camera(world);
         let is_first = ordered::<Camera>(world).first() == Some(&active);
         let name = get(world, active).map(|Name(name)| name);
@@ -85,7 +85,6 @@ impl SceneRecord {
                 divider: show.divider,
                 turned: spin.degrees,
                 pixel: probed.0,
-                magnifier: *magnifier,
                 inspector: inspector.0,
             },
         }
@@ -151,7 +150,6 @@ impl SceneRecord {
                 sides: view.sides,
                 divider: view.divider,
             },
-            view.magnifier,
             Probed(view.pixel),
             Inspector(view.inspector),
         ));

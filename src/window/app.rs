@@ -12,14 +12,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{CursorIcon, Event, OutputCommand, Rect, ViewportId};
+use egui::{Event, OutputCommand, Rect, ViewportId};
 use fearless_simd::Level;
 use hecs::Component;
 use rayon::ThreadPool;
 
 use super::changes::{is_another_method, is_another_view, shown};
 use super::desk::{Desk, Message};
-use super::facts::{Facts, Question, State, Work};
+use super::facts::{Facts, Question, Work, pools};
 use super::file::{INTERVAL, SceneFile};
 use super::history::History;
 use super::pictures::Pictures;
@@ -86,7 +86,6 @@ pub struct App {
 /// The part of a step that the window system carries out.
 pub struct Output {
     pub title: String,
-    pub cursor: CursorIcon,
     /// A text for the clipboard.
     pub copied: Option<String>,
     /// The time after which a step is wanted though nothing happens.
@@ -109,7 +108,7 @@ impl App {
             panel_folded: drawing.size[0] < NARROW,
             ..Desk::default()
         };
-        let mut app = App {
+        Ok(App {
             history: History::new(&state),
             file: SceneFile::of(&scene),
             recorder: None,
@@ -126,7 +125,7 @@ impl App {
             painter,
             pixels: Vec::new(),
             size: [0, 0],
-            pools: None,
+            pools: has_threads.then(pools).transpose()?,
             works: [None, None],
             level,
             threads,
@@ -136,11 +135,7 @@ impl App {
             drawn: None,
             held: None,
             hold: Hold::at(0),
-        };
-        if has_threads {
-            app.start_threads()?;
-        }
-        Ok(app)
+        })
     }
 
     /// A component of the viewer.
@@ -179,30 +174,30 @@ impl App {
         self.now = now;
         self.receive(now);
         let is_gesture = |begins: bool| {
-            let is_end = move |event: &Event| match event {
+            input.events.iter().any(|event| match event {
                 Event::Key {
-                    pressed, repeat, ..
-                } => *pressed == begins && !repeat,
-                Event::PointerButton { pressed, .. } => *pressed == begins,
+                    pressed,
+                    repeat: false,
+                    ..
+                }
+                | Event::PointerButton { pressed, .. } => *pressed == begins,
                 _ => false,
-            };
-            input.events.iter().any(is_end)
+            })
         };
         let [begins, ends] = [true, false].map(is_gesture);
         if begins {
             self.history.end_step();
             // The press may change the picture, and frames that are being timed would delay it.
-            let times =
-                |work: &Work| [Question::Measure, Question::Refine].contains(&work.question);
-            self.works[1].take_if(|work| times(work));
+            self.works[1].take_if(|work| work.question == Question::Measure);
         }
         self.spin_on();
-        if let Some(news) = self.file.look(now) {
-            self.take_news(news);
+        match self.file.look(now) {
+            Some(Ok(scene)) => self.reload(&scene),
+            Some(Err(error)) => self.desk.file_error = Some(error),
+            None => {}
         }
         input.time = Some(now.as_secs_f64());
-        let screen = area(size) / self.scale();
-        input.screen_rect = Some(screen);
+        input.screen_rect = Some(area(size) / self.scale());
         let context = self.painter.context.clone();
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
@@ -214,44 +209,36 @@ impl App {
         self.draw()?;
         self.ask();
         self.copy_picture(size);
-        let platform = std::mem::take(&mut output.platform_output);
+        let commands = std::mem::take(&mut output.platform_output.commands);
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
-        let mut repaint_after = viewport.map_or(Duration::MAX, |it| it.repaint_delay);
+        let spin = self.look::<Spin>().on;
+        let waits = [
+            viewport.map(|it| it.repaint_delay),
+            self.moved.map(|_| REST),
+            self.desk.blinks.map(|_| TURN / 10),
+            spin.then(|| self.next_degree.saturating_sub(now)),
+            self.file.path.as_ref().map(|_| INTERVAL),
+        ];
+        let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
-        if self.moved.is_some() {
-            repaint_after = repaint_after.min(REST);
-        }
-        if let Some(since) = self.desk.blinks {
-            let passed = self.now.saturating_sub(since).as_millis() % TURN.as_millis();
-            let rest = TURN.saturating_sub(Duration::from_millis(passed as u64));
-            repaint_after = repaint_after.min(rest);
-        }
-        if self.look::<Spin>().on {
-            repaint_after = repaint_after.min(self.next_degree.saturating_sub(self.now));
-        }
-        if self.file.path.is_some() {
-            repaint_after = repaint_after.min(INTERVAL);
-        }
-        let copied = |command| match command {
-            OutputCommand::CopyText(text) => Some(text),
-            _ => None,
-        };
         Ok(Output {
             title: self.title(),
-            cursor: platform.cursor_icon,
-            copied: platform.commands.into_iter().rev().find_map(copied),
-            repaint_after,
+            copied: commands
+                .into_iter()
+                .rev()
+                .find_map(|command| match command {
+                    OutputCommand::CopyText(text) => Some(text),
+                    _ => None,
+                }),
+            repaint_after: repaint_after.unwrap_or(Duration::MAX),
         })
     }
 
     /// Shows a message for as long as it takes to read.
     pub fn say(&mut self, text: impl Into<String>) {
         let text = text.into();
-        let time = MESSAGE.max(LETTER * text.chars().count() as u32);
-        self.desk.message = Some(Message {
-            text,
-            until: self.now + time,
-        });
+        let until = self.now + MESSAGE.max(LETTER * text.len() as u32);
+        self.desk.message = Some(Message { text, until });
     }
 
     /// Puts the World into another state.
@@ -286,7 +273,7 @@ impl App {
                 && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
         {
             self.works[0] = None;
-            self.facts.section.state = State::Old;
+            self.facts.section.is_current = false;
         }
         self.state = after;
     }

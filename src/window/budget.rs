@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use egui::{Slider, SliderClamping, Ui};
+use egui::Ui;
 
 use super::app::App;
 use super::keys::Command;
-use super::widgets::{format_number, keep_digits, short, two_digits};
+use super::widgets::{short, slider, two_digits};
 use crate::components::range::Milliseconds;
 use crate::components::{Budget, ShadingMode, Tolerance};
 use crate::report::words::capital;
@@ -17,7 +17,11 @@ use crate::trade::verdict::method_name;
 const STEP: f64 = 1.25;
 /// The budget where no time is known, in milliseconds.
 const FIRST: f64 = 1.0;
-const SAYS: &str = "The longest time of a frame. The most exact method that holds it draws.";
+const BUDGET: [&str; 3] = [
+    "budget, ms",
+    "[ ]",
+    "The longest time of a frame. The most exact method that holds it draws.",
+];
 
 impl App {
     /// Chooses the method of the next picture where there is a budget. It is the most exact one that was measured to fit;
@@ -92,15 +96,7 @@ impl App {
             return;
         };
         let mut budget = before;
-        ui.horizontal(|ui| {
-            ui.label("budget").on_hover_text(SAYS);
-            let slider = Slider::new(&mut budget, 0.01..=100.0).logarithmic(true);
-            let slider = slider.custom_formatter(format_number).suffix(" ms");
-            ui.add(slider.clamping(SliderClamping::Never))
-                .on_hover_text(SAYS);
-            ui.weak("[ ]");
-        });
-        keep_digits(before, &mut budget);
+        slider(ui, BUDGET, &mut budget, Milliseconds::RANGE, 0.001);
         if budget != before {
             self.set_budget(Some(budget));
         }

@@ -7,22 +7,18 @@
 //!       +------------- ms     both logarithmic
 //! ```
 
-use egui::{
-    Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2,
-};
+use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2};
 use egui_plot::{Axis, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span};
 
 use super::app::App;
-use super::facts::State;
 use super::keys::{Command, caption};
-use super::style::{BAD, INK, STALE, mode_ink};
-use super::widgets::{short, still, two_digits};
+use super::style::{STALE, mode_ink};
+use super::widgets::{ink, short, still, two_digits};
 use crate::components::{ShadingMode, Side};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::shading::Method;
 use crate::trade::Measurement;
-use crate::trade::budget::ladder;
 use crate::trade::plot::FLOOR;
 use crate::trade::verdict::{UNSEEN, method_name, sentence};
 
@@ -35,9 +31,6 @@ const MOST: f64 = 500.0;
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
 const REACH: f32 = 8.0;
-/// Tolerance 0 on the way along the staircase, whose steps are ratios, in levels.
-const ALMOST_EXACT: f64 = 0.02;
-
 /// The place of a time in ms and of an error in levels on the axes, which are logarithmic. A clock that does not tell times
 /// apart gives 0.
 fn logarithms(time: f64, error: f64) -> [f64; 2] {
@@ -55,47 +48,25 @@ impl App {
             ui.set_min_height(SENTENCE);
             self.sentence(ui);
         });
-        ui.small(match (&self.facts.trade.state, self.progress()) {
-            (State::Old, Some((step, share))) => format!("{step}, {:.0} %", share * 100.0),
-            (State::Old, None) => "measured in another view or size; soon in this one".to_owned(),
+        ui.small(match (self.facts.trade.is_current, self.progress()) {
+            (false, Some((step, share))) => format!("{step}, {:.0} %", share * 100.0),
+            (false, None) => "measured in another view or size; soon in this one".to_owned(),
             _ => "largest error of 255; ms a frame".to_owned(),
         });
-        let measured = self.facts.trade.value.clone().unwrap_or_default();
-        let (front, _) = ladder(&measured);
+        let measured = self.facts.trade.value.iter().flatten().cloned();
         let known: Vec<_> = measured
-            .into_iter()
             .filter_map(|it| Some((logarithms(it.timing.median, it.error?), it)))
             .collect();
-        let place_of = |method: &Method| {
-            let found = known.iter().find(|(_, it)| it.method == *method);
-            found.map(|(place, _)| *place)
-        };
-        let steps: Vec<_> = front.iter().filter_map(place_of).collect();
         let is_current = self.facts.trade.current().is_some();
-        let shown = axes().show(ui, |plot| draw(plot, &known, &steps, is_current));
+        let shown = axes().show(ui, |plot| draw(plot, &known, is_current));
         let at = |place: [f64; 2]| {
             let place = PlotPoint::from(place);
             shown.transform.position_from_point(&place)
         };
-        let front: Vec<_> = front
-            .iter()
-            .filter_map(|it| Some((at(place_of(it)?), *it)))
-            .collect();
         let corner = shown.response.rect.right_top() + vec2(-3.0, 2.0);
         let letters = FontId::proportional(10.0);
         ui.painter()
             .text(corner, Align2::RIGHT_TOP, "visible", letters, Color32::GRAY);
-        let response = shown.response;
-        if response.contains_pointer() || response.dragged() {
-            ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
-        }
-        if response.dragged()
-            && ui.input(|input| input.pointer.is_decidedly_dragging())
-            && let Some(to) = response.interact_pointer_pos()
-            && let Some(method) = along(&front, to)
-        {
-            self.choose_method(method);
-        }
         let dots: Vec<Pos2> = known.iter().map(|(place, _)| at(*place)).collect();
         for (index, (_, one)) in known.iter().enumerate() {
             // The areas of close dots do not overlap.
@@ -105,13 +76,11 @@ impl App {
             let place = Rect::from_center_size(dots[index], Vec2::splat(2.0 * reach));
             self.dot(ui, one, place);
         }
-        // The ring has an estimated place until the method on screen is measured.
-        let own = self.method().and_then(|it| place_of(&it)).map(at);
-        let estimate = || estimate(&front, self.method()?);
-        if let Some(at) = own.or_else(estimate) {
-            let is_known = own.is_some() && is_current;
-            let line = (if is_known { 2.0 } else { 1.0 }, Color32::WHITE);
-            ui.painter().circle_stroke(at, RING, line);
+        let shown = self.method();
+        let own = known.iter().find(|(_, it)| Some(it.method) == shown);
+        if let Some((place, _)) = own {
+            let line = (if is_current { 2.0 } else { 1.0 }, Color32::WHITE);
+            ui.painter().circle_stroke(at(*place), RING, line);
         }
     }
 
@@ -119,13 +88,9 @@ impl App {
     fn sentence(&self, ui: &mut Ui) {
         let (trade, method) = (&self.facts.trade, self.method());
         let known = trade.value.as_deref().unwrap_or_default();
-        let text = match (&trade.state, method) {
-            (State::Failed(reason), _) => {
-                ui.colored_label(BAD, reason);
-                return;
-            }
-            (_, None) => "The cuboids are shaded in different modes.".to_owned(),
-            (_, Some(method)) => {
+        let text = match method {
+            None => "The cuboids are shaded in different modes.".to_owned(),
+            Some(method) => {
                 let name = capital(&method_name(method));
                 let other = match method.mode {
                     ShadingMode::Gouraud => ShadingMode::Phong,
@@ -138,12 +103,7 @@ impl App {
                 )
             }
         };
-        let ink = if trade.current().is_some() {
-            INK
-        } else {
-            STALE
-        };
-        ui.colored_label(ink, text);
+        ui.colored_label(ink(trade), text);
     }
 
     /// The dot of a method. Hovering it shows the method's picture, a click chooses the method.
@@ -156,8 +116,7 @@ impl App {
         if response.hovered() || response.has_focus() {
             let line = (1.0, Color32::WHITE);
             ui.painter().circle_stroke(place.center(), DOT + 2.0, line);
-            let is_dragged = ui.input(|input| input.pointer.any_down());
-            self.desk.preview = Some(method).filter(|_| !is_dragged);
+            self.desk.preview = Some(method);
         }
         let [time, error] = [one.timing.median, one.error.unwrap_or_default()].map(short);
         let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));
@@ -185,7 +144,7 @@ fn axes() -> Plot<'static> {
         step_size: 10.0,
     };
     let words = |mark: GridMark| two_digits(10_f64.powf(mark.value)).to_string();
-    let plot = Plot::new("trade").height(CHART).sense(Sense::drag());
+    let plot = Plot::new("trade").height(CHART).sense(Sense::hover());
     let plot = plot
         .show_crosshair(false)
         .grid_color(Color32::from_gray(58))
@@ -205,12 +164,7 @@ fn axes() -> Plot<'static> {
 }
 
 /// Draws the band of visible errors, the staircase of best trades, and the dots and whiskers of the methods.
-fn draw(
-    plot: &mut PlotUi,
-    known: &[([f64; 2], Measurement)],
-    steps: &[[f64; 2]],
-    is_current: bool,
-) {
+fn draw(plot: &mut PlotUi, known: &[([f64; 2], Measurement)], is_current: bool) {
     let [_, seen] = logarithms(1.0, 2.0 * UNSEEN);
     let visible = Span::new("", seen..=MOST.log10()).axis(Axis::Y);
     plot.span(
@@ -218,15 +172,16 @@ fn draw(
             .fill(Color32::from_rgb(52, 34, 34))
             .border_width(0.0),
     );
-    let line = |from: [f64; 2], to: [f64; 2], ink: Color32| {
-        let line = Line::new("", vec![from, to]).color(ink);
+    let line = |points: Vec<[f64; 2]>, ink: Color32| {
+        let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)
     };
-    for pair in steps.windows(2) {
-        let corner = [pair[0][0], pair[1][1]];
-        plot.line(line(pair[0], corner, Color32::from_gray(120)));
-        plot.line(line(corner, pair[1], Color32::from_gray(120)));
-    }
+    let front = known.iter().filter(|(_, it)| it.on_front);
+    let mut front: Vec<[f64; 2]> = front.map(|it| it.0).collect();
+    front.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let step = |pair: &[[f64; 2]]| [pair[0], [pair[0][0], pair[1][1]], pair[1]];
+    let staircase = front.windows(2).flat_map(step).collect();
+    plot.line(line(staircase, Color32::from_gray(120)));
     for (place, one) in known {
         let ink = if is_current {
             mode_ink(one.method.mode)
@@ -235,46 +190,8 @@ fn draw(
         };
         let ink = ink.gamma_multiply(if one.on_front { 1.0 } else { 0.6 });
         let [from, to] = one.timing.interval.map(|time| logarithms(time, 1.0)[0]);
-        plot.line(line([from, place[1]], [to, place[1]], ink));
+        plot.line(line(vec![[from, place[1]], [to, place[1]]], ink));
         let dot = Points::new("", vec![*place]).radius(DOT).color(ink);
         plot.points(dot.filled(is_current).allow_hover(false));
     }
-}
-
-/// The method next to a place, between two of Phong too.
-fn along(front: &[(Pos2, Method)], at: Pos2) -> Option<Method> {
-    let ends = front.windows(2).map(|pair| (pair[0], pair[1]));
-    let alone = front.first().map(|it| (*it, *it));
-    let steps = ends.chain(alone).map(|((from, one), (to, other))| {
-        let way = to - from;
-        let share = ((at - from).dot(way) / way.length_sq().max(1.0)).clamp(0.0, 1.0);
-        let missed = (from + share * way).distance(at);
-        (missed, between(one, other, share.into()))
-    });
-    let nearest = steps.min_by(|one, other| one.0.total_cmp(&other.0));
-    nearest.map(|(_, method)| method)
-}
-
-/// The method this share of the way from one to another.
-fn between(one: Method, other: Method, share: f64) -> Method {
-    if one.mode != other.mode {
-        return if share < 0.5 { one } else { other };
-    }
-    let [from, to] = [one, other].map(|it| it.tolerance.max(ALMOST_EXACT).ln());
-    let tolerance = (from + share * (to - from)).exp();
-    let tolerance = two_digits(tolerance);
-    let is_exact = tolerance <= ALMOST_EXACT;
-    Method::of(one.mode, if is_exact { 0.0 } else { tolerance })
-}
-
-/// The place of a tolerance of Phong on the staircase.
-fn estimate(front: &[(Pos2, Method)], method: Method) -> Option<Pos2> {
-    let log = |method: Method| method.tolerance.max(ALMOST_EXACT).ln();
-    front.windows(2).find_map(|pair| {
-        let [(from, one), (to, other)] = [pair[0], pair[1]];
-        let share = (log(method) - log(one)) / (log(other) - log(one));
-        let is_phong = [one, other].iter().all(|it| it.mode == method.mode);
-        let is_between = is_phong && (0.0..=1.0).contains(&share);
-        is_between.then(|| from.lerp(to, share as f32))
-    })
 }

@@ -3,11 +3,10 @@
 use egui::{Event, Key, Ui};
 
 use super::app::App;
-use super::keys::{self, Command, TOLERANCES, gouraud_phong};
-use super::tags::choices;
+use super::keys::{self, Command, EXACT_SIDES, TOLERANCES, gouraud_phong};
 use crate::components::{
-    ActiveCamera, Budget, Camera, Inspector, Light, Magnifier, Orbit, Probed, Projection,
-    ShadingMode, Show, Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
+    ActiveCamera, Budget, Camera, Inspector, Light, Orbit, Probed, Projection, ShadingMode, Show,
+    Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
 };
 use crate::scene::SceneRecord;
 
@@ -67,13 +66,10 @@ impl App {
                 Budget(None) => self.step_tolerance(steps),
             },
             Command::HoldTime => self.switch_budget(),
-            Command::NextProjection => {
-                let next = match self.look() {
-                    Projection::Perspective => Projection::Orthographic,
-                    Projection::Orthographic => Projection::Perspective,
-                };
-                self.set_look(next);
-            }
+            Command::NextProjection => self.set_look(match self.look() {
+                Projection::Perspective => Projection::Orthographic,
+                Projection::Orthographic => Projection::Perspective,
+            }),
             Command::NextCamera => self.next_camera(),
             Command::View(ViewMode::Wipe) => {
                 let Tolerance(tolerance) = self.look();
@@ -87,12 +83,8 @@ impl App {
                 };
                 self.set_look(Show { mode, ..show });
             }
-            Command::WipeExact => self.wipe([Side::Picture, Side::Reference]),
-            Command::Side(index, steps) => self.step_side(index, steps),
-            Command::Worst => self.explain_worst(),
-            Command::Profile => self.desk.profile_folded ^= true,
+            Command::WipeExact => self.wipe(EXACT_SIDES),
             Command::Probe(right, down) => self.step_probed([right, down]),
-            Command::Magnify(steps) => self.magnify(steps, None),
             // It acts while it is held.
             Command::Blink => {}
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
@@ -102,13 +94,11 @@ impl App {
                     degrees: 0,
                     ..self.look()
                 });
-                self.set_look(Magnifier::default());
-                self.set_orbit(Orbit::default());
+                self.change_orbit("the view is reset", |_| Orbit::default());
             }
             Command::Rotate => self.rotate(),
             Command::Tab(tab) => {
-                let Inspector(open) = self.look();
-                let is_open = open == Some(tab);
+                let is_open = self.look::<Inspector>().0 == Some(tab);
                 self.set_look(Inspector((!is_open).then_some(tab)));
             }
             Command::Undo => {
@@ -206,16 +196,6 @@ impl App {
         });
     }
 
-    /// Shows the wipe with another of the choices on one side.
-    fn step_side(&mut self, index: usize, steps: i32) {
-        let Show { mut sides, .. } = self.look();
-        let choices = choices();
-        let present = choices.iter().position(|choice| *choice == sides[index]);
-        let next = present.map_or(0, |place| place as i32 + steps);
-        sides[index] = choices[next.rem_euclid(choices.len() as i32) as usize];
-        self.wipe(sides);
-    }
-
     /// Moves the probed pixel within the picture; the first one is in the middle.
     fn step_probed(&mut self, steps: [i32; 2]) {
         let size = self.picture_size();
@@ -252,8 +232,7 @@ impl App {
         let desk = &mut self.desk;
         let is_closed = std::mem::take(&mut desk.asks_to_save)
             || std::mem::take(&mut desk.help)
-            || desk.file_error.take().is_some()
-            || desk.left_out.take().is_some();
+            || desk.file_error.take().is_some();
         if is_closed {
             return;
         }

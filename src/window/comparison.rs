@@ -6,7 +6,6 @@ use hecs::World;
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_pixel};
 use crate::memory;
-use crate::prove::{Proof, REFUTED, UNDECIDED, Verdict};
 use crate::report::Monitor;
 use crate::systems;
 use crate::trade::accuracy::exact;
@@ -54,15 +53,12 @@ impl Comparison {
             }
             errors.extend(error_map::compared(drawn, compared));
             differences.extend((0..drawn.levels.len()).map(|pixel| {
+                let [drawn_there, exact_there] =
+                    [drawn.levels[pixel].map(f64::from), compared.levels[pixel]];
                 let is_compared = drawn.shows_as(&compared, pixel);
-                let [drawn, exact] = [drawn.levels[pixel].map(f64::from), exact.levels[pixel]];
-                let difference = |it: usize| displayed(drawn[it]) - displayed(exact[it]);
-                [0, 1, 2].map(|it| {
-                    if is_compared {
-                        difference(it) as f32
-                    } else {
-                        0.0
-                    }
+                [0, 1, 2].map(|it| match is_compared {
+                    true => (displayed(drawn_there[it]) - displayed(exact_there[it])) as f32,
+                    false => 0.0,
                 })
             }));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
@@ -81,17 +77,6 @@ impl Comparison {
             amplification,
             error: largest,
         })
-    }
-
-    /// Marks the pixels that are not proven in the error map.
-    pub fn mark(&mut self, proof: &Proof) {
-        for (pixel, mark) in self.error_map.iter_mut().zip(&proof.marks) {
-            match mark.verdict {
-                Verdict::Proven => {}
-                Verdict::Undecided => *pixel = UNDECIDED,
-                Verdict::Refuted => *pixel = REFUTED,
-            }
-        }
     }
 }
 

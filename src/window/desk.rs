@@ -2,20 +2,12 @@
 
 use std::time::Duration;
 
-use egui::Vec2;
 use glam::DVec3;
 
-use crate::components::Magnifier;
-use crate::requires::Part;
 use crate::shading::Method;
 
-/// The kinds of entities that a scene holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Cuboid,
-    Light,
-    Camera,
-}
+/// An entity of the scene: the key of its kind in scene files, and its name.
+pub type Entity = (&'static str, String);
 
 /// The thing that a drag over the picture moves.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,8 +18,6 @@ pub enum Grab {
     Divider,
     /// A light, by its name and its place before that is rounded.
     Light(String, DVec3),
-    /// The magnified picture, by its place before the drag and the pixels of the window since.
-    Magnified(Magnifier, Vec2),
 }
 
 /// A message in the status line.
@@ -49,7 +39,6 @@ pub struct Desk {
     pub has_both: bool,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
-    pub left_out: Option<Part>,
     /// The method whose dot the mouse or the focus is on: its picture is shown instead.
     pub preview: Option<Method>,
     /// Asks whether to save before the program ends.
@@ -57,7 +46,7 @@ pub struct Desk {
     pub message: Option<Message>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
-    /// The kind and the name of the entity that the scene's tab shows.
-    pub selected: Option<(Kind, String)>,
+    /// The entity that the scene's tab shows.
+    pub selected: Option<Entity>,
     pub grab: Grab,
 }

@@ -8,8 +8,8 @@ use std::rc::Rc;
 
 use anyhow::{Context, anyhow};
 use arboard::Clipboard;
-use egui::{CursorIcon, Event, PointerButton, Pos2};
-use minifb::{CursorStyle, InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
+use egui::{Event, PointerButton, Pos2};
+use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
 use super::input::{Input, Report};
@@ -45,7 +45,6 @@ pub struct Display {
     buttons: [bool; 3],
     /// Turns of the wheel that make no whole notch yet.
     wheel: f32,
-    cursor: CursorIcon,
 }
 
 struct Reporter(Rc<RefCell<Vec<Report>>>);
@@ -91,7 +90,6 @@ impl Display {
             mouse: None,
             buttons: [false; 3],
             wheel: 0.0,
-            cursor: CursorIcon::Default,
         })
     }
 
@@ -109,23 +107,6 @@ impl Display {
     /// Writes into the window's frame.
     pub fn set_title(&mut self, title: &str) {
         self.window.set_title(title);
-    }
-
-    /// Shows the cursor of this shape, or the nearest that minifb has.
-    pub fn set_cursor(&mut self, cursor: CursorIcon) {
-        if std::mem::replace(&mut self.cursor, cursor) != cursor {
-            self.window.set_cursor_style(match cursor {
-                CursorIcon::Text => CursorStyle::Ibeam,
-                CursorIcon::Crosshair => CursorStyle::Crosshair,
-                CursorIcon::Grab | CursorIcon::PointingHand => CursorStyle::OpenHand,
-                CursorIcon::Grabbing => CursorStyle::ClosedHand,
-                CursorIcon::ResizeHorizontal | CursorIcon::ResizeColumn => {
-                    CursorStyle::ResizeLeftRight
-                }
-                CursorIcon::ResizeVertical | CursorIcon::ResizeRow => CursorStyle::ResizeUpDown,
-                _ => CursorStyle::Arrow,
-            });
-        }
     }
 
     /// Puts a text on the system's clipboard.

@@ -7,7 +7,7 @@ use anyhow::Context;
 use super::app::App;
 use super::changes::has_edits;
 use super::facts::Facts;
-use super::file::{News, SceneFile};
+use super::file::SceneFile;
 use super::history::History;
 use crate::output::quoted;
 use crate::scene::{CameraRecord, Scene, SceneRecord, ViewRecord};
@@ -60,26 +60,13 @@ impl App {
         self.state = Arc::new(SceneRecord::of(&self.scene.world));
         self.history = History::new(&self.state);
         self.facts = Facts::default();
-        self.desk.left_out = None;
         self.desk.selected = None;
         self.desk.file_error = None;
         self.picture_changed(false);
     }
 
-    /// Follows a change of the scene's file.
-    pub(super) fn take_news(&mut self, news: News) {
-        match news {
-            News::Read(scene) => self.reload(&scene),
-            News::Wrong(error) => self.desk.file_error = Some(error),
-            News::Deleted => {
-                let text = format!("{} was deleted; the scene stays", self.scene.name);
-                self.desk.file_error = Some(text);
-            }
-        }
-    }
-
     /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
-    fn reload(&mut self, scene: &Scene) {
+    pub(super) fn reload(&mut self, scene: &Scene) {
         let mut record = SceneRecord::of(&scene.world);
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
         let find = |cameras: &[CameraRecord], name: &str| {

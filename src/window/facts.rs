@@ -4,51 +4,42 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::ThreadPool;
+use anyhow::Context;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::comparison::Comparison;
+use crate::drawing::all_cores;
 use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
-use crate::requires::PartChange;
-use crate::requires::bits::StageBits;
+use crate::requires::Change;
 use crate::trade::Measurement;
 
 /// A fact about a picture.
 #[derive(Debug)]
 pub struct Fact<T> {
     pub value: Option<T>,
-    pub state: State,
-}
-
-/// How a fact relates to the present picture.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum State {
-    /// There is no value, or it is that of an earlier picture.
-    #[default]
-    Old,
-    Current,
-    Failed(String),
+    /// Whether it is about the present picture. The value of an earlier one stays until then.
+    pub is_current: bool,
 }
 
 impl<T> Default for Fact<T> {
     fn default() -> Self {
         Fact {
             value: None,
-            state: State::Old,
+            is_current: false,
         }
     }
 }
 
 impl<T> Fact<T> {
-    pub fn finish(&mut self, value: T) {
-        self.value = Some(value);
-        self.state = State::Current;
+    pub fn finish(&mut self, value: Option<T>) {
+        (self.value, self.is_current) = (value, true);
     }
 
     /// The value, if it is that of the present picture.
     pub fn current(&self) -> Option<&T> {
-        self.value.as_ref().filter(|_| self.state == State::Current)
+        self.value.as_ref().filter(|_| self.is_current)
     }
 }
 
@@ -57,35 +48,21 @@ impl<T> Fact<T> {
 pub struct Facts {
     /// The pixels of a row on one face, from left to right.
     pub section: Fact<Vec<Probe>>,
-    /// The picture without the part that is left out, 0x00RRGGBB.
-    pub without: Fact<Vec<u32>>,
     pub comparison: Fact<Comparison>,
     pub proof: Fact<Proof>,
-    pub required: Fact<Vec<PartChange>>,
-    pub bits: Fact<Vec<StageBits>>,
+    pub required: Fact<Vec<(String, Change)>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Fact<Vec<Measurement>>,
-    /// How often the methods were timed in this view.
-    pub passes: usize,
 }
 
 impl Facts {
     /// The picture is another one; where the view is the same, only its method is.
     pub fn are_old(&mut self, is_same_view: bool) {
-        for state in [
-            &mut self.section.state,
-            &mut self.without.state,
-            &mut self.comparison.state,
-            &mut self.proof.state,
-            &mut self.required.state,
-            &mut self.bits.state,
-        ] {
-            *state = State::Old;
-        }
-        if !is_same_view {
-            self.trade.state = State::Old;
-            self.passes = 0;
-        }
+        self.section.is_current = false;
+        self.comparison.is_current = false;
+        self.proof.is_current = false;
+        self.required.is_current = false;
+        self.trade.is_current &= is_same_view;
     }
 }
 
@@ -94,17 +71,25 @@ impl Facts {
 pub enum Question {
     /// The values at the probed pixel, and along its row on the face seen there.
     Probe,
-    /// The picture without a part of the model.
-    LeaveOut,
     Compare,
-    /// The first timing of all methods, which takes less time than a proof.
+    /// The timing of all methods, which takes less time than a proof.
     Measure,
     Prove,
     Require,
-    /// The bits that each stage of the model requires.
-    Bits,
-    /// The later timings, which take more time.
-    Refine,
+}
+
+/// The threads that probe, and those that answer all other questions; one core is left for the window.
+///
+/// # Errors
+/// When the system gives no threads.
+pub fn pools() -> anyhow::Result<[ThreadPool; 2]> {
+    let pool = |threads: usize| {
+        // A panic was reported, and its question stays open.
+        let pool = ThreadPoolBuilder::new().panic_handler(|_| ());
+        let pool = pool.num_threads(threads.max(1)).build();
+        pool.context("cannot start the threads that compare and prove")
+    };
+    Ok([pool(1)?, pool(all_cores() - 1)?])
 }
 
 /// Puts a fact among the others; returns the reason if there is none.
@@ -144,16 +129,9 @@ impl Work {
                 progress: &|step, share| *own.progress() = (step, share),
             });
             let answer = move |facts: &mut Facts| {
-                let fact = place(facts);
-                match found {
-                    Ok(value) => fact.finish(value),
-                    Err(error) => {
-                        let reason = format!("{error:#}");
-                        fact.state = State::Failed(reason.clone());
-                        return Some(reason);
-                    }
-                }
-                None
+                let reason = found.as_ref().err().map(|error| format!("{error:#}"));
+                place(facts).finish(found.ok());
+                reason
             };
             // Nobody listens if it was cancelled meanwhile.
             let _ = tell.send(Box::new(answer));

@@ -14,14 +14,6 @@ use crate::scene::{self, Scene, SceneRecord};
 /// The time from one look at the file to the next.
 pub const INTERVAL: Duration = Duration::from_millis(200);
 
-/// A change of the file that was not made by saving.
-pub enum News {
-    Read(Box<Scene>),
-    /// It holds no valid scene; the message says where.
-    Wrong(String),
-    Deleted,
-}
-
 /// The file's time and length; `None` while there is none.
 type Stamp = Option<(SystemTime, u64)>;
 
@@ -58,8 +50,9 @@ impl SceneFile {
         }
     }
 
-    /// The news since the last look. A file that is gone or wrong is looked at twice: an editor may be writing it.
-    pub fn look(&mut self, now: Duration) -> Option<News> {
+    /// The scene or the error of a file that another program changed since the last look. A file that is gone or wrong is
+    /// looked at twice: an editor may be writing it.
+    pub fn look(&mut self, now: Duration) -> Option<Result<Scene, String>> {
         if now < self.next {
             return None;
         }
@@ -71,14 +64,13 @@ impl SceneFile {
             return None;
         }
         let is_certain = self.doubted.replace(present) == Some(present);
-        let news = match present.map(|_| load(path)) {
-            None => News::Deleted,
-            Some(Ok(scene)) => News::Read(Box::new(scene)),
-            Some(Err(error)) => News::Wrong(error),
+        let news = match present {
+            Some(_) => load(path),
+            None => Err(format!("{} was deleted; the scene stays", self.name)),
         };
-        (is_certain || matches!(news, News::Read(_))).then(|| {
+        (is_certain || news.is_ok()).then(|| {
             self.seen = present;
-            self.is_wrong = matches!(news, News::Wrong(_));
+            self.is_wrong = news.is_err() && present.is_some();
             news
         })
     }

@@ -45,12 +45,11 @@ impl History {
 
     /// Notes a change from `before` to `after`.
     pub fn note(&mut self, now: Duration, before: &Arc<SceneRecord>, after: &Arc<SceneRecord>) {
-        let (before, after) = (undoable(before), undoable(after));
-        if before == after {
+        if seen_as(before, after) == **after {
             return;
         }
         if self.begins || now > self.last + PAUSE {
-            self.before.push(before);
+            self.before.push(Arc::clone(before));
             if self.before.len() > self.most {
                 self.before.remove(0);
             }
@@ -62,14 +61,14 @@ impl History {
     /// The state before the last step.
     pub fn undo(&mut self, present: &Arc<SceneRecord>) -> Option<SceneRecord> {
         let before = self.before.pop()?;
-        self.after.push(undoable(present));
+        self.after.push(Arc::clone(present));
         Some(seen_as(&before, present))
     }
 
     /// The state after the step that was last taken back.
     pub fn redo(&mut self, present: &Arc<SceneRecord>) -> Option<SceneRecord> {
         let after = self.after.pop()?;
-        self.before.push(undoable(present));
+        self.before.push(Arc::clone(present));
         Some(seen_as(&after, present))
     }
 
@@ -82,30 +81,16 @@ impl History {
     }
 }
 
-/// A state without the rotation, the probed pixel, the magnification and the open tab, which undo leaves as they are.
-fn undoable(record: &Arc<SceneRecord>) -> Arc<SceneRecord> {
-    let view = placed(&record.view, &ViewRecord::default());
-    if view == record.view {
-        return Arc::clone(record);
-    }
-    let record = SceneRecord::clone(record);
-    Arc::new(SceneRecord { view, ..record })
-}
-
-/// A state that was kept, with the rotation, pixel, magnification and tab of another one.
+/// A state with the rotation, pixel and tab of another one, which undo leaves as they are.
 fn seen_as(record: &SceneRecord, present: &SceneRecord) -> SceneRecord {
+    let place = &present.view;
     SceneRecord {
-        view: placed(&record.view, &present.view),
+        view: ViewRecord {
+            turned: place.turned,
+            pixel: place.pixel,
+            inspector: place.inspector,
+            ..record.view.clone()
+        },
         ..record.clone()
-    }
-}
-
-fn placed(view: &ViewRecord, place: &ViewRecord) -> ViewRecord {
-    ViewRecord {
-        turned: place.turned,
-        pixel: place.pixel,
-        magnifier: place.magnifier,
-        inspector: place.inspector,
-        ..view.clone()
     }
 }

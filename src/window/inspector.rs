@@ -7,12 +7,11 @@ mod section;
 use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use super::app::App;
-use super::facts::{Fact, Question, State};
+use super::facts::Fact;
 use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::{ink, short};
 use crate::components::{Inspector, Tab, Tolerance};
 use crate::prove::Proof;
-use crate::requires::bits::StageBits;
 
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
@@ -52,94 +51,51 @@ impl App {
         });
     }
 
-    /// A row for each part of the model, the one that matters most first; a click shows the picture without it.
-    fn required_tab(&mut self, ui: &mut Ui) {
+    /// A row for each part of the model, the one that matters most first.
+    fn required_tab(&self, ui: &mut Ui) {
         let Tolerance(tolerance) = self.look();
         ui.label(format!(
-            "The largest error of the picture without a part, and whether tolerance {tolerance} \
-             requires the part. A click leaves it out."
+            "The largest error of the picture without a part, in levels of 255, proven; and whether \
+             tolerance {tolerance} requires the part."
         ));
-        self.wait(ui, &self.facts.required.state);
+        self.wait(ui, &self.facts.required);
         let ink = ink(&self.facts.required);
-        let before = self.desk.left_out;
         let parts = self.facts.required.value.iter().flatten();
         Grid::new("required").striped(true).show(ui, |ui| {
-            for part in parts {
-                let is_left_out = before == Some(part.part);
-                if ui.selectable_label(is_left_out, &part.name).clicked() {
-                    self.desk.left_out = (!is_left_out).then_some(part.part);
-                }
-                let error = ui.colored_label(ink, short(part.change.most()));
-                error.on_hover_text("Levels of 255, proven.");
-                let is_kept = part.change.keeps(tolerance);
+            for (name, change) in parts {
+                let is_kept = change.keeps(tolerance);
+                ui.label(name);
+                ui.colored_label(ink, short(change.most()));
                 ui.colored_label(ink, if is_kept { "not required" } else { "required" });
                 ui.end_row();
             }
         });
-        if before.is_some() && ui.button("show the whole picture").clicked() {
-            self.desk.left_out = None;
-        }
-        if self.desk.left_out != before {
-            self.facts.without = Fact::default();
-            self.works[1].take_if(|work| work.question == Question::LeaveOut);
-        }
-        ui.separator();
-        self.bits_section(ui);
     }
 
-    /// A row for each stage of the model: the fewest bits, and the errors of three formats.
-    fn bits_section(&self, ui: &mut Ui) {
-        ui.label(
-            "The fewest bits of significand that each stage needs, with the largest error in levels of \
-             255, proven; and whether f16, bf16 and f32 keep the tolerance. The other stages are in f64.",
-        );
-        self.wait(ui, &self.facts.bits.state);
-        let ink = ink(&self.facts.bits);
-        let stages = self.facts.bits.value.iter().flatten();
-        let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
-        Grid::new("bits").striped(true).show(ui, |ui| {
-            for cells in [head.to_vec()]
-                .into_iter()
-                .chain(stages.map(StageBits::cells))
-            {
-                for cell in cells {
-                    ui.colored_label(ink, cell);
-                }
-                ui.end_row();
-            }
-        });
-    }
-
-    /// Tells how far the work in the background is, or why there is no answer.
-    fn wait(&self, ui: &mut Ui, state: &State) {
-        match (state, self.progress()) {
-            (State::Current, _) => {}
-            (State::Old, None) => drop(ui.weak("waits until nothing moves")),
-            (State::Old, Some((step, share))) => {
+    /// Tells how far the work in the background is, while a fact is not known.
+    fn wait<T>(&self, ui: &mut Ui, fact: &Fact<T>) {
+        match self.progress() {
+            _ if fact.is_current => {}
+            None => drop(ui.weak("waits until nothing moves")),
+            Some((step, share)) => {
                 let text = format!("{step}, {:.0} %", share * 100.0);
                 ui.add(ProgressBar::new(share as f32).text(text));
             }
-            (State::Failed(reason), _) => drop(ui.colored_label(BAD, reason)),
         }
     }
 
-    fn proof_tab(&mut self, ui: &mut Ui) {
-        self.wait(ui, &self.facts.proof.state);
-        let Some(proof) = &self.facts.proof.value else {
-            return;
-        };
-        let rows = proof_rows(proof);
-        let is_current = self.facts.proof.current().is_some();
+    fn proof_tab(&self, ui: &mut Ui) {
+        let Fact { value, is_current } = &self.facts.proof;
+        self.wait(ui, &self.facts.proof);
         Grid::new("proof").striped(true).show(ui, |ui| {
-            for (name, value, ink, says) in &rows {
-                ui.label(*name).on_hover_text(*says);
-                let ink = if is_current { *ink } else { STALE };
-                let value = RichText::new(value).monospace().color(ink);
-                ui.label(value).on_hover_text(*says);
+            for (name, number, own_ink, says) in value.iter().flat_map(proof_rows) {
+                let ink = if *is_current { own_ink } else { STALE };
+                ui.label(name).on_hover_text(says);
+                ui.label(RichText::new(number).monospace().color(ink));
                 ui.end_row();
             }
         });
-        for example in &proof.examples {
+        for example in value.iter().flat_map(|proof| &proof.examples) {
             ui.monospace(format!("{example:?}"));
         }
     }

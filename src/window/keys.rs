@@ -24,23 +24,15 @@ pub enum Command {
     View(ViewMode),
     /// Shows the wipe between a method and exact Phong.
     WipeExact,
-    /// Shows the wipe with the next choice on its left (0) or right (1) side: an earlier one if negative.
-    Side(usize, i32),
-    /// Probes the worst pixel.
-    Worst,
-    /// Folds the profile below a wipe.
-    Profile,
     /// Moves the probed pixel: columns to the right, rows down.
     Probe(i32, i32),
-    /// Magnifies by powers of two.
-    Magnify(i32),
     /// Two pictures take turns while its key is held.
     Blink,
     /// Moves the camera about its target: degrees to the right and up.
     Orbit(f64, f64),
     /// Steps towards the target.
     Zoom(i32),
-    /// Undoes orbit, zoom, rotation and magnification.
+    /// Undoes orbit, zoom and rotation.
     ResetView,
     /// Starts and stops the rotation of the cuboids.
     Rotate,
@@ -67,98 +59,101 @@ const ORBIT_STEP: f64 = 2.0;
 
 /// Keys of one meaning, and their words.
 pub struct Binding {
-    pub section: &'static str,
     /// The words on its button and in the help.
     pub name: &'static str,
     /// A sentence about it.
     pub says: &'static str,
-    pub keys: &'static [(Modifiers, Key, Command)],
+    pub keys: &'static [Bound],
 }
+
+/// A key with its modifiers, and its command.
+pub type Bound = (Modifiers, Key, Command);
 
 const NO: Modifiers = Modifiers::NONE;
 const CTRL: Modifiers = Modifiers::COMMAND;
 const SHIFT: Modifiers = Modifiers::SHIFT;
 const BOTH: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-const fn bind(
-    section: &'static str,
-    name: &'static str,
-    says: &'static str,
-    keys: &'static [(Modifiers, Key, Command)],
-) -> Binding {
-    Binding {
-        section,
-        name,
-        says,
-        keys,
-    }
+const fn bind(name: &'static str, says: &'static str, keys: &'static [Bound]) -> Binding {
+    Binding { name, says, keys }
 }
 
-/// The sections of the help.
-pub const SECTIONS: [&str; 6] = ["Lights", "Shading", "Camera", "View", "Scene", "Window"];
-
-/// Every key, in the order of the help.
+/// Every key, by the sections and in the order of the help.
 #[rustfmt::skip]
-pub const BINDINGS: &[Binding] = &[
-    bind("Lights", "white light", "Switches this light on and off.", &[(NO, Key::W, Command::LightNamed("white"))]),
-    bind("Lights", "red light", "Switches this light on and off.", &[(NO, Key::R, Command::LightNamed("red"))]),
-    bind("Lights", "specular light", "Switches this light on and off.", &[(NO, Key::S, Command::LightNamed("specular"))]),
-    bind("Lights", "ambient light", "Switches this light on and off.", &[(NO, Key::A, Command::LightNamed("ambient"))]),
-    bind("Lights", "first to ninth light", "", &[
-        (NO, Key::Num1, Command::Light(0)), (NO, Key::Num2, Command::Light(1)), (NO, Key::Num3, Command::Light(2)),
-        (NO, Key::Num4, Command::Light(3)), (NO, Key::Num5, Command::Light(4)), (NO, Key::Num6, Command::Light(5)),
-        (NO, Key::Num7, Command::Light(6)), (NO, Key::Num8, Command::Light(7)), (NO, Key::Num9, Command::Light(8)),
+pub const BINDINGS: &[(&str, &[Binding])] = &[
+    ("Lights", &[
+        bind("white light", "Switches this light on and off.", &[(NO, Key::W, Command::LightNamed("white"))]),
+        bind("red light", "Switches this light on and off.", &[(NO, Key::R, Command::LightNamed("red"))]),
+        bind("specular light", "Switches this light on and off.", &[(NO, Key::S, Command::LightNamed("specular"))]),
+        bind("ambient light", "Switches this light on and off.", &[(NO, Key::A, Command::LightNamed("ambient"))]),
+        bind("first to ninth light", "", &[
+            (NO, Key::Num1, Command::Light(0)), (NO, Key::Num2, Command::Light(1)), (NO, Key::Num3, Command::Light(2)),
+            (NO, Key::Num4, Command::Light(3)), (NO, Key::Num5, Command::Light(4)), (NO, Key::Num6, Command::Light(5)),
+            (NO, Key::Num7, Command::Light(6)), (NO, Key::Num8, Command::Light(7)), (NO, Key::Num9, Command::Light(8)),
+        ]),
     ]),
-    bind("Shading", "Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Command::Shading(ShadingMode::Gouraud))]),
-    bind("Shading", "Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Command::Shading(ShadingMode::Phong))]),
-    bind("Shading", "finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Command::Tolerance(-1)), (NO, Key::PageDown, Command::Tolerance(-1))]),
-    bind("Shading", "coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Command::Tolerance(1)), (NO, Key::PageUp, Command::Tolerance(1))]),
-    bind("Shading", "hold the time", "The most exact method whose frame takes no longer than the budget draws.", &[(NO, Key::M, Command::HoldTime)]),
-    bind("Camera", "next camera", "The camera that is looked through.", &[(NO, Key::C, Command::NextCamera)]),
-    bind("Camera", "projection", "In perspective rays leave the eye; in orthographic projection they are parallel.", &[(NO, Key::O, Command::NextProjection)]),
-    bind("Camera", "orbit, or drag", "", &[
-        (NO, Key::ArrowLeft, Command::Orbit(-ORBIT_STEP, 0.0)), (NO, Key::ArrowRight, Command::Orbit(ORBIT_STEP, 0.0)),
-        (NO, Key::ArrowUp, Command::Orbit(0.0, ORBIT_STEP)), (NO, Key::ArrowDown, Command::Orbit(0.0, -ORBIT_STEP)),
+    ("Shading", &[
+        bind("Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Command::Shading(ShadingMode::Gouraud))]),
+        bind("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Command::Shading(ShadingMode::Phong))]),
+        bind("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Command::Tolerance(-1)), (NO, Key::PageDown, Command::Tolerance(-1))]),
+        bind("coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Command::Tolerance(1)), (NO, Key::PageUp, Command::Tolerance(1))]),
+        bind("hold the time", "The most exact method whose frame takes no longer than the budget draws.", &[(NO, Key::M, Command::HoldTime)]),
     ]),
-    bind("Camera", "zoom, or wheel", "", &[(NO, Key::Plus, Command::Zoom(1)), (NO, Key::Equals, Command::Zoom(1)), (NO, Key::Minus, Command::Zoom(-1))]),
-    bind("Camera", "rotate", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Command::Rotate)]),
-    bind("Camera", "reset view", "The camera and the cuboids go back to their places in the file.", &[(NO, Key::Home, Command::ResetView)]),
-    bind("View", "picture", "The picture as it is shaded.", &[(NO, Key::F2, Command::View(ViewMode::Picture))]),
-    bind("View", "Gouraud | Phong", "Two methods, left and right of a divider that can be dragged.", &[(NO, Key::F3, Command::View(ViewMode::Wipe))]),
-    bind("View", "picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Command::WipeExact)]),
-    bind("View", "error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen.", &[(NO, Key::F5, Command::View(ViewMode::Error))]),
-    bind("View", "tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Command::View(ViewMode::Tiles))]),
-    bind("View", "blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Command::Blink)]),
-    bind("View", "left side", "The next method left of the divider; with Shift, the one before.", &[(NO, Key::Comma, Command::Side(0, 1)), (SHIFT, Key::Comma, Command::Side(0, -1))]),
-    bind("View", "right side", "The next method right of the divider; with Shift, the one before.", &[(NO, Key::Period, Command::Side(1, 1)), (SHIFT, Key::Period, Command::Side(1, -1))]),
-    bind("View", "why, at the worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Command::Worst)]),
-    bind("View", "levels below a wipe", "Folds and opens the levels along a row.", &[(NO, Key::L, Command::Profile)]),
-    bind("View", "move the probed pixel", "", &[
-        (SHIFT, Key::ArrowLeft, Command::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Command::Probe(1, 0)),
-        (SHIFT, Key::ArrowUp, Command::Probe(0, -1)), (SHIFT, Key::ArrowDown, Command::Probe(0, 1)),
+    ("Camera", &[
+        bind("next camera", "The camera that is looked through.", &[(NO, Key::C, Command::NextCamera)]),
+        bind("projection", "In perspective rays leave the eye; in orthographic projection they are parallel.", &[(NO, Key::O, Command::NextProjection)]),
+        bind("orbit, or drag", "", &[
+            (NO, Key::ArrowLeft, Command::Orbit(-ORBIT_STEP, 0.0)), (NO, Key::ArrowRight, Command::Orbit(ORBIT_STEP, 0.0)),
+            (NO, Key::ArrowUp, Command::Orbit(0.0, ORBIT_STEP)), (NO, Key::ArrowDown, Command::Orbit(0.0, -ORBIT_STEP)),
+        ]),
+        bind("zoom, or wheel", "", &[(NO, Key::Plus, Command::Zoom(1)), (NO, Key::Equals, Command::Zoom(1)), (NO, Key::Minus, Command::Zoom(-1))]),
+        bind("rotate", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Command::Rotate)]),
+        bind("reset view", "The camera and the cuboids go back to their places in the file.", &[(NO, Key::Home, Command::ResetView)]),
     ]),
-    bind("View", "magnify, or Ctrl wheel", "Pixels are shown twice as large.", &[(NO, Key::Z, Command::Magnify(1))]),
-    bind("View", "magnify less", "Pixels are shown half as large.", &[(NO, Key::X, Command::Magnify(-1))]),
-    bind("Scene", "edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Command::Tab(Tab::Scene))]),
-    bind("Scene", "required", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Command::Tab(Tab::Required))]),
-    bind("Scene", "undo", "Takes back the last change.", &[(CTRL, Key::Z, Command::Undo)]),
-    bind("Scene", "redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Command::Redo), (CTRL, Key::Y, Command::Redo)]),
-    bind("Scene", "save", "Writes the scene and the view to the scene's file.", &[(CTRL, Key::S, Command::Save)]),
-    bind("Scene", "save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Command::SaveAs)]),
-    bind("Window", "fold the panel", "Folds and opens the panel.", &[(NO, Key::I, Command::Panel)]),
-    bind("Window", "help", "Shows all keys.", &[(NO, Key::H, Command::Help), (NO, Key::Questionmark, Command::Help), (NO, Key::F1, Command::Help)]),
-    bind("Window", "save the window", "Writes the window into a PNG file.", &[(NO, Key::F12, Command::Screenshot)]),
-    bind("Window", "close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Command::Close)]),
-    bind("Window", "quit", "Ends the program.", &[(NO, Key::Q, Command::Quit)]),
+    ("View", &[
+        bind("picture", "The picture as it is shaded.", &[(NO, Key::F2, Command::View(ViewMode::Picture))]),
+        bind("Gouraud | Phong", "Two methods, left and right of a divider that can be dragged.", &[(NO, Key::F3, Command::View(ViewMode::Wipe))]),
+        bind("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Command::WipeExact)]),
+        bind("error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen.", &[(NO, Key::F5, Command::View(ViewMode::Error))]),
+        bind("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Command::View(ViewMode::Tiles))]),
+        bind("blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Command::Blink)]),
+        bind("move the probed pixel", "", &[
+            (SHIFT, Key::ArrowLeft, Command::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Command::Probe(1, 0)),
+            (SHIFT, Key::ArrowUp, Command::Probe(0, -1)), (SHIFT, Key::ArrowDown, Command::Probe(0, 1)),
+        ]),
+    ]),
+    ("Scene", &[
+        bind("edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Command::Tab(Tab::Scene))]),
+        bind("required", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Command::Tab(Tab::Required))]),
+        bind("undo", "Takes back the last change.", &[(CTRL, Key::Z, Command::Undo)]),
+        bind("redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Command::Redo), (CTRL, Key::Y, Command::Redo)]),
+        bind("save", "Writes the scene and the view to the scene's file.", &[(CTRL, Key::S, Command::Save)]),
+        bind("save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Command::SaveAs)]),
+    ]),
+    ("Window", &[
+        bind("fold the panel", "Folds and opens the panel.", &[(NO, Key::I, Command::Panel)]),
+        bind("help", "Shows all keys.", &[(NO, Key::H, Command::Help), (NO, Key::Questionmark, Command::Help), (NO, Key::F1, Command::Help)]),
+        bind("save the window", "Writes the window into a PNG file.", &[(NO, Key::F12, Command::Screenshot)]),
+        bind("close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Command::Close)]),
+        bind("quit", "Ends the program.", &[(NO, Key::Q, Command::Quit)]),
+    ]),
 ];
+
+/// The sides of the wipe between the picture and exact Phong.
+pub const EXACT_SIDES: [Side; 2] = [Side::Picture, Side::Reference];
 
 /// The sides of the wipe between Gouraud and Phong, both within this tolerance.
 pub fn gouraud_phong(tolerance: f64) -> [Side; 2] {
     [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method { mode, tolerance })
 }
 
-fn keys() -> impl Iterator<Item = &'static (Modifiers, Key, Command)> {
-    BINDINGS.iter().flat_map(|binding| binding.keys)
+fn bindings() -> impl Iterator<Item = &'static Binding> {
+    BINDINGS.iter().flat_map(|section| section.1)
+}
+
+/// All keys.
+pub fn keys() -> impl Iterator<Item = &'static Bound> {
+    bindings().flat_map(|binding| binding.keys)
 }
 
 /// The command of a press. A key that needs no shift acts with shift too: some layouts have digits there.
@@ -175,7 +170,7 @@ pub fn command(key: Key, modifiers: Modifiers) -> Option<Command> {
 /// The row of a command.
 pub fn binding(command: Command) -> Option<&'static Binding> {
     let is_bound = |binding: &&Binding| binding.keys.iter().any(|key| key.2 == command);
-    BINDINGS.iter().find(is_bound)
+    bindings().find(is_bound)
 }
 
 /// The words for the first key of a command; empty where it has none.
@@ -185,7 +180,7 @@ pub fn caption(command: Command) -> String {
 }
 
 /// The words for a key.
-pub fn caption_of((modifiers, key, _): &(Modifiers, Key, Command)) -> String {
+pub fn caption_of((modifiers, key, _): &Bound) -> String {
     let control = if modifiers.command { "Ctrl " } else { "" };
     let shift = if modifiers.shift { "Shift " } else { "" };
     format!("{control}{shift}{}", key.symbol_or_name())
@@ -210,7 +205,7 @@ mod tests {
             Some(Command::Light(0))
         );
         assert_eq!(command(Key::Z, BOTH), Some(Command::Redo));
-        assert_eq!(command(Key::Z, Modifiers::NONE), Some(Command::Magnify(1)));
+        assert_eq!(command(Key::Z, Modifiers::NONE), None);
         assert_eq!(command(Key::W, Modifiers::COMMAND), None);
         assert_eq!(caption(Command::SaveAs), "Ctrl Shift S");
     }

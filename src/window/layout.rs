@@ -5,7 +5,7 @@
 use egui::{Align, Id, Label, Layout, Modal, Panel, RichText, ScrollArea, Ui};
 
 use super::app::App;
-use super::keys::{BINDINGS, SECTIONS, caption_of};
+use super::keys::{BINDINGS, caption_of};
 use super::style::{BAD, GOOD, STALE};
 use super::widgets::short;
 use crate::components::{Inspector, Show, Side, Tab, ViewMode};
@@ -21,6 +21,12 @@ const MOST: f32 = 0.6;
 const LEAST_HELP: f32 = 60.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
+
+const METHOD: &str = "The method on screen.";
+const TIME: &str = "The median time of a warm frame, from the World to the picture's pixels; that of the last frame \
+                    until it is measured.";
+const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255.";
+const PROVEN: &str = "Pixels whose error is proven to be within the tolerance.";
 
 impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
@@ -65,20 +71,12 @@ impl App {
 
     /// The status line: the facts about the picture, messages on the right, errors of the scene's file above.
     fn status(&mut self, ui: &mut Ui) {
-        if let Some(error) = self.desk.file_error.clone() {
-            ui.horizontal_top(|ui| {
-                if ui.button("copy").clicked() {
-                    ui.ctx().copy_text(error.clone());
-                }
-                ui.label(RichText::new(error).monospace().color(BAD));
-            });
+        if let Some(error) = &self.desk.file_error {
+            ui.label(RichText::new(error).monospace().color(BAD));
         }
-        let until = self.desk.message.as_ref().map(|message| message.until);
-        if let Some(until) = until {
-            match until.checked_sub(self.now) {
-                Some(rest) => ui.ctx().request_repaint_after(rest),
-                None => self.desk.message = None,
-            }
+        self.desk.message.take_if(|it| it.until <= self.now);
+        if let Some(message) = &self.desk.message {
+            ui.ctx().request_repaint_after(message.until - self.now);
         }
         ui.horizontal(|ui| {
             let width = ui.available_width();
@@ -98,43 +96,37 @@ impl App {
     fn facts_line(&self, ui: &mut Ui, width: f32) {
         let show: Show = self.look();
         let is_wipe = show.mode == ViewMode::Wipe;
-        let (name, is_shown) = match (self.desk.left_out, self.turn(), self.desk.preview) {
-            (Some(_), ..) => ("Without a part, in f64".to_owned(), false),
-            (_, Some(turn), _) if is_wipe => (self.side_name(&show.sides[turn]), false),
-            (_, Some(0), _) => (self.side_name(&Side::Reference), false),
-            (_, None, Some(method)) => (capital(&method_name(method)), false),
-            (_, None, None) if is_wipe => ("Two pictures".to_owned(), false),
+        let (name, is_shown) = match (self.turn(), self.desk.preview) {
+            (Some(turn), _) if is_wipe => (self.side_name(&show.sides[turn]), false),
+            (Some(0), _) => (self.side_name(&Side::Reference), false),
+            (None, Some(method)) => (capital(&method_name(method)), false),
+            (None, None) if is_wipe => ("Two pictures".to_owned(), false),
             _ => (self.side_name(&Side::Picture), true),
         };
-        ui.label(name).on_hover_text(
-            "The method on screen, and its largest error against its own exact evaluation, in levels of 255.",
-        );
-        let fact = |ui: &mut Ui, text: String, ink, is_current: bool, says: &str| {
-            let ink = if is_shown && is_current { ink } else { STALE };
-            ui.separator();
-            ui.label(RichText::new(text).color(ink)).on_hover_text(says);
-        };
-        let ink = ui.visuals().text_color();
-        if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
-            let says = "The median time of a warm frame, from the World to the picture's pixels; \
-                        that of the last frame until it is measured.";
-            fact(ui, format!("{} ms", short(time)), ink, true, says);
-        }
-        let comparison = &self.facts.comparison;
+        ui.label(name).on_hover_text(METHOD);
+        let (comparison, proof) = (&self.facts.comparison, &self.facts.proof);
+        let text_ink = ui.visuals().text_color();
+        let time = self.milliseconds().filter(|_| self.shows_times);
+        let time = time.map(|time| (0.0, format!("{} ms", short(time)), text_ink, true, TIME));
         let error = comparison.value.as_ref().and_then(|it| it.error);
-        if let Some(error) = error.filter(|_| width > 400.0) {
-            let says = "The largest error of a pixel against exact Phong, in levels of 255.";
+        let error = error.map(|error| {
             let text = format!("off by {} of 255", short(error));
-            fact(ui, text, ink, comparison.current().is_some(), says);
-        }
-        if let Some(proof) = self.facts.proof.value.as_ref().filter(|_| width > 620.0) {
-            let pixels = proof.proven + proof.refuted + proof.undecided;
-            let (text, ink) = match pixels - proof.proven {
+            (400.0, text, text_ink, comparison.is_current, ERROR)
+        });
+        let proven = proof.value.as_ref().map(|it| {
+            let pixels = it.proven + it.refuted + it.undecided;
+            let (text, ink) = match pixels - it.proven {
                 0 => ("every pixel proven".to_owned(), GOOD),
-                _ => (format!("proven {} of {pixels}", proof.proven), BAD),
+                _ => (format!("proven {} of {pixels}", it.proven), BAD),
             };
-            let says = "Pixels whose error is proven to be within the tolerance.";
-            fact(ui, text, ink, self.facts.proof.current().is_some(), says);
+            (620.0, text, ink, proof.is_current, PROVEN)
+        });
+        for (least, text, ink, is_current, says) in [time, error, proven].into_iter().flatten() {
+            if width > least {
+                let ink = if is_shown && is_current { ink } else { STALE };
+                ui.separator();
+                ui.label(RichText::new(text).color(ink)).on_hover_text(says);
+            }
         }
     }
 
@@ -148,11 +140,11 @@ impl App {
             let scroll = ScrollArea::vertical().max_height(height);
             scroll.show(ui, |ui| {
                 ui.columns(if screen.x > 600.0 { 2 } else { 1 }, |columns| {
-                    for (index, section) in SECTIONS.iter().enumerate() {
+                    for (index, (section, rows)) in BINDINGS.iter().enumerate() {
                         let ui = &mut columns[index % columns.len()];
                         ui.add_space(6.0);
                         ui.strong(*section);
-                        for row in BINDINGS.iter().filter(|row| row.section == *section) {
+                        for row in *rows {
                             let keys: Vec<String> = row.keys.iter().map(caption_of).collect();
                             ui.horizontal(|ui| {
                                 ui.label(row.name);

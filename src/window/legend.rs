@@ -7,7 +7,6 @@ use super::keys::Command;
 use super::pictures::TINTS;
 use crate::components::{Show, Tolerance, ViewMode};
 use crate::paint::color;
-use crate::prove::{REFUTED, UNDECIDED};
 use crate::shading::TileKind;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
 
@@ -63,13 +62,6 @@ impl App {
         }
         swatch(ui, EDGE, "another face is seen");
         swatch(ui, NOTHING, "nothing is drawn");
-        let proof = self.facts.proof.current();
-        if proof.is_some_and(|proof| proof.undecided > 0) {
-            swatch(ui, UNDECIDED, "undecided");
-        }
-        if proof.is_some_and(|proof| proof.refuted > 0) {
-            swatch(ui, REFUTED, "refuted");
-        }
     }
 }
 

@@ -7,8 +7,9 @@ use super::app::App;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
-    Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, get, ordered,
+    Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, ordered,
 };
+use crate::frame::display_pixel;
 use crate::paint::color;
 
 /// No more discs than this are drawn.
@@ -24,7 +25,8 @@ pub struct Marker {
     pub name: String,
     /// The light's place, in world units.
     pub position: DVec3,
-    at: Pos2,
+    /// The middle of its disc in the window.
+    pub at: Pos2,
     /// The direction of a light out of sight.
     way: Option<Vec2>,
     color: Color32,
@@ -39,26 +41,21 @@ impl Marker {
 
     /// Draws it and its name inside of `area`.
     pub fn draw(&self, painter: &egui::Painter, area: Rect) {
-        let [dark, ring] = [(1.5, Color32::from_gray(16)), (2.0, self.color)];
+        let dark = (1.5, Color32::from_gray(16));
+        let hollow = Color32::from_black_alpha(120);
         match self.way {
             Some(way) => {
                 let from = self.at - way * RADIUS;
                 painter.arrow(from, way * 2.0 * RADIUS, (3.0, self.color));
             }
             None if self.is_on => drop(painter.circle(self.at, RADIUS, self.color, dark)),
-            None => drop(painter.circle(self.at, RADIUS, Color32::from_black_alpha(120), ring)),
+            None => drop(painter.circle(self.at, RADIUS, hollow, (2.0, self.color))),
         }
-        let is_right = self.at.x > area.center().x;
-        let (align, side) = if is_right {
-            (Align2::RIGHT_CENTER, -1.0)
-        } else {
-            (Align2::LEFT_CENTER, 1.0)
+        let (align, side) = match self.at.x > area.center().x {
+            true => (Align2::RIGHT_CENTER, -1.0),
+            false => (Align2::LEFT_CENTER, 1.0),
         };
-        let ink = if self.is_on {
-            Color32::WHITE
-        } else {
-            Color32::GRAY
-        };
+        let ink = [Color32::GRAY, Color32::WHITE][usize::from(self.is_on)];
         let at = self.at + vec2(side * (RADIUS + 8.0), 0.0);
         tag(painter, align, at, &self.name, ink);
     }
@@ -70,14 +67,14 @@ impl App {
         let lens = Lens::new(&self.view());
         let world = &self.scene.world;
         let mut markers: Vec<Marker> = Vec::new();
-        for light in ordered::<Light>(world) {
-            let mut query = world.query_one::<(&Name, &Transform, &Light)>(light);
-            let Ok((name, transform, light)) = query.get() else {
+        for entity in ordered::<Light>(world) {
+            let mut query = world.query_one::<(&Name, &Transform, &Light)>(entity);
+            let found = query.get().ok();
+            let Some((name, transform, light)) =
+                found.filter(|it| it.2.kind != LightKind::Ambient && markers.len() < MOST)
+            else {
                 continue;
             };
-            if light.kind == LightKind::Ambient || markers.len() == MOST {
-                continue;
-            }
             let (mut at, way) = self.place_of_light(transform.position, &lens);
             while markers.iter().any(|other| other.at.distance(at) < RADIUS) {
                 at.y += 2.0 * RADIUS + 4.0;
@@ -100,7 +97,7 @@ impl App {
         let border = self.place.shrink(3.0 * RADIUS);
         if seen.z > lens.near {
             let [x, y] = lens.pixel(lens.homogeneous(seen));
-            let at = self.place_of([x, y].map(|it| it.clamp(-1e6, 1e6) as i32));
+            let at = self.place.min + vec2(x as f32, y as f32) / self.scale();
             if border.contains(at) {
                 return (at, None);
             }
@@ -132,11 +129,11 @@ impl App {
         if !rounded.iter().all(|it| Coordinate::RANGE.contains(it)) {
             return from;
         }
-        let world = &mut self.scene.world;
-        let lights = world
-            .query_mut::<(&Name, &mut Transform)>()
-            .with::<&Light>();
-        for (_, transform) in lights.into_iter().filter(|(own, _)| own.0 == name) {
+        let lights = self
+            .scene
+            .world
+            .query_mut::<(&Name, &mut Transform, &Light)>();
+        for (_, transform, _) in lights.into_iter().filter(|(own, ..)| own.0 == name) {
             transform.position = rounded.into();
         }
         moved
@@ -144,8 +141,7 @@ impl App {
 
     /// Draws n, o, and l and r of each place with lights, from the probed pixel at `at`, as they lie across the view.
     pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
-        let is_current = self.facts.section.current().is_some();
-        let probed = self.probed().filter(|_| is_current);
+        let probed = self.probed().filter(|_| self.facts.section.is_current);
         let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) else {
             return;
         };
@@ -178,21 +174,19 @@ impl App {
 
     /// The colour of the light of this name.
     pub fn light_color(&self, name: &str) -> Color32 {
-        let world = &self.scene.world;
-        let lights = ordered::<Light>(world).into_iter();
-        let mut named = lights.filter(|light| get(world, *light) == Some(Name(name.to_owned())));
-        let light: Option<Light> = named.next().and_then(|light| get(world, light));
-        light.map_or(Color32::WHITE, |light| brightest(light.color))
+        let mut lights = self.scene.world.query::<(&Name, &Light)>();
+        let light = lights.iter().find(|(own, _)| own.0 == name);
+        light.map_or(Color32::WHITE, |(_, light)| brightest(light.color))
     }
 }
 
 /// A light's colour with its largest channel at full strength.
 pub fn brightest(channels: DVec3) -> Color32 {
     let largest = channels.max_element();
-    let channels = if largest > 0.0 {
+    let levels = if largest > 0.0 {
         channels / largest * 255.0
     } else {
         DVec3::splat(128.0)
     };
-    color(crate::frame::display_pixel(channels.to_array()))
+    color(display_pixel(levels.to_array()))
 }

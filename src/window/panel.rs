@@ -2,23 +2,25 @@
 //!
 //! A panel is a query loop over the World: it reads components and writes them.
 
-use egui::{
-    Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, Slider, Ui,
-};
+use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, Ui};
 use hecs::Entity;
 
 use super::app::App;
-use super::keys::{Command, binding, caption};
-use super::widgets::{color_button, format_number, keep_digits, number, two_digits};
+use super::keys::{Command, EXACT_SIDES, binding, caption};
+use super::widgets::{color_button, number, slider};
 use crate::components::range::Strength;
 use crate::components::{
-    ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Side,
-    Spin, Tab, Tolerance, ViewMode, active_camera, get, names, ordered,
+    ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Spin, Tab,
+    Tolerance, ViewMode, active_camera, get, names, ordered,
 };
 use crate::scene::{BUILT_IN, EXTREMES, Scene};
 
-const TOLERANCE: &str = "The largest error of a pixel against the exact evaluation of its mode, \
-                         in levels of 255. A coarser tolerance is faster.";
+const TOLERANCE: [&str; 3] = [
+    "tolerance",
+    "[ ]",
+    "The largest error of a pixel against the exact evaluation of its mode, in levels of 255. \
+     A coarser tolerance is faster, and 0 is exact.",
+];
 
 impl App {
     pub fn panel(&mut self, ui: &mut Ui) {
@@ -54,30 +56,11 @@ impl App {
             return;
         }
         let Tolerance(before) = self.look();
-        let (mut tolerance, mut is_dragged) = (before, false);
-        ui.horizontal(|ui| {
-            ui.label("tolerance").on_hover_text(TOLERANCE);
-            let slider = Slider::new(&mut tolerance, 0.0..=255.0)
-                .logarithmic(true)
-                .smallest_positive(Tolerance::LEAST)
-                .custom_formatter(|value, digits| match value {
-                    0.0 => "exact".to_owned(),
-                    _ => format_number(value, digits),
-                })
-                .custom_parser(|text| match text {
-                    "exact" => Some(0.0),
-                    _ => text.parse().ok(),
-                });
-            is_dragged = ui.add(slider).on_hover_text(TOLERANCE).dragged();
-            ui.weak("[ ]");
-        });
-        if is_dragged {
-            tolerance = two_digits(tolerance);
-        }
-        keep_digits(before, &mut tolerance);
+        let mut tolerance = before;
+        let least = Tolerance::LEAST;
+        slider(ui, TOLERANCE, &mut tolerance, 0.0..=255.0, least);
         if tolerance != before {
-            let is_exact = tolerance < Tolerance::LEAST;
-            self.set_tolerance(if is_exact { 0.0 } else { tolerance.min(255.0) });
+            self.set_tolerance(if tolerance < least { 0.0 } else { tolerance });
         }
     }
 
@@ -115,26 +98,25 @@ impl App {
         number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
         let names = ["white", "red", "specular", "ambient"];
         let named = names.into_iter().find(|own| *own == name.0);
-        ui.weak(caption(
-            named.map_or(Command::Light(place), Command::LightNamed),
-        ));
+        let command = named.map_or(Command::Light(place), Command::LightNamed);
+        ui.weak(caption(command));
     }
 
     fn view_rows(&mut self, ui: &mut Ui) {
         let show: Show = self.look();
-        let is_exact = show.sides == [Side::Picture, Side::Reference];
-        for (command, mode, is_chosen) in [
-            (Command::View(ViewMode::Picture), ViewMode::Picture, true),
-            (Command::View(ViewMode::Wipe), ViewMode::Wipe, !is_exact),
-            (Command::WipeExact, ViewMode::Wipe, is_exact),
-            (Command::View(ViewMode::Error), ViewMode::Error, true),
-            (Command::View(ViewMode::Tiles), ViewMode::Tiles, true),
+        let shown = match show.mode {
+            ViewMode::Wipe if show.sides == EXACT_SIDES => Command::WipeExact,
+            ViewMode::Difference => Command::View(ViewMode::Error),
+            mode => Command::View(mode),
+        };
+        for command in [
+            Command::View(ViewMode::Picture),
+            Command::View(ViewMode::Wipe),
+            Command::WipeExact,
+            Command::View(ViewMode::Error),
+            Command::View(ViewMode::Tiles),
         ] {
-            let shown = match show.mode {
-                ViewMode::Difference => ViewMode::Error,
-                shown => shown,
-            };
-            self.offer(ui, command, shown == mode && is_chosen);
+            self.offer(ui, command, command == shown);
         }
         let hold = command_button(ui, Command::Blink, self.desk.blinks.is_some(), true);
         let is_held = hold.is_pointer_button_down_on();
@@ -178,11 +160,6 @@ impl App {
             self.offer(ui, Command::Rotate, self.look::<Spin>().on);
             self.offer(ui, Command::ResetView, false);
         });
-        let scale = self.magnifier().scale;
-        if scale > 1 {
-            ui.label(format!("magnified {scale} times"));
-            self.offer(ui, Command::Magnify(-1), false);
-        }
     }
 
     fn scene_rows(&mut self, ui: &mut Ui) {

@@ -109,14 +109,12 @@ impl Pictures {
         &'a self,
         show: &Show,
         exact: Option<&'a [u32]>,
-        error_map: Option<&[u32]>,
+        error_map: Option<&'a [u32]>,
     ) -> Cow<'a, [u32]> {
         let frame = self.frame.pixels();
         match show.mode {
             ViewMode::Picture => frame.into(),
-            ViewMode::Error | ViewMode::Difference => {
-                or_dimmed(error_map, frame).into_owned().into()
-            }
+            ViewMode::Error | ViewMode::Difference => or_dimmed(error_map, frame),
             ViewMode::Tiles => {
                 let mut pixels = frame.to_vec();
                 tint(&mut pixels, self.levels.kinds(), self.levels.triangles());

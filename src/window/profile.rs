@@ -4,8 +4,6 @@
 use egui::{Align2, Color32, Pos2, Rect, Ui, UiBuilder, pos2, vec2};
 
 use super::app::App;
-use super::keys::{Command, caption};
-use super::pictures::divider_column;
 use super::style::{EXACT, INK, STALE};
 use super::widgets::{CHANNELS, tag};
 use crate::components::{Probed, Show};
@@ -36,9 +34,8 @@ impl App {
         }
         let mut bar = ui.new_child(UiBuilder::new().max_rect(place).id_salt("profile"));
         bar.set_clip_rect(self.place);
-        let key = caption(Command::Profile);
         let arrow = if is_open { "⏷" } else { "⏵" };
-        let fold = bar.small_button(format!("{arrow} levels along row {row}  {key}"));
+        let fold = bar.small_button(format!("{arrow} levels along row {row}"));
         if fold
             .on_hover_text("Folds the levels along the row.")
             .clicked()
@@ -74,11 +71,11 @@ impl App {
         let larger = |most, next| if gap(next) > gap(most) { next } else { most };
         let channel = (0..3).fold(0, larger);
         let at = |column: usize, pixel: u32| -> Pos2 {
-            let x = self.place_of([column as i32, 0]).x;
+            let x = self.place_of([column, 0]).x;
             let height = level(pixel, channel) / 255.0 * (place.height() - 8.0);
             pos2(x, place.max.y - 4.0 - height)
         };
-        let divider = divider_column(show.divider, width);
+        let divider = self.divider_column();
         if let (Some(exact), Some(comparison)) = (exact, comparison) {
             for (column, truth) in exact.iter().enumerate() {
                 let drawn = if column < divider { left } else { right }[column];

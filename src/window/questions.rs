@@ -5,52 +5,27 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use anyhow::Context;
-use rayon::ThreadPoolBuilder;
-
 use super::app::App;
 use super::comparison::Comparison;
-use super::desk::Kind;
-use super::facts::{Fact, Facts, Question, State, Work};
+use super::facts::{Fact, Facts, Question, Work};
 use super::pictures::view_at;
 use crate::components::{
     Inspector, Probed, ShadingMode, Show, Side, Tab, Tolerance, View, ViewMode,
 };
-use crate::drawing::all_cores;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
 use crate::report::Monitor;
-use crate::requires::{self, bits::bits};
+use crate::requires::ranked;
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::trade::{Measurement, Request, live};
 
 /// The time between two reports of progress: a layout takes time from the frames that are measured.
 const PROGRESS: Duration = Duration::from_millis(200);
-/// How long the frames of all methods are timed together, pass by pass, while nothing changes. The first takes the fewest
-/// samples that give a median.
-const PASSES: [Duration; 3] = [
-    Duration::ZERO,
-    Duration::from_secs(1),
-    Duration::from_secs(3),
-];
+/// How long the frames of all methods are timed together.
+const TIMING: Duration = Duration::from_secs(1);
 
 impl App {
-    /// Lets threads in the background answer the questions; one core is left for the window.
-    ///
-    /// # Errors
-    /// When the system gives no threads.
-    pub(super) fn start_threads(&mut self) -> anyhow::Result<()> {
-        let pool = |threads: usize| {
-            // A panic was reported, and its question stays open.
-            let pool = ThreadPoolBuilder::new().panic_handler(|_| ());
-            let pool = pool.num_threads(threads.max(1)).build();
-            pool.context("cannot start the threads that compare and prove")
-        };
-        self.pools = Some([pool(1)?, pool(all_cores() - 1)?]);
-        Ok(())
-    }
-
     /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there is
     /// no background.
     pub fn ask(&mut self) {
@@ -62,76 +37,68 @@ impl App {
         let [width, height] = self.pictures.size();
         let Probed(pixel) = self.look();
         if let Some(pixel) = pixel.filter(|[x, y]| *x < width && *y < height) {
-            let find = move |scene: &mut Scene, view: &View, _: Monitor| {
-                let view = view_at(&show, view, pixel[0]);
-                Ok(probe::section(scene, &view, pixel, level)?)
-            };
-            self.find(Question::Probe, |facts| &mut facts.section, find);
-        }
-        if let Some(part) = self.desk.left_out {
-            let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
-                requires::picture_without(scene, view, part, monitor)
-            };
-            self.find(Question::LeaveOut, |facts| &mut facts.without, find);
+            self.find(
+                Question::Probe,
+                |facts| &mut facts.section,
+                move |scene, view, _| {
+                    let view = view_at(&show, view, pixel[0]);
+                    Ok(probe::section(scene, &view, pixel, level)?)
+                },
+            );
         }
         if is_live || shows_exact {
-            let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
-                Comparison::of(&mut scene.world, view, level, monitor)
-            };
-            self.find(Question::Compare, |facts| &mut facts.comparison, find);
+            self.find(
+                Question::Compare,
+                |facts| &mut facts.comparison,
+                move |scene, view, monitor| Comparison::of(&mut scene.world, view, level, monitor),
+            );
         }
         if is_live && self.shows_times {
             self.measure();
         }
         if is_live || tab == Some(Tab::Proof) {
-            let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
-                prove(&mut scene.world, view, None, level, monitor)
-            };
-            self.find(Question::Prove, |facts| &mut facts.proof, find);
+            self.find(
+                Question::Prove,
+                |facts| &mut facts.proof,
+                move |scene, view, monitor| prove(&mut scene.world, view, None, level, monitor),
+            );
         }
         if tab == Some(Tab::Required) {
-            let ranked = |scene: &mut Scene, view: &View, monitor: Monitor| {
-                requires::ranked(scene, view, monitor)
-            };
-            self.find(Question::Require, |facts| &mut facts.required, ranked);
-            let bits =
-                |scene: &mut Scene, view: &View, monitor: Monitor| bits(scene, view, monitor);
-            self.find(Question::Bits, |facts| &mut facts.bits, bits);
+            self.find(
+                Question::Require,
+                |facts| &mut facts.required,
+                |scene, view, monitor| ranked(scene, view, monitor),
+            );
         }
     }
 
-    /// Measures all methods, in passes.
+    /// Measures all methods. Those that are known in this view are not compared again.
     fn measure(&mut self) {
         let methods = self.wanted_methods();
-        let is_unknown = |it: &Method| self.measured(it.mode, it.tolerance).is_none();
-        let known = self.facts.trade.current().cloned();
-        if known.is_some() && methods.iter().any(is_unknown) {
-            self.facts.passes = 0;
-        }
-        let Some(time) = PASSES.get(self.facts.passes).copied() else {
+        let is_known = |it: &Method| self.measured(it.mode, it.tolerance).is_some();
+        let trade = &self.facts.trade;
+        let known = trade.current().cloned().unwrap_or_default();
+        if trade.is_current && (known.is_empty() || methods.iter().all(is_known)) {
             return;
-        };
+        }
         let (threads, level) = (self.threads, self.level);
-        let find = move |scene: &mut Scene, view: &View, monitor: Monitor| {
-            let request = Request {
-                camera: String::new(),
-                scene: scene.snapshot(),
-                view: view.clone(),
-                methods,
-                threads,
-                level,
-                time,
-                command: String::new(),
-            };
-            live::measure(&request, &known.unwrap_or_default(), monitor)
-        };
-        let is_first = self.facts.passes == 0;
-        let question = if is_first {
-            Question::Measure
-        } else {
-            Question::Refine
-        };
-        self.find(question, |facts| &mut facts.trade, find);
+        self.find(
+            Question::Measure,
+            |facts| &mut facts.trade,
+            move |scene, view, monitor| {
+                let request = Request {
+                    camera: String::new(),
+                    scene: scene.snapshot(),
+                    view: view.clone(),
+                    methods,
+                    threads,
+                    level,
+                    time: TIMING,
+                    command: String::new(),
+                };
+                live::measure(&request, &known, monitor)
+            },
+        );
     }
 
     /// Begins to find a fact about the present picture that is not known, unless a question of as much worth is being
@@ -143,23 +110,17 @@ impl App {
         find: impl FnOnce(&mut Scene, &View, Monitor) -> anyhow::Result<T> + Send + 'static,
     ) {
         let is_probe = question == Question::Probe;
-        let is_pass = [Question::Measure, Question::Refine].contains(&question);
-        let is_open = is_pass || place(&mut self.facts).state == State::Old;
+        let is_open = question == Question::Measure || !place(&mut self.facts).is_current;
         let index = usize::from(!is_probe);
         let work = self.works[index].as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
-        let rests = is_probe || self.pools.is_none() || self.moved.is_none();
+        let rests = is_probe || self.pools.is_none() || self.rests();
         if !is_open || !is_next || !rests {
             return;
         }
         let (name, record) = (self.scene.name.clone(), Arc::clone(&self.state));
-        let (size, held) = (self.picture_size(), self.held);
-        let find = move |monitor: Monitor| {
-            let mut scene = Scene::spawn(name, &record);
-            let view = View::of(&scene.world, size);
-            let view = held.map_or(view.clone(), |method| method.view(&view));
-            find(&mut scene, &view, monitor)
-        };
+        let view = self.view_by(self.held);
+        let find = move |monitor: Monitor| find(&mut Scene::spawn(name, &record), &view, monitor);
         let pool = self.pools.as_ref().map(|pools| &pools[index]);
         // The work before is cancelled first.
         self.works[index] = None;
@@ -183,34 +144,18 @@ impl App {
             if let Some(reason) = answer(&mut self.facts) {
                 self.say(reason);
             }
-            self.follow(question);
+            if question == Question::Probe {
+                let first = self.facts.section.value.iter().flatten().next();
+                let object = first.and_then(|probe| probe.object.clone());
+                self.desk.selected = object
+                    .map(|name| ("cuboid", name))
+                    .or(self.desk.selected.take());
+            }
         }
         if is_new {
             self.next_progress = now + PROGRESS;
         }
         is_new
-    }
-
-    /// Does the rest after an answer.
-    fn follow(&mut self, question: Question) {
-        let facts = &mut self.facts;
-        match question {
-            Question::Probe => {
-                let first = facts.section.value.iter().flatten().next();
-                if let Some(object) = first.and_then(|probe| probe.object.as_ref()) {
-                    self.desk.selected = Some((Kind::Cuboid, object.clone()));
-                }
-            }
-            Question::Prove => {
-                if let (Some(comparison), Some(proof)) =
-                    (&mut facts.comparison.value, &facts.proof.value)
-                {
-                    comparison.mark(proof);
-                }
-            }
-            Question::Measure | Question::Refine => facts.passes += 1,
-            _ => {}
-        }
     }
 
     /// The present step of the work in the background, and the share of it that is done, 0..=1.
@@ -253,16 +198,11 @@ impl App {
     /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
     fn wanted_methods(&self) -> Vec<Method> {
         let show: Show = self.look();
-        let side = |side: &Side| match *side {
-            Side::Method { mode, tolerance } if show.mode == ViewMode::Wipe => {
-                Some(Method::of(mode, tolerance))
-            }
-            _ => None,
-        };
+        let sides = show.sides.iter().filter(|_| show.mode == ViewMode::Wipe);
+        let sides = sides.filter_map(|side| self.side_method(side));
         // The assignment's shortcut is no way to save time, and its frames take so long that they would delay a key.
         let mut methods = METHODS.to_vec();
         methods.retain(|it| it.mode != ShadingMode::UnitVectors);
-        let sides = show.sides.iter().filter_map(side);
         for method in self.method().into_iter().chain(sides) {
             if !methods.contains(&method) {
                 methods.push(method);

@@ -106,13 +106,16 @@ pub fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecor
     Ok(record)
 }
 
-/// The meaning of a line.
+/// The meaning of a line: its name, and its argument as JSON.
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Event {
     /// A scene of this name is opened.
     Scene(Box<NamedScene>),
     Patch(Patch),
     /// Of the window, in pixels.
     Size([usize; 2]),
+    /// Words for the status line.
     Say(String),
 }
 
@@ -190,11 +193,10 @@ impl Log {
 impl Frame {
     /// The size that the window gets.
     pub fn size(&self) -> Option<[usize; 2]> {
-        let mut sizes = self.events.iter().rev().filter_map(|event| match event {
+        self.events.iter().rev().find_map(|event| match event {
             Event::Size(size) => Some(*size),
             _ => None,
-        });
-        sizes.next()
+        })
     }
 }
 
@@ -212,29 +214,21 @@ fn read_line(
     let (least, most) = (last.as_secs_f64(), MAX_TIME.as_secs());
     let expected = || found(time, &format!("seconds from {least} to {most}"));
     let time = known.with_context(expected)?;
-    let event = match (name, &state) {
-        ("scene", _) => {
-            let named: Box<NamedScene> = serde_json::from_str(argument)?;
+    let event: Event = serde_json::from_str(&format!("{{{name:?}:{argument}}}"))?;
+    match (&event, &mut *state) {
+        (Event::Scene(named), _) => {
             named.scene.check()?;
             *state = Some(named.scene.clone());
-            Event::Scene(named)
         }
         (_, None) => bail!(found(name, FIRST)),
-        ("patch", Some(record)) => {
-            let patch = serde_json::from_str(argument)?;
-            *state = Some(patched(record, &patch)?);
-            Event::Patch(patch)
-        }
-        ("size", _) => {
-            let size: [usize; 2] = serde_json::from_str(argument)?;
+        (Event::Patch(patch), Some(record)) => *record = patched(record, patch)?,
+        (Event::Size(size), _) => {
             let is_legal = size.iter().all(|side| (1..=MAX_SIDE).contains(side));
             let expected = format!("two numbers from 1 to {MAX_SIDE}");
             ensure!(is_legal, found(argument, &expected));
-            Event::Size(size)
         }
-        ("say", _) => Event::Say(serde_json::from_str(argument)?),
-        _ => bail!(found(name, "`scene`, `patch`, `size` or `say`")),
-    };
+        (Event::Say(_), _) => {}
+    }
     Ok((time, event))
 }
 

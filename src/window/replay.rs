@@ -42,32 +42,19 @@ pub fn play(app: &mut App, frame: &Frame) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// A frame as it was drawn.
-pub struct Drawn<'a> {
-    pub app: &'a App,
-    /// Counted from 0.
-    pub index: usize,
-    /// The time in the log.
-    pub time: Duration,
-    /// How long it is shown.
-    pub lasts: Duration,
-    /// Of the window, in pixels.
-    pub size: [usize; 2],
-}
-
-/// Draws the window as `log` says, and hands over each of its frames.
+/// Draws the window as `log` says, and hands over each of its frames with the window's size.
 ///
 /// # Errors
 /// When a frame does not fit in memory, or `take` fails.
 pub fn draw(
     log: &Log,
     drawing: Drawing,
-    mut take: impl FnMut(&Drawn) -> anyhow::Result<()>,
+    mut take: impl FnMut(&App, &Frame, [usize; 2]) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let mut size = drawing.size;
     let mut app = App::new(drawing, false)?;
     app.shows_times = false;
-    for (index, frame) in log.frames.iter().enumerate() {
+    for frame in &log.frames {
         app.now = frame.at;
         play(&mut app, frame)?;
         size = frame.size().unwrap_or(size);
@@ -75,14 +62,7 @@ pub fn draw(
         for _ in 0..STEPS {
             app.step(frame.at, size, RawInput::default())?;
         }
-        let next = log.frames.get(index + 1);
-        take(&Drawn {
-            app: &app,
-            index,
-            time: frame.time,
-            lasts: next.map_or(LAST, |next| next.at.saturating_sub(frame.at)),
-            size,
-        })?;
+        take(&app, frame, size)?;
     }
     Ok(())
 }
@@ -100,35 +80,38 @@ pub fn run(
     with_hashes: bool,
 ) -> anyhow::Result<()> {
     let count = log.frames.len();
+    let mut times = log.frames.iter().map(|frame| frame.at).skip(1);
     let sizes = log.frames.iter().filter_map(Frame::size);
     let canvas = sizes.fold(drawing.size, |[width, height], size| {
         [width.max(size[0]), height.max(size[1])]
     });
-    let mut hashes = String::new();
+    let (mut hashes, mut done) = (String::new(), 0);
     with_bar(|monitor| {
-        let mut note = |drawn: &Drawn| {
-            let hash = hash(&drawn.app.shown());
-            let done = drawn.index + 1;
-            (monitor.progress)("replaying", done as f64 / count as f64);
-            writeln!(hashes, "{:.3} {hash:016x}", drawn.time.as_secs_f64())
+        let mut note = |app: &App, frame: &Frame| {
+            done += 1;
+            (monitor.progress)("drawing", done as f64 / count as f64);
+            let hash = hash(&app.shown());
+            writeln!(hashes, "{:.3} {hash:016x}", frame.time.as_secs_f64())?;
+            anyhow::Ok(done == count)
         };
         match output {
             Some(output) if animated => output.write(|writer| {
                 let mut animation = Animation::new(writer, canvas, count)?;
-                draw(log, drawing, |drawn| {
-                    note(drawn)?;
-                    Ok(animation.add(drawn.app.pixels(), drawn.size, drawn.lasts)?)
+                draw(log, drawing, |app, frame, size| {
+                    note(app, frame)?;
+                    let lasts = times
+                        .next()
+                        .map_or(LAST, |next| next.saturating_sub(frame.at));
+                    Ok(animation.add(app.pixels(), size, lasts)?)
                 })
                 .map_err(io::Error::other)?;
                 animation.finish()
             }),
-            _ => draw(log, drawing, |drawn| {
-                note(drawn)?;
-                match output {
-                    Some(output) if drawn.index + 1 == count => {
-                        output.write_png(drawn.app.pixels(), drawn.size)
-                    }
-                    _ => Ok(()),
+            _ => draw(log, drawing, |app, frame, size| {
+                let is_last = note(app, frame)?;
+                match output.filter(|_| is_last) {
+                    Some(output) => output.write_png(app.pixels(), size),
+                    None => Ok(()),
                 }
             }),
         }

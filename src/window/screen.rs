@@ -6,10 +6,9 @@ use std::sync::Arc;
 
 use super::app::{App, REST, TURN};
 use super::pictures::or_dimmed;
-use crate::components::{Magnifier, Probed, Show, View, ViewMode};
+use crate::components::{Probed, Show, View, ViewMode};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
-use crate::scene::SceneRecord;
 use crate::shading::Method;
 
 impl App {
@@ -26,21 +25,22 @@ impl App {
 
     /// The view that is drawn.
     pub fn view(&self) -> View {
+        self.view_by(self.method_instead())
+    }
+
+    /// The view as a method draws it, or as the scene says.
+    pub(super) fn view_by(&self, method: Option<Method>) -> View {
         let view = View::of(&self.scene.world, self.picture_size());
-        let method = self.method_instead();
         method.map_or(view.clone(), |method| method.view(&view))
     }
 
     /// The view mode and the sides that are shown: the picture alone while a method is looked at.
     fn shows(&self) -> Show {
-        let show: Show = self.look();
-        match self.desk.preview {
-            Some(_) => Show {
-                mode: ViewMode::Picture,
-                ..show
-            },
-            None => show,
+        let mut show: Show = self.look();
+        if self.desk.preview.is_some() {
+            show.mode = ViewMode::Picture;
         }
+        show
     }
 
     /// Whether the picture has not changed for a while.
@@ -53,16 +53,13 @@ impl App {
         let (show, view) = (self.shows(), self.view());
         let size = view.size;
         let present = (Arc::clone(&self.state), size, self.method_instead());
-        let (world, drawn) = (&mut self.scene.world, self.drawn.take());
-        let is_same = |(state, size, method): &(Arc<SceneRecord>, _, _)| {
-            Arc::ptr_eq(state, &present.0) && (*size, *method) == (present.1, present.2)
-        };
-        if drawn.as_ref().is_some_and(is_same) {
+        let before = self.drawn.take();
+        if before.as_ref() == Some(&present) {
             self.moved.take_if(|moved| self.now >= *moved + REST);
         } else {
-            self.pictures.draw(world, &show, &view)?;
+            self.pictures.draw(&mut self.scene.world, &show, &view)?;
             self.moved = Some(self.now);
-            if let Some((_, before, _)) = drawn.filter(|(_, drawn, _)| *drawn != size) {
+            if let Some((_, before, _)) = before.filter(|(_, before, _)| *before != size) {
                 self.keep_pixel(before, size);
                 self.picture_changed(false);
             }
@@ -92,7 +89,7 @@ impl App {
         Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
     }
 
-    /// The picture as it is shown, not magnified, 0x00RRGGBB.
+    /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
         let show = self.shows();
         let comparison = self.facts.comparison.current();
@@ -101,20 +98,18 @@ impl App {
             ViewMode::Difference => it.difference.as_slice(),
             _ => &it.error_map,
         });
-        let without = self.facts.without.current().map(Vec::as_slice);
         let frame = self.pictures.frame();
-        match (self.desk.left_out, self.turn()) {
-            (Some(_), _) => or_dimmed(without, frame),
-            (None, Some(turn)) if show.mode == ViewMode::Wipe => {
+        match self.turn() {
+            Some(turn) if show.mode == ViewMode::Wipe => {
                 self.pictures.side(show.sides[turn], turn, exact)
             }
-            (None, Some(0)) => or_dimmed(exact, frame),
-            (None, Some(_)) => frame.into(),
-            _ => self.pictures.shown(&show, exact, error_map),
+            Some(0) => or_dimmed(exact, frame),
+            Some(_) => frame.into(),
+            None => self.pictures.shown(&show, exact, error_map),
         }
     }
 
-    /// Copies the picture into its place in the window, magnified.
+    /// Copies the picture into its place in the window.
     pub(super) fn copy_picture(&mut self, [width, height]: [usize; 2]) {
         let mut pixels = std::mem::take(&mut self.pixels);
         pixels.resize(width * height, 0);
@@ -123,31 +118,15 @@ impl App {
         let ground = self.painter.context.global_style().visuals.panel_fill;
         let [red, green, blue, _] = ground.to_array();
         let ground = u32::from_be_bytes([0, red, green, blue]);
-        let [columns, rows] = self.pictures.size();
-        let shown = self.shown();
-        let magnifier = self.look::<Magnifier>().within([columns, rows]);
+        pixels.fill(ground);
+        let columns = self.pictures.size()[0];
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
-        let [left, right] = [left, left + columns].map(|x| x.min(width));
-        for (y, line) in pixels.chunks_exact_mut(width).enumerate() {
-            if !(top..top + rows).contains(&y) {
-                line.fill(ground);
-                continue;
-            }
-            let [x, y] = magnifier.pixel([0, (y - top) as i32]);
-            let drawn = &shown[y * columns..][x..columns];
-            line[..left].fill(ground);
-            line[right..].fill(ground);
-            let line = &mut line[left..right];
-            if magnifier.scale == 1 {
-                // Squares of one pixel are slow to fill.
-                let count = line.len().min(drawn.len());
-                line[..count].copy_from_slice(&drawn[..count]);
-                continue;
-            }
-            for (square, pixel) in line.chunks_mut(magnifier.scale).zip(drawn) {
-                square.fill(*pixel);
-            }
+        let lines = pixels.chunks_exact_mut(width).skip(top);
+        for (line, drawn) in lines.zip(self.shown().chunks_exact(columns)) {
+            let line = line.get_mut(left..).unwrap_or_default();
+            let count = line.len().min(columns);
+            line[..count].copy_from_slice(&drawn[..count]);
         }
         self.pixels = pixels;
     }

@@ -1,20 +1,21 @@
-//! The two sides of a wipe: a tag for each beside the divider, with a menu of methods and the price of the one that is shown,
+//! The two sides of a wipe: a tag for each, with a menu of methods and the price of the one that is shown,
 //! and a mark on its worst pixel.
 
-use egui::{Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{
+    Color32, Frame, Margin, Pos2, ProgressBar, Rect, RichText, TextWrapMode, Ui, UiBuilder, vec2,
+};
 
 use super::app::App;
-use super::pictures::divider_column;
-use super::style::{BAD, EXACT, INK, STALE, mode_ink};
+use super::style::{BAD, EXACT, STALE, mode_ink};
 use super::viewport::DIVIDER_MARGIN;
-use super::widgets::short;
+use super::widgets::{ink, short};
 use crate::components::{Inspector, Probed, Show, Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
 use crate::trade::verdict::method_name;
 
-/// The usual width of a tag, and its distance from the divider and from the edges of the picture, in points.
+/// The usual width of a tag, and its distance from the edges of the picture, in points.
 const WIDTH: f32 = 188.0;
 const GAP: f32 = 9.0;
 /// A smaller picture has tags without a price, in points.
@@ -23,11 +24,12 @@ const ROOM: f32 = 300.0;
 const REACH: f32 = 10.0;
 const PRICE: &str = "The median time of a frame; both bars have one scale.";
 const KEPT: &str = "The share of the highlight's light that is where exact Phong has it.";
+const WORST: &str = "Shows why it errs.";
 const OLD_PRICE: &str =
     "Grey: this was measured in another view or size. It is measured again once nothing moves.";
 
-/// The sides to choose from, in the order of menus and keys.
-pub fn choices() -> Vec<Side> {
+/// The sides to choose from, in the order of menus.
+fn choices() -> Vec<Side> {
     let methods = METHODS.iter().map(|method| Side::Method {
         mode: method.mode,
         tolerance: method.tolerance,
@@ -37,7 +39,7 @@ pub fn choices() -> Vec<Side> {
 
 impl App {
     /// The method of a side; `None` for the reference, and where the cuboids have different modes.
-    fn side_method(&self, side: &Side) -> Option<Method> {
+    pub fn side_method(&self, side: &Side) -> Option<Method> {
         match *side {
             Side::Picture => self.method(),
             Side::Method { mode, tolerance } => Some(Method::of(mode, tolerance)),
@@ -60,35 +62,32 @@ impl App {
         method.map_or(EXACT, |method| mode_ink(method.mode))
     }
 
-    fn side_price(&self, side: &Side) -> Option<&Measurement> {
-        let method = self.side_method(side)?;
-        self.measured(method.mode, method.tolerance)
+    /// The measurements of both sides.
+    fn prices(&self) -> [Option<&Measurement>; 2] {
+        let Show { sides, .. } = self.look();
+        sides.map(|side| {
+            let method = self.side_method(&side)?;
+            self.measured(method.mode, method.tolerance)
+        })
     }
 
-    /// Lays out both tags beside the divider at `x`, each whole; while they take turns, that of the side on screen.
-    pub fn tags(&mut self, ui: &mut Ui, x: f32) {
-        let mut show: Show = self.look();
-        let prices = show.sides.map(|side| self.side_price(&side).cloned());
+    /// Lays out the tag of each side; while the sides take turns, that of the side on screen.
+    pub fn tags(&mut self, ui: &mut Ui) {
+        let Show { mut sides, .. } = self.look();
+        let before = sides;
+        let prices = self.prices();
         let times = prices.iter().flatten().map(|price| price.timing.median);
         let slowest = times.fold(0.0, f64::max);
-        let before = show.sides;
         let has_room = self.place.height() > ROOM;
-        let [left, right] = [self.place.min.x, self.place.max.x];
-        let width = ((right - left - 3.0 * GAP) / 2.0).clamp(0.0, WIDTH);
-        for (index, price) in prices.into_iter().enumerate() {
+        let width = ((self.place.width() - 3.0 * GAP) / 2.0).clamp(0.0, WIDTH);
+        let mut clicked = None;
+        for (index, side) in sides.iter_mut().enumerate() {
             if self.turn().is_some_and(|turn| turn != index) {
                 continue;
             }
-            // A tag that has no room on its side of the divider moves the other one along.
-            let left = match index {
-                0 => (x - GAP - width)
-                    .min(right - 2.0 * (GAP + width))
-                    .max(left + GAP),
-                _ => (x + GAP)
-                    .min(right - GAP - width)
-                    .max(left + 2.0 * GAP + width),
-            };
-            let corner = pos2(left, self.place.min.y + GAP);
+            // The left tag stands in the left corner, the right tag in the right one.
+            let right = self.place.width() - width - GAP;
+            let corner = self.place.min + vec2([GAP, right][index], GAP);
             let place = Rect::from_min_size(corner, vec2(width, 0.0));
             let mut tag = ui.new_child(UiBuilder::new().max_rect(place).id_salt(("tag", index)));
             tag.set_clip_rect(self.place);
@@ -96,91 +95,67 @@ impl App {
             let ground = ground.corner_radius(4.0).inner_margin(Margin::same(6));
             ground.show(&mut tag, |ui| {
                 ui.set_width((width - 12.0).max(0.0));
-                let side = &mut show.sides[index];
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
                 let name = format!("{} ⏷", self.side_name(side));
                 ui.menu_button(RichText::new(name).strong(), |ui| {
                     for choice in choices() {
                         ui.selectable_value(side, choice, self.side_name(&choice));
                     }
                 });
-                if let Some(price) = price.filter(|_| has_room)
-                    && self.price(ui, &price, slowest)
+                if let Some(price) = prices[index].filter(|_| has_room)
+                    && self.price(ui, price, slowest)
                 {
-                    self.explain(index, &price);
+                    clicked = Some(index);
                 }
             });
         }
-        if show.sides != before {
-            self.wipe(show.sides);
+        if sides != before {
+            self.wipe(sides);
+        }
+        if let Some(index) = clicked {
+            self.explain(index);
         }
     }
 
     /// Lays out the price of a method; whether its worst pixel was clicked.
     fn price(&self, ui: &mut Ui, price: &Measurement, slowest: f64) -> bool {
         let is_current = self.facts.trade.current().is_some();
-        let time = price.timing.median;
-        let (fill, ink, says) = if is_current {
-            (mode_ink(price.method.mode), INK, PRICE)
-        } else {
-            (STALE, STALE, OLD_PRICE)
-        };
-        ui.visuals_mut().override_text_color = Some(ink);
+        let told = |says| if is_current { says } else { OLD_PRICE };
+        let mut fill = mode_ink(price.method.mode);
         if !is_current {
-            ui.visuals_mut().hyperlink_color = ink;
+            fill = STALE;
+            ui.visuals_mut().hyperlink_color = STALE;
         }
+        ui.visuals_mut().override_text_color = Some(ink(&self.facts.trade));
+        let time = price.timing.median;
         let row = ui.horizontal(|ui| {
             let bar = ProgressBar::new((time / slowest) as f32).fill(fill);
             ui.add(bar.desired_width(90.0).desired_height(8.0));
             ui.label(format!("{} ms", short(time)));
         });
-        row.response.on_hover_text(says);
+        row.response.on_hover_text(told(PRICE));
         if let Some(kept) = price.highlight_kept {
             let kept = ui.label(format!("highlight kept {:.0} %", 100.0 * kept));
-            kept.on_hover_text(if is_current { KEPT } else { says });
+            kept.on_hover_text(told(KEPT));
         }
-        let Some(error) = price.error else {
-            return false;
-        };
-        let worst = ui.link(format!("worst pixel {} of 255", short(error)));
-        let says = if is_current {
-            "Shows why it errs."
-        } else {
-            says
-        };
-        worst.on_hover_text(says).clicked() && is_current
+        let worst = |error| ui.link(format!("worst pixel {} of 255", short(error)));
+        let worst = price.error.map(worst);
+        worst.is_some_and(|it| it.on_hover_text(told(WORST)).clicked() && is_current)
     }
 
     /// Probes the worst pixel of a side, and moves the divider where the other side hides it.
-    fn explain(&mut self, index: usize, price: &Measurement) {
-        let Some([x, y]) = price.worst else {
+    fn explain(&mut self, index: usize) {
+        let Some([x, y]) = self.prices()[index].and_then(|it| it.worst) else {
             return;
         };
         let show: Show = self.look();
-        let width = self.picture_size()[0];
-        let is_right = x >= divider_column(show.divider, width);
-        if show.mode == ViewMode::Wipe && is_right != (index == 1) {
+        if usize::from(x >= self.divider_column()) != index {
             // A tenth of the width beside it, so that its surroundings are seen as well.
-            let beside = [0.1, -0.1][index] + x as f64 / width as f64;
+            let beside = [0.1, -0.1][index] + x as f64 / self.picture_size()[0] as f64;
             let divider = beside.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
             self.set_look(Show { divider, ..show });
         }
         self.probe([x, y]);
-    }
-
-    /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
-    pub fn explain_worst(&mut self) {
-        let show: Show = self.look();
-        let sides = match show.mode {
-            ViewMode::Wipe => show.sides,
-            _ => [Side::Picture; 2],
-        };
-        let prices = sides.map(|side| self.side_price(&side).cloned());
-        let error = |index: usize| prices[index].as_ref().and_then(|it| it.error);
-        let index = usize::from(error(1) > error(0));
-        match &prices[index] {
-            Some(price) if self.facts.trade.current().is_some() => self.explain(index, price),
-            _ => self.say("the errors are not known yet"),
-        }
     }
 
     /// Looks at a pixel, in the tab for it where there is room.
@@ -193,30 +168,26 @@ impl App {
     }
 
     /// The worst pixels that their side of the wipe shows, which are marked.
-    fn worst_pixels(&self) -> Vec<[usize; 2]> {
-        let show: Show = self.look();
-        if self.facts.trade.current().is_none() || show.mode != ViewMode::Wipe {
-            return Vec::new();
-        }
-        let divider = divider_column(show.divider, self.picture_size()[0]);
-        let sides = show.sides.iter().enumerate();
-        let worst = sides.filter_map(|(index, side)| {
-            let pixel = self.side_price(side)?.worst?;
-            (usize::from(pixel[0] >= divider) == index).then_some(pixel)
-        });
-        worst.collect()
+    fn worst_pixels(&self) -> impl Iterator<Item = [usize; 2]> {
+        let (show, divider): (Show, _) = (self.look(), self.divider_column());
+        let is_marked = self.facts.trade.current().is_some() && show.mode == ViewMode::Wipe;
+        let prices = self.prices().into_iter().enumerate();
+        prices.filter_map(move |(index, price)| {
+            let is_shown = |it: &[usize; 2]| is_marked && usize::from(it[0] >= divider) == index;
+            price?.worst.filter(is_shown)
+        })
     }
 
     /// The worst pixel whose mark is at a place in the window.
     pub fn worst_at(&self, at: Pos2) -> Option<[usize; 2]> {
-        let mut pixels = self.worst_pixels().into_iter();
-        pixels.find(|pixel| self.place_of(pixel.map(|it| it as i32)).distance(at) < REACH)
+        let is_near = |pixel: &[usize; 2]| self.place_of(*pixel).distance(at) < REACH;
+        self.worst_pixels().find(is_near)
     }
 
     /// Marks the worst pixels.
     pub fn draw_worst(&self, painter: &egui::Painter) {
         for pixel in self.worst_pixels() {
-            let at = self.place_of(pixel.map(|it| it as i32));
+            let at = self.place_of(pixel);
             painter.circle_stroke(at, 8.0, (4.0, Color32::from_black_alpha(150)));
             painter.circle_stroke(at, 8.0, (2.0, BAD));
         }

@@ -1,13 +1,13 @@
 //! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
-use egui::{Color32, CursorIcon, Event, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Color32, Event, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
 
 use super::app::App;
-use super::desk::{Grab, Kind};
+use super::desk::Grab;
 use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
-    Inspector, Limits, Magnifier, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
+    Inspector, Limits, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
 };
 
 /// How far a drag across the picture's shorter side turns, in degrees.
@@ -32,7 +32,7 @@ impl App {
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(PointerButton::Primary) {
             let from = ui.input(|input| input.pointer.press_origin());
-            self.desk.grab = self.grab(from.unwrap_or_default(), &markers, modifiers.command);
+            self.desk.grab = self.grab(from.unwrap_or_default(), &markers);
         }
         if response.dragged_by(PointerButton::Primary) {
             let pointer = response.interact_pointer_pos().unwrap_or_default();
@@ -44,7 +44,7 @@ impl App {
         if let Some(at) = pointer.filter(|_| response.clicked()) {
             self.click(at, &markers);
         }
-        if let Some(at) = response.hover_pos() {
+        if response.hovered() {
             let turned = |event: &Event| match event {
                 Event::MouseWheel { delta, .. } => delta.y,
                 _ => 0.0,
@@ -52,73 +52,53 @@ impl App {
             let turned: f32 = ui.input(|input| input.events.iter().map(turned).sum());
             match turned.round() as i32 {
                 0 => {}
-                steps if modifiers.command => self.magnify(steps, Some(at)),
                 steps => self.zoom(steps),
             }
-            let cursor = self.cursor(at, &markers, response.dragged());
-            ui.ctx().set_cursor_icon(cursor);
         }
         self.draw_over(ui, &markers);
-        if let Some(x) = self.divider() {
-            self.tags(ui, x);
+        if self.divider().is_some() {
+            self.tags(ui);
             self.profile(ui);
         }
     }
 
-    fn cursor(&self, at: Pos2, markers: &[Marker], is_dragged: bool) -> CursorIcon {
-        match self.grab(at, markers, false) {
-            _ if self.desk.grab == Grab::Divider => CursorIcon::ResizeHorizontal,
-            _ if is_dragged => CursorIcon::Grabbing,
-            Grab::Divider => CursorIcon::ResizeHorizontal,
-            Grab::Light(..) => CursorIcon::Grab,
-            _ => CursorIcon::Crosshair,
-        }
-    }
-
     /// The thing that a press at `at` catches.
-    fn grab(&self, at: Pos2, markers: &[Marker], pans: bool) -> Grab {
+    fn grab(&self, at: Pos2, markers: &[Marker]) -> Grab {
         let marker = markers.iter().find(|marker| marker.is_caught(at));
         match marker {
             Some(marker) => Grab::Light(marker.name.clone(), marker.position),
             None if self.divider().is_some_and(|x| (x - at.x).abs() < REACH) => Grab::Divider,
-            None if pans => Grab::Magnified(self.magnifier(), Vec2::ZERO),
             None => Grab::Camera,
         }
     }
 
     fn drag(&mut self, by: Vec2, pointer: Pos2, in_depth: bool) {
         let size = self.picture_size();
-        let magnifier = self.magnifier();
-        let pixels = by * self.scale() / magnifier.scale as f32;
+        let pixels = by * self.scale();
         match self.desk.grab.clone() {
             Grab::Nothing => {}
             Grab::Camera => {
-                let degrees = DRAG_TURN / size[0].min(size[1]) as f64 * magnifier.scale as f64;
+                let degrees = DRAG_TURN / size[0].min(size[1]) as f64;
                 // The cuboid follows the mouse, so the camera goes the other way.
                 let [left, down] = [f64::from(-pixels.x), f64::from(pixels.y)];
                 self.orbit(left * degrees, down * degrees);
             }
             Grab::Divider => {
-                let column = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
                 let show: Show = self.look();
-                let divider = column.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
+                let share = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
+                let divider = share.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
                 self.set_look(Show { divider, ..show });
             }
             Grab::Light(name, place) => {
                 let place = self.drag_light(&name, place, pixels, in_depth);
                 self.desk.grab = Grab::Light(name, place);
             }
-            Grab::Magnified(from, before) => {
-                let by = before + by * self.scale();
-                self.set_look(from.panned([by.x as i32, by.y as i32], size));
-                self.desk.grab = Grab::Magnified(from, by);
-            }
         }
     }
 
     fn click(&mut self, at: Pos2, markers: &[Marker]) {
         if let Some(marker) = markers.iter().find(|marker| marker.is_caught(at)) {
-            self.desk.selected = Some((Kind::Light, marker.name.clone()));
+            self.desk.selected = Some(("light", marker.name.clone()));
             return;
         }
         let (pixel, size) = (self.pixel_at(at), self.picture_size());
@@ -128,76 +108,54 @@ impl App {
 
     /// Moves the camera about its target, by degrees to the right and up.
     pub fn orbit(&mut self, azimuth: f64, elevation: f64) {
-        let camera = active_camera(&self.scene.world);
-        let own = Viewpoint::own(&self.scene.world, camera);
-        let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
-        let moved = orbit.moved(&own, azimuth, elevation);
-        if moved == orbit {
-            return self.say("the camera stops short of the pole");
-        }
-        self.set_orbit(moved);
+        let world = &self.scene.world;
+        let own = Viewpoint::own(world, active_camera(world));
+        let limit = "the camera stops short of the pole";
+        self.change_orbit(limit, |orbit| orbit.moved(&own, azimuth, elevation));
     }
 
     /// Steps towards the target, or away where negative.
     pub fn zoom(&mut self, steps: i32) {
+        let limits = Limits::of(&self.scene.world);
+        let way = if steps > 0 { "closer" } else { "further" };
+        let limit = format!("the camera goes no {way}");
+        self.change_orbit(&limit, |orbit| orbit.zoomed(steps, &limits));
+    }
+
+    /// Changes the orbit of the active camera, or tells its limit where nothing changes.
+    pub fn change_orbit(&mut self, limit: &str, change: impl FnOnce(Orbit) -> Orbit) {
         let camera = active_camera(&self.scene.world);
         let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
-        let zoomed = orbit.zoomed(steps, &Limits::of(&self.scene.world));
-        match zoomed == orbit {
-            true if steps > 0 => self.say("the camera goes no closer"),
-            true => self.say("the camera goes no further"),
-            false => self.set_orbit(zoomed),
+        let changed = change(orbit);
+        if changed == orbit {
+            return self.say(limit);
         }
-    }
-
-    /// Overwrites the orbit of the active camera.
-    pub fn set_orbit(&mut self, orbit: Orbit) {
-        let camera = active_camera(&self.scene.world);
-        // A scene's cameras have an orbit.
-        let _ = self.scene.world.insert_one(camera, orbit);
-    }
-
-    /// Magnifies by powers of two; the pixel at `at`, the probed one or the middle one stays where it is.
-    pub fn magnify(&mut self, steps: i32, at: Option<Pos2>) {
-        let (size, before) = (self.picture_size(), self.magnifier());
-        let Probed(probed) = self.look();
-        let probed = probed.map(|pixel| self.place_of(pixel.map(|it| it as i32)));
-        let at = at.or(probed).unwrap_or(self.place.center());
-        let place = (at - self.place.min) * self.scale();
-        let after = before.stepped(steps, [place.x as i32, place.y as i32], size);
-        match after == before {
-            true if steps > 0 => self.say("largest magnification"),
-            true => self.say("not magnified"),
-            false => self.set_look(after),
-        }
-    }
-
-    /// The magnifier, within the picture.
-    pub fn magnifier(&self) -> Magnifier {
-        self.look::<Magnifier>().within(self.picture_size())
+        // It was just found.
+        let _ = self.scene.world.insert_one(camera, changed);
     }
 
     /// The pixel of the picture at a place in the window.
     fn pixel_at(&self, at: Pos2) -> [usize; 2] {
         let place = (at - self.place.min) * self.scale();
-        self.magnifier().pixel([place.x as i32, place.y as i32])
+        [place.x, place.y].map(|it| it.max(0.0) as usize)
     }
 
     /// The place in the window of the middle of a pixel.
-    pub fn place_of(&self, pixel: [i32; 2]) -> Pos2 {
-        let [x, y] = self.magnifier().place(pixel);
+    pub fn place_of(&self, [x, y]: [usize; 2]) -> Pos2 {
         self.place.min + vec2(x as f32 + 0.5, y as f32 + 0.5) / self.scale()
+    }
+
+    /// The first column right of the divider.
+    pub fn divider_column(&self) -> usize {
+        let Show { divider, .. } = self.look();
+        divider_column(divider, self.picture_size()[0])
     }
 
     /// The divider's x in the window, where the view has one.
     fn divider(&self) -> Option<f32> {
         let show: Show = self.look();
-        let has_divider = show.mode == ViewMode::Wipe && self.desk.left_out.is_none();
-        let column = divider_column(show.divider, self.picture_size()[0]);
-        let left = self.place_of([column as i32, 0]).x;
-        let half = self.magnifier().scale as f32 / 2.0 / self.scale();
-        let x = has_divider.then_some(left - half);
-        x.filter(|x| self.place.x_range().contains(*x))
+        let x = self.place.min.x + self.divider_column() as f32 / self.scale();
+        (show.mode == ViewMode::Wipe).then_some(x)
     }
 
     /// Draws the divider, the probed pixel with its vectors, and the lights.
@@ -208,11 +166,9 @@ impl App {
             self.draw_worst(&painter);
         }
         if let Some(pixel) = self.look::<Probed>().0 {
-            let at = self.place_of(pixel.map(|it| it as i32));
-            self.draw_triangle(&painter);
+            let at = self.place_of(pixel);
             self.draw_arrows(&painter, at);
-            let half = self.magnifier().scale as f32 / self.scale() / 2.0;
-            draw_cross(&painter, at, half);
+            draw_cross(&painter, at);
         }
         for marker in markers.iter().rev() {
             marker.draw(&painter, self.place);
@@ -223,16 +179,16 @@ impl App {
         let line = self.place.y_range();
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
         painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
-        let y = self.place_of([0, self.profile_row() as i32]).y;
+        let y = self.place_of([0, self.profile_row()]).y;
         let edge = (1.0, Color32::from_black_alpha(150));
         painter.circle(pos2(x, y), 8.0, Color32::WHITE, edge);
     }
 }
 
-/// Marks a pixel that reaches this far from its middle, in points, and leaves it to be seen.
-fn draw_cross(painter: &egui::Painter, at: Pos2, reach: f32) {
+/// Marks a pixel, and leaves it to be seen.
+fn draw_cross(painter: &egui::Painter, at: Pos2) {
     for way in [Vec2::RIGHT, Vec2::LEFT, Vec2::DOWN, Vec2::UP] {
-        let line = [at + way * (reach + 3.0), at + way * (reach + 11.0)];
+        let line = [at + way * 3.5, at + way * 11.5];
         painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
         painter.line_segment(line, (1.5, Color32::WHITE));
     }

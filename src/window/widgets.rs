@@ -8,7 +8,6 @@ use glam::DVec3;
 
 use super::facts::Fact;
 use super::style::{INK, STALE};
-use crate::components::range;
 
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
@@ -23,7 +22,7 @@ pub fn two_digits(value: f64) -> f64 {
 }
 
 /// Six significant digits at most, with an exponent where the number is very large or small.
-pub fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
+fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     match rounded.abs() {
         0.0 => "0".to_owned(),
@@ -33,7 +32,7 @@ pub fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
 }
 
 /// Keeps the digits of a number that was only looked at: a widget writes back the digits that it shows.
-pub fn keep_digits(before: f64, value: &mut f64) {
+fn keep_digits(before: f64, value: &mut f64) {
     if format_number(*value, 0..=0) == format_number(before, 0..=0) {
         *value = before;
     }
@@ -53,13 +52,25 @@ pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Respo
     response
 }
 
-/// A slider for the exponent of the highlight.
-pub fn shininess(ui: &mut Ui, value: &mut f64) {
+/// A slider for a number of any magnitude, between its name and its keys. `least` is the smallest number above 0.
+pub fn slider(
+    ui: &mut Ui,
+    [name, keys, says]: [&str; 3],
+    value: &mut f64,
+    range: RangeInclusive<f64>,
+    least: f64,
+) {
     let before = *value;
-    let slider = Slider::new(value, range::Shininess::RANGE).logarithmic(true);
-    let slider = slider.smallest_positive(0.1);
-    ui.add(slider.custom_formatter(format_number))
-        .on_hover_text("The exponent of the highlight, 0 to 1e6.");
+    ui.horizontal(|ui| {
+        ui.label(name).on_hover_text(says);
+        let slider = Slider::new(value, range).logarithmic(true);
+        let slider = slider.smallest_positive(least);
+        let response = ui.add(slider.custom_formatter(format_number));
+        if response.on_hover_text(says).dragged() {
+            *value = two_digits(*value);
+        }
+        ui.weak(keys);
+    });
     keep_digits(before, value);
 }
 

@@ -9,8 +9,8 @@ mod sixteen;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    ActiveCamera, Background, Budget, FileOrder, Inspector, Magnifier, Material, Name, Orbit,
-    Probed, Show, Spin, Tolerance, Transform, View,
+    ActiveCamera, Background, Budget, FileOrder, Inspector, Material, Name, Orbit, Probed, Show,
+    Spin, Tolerance, Transform, View,
 };
 use shadetrade::report::Monitor;
 use shadetrade::requires::{Change, Part, changes, parts};
@@ -42,7 +42,6 @@ fn scene_of(mut world: World, view: &View) -> Scene {
         Budget::default(),
         Spin::default(),
         Show::default(),
-        Magnifier::default(),
         Probed::default(),
         Inspector::default(),
     ));

@@ -71,13 +71,17 @@ impl Window {
     }
 
     fn step(&mut self, events: Vec<Event>) {
-        self.now += FRAME;
+        self.step_at(self.now + FRAME, events);
+    }
+
+    fn step_at(&mut self, now: Duration, events: Vec<Event>) {
+        self.now = now;
         let input = RawInput {
             modifiers: self.modifiers,
             events,
             ..RawInput::default()
         };
-        let output = self.app.step(self.now, self.size, input);
+        let output = self.app.step(now, self.size, input);
         self.output = output.expect("the picture fits");
     }
 

@@ -175,18 +175,6 @@ impl Program {
             .unwrap_or_default()
     }
 
-    /// Waits until the window shows another picture than `before` and no longer changes.
-    pub fn next_picture(&self, before: &RgbImage, what: &str) -> RgbImage {
-        let mut last = self.picture();
-        until(what, || {
-            let now = self.picture();
-            let rests = now == last && now != *before;
-            last = now;
-            rests
-        });
-        last
-    }
-
     /// Starts a window manager, and focuses the window again.
     pub fn start_window_manager(&mut self) {
         let manager = Command::new("openbox")
@@ -209,11 +197,6 @@ impl Program {
     pub fn focus_elsewhere(&self) {
         let root = self.xdotool(&["search", "--maxdepth", "0", ""]);
         self.xdotool(&["windowfocus", root.lines().next().expect("a root window")]);
-    }
-
-    /// Waits until the window shows another picture than `before`.
-    pub fn next_while_moving(&self, before: &RgbImage) {
-        until("the picture moves", || self.picture() != *before);
     }
 
     /// Kills the X server.

@@ -2,6 +2,7 @@
 
 use egui::{Grid, Label, RichText, Sense, Ui, vec2};
 
+use crate::components::range::Shininess;
 use crate::components::{Material, Name, Probed};
 use crate::frame::display_pixel;
 use crate::paint::color;
@@ -9,7 +10,9 @@ use crate::probe::ProbedSurface;
 use crate::trade::metrics::displayed;
 use crate::window::app::App;
 use crate::window::style::{BAD, STALE};
-use crate::window::widgets::{CHANNELS, shininess};
+use crate::window::widgets::{CHANNELS, slider};
+
+const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0 to 1e6."];
 
 impl App {
     pub fn pixel_tab(&mut self, ui: &mut Ui) {
@@ -19,15 +22,11 @@ impl App {
         };
         ui.horizontal(|ui| {
             ui.strong(format!("pixel {x}, {y}"));
-            let close = ui.small_button("close");
-            if close
-                .on_hover_text("No pixel is looked at (Esc).")
-                .clicked()
-            {
+            if ui.small_button("close").clicked() {
                 self.set_look(Probed(None));
             }
         });
-        self.wait(ui, &self.facts.section.state);
+        self.wait(ui, &self.facts.section);
         let Some(probe) = self.probed() else {
             return;
         };
@@ -49,18 +48,17 @@ impl App {
             let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
             let mut cuboids = cuboids.iter();
             if let Some((_, material)) = cuboids.find(|(name, _)| name.0 == *object) {
-                ui.horizontal(|ui| {
-                    ui.label("shininess");
-                    shininess(ui, &mut material.shininess);
-                });
+                slider(
+                    ui,
+                    SHININESS,
+                    &mut material.shininess,
+                    Shininess::RANGE,
+                    0.1,
+                );
             }
         }
         ui.label(surface.drawn.cost());
-        let (text, copy) = (probe.lines().join("\n"), ui.button("copy"));
-        let says = "Copies everything that is known of this pixel.";
-        if copy.on_hover_text(says).clicked() {
-            ui.ctx().copy_text(text.clone());
-        }
+        let text = probe.lines().join("\n");
         ui.collapsing("every number", |ui| {
             ui.add(Label::new(RichText::new(text).monospace()).extend());
         });

@@ -1,4 +1,5 @@
-//! The scene's tab: the keys of an entity's table in the scene file, and entities added and deleted.
+//! The scene's tab: the keys of an entity's table in the scene file, and entities added and deleted. It edits the scene's
+//! record as JSON.
 
 use std::ops::RangeInclusive;
 
@@ -7,26 +8,20 @@ use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::components::{Background, LightKind, Viewpoint, active_camera};
+use crate::components::{LightKind, Viewpoint, active_camera};
 use crate::scene::{CameraRecord, LightRecord, SceneRecord};
 use crate::window::app::App;
-use crate::window::desk::Kind;
+use crate::window::desk::Entity;
 use crate::window::widgets::{color_button, number};
 
-const KINDS: [(Kind, &str); 3] = [
-    (Kind::Cuboid, "cuboid"),
-    (Kind::Light, "light"),
-    (Kind::Camera, "camera"),
-];
+/// The kinds of entities, by their keys in a scene file.
+const KINDS: [&str; 3] = ["cuboid", "light", "camera"];
 /// The keys with three channels that a picker sets.
 const COLORS: [&str; 4] = ["ambient", "diffuse", "specular", "color"];
-/// The keys of words, with a word each.
-const CHOICES: [(&str, &str); 5] = [
-    ("shading", "gouraud"),
-    ("shading", "phong"),
-    ("kind", "ambient"),
-    ("kind", "diffuse"),
-    ("kind", "specular"),
+/// The keys of words, with their words.
+const CHOICES: [(&str, &[&str]); 2] = [
+    ("shading", &["gouraud", "phong"]),
+    ("kind", &["ambient", "diffuse", "specular"]),
 ];
 /// Ranges are checked when a table is read.
 const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
@@ -59,177 +54,167 @@ const SAYS: [(&str, &str); 22] = [
     ("zoom", "Factor of the distance and of the height."),
 ];
 
+/// A button that was clicked.
+enum Clicked {
+    Add(&'static str),
+    Delete,
+}
+
 impl App {
     pub fn scene_tab(&mut self, ui: &mut Ui) {
-        let record = SceneRecord::of(&self.scene.world);
-        let names = names(&record);
-        let selected = self.desk.selected.take().filter(|it| names.contains(it));
-        let mut selected = selected.unwrap_or_else(|| names[0].clone());
-        entity_list(ui, &names, &mut selected);
-        let own = names.iter().filter(|(kind, _)| *kind == selected.0);
-        let place = own.clone().position(|it| *it == selected);
-        let is_last = selected.0 != Kind::Light && own.count() == 1;
+        // A record can be written as JSON.
+        let mut scene = json!(SceneRecord::of(&self.scene.world));
+        let entities = entities(&scene);
+        let selected = self.desk.selected.take();
+        let selected = selected.filter(|it| entities.contains(it));
+        let mut selected = selected.unwrap_or_else(|| entities[0].clone());
+        entity_list(ui, &entities, &mut selected);
         self.desk.selected = Some(selected.clone());
-        self.entity_buttons(ui, &record, &selected, is_last);
+        let (kind, name) = selected;
+        let all = list(&mut scene, kind);
+        let place = all.iter().position(|it| it["name"] == name);
+        let place = place.unwrap_or_default();
+        let clicked = buttons(ui, kind != "light" && all.len() == 1);
         ui.separator();
-        self.entity(ui, record, selected.0, place.unwrap_or_default());
+        let before = [scene[kind][place].clone(), scene["background"].clone()];
+        let [mut own, mut background] = before.clone();
+        row(ui, "", &mut own);
         ui.separator();
-        let Background(before) = self.look();
-        let mut background = json!({ "background": before });
-        rows(ui, &mut background);
-        let levels = DVec3::deserialize(&background["background"]).unwrap_or(before);
-        let levels = levels.clamp(DVec3::ZERO, DVec3::splat(255.0));
-        if levels != before {
-            self.set_look(Background(levels));
+        row(ui, "background", &mut background);
+        if kind == "camera" && scene["view"]["camera"] == name {
+            scene["view"]["camera"] = match clicked {
+                Some(Clicked::Delete) => Value::Null,
+                _ => own["name"].clone(),
+            };
+        }
+        let next = match clicked {
+            Some(Clicked::Add(added)) => {
+                let copied = Some(place).filter(|_| added == kind);
+                let name = free_name(added, &entities);
+                let new = self.new_entity(added, &name, list(&mut scene, added), copied);
+                list(&mut scene, added).push(new);
+                Some((added, name))
+            }
+            Some(Clicked::Delete) => {
+                list(&mut scene, kind).remove(place);
+                None
+            }
+            None if [&own, &background] == before.each_ref() => return,
+            None => {
+                if kind == "light" {
+                    place_light(&mut own);
+                }
+                let name = own["name"].as_str().unwrap_or_default().to_owned();
+                scene[kind][place] = own;
+                scene["background"] = background;
+                Some((kind, name))
+            }
+        };
+        if let Err(error) = self.edit(scene, next) {
+            self.say(error.to_string());
         }
     }
 
-    /// Buttons that add and delete.
-    fn entity_buttons(
-        &mut self,
-        ui: &mut Ui,
-        record: &SceneRecord,
-        selected: &(Kind, String),
-        is_last: bool,
-    ) {
-        ui.horizontal_wrapped(|ui| {
-            for (kind, name) in KINDS {
-                let add = ui.small_button(format!("add {name}"));
-                let says = "Adds a copy of the selected one beside it, or of the last. A camera is added where the \
-                            picture is seen from now.";
-                if add.on_hover_text(says).clicked() {
-                    self.add(kind, name, record.clone(), selected);
-                }
-            }
-            let delete = ui.add_enabled(!is_last, Button::new("delete").small());
-            let says = "A scene has at least one.";
-            if delete.on_disabled_hover_text(says).clicked() {
-                self.delete(record.clone(), selected);
-            }
-        });
+    /// Shows an edited scene. One that the scene format does not allow is refused.
+    fn edit(&mut self, scene: Value, selected: Option<Entity>) -> anyhow::Result<()> {
+        let record: SceneRecord = serde_json::from_value(scene)?;
+        record.check()?;
+        self.restore(&record);
+        self.desk.selected = selected;
+        Ok(())
     }
 
-    fn add(&mut self, kind: Kind, noun: &str, mut record: SceneRecord, selected: &(Kind, String)) {
-        let names = names(&record);
-        let numbered = (2..).map(|number| format!("{noun} {number}"));
-        let mut free = std::iter::once(noun.to_owned()).chain(numbered);
-        let name = free.find(|name| !names.contains(&(kind, name.clone())));
-        let name = name.unwrap_or_default();
-        let mut own = names.iter().filter(|(own, _)| *own == kind);
-        let place = own.position(|it| it == selected);
+    /// A copy of an entity, or of the last one. A camera is placed where the picture is seen from.
+    fn new_entity(&self, kind: &str, name: &str, all: &[Value], copied: Option<usize>) -> Value {
         let world = &self.scene.world;
         let seen = Viewpoint::of(world, active_camera(world));
-        match kind {
-            Kind::Cuboid => {
-                let copied = &record.cuboid[place.unwrap_or(record.cuboid.len() - 1)];
-                let mut copy = copied.clone();
-                copy.position.x += 1.25 * copy.size.x;
-                copy.name.clone_from(&name);
-                record.cuboid.push(copy);
-            }
-            Kind::Light => {
-                let copied = place.map_or(record.light.last(), |place| record.light.get(place));
-                let new = || LightRecord::new("", LightKind::Diffuse, 100.0, seen.position);
-                let copy = copied.cloned().unwrap_or_else(new);
-                let name = name.clone();
-                record.light.push(LightRecord { name, ..copy });
-            }
-            Kind::Camera => {
+        let copied = copied.map_or(all.last(), |place| all.get(place));
+        let mut new = match (kind, copied) {
+            ("camera", _) => {
                 let sees = [seen.camera.fov, seen.camera.height];
-                let camera = CameraRecord::new(&name, seen.position, seen.camera.target, sees);
-                record.camera.push(CameraRecord {
+                json!(CameraRecord {
                     up: seen.camera.up,
                     near: seen.camera.near,
-                    ..camera
-                });
+                    ..CameraRecord::new(name, seen.position, seen.camera.target, sees)
+                })
             }
-        }
-        self.restore(&record);
-        self.desk.selected = Some((kind, name));
-    }
-
-    fn delete(&mut self, mut record: SceneRecord, (kind, name): &(Kind, String)) {
-        match kind {
-            Kind::Cuboid => record.cuboid.retain(|it| it.name != *name),
-            Kind::Light => record.light.retain(|it| it.name != *name),
-            Kind::Camera => {
-                record.camera.retain(|it| it.name != *name);
-                record.view.camera.take_if(|camera| camera == name);
-            }
-        }
-        self.restore(&record);
-        self.desk.selected = None;
-    }
-
-    /// The keys of an entity. A value that the scene format does not allow is refused.
-    fn entity(&mut self, ui: &mut Ui, mut record: SceneRecord, kind: Kind, place: usize) {
-        let table = match kind {
-            Kind::Cuboid => serde_json::to_value(&record.cuboid[place]),
-            Kind::Light => serde_json::to_value(&record.light[place]),
-            Kind::Camera => serde_json::to_value(&record.camera[place]),
+            (_, Some(copied)) => copied.clone(),
+            _ => json!(LightRecord::new(
+                name,
+                LightKind::Diffuse,
+                100.0,
+                seen.position
+            )),
         };
-        // Records can be written as JSON.
-        let before = table.unwrap_or_default();
-        let mut table = before.clone();
-        rows(ui, &mut table);
-        if table == before {
-            return;
+        if let (Some(x), Some(size)) = (new["position"][0].as_f64(), new["size"][0].as_f64()) {
+            new["position"][0] = json!(x + 1.25 * size);
         }
-        match edit(&mut record, kind, place, table) {
-            Ok(name) => {
-                self.desk.selected = Some((kind, name));
-                self.restore(&record);
-            }
-            Err(error) => self.say(error.to_string()),
+        new["name"] = json!(name);
+        new
+    }
+}
+
+/// The entities of a kind.
+fn list<'a>(scene: &'a mut Value, kind: &str) -> &'a mut Vec<Value> {
+    let list = scene[kind].as_array_mut();
+    list.expect("a scene has a list of each kind")
+}
+
+/// The entities of all kinds, in the order of the file.
+fn entities(scene: &Value) -> Vec<Entity> {
+    let of_kind = |kind| {
+        let all = scene[kind].as_array().into_iter().flatten();
+        all.filter_map(move |it| Some((kind, it["name"].as_str()?.to_owned())))
+    };
+    KINDS.into_iter().flat_map(of_kind).collect()
+}
+
+/// A name that no entity of this kind has.
+fn free_name(kind: &'static str, entities: &[Entity]) -> String {
+    let numbered = (2..).map(|number| format!("{kind} {number}"));
+    let mut names = std::iter::once(kind.to_owned()).chain(numbered);
+    let name = names.find(|name| !entities.contains(&(kind, name.clone())));
+    name.unwrap_or_default()
+}
+
+/// An ambient light has no position, and every other light has one.
+fn place_light(light: &mut Value) {
+    let is_ambient = light["kind"] == "ambient";
+    if let Some(table) = light.as_object_mut() {
+        match is_ambient {
+            true => drop(table.remove("position")),
+            false => drop(table.entry("position").or_insert(json!([0.0, 0.0, 0.0]))),
         }
     }
 }
 
-/// Overwrites an entity, and returns its name.
-fn edit(
-    record: &mut SceneRecord,
-    kind: Kind,
-    place: usize,
-    table: Value,
-) -> anyhow::Result<String> {
-    let name = table["name"].as_str().unwrap_or_default().to_owned();
-    match kind {
-        Kind::Cuboid => record.cuboid[place] = serde_json::from_value(table)?,
-        Kind::Light => {
-            let mut light: LightRecord = serde_json::from_value(table)?;
-            let has_place = light.kind != LightKind::Ambient;
-            light.position = has_place.then(|| light.position.unwrap_or_default());
-            record.light[place] = light;
-        }
-        Kind::Camera => {
-            let before = &record.camera[place].name;
-            if let Some(active) = record.view.camera.as_mut().filter(|it| *it == before) {
-                active.clone_from(&name);
+/// Buttons that add and delete.
+fn buttons(ui: &mut Ui, is_last: bool) -> Option<Clicked> {
+    let mut clicked = None;
+    ui.horizontal_wrapped(|ui| {
+        for kind in KINDS {
+            let add = ui.small_button(format!("add {kind}"));
+            let says = "Adds a copy of the selected one beside it, or of the last. A camera is added where the \
+                        picture is seen from now.";
+            if add.on_hover_text(says).clicked() {
+                clicked = Some(Clicked::Add(kind));
             }
-            record.camera[place] = serde_json::from_value(table)?;
         }
-    }
-    record.check()?;
-    Ok(name)
+        let delete = ui.add_enabled(!is_last, Button::new("delete").small());
+        let says = "A scene has at least one.";
+        if delete.on_disabled_hover_text(says).clicked() {
+            clicked = Some(Clicked::Delete);
+        }
+    });
+    clicked
 }
 
-/// The kinds and names of all entities, in the order of the file.
-fn names(record: &SceneRecord) -> Vec<(Kind, String)> {
-    let cuboids = record.cuboid.iter().map(|it| (Kind::Cuboid, &it.name));
-    let lights = record.light.iter().map(|it| (Kind::Light, &it.name));
-    let cameras = record.camera.iter().map(|it| (Kind::Camera, &it.name));
-    let all = cuboids.chain(lights).chain(cameras);
-    all.map(|(kind, name)| (kind, name.clone())).collect()
-}
-
-fn entity_list(ui: &mut Ui, names: &[(Kind, String)], selected: &mut (Kind, String)) {
+fn entity_list(ui: &mut Ui, entities: &[Entity], selected: &mut Entity) {
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
-    scroll.show_rows(ui, height, names.len(), |ui, rows| {
-        for each in &names[rows] {
-            let noun = KINDS.iter().find(|(kind, _)| *kind == each.0);
-            let row = Button::selectable(selected == each, &each.1);
-            let row = row.shortcut_text(noun.map_or("", |it| it.1));
+    scroll.show_rows(ui, height, entities.len(), |ui, rows| {
+        for each in &entities[rows] {
+            let row = Button::selectable(selected == each, &each.1).shortcut_text(each.0);
             let row = row.min_size(vec2(ui.available_width(), 0.0));
             if ui.add(row).clicked() {
                 each.clone_into(selected);
@@ -238,53 +223,47 @@ fn entity_list(ui: &mut Ui, names: &[(Kind, String)], selected: &mut (Kind, Stri
     });
 }
 
-/// A row for each key of a table, and for those of the tables in it.
-fn rows(ui: &mut Ui, table: &mut Value) {
-    for (key, value) in table.as_object_mut().into_iter().flatten() {
-        if value.is_object() {
-            rows(ui, value);
-            continue;
-        }
-        ui.horizontal_wrapped(|ui| {
-            let says = SAYS
-                .iter()
-                .find(|(own, _)| own == key)
-                .map_or("", |it| it.1);
-            let label = ui.label(key).on_hover_text(says);
-            ui.add_space((NAMES - label.rect.width()).max(0.0));
-            match value {
-                Value::Bool(on) => drop(ui.checkbox(on, "")),
-                Value::String(text) if key == "name" => name_field(ui, text),
-                Value::String(text) => {
-                    for (_, choice) in CHOICES.iter().filter(|(own, _)| own == key) {
-                        ui.radio_value(text, (*choice).to_owned(), *choice);
-                    }
-                }
-                Value::Number(_) => {
-                    let before = value.as_f64().unwrap_or_default();
-                    let mut after = before;
-                    number(ui, &mut after, ANY).on_hover_text(says);
-                    if after != before {
-                        *value = json!(after);
-                    }
-                }
-                _ => {
-                    let before = DVec3::deserialize(&*value).unwrap_or_default();
-                    let mut after = before;
-                    if COLORS.contains(&key.as_str()) {
-                        ui.spacing_mut().interact_size.x = 24.0;
-                        color_button(ui, &mut after);
-                    }
-                    for axis in 0..3 {
-                        number(ui, &mut after[axis], ANY).on_hover_text(says);
-                    }
-                    if after != before {
-                        *value = json!(after);
-                    }
+/// A row for the value of a key. A table has a row for each of its keys.
+fn row(ui: &mut Ui, key: &str, value: &mut Value) {
+    if let Value::Object(table) = value {
+        table
+            .iter_mut()
+            .for_each(|(key, value)| row(ui, key, value));
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        let says = SAYS.iter().find(|(own, _)| *own == key);
+        let says = says.map_or("", |it| it.1);
+        let label = ui.label(key).on_hover_text(says);
+        ui.add_space((NAMES - label.rect.width()).max(0.0));
+        match value {
+            Value::Bool(on) => drop(ui.checkbox(on, "")),
+            Value::String(text) if key == "name" => name_field(ui, text),
+            Value::String(text) => {
+                let choices = CHOICES.iter().find(|(own, _)| *own == key);
+                for choice in choices.into_iter().flat_map(|it| it.1) {
+                    ui.radio_value(text, (*choice).to_owned(), *choice);
                 }
             }
-        });
-    }
+            value => {
+                if COLORS.contains(&key) {
+                    let mut channels = DVec3::deserialize(&*value).unwrap_or_default();
+                    ui.spacing_mut().interact_size.x = 24.0;
+                    color_button(ui, &mut channels);
+                    *value = json!(channels);
+                }
+                let numbers = match value {
+                    Value::Array(numbers) => numbers,
+                    one => std::slice::from_mut(one),
+                };
+                for value in numbers {
+                    let mut float = value.as_f64().unwrap_or_default();
+                    number(ui, &mut float, ANY).on_hover_text(says);
+                    *value = json!(float);
+                }
+            }
+        }
+    });
 }
 
 /// The field of a name, which is taken once the field has lost the focus.

@@ -12,7 +12,7 @@ use crate::window::app::App;
 use crate::window::style::{EXACT, GOURAUD, PHONG, SHORTCUT};
 use crate::window::widgets::{CHANNELS, still};
 
-/// The terms as they lie on one another, and the brightness of their light's colour there.
+/// The terms as they lie on one another, and the share of their light's colour.
 const STACK: [(LightKind, f32); 3] = [
     (LightKind::Ambient, 0.25),
     (LightKind::Diffuse, 0.5),
@@ -52,27 +52,22 @@ impl App {
     /// Lays out the section around `here`; the column that the mouse drags the point to.
     pub fn section(&self, ui: &mut Ui, here: &ProbedSurface, channel: usize) -> Option<usize> {
         let places = self.places();
-        let ink = |light: &LightSample| {
-            let share = STACK.iter().find(|(kind, _)| *kind == light.kind);
-            let [red, green, blue, _] = self.light_color(&light.name).to_array();
-            let dim = |part: u8| (f32::from(part) * share.map_or(1.0, |it| it.1)) as u8;
-            Color32::from_rgb(dim(red), dim(green), dim(blue))
-        };
+        let x = places.iter().find(|(_, it)| std::ptr::eq(*it, here))?.0;
+        let ink = |light: &LightSample| self.light_color(&light.name);
         let exact = levels(here, channel)[1];
         ui.label(format!("{} along the row", CHANNELS[channel]))
             .on_hover_text("Levels of 255. Dots are edges of the triangles.");
-        let by_levels = plot(ui, "section", 150.0, &places, here, |plot| {
+        let by_levels = plot(ui, "section", 150.0, &places, x, |plot| {
             stack(plot, &places, channel, &ink);
             let line = curve(&places, |it| levels(it, channel)[1]);
             plot.line(Line::new("exact Phong", line).color(PHONG).width(1.5));
-            let drawn = |it: &ProbedSurface| displayed(it.drawn.levels[channel]);
             if here.drawn.mode == ShadingMode::UnitVectors {
-                let line = Line::new("unit vectors", curve(&places, drawn));
-                plot.line(line.color(SHORTCUT).width(1.5));
+                let line = curve(&places, |it| displayed(it.drawn.levels[channel]));
+                plot.line(Line::new("unit vectors", line).color(SHORTCUT).width(1.5));
             }
             straight(plot, &places, |it| levels(it, channel)[0]);
-            dot(plot, &places, here, GOURAUD, levels(here, channel)[0]);
-            dot(plot, &places, here, PHONG, exact);
+            dot(plot, x, GOURAUD, levels(here, channel)[0]);
+            dot(plot, x, PHONG, exact);
         });
         ui.horizontal_wrapped(|ui| {
             ui.colored_label(GOURAUD, format!("Gouraud {:.0}", levels(here, channel)[0]));
@@ -86,14 +81,14 @@ impl App {
             .on_hover_text(
                 "The factors of the lights: curves at the pixels, straight between the edges.",
             );
-        let by_factors = plot(ui, "factors", 90.0, &places, here, |plot| {
+        let by_factors = plot(ui, "factors", 90.0, &places, x, |plot| {
             for index in distinct(here) {
                 let light = |it: &ProbedSurface| it.lights[index].factor;
                 straight(plot, &places, |it| interpolated(&it.lights[index]));
                 let name = &here.lights[index].name;
                 let line = Line::new(name.clone(), curve(&places, light));
                 plot.line(line.color(self.light_color(name)).width(1.5));
-                dot(plot, &places, here, EXACT, light(here));
+                dot(plot, x, EXACT, light(here));
             }
         });
         by_levels.or(by_factors)
@@ -109,9 +104,7 @@ fn levels(surface: &ProbedSurface, channel: usize) -> [f64; 2] {
 
 /// The factor of a light that interpolation between the vertices gives.
 fn interpolated(light: &LightSample) -> f64 {
-    let strongest =
-        (0..3).max_by(|one, other| light.strength[*one].total_cmp(&light.strength[*other]));
-    let channel = strongest.unwrap_or_default();
+    let channel = light.strength.max_position();
     match light.strength[channel] {
         0.0 => 0.0,
         strength => light.gouraud[channel] / strength,
@@ -144,23 +137,23 @@ fn stack(
 ) {
     let columns: Vec<f64> = places.iter().map(|(x, _)| *x).collect();
     let mut below = vec![0.0; places.len()];
-    for (kind, _) in STACK {
+    for (kind, share) in STACK {
         for (index, light) in places[0].1.lights.iter().enumerate() {
             if light.kind != kind {
                 continue;
             }
             let terms = places.iter().map(|(_, it)| it.lights[index].phong[channel]);
-            let above: Vec<f64> = below
-                .iter()
-                .zip(terms)
-                .map(|(sum, term)| sum + term)
-                .collect();
+            let above = below.iter().zip(terms).map(|(sum, term)| sum + term);
+            let above: Vec<f64> = above.collect();
             let [least, most] = [&below, &above].map(|sums| {
                 let shown = sums.iter().copied().map(displayed);
                 shown.collect::<Vec<f64>>()
             });
             let area = FilledArea::new(light.name.clone(), &columns, &least, &most);
-            plot.add(area.fill_color(ink(light)).allow_hover(false));
+            plot.add(
+                area.fill_color(ink(light).gamma_multiply(share))
+                    .allow_hover(false),
+            );
             below = above;
         }
     }
@@ -170,23 +163,15 @@ fn stack(
 fn straight(plot: &mut PlotUi, places: &Places, of: impl Fn(&ProbedSurface) -> f64) {
     let line = Line::new("interpolated", curve(places, &of));
     plot.line(line.color(GOURAUD).width(1.5));
-    let is_edge = |index: &usize| {
-        let triangle = |index: usize| places.get(index).map(|(_, it)| it.triangle);
-        let own = triangle(*index);
-        *index == 0 || triangle(index - 1) != own || *index + 1 == places.len()
-    };
-    let edges = (0..places.len()).filter(is_edge);
-    let dots: PlotPoints = edges
-        .map(|index| [places[index].0, of(places[index].1)])
-        .collect();
+    let triangles = places.chunk_by(|one, other| one.1.triangle == other.1.triangle);
+    let ends = triangles.flat_map(|same| [same[0], same[same.len() - 1]]);
+    let dots: PlotPoints = ends.map(|(x, surface)| [x, of(surface)]).collect();
     plot.points(Points::new("edges", dots).color(GOURAUD).radius(4.0));
 }
 
 /// A dot at the pixel.
-fn dot(plot: &mut PlotUi, places: &Places, here: &ProbedSurface, ink: Color32, y: f64) {
-    if let Some((x, _)) = places.iter().find(|(_, it)| std::ptr::eq(*it, here)) {
-        plot.points(Points::new("pixel", vec![[*x, y]]).color(ink).radius(4.5));
-    }
+fn dot(plot: &mut PlotUi, x: f64, ink: Color32, y: f64) {
+    plot.points(Points::new("pixel", vec![[x, y]]).color(ink).radius(4.5));
 }
 
 /// A plot over the columns of the section, with a line at the pixel; the column that the mouse drags it to.
@@ -195,10 +180,9 @@ fn plot<'a>(
     name: &'static str,
     height: f32,
     places: &Places,
-    here: &ProbedSurface,
+    x: f64,
     draw: impl FnOnce(&mut PlotUi<'a>) + 'a,
 ) -> Option<usize> {
-    let x = places.iter().find(|(_, it)| std::ptr::eq(*it, here))?.0;
     let plot = still(Plot::new(name).height(height).include_y(0.0));
     let plot = plot
         .y_axis_min_width(28.0)
@@ -206,11 +190,8 @@ fn plot<'a>(
         .show_x(false);
     let shown = plot.show(ui, move |plot| {
         draw(plot);
-        plot.vline(
-            VLine::new("pixel", x)
-                .color(Color32::GRAY)
-                .style(LineStyle::dashed_dense()),
-        );
+        let line = VLine::new("pixel", x).color(Color32::GRAY);
+        plot.vline(line.style(LineStyle::dashed_dense()));
     });
     let response = shown.response;
     response.widget_info(|| WidgetInfo::labeled(WidgetType::Slider, true, name));

@@ -66,7 +66,7 @@ fn a_recording_that_cannot_be_replayed_is_kept_and_the_reason_printed() {
     let text = fs::read(folder.path().join("a.log")).expect("it was written");
     assert_fails(folder.path(), "replay", 2, &["<LOG>"]);
     assert_fails(folder.path(), "replay b.log", 2, &["b.log"]);
-    assert_fails(folder.path(), "replay a.log", 2, &["a.log:3:", "\"quit\""]);
+    assert_fails(folder.path(), "replay a.log", 2, &["a.log:3:", "`quit`"]);
     assert_fails(
         folder.path(),
         "replay a.log -o a.log",

@@ -41,7 +41,6 @@ Values of the wrong type.
 22 ¦ [view]⏎inspector = "help"         ¦ 23:13 ¦ help
 22 ¦ [view]⏎sides = ["phong-0"]        ¦ 23:9  ¦ ["phong-0"]
 22 ¦ [view]⏎sides = ["phong-0", "x-1"] ¦ 23:9  ¦ "x-1" ¦ "reference"
-22 ¦ [view]⏎magnifier.corner = [1]     ¦ 23:20 ¦ [1]
 22 ¦ [view]⏎pixel = [0, -1]            ¦ 23:13 ¦ -1
 
 Numbers out of range; every range is tried below.
@@ -52,8 +51,6 @@ Numbers out of range; every range is tried below.
 22 ¦ [view]⏎tolerance = nan            ¦ 23:13 ¦ `view.tolerance` ¦ NaN
 22 ¦ [view]⏎turned = 360               ¦ 23:10 ¦ `view.turned` ¦ 360
 22 ¦ [view]⏎pixel = [0, 16384]         ¦ 23:9  ¦ `view.pixel` ¦ 16384
-22 ¦ [view]⏎magnifier.scale = 3        ¦ 23:19 ¦ `view.magnifier.scale` ¦ 3
-22 ¦ [view]⏎magnifier.scale = 128      ¦ 23:19 ¦ `view.magnifier.scale` ¦ 128
 
 Names, and values that do not go together.
  3 ¦ name = ''                         ¦ 3:8   ¦ `cuboid.name`

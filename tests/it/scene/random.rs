@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 use proptest::prelude::*;
 use shadetrade::components::{
-    LightKind, Magnifier, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance, ViewMode,
+    LightKind, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance, ViewMode,
 };
 use shadetrade::scene::range::{
     Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, OrbitAngle, Share,
@@ -133,10 +133,6 @@ pub fn view(random: &mut Random) -> ViewRecord {
         divider: number(random, &Share::RANGE),
         turned: random.below(360) as u32,
         pixel: maybe(random, pixel),
-        magnifier: Magnifier {
-            scale: 1 << random.below(7),
-            corner: pixel(random),
-        },
         inspector: maybe(random, |random| {
             random.one_of(&[Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof])
         }),

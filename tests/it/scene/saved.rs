@@ -36,7 +36,7 @@ projection = "perspective"
 sides = ["picture",
     "phong-4", # a side
 ]
-magnifier = { scale = 2, corner = [3, 4] } # large
+divider = 0.25 # left
 
 # A camera.
 [[camera]]
@@ -174,15 +174,13 @@ fn a_view_is_added_only_if_it_differs_from_the_default() {
         record.view.show = ViewMode::Wipe;
         record.view.pixel = Some([3, 4]);
         record.view.inspector = Some(Tab::Proof);
-        record.view.magnifier.scale = 8;
     };
-    let magnifier = "magnifier = { scale = 8, corner = [0, 0] }";
     for (change, expected) in [
         (orthographic, "projection = \"orthographic\""),
         (second, "camera = \"2\""),
         (
             several,
-            &format!("show = \"wipe\"\npixel = [3, 4]\n{magnifier}\ninspector = \"proof\""),
+            "show = \"wipe\"\npixel = [3, 4]\ninspector = \"proof\"",
         ),
     ] {
         let after = edited(text, change);

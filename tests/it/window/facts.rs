@@ -6,7 +6,6 @@ use shadetrade::components::{Inspector, ShadingMode, Tab, View};
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::facts::State;
 
 use super::{PAUSE, Window};
 use crate::support::window::default_scene;
@@ -53,56 +52,33 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     window.click(window.app.place.center());
     window.press(Key::N);
     window.press(Key::F5);
-    let states = |window: &Window| {
+    window.step(Vec::new());
+    let are_current = |window: &Window| {
         let facts = &window.app.facts;
         [
-            &facts.section.state,
-            &facts.comparison.state,
-            &facts.required.state,
-            &facts.bits.state,
+            facts.section.is_current,
+            facts.comparison.is_current,
+            facts.required.is_current,
         ]
-        .map(Clone::clone)
     };
-    window.step(Vec::new());
-    assert_eq!(states(&window), [const { State::Current }; 4]);
-    for key in [Key::F2, Key::F6, Key::Z, Key::X, Key::H, Key::H] {
+    for key in [Key::F2, Key::F6, Key::H, Key::H] {
         window.press(key);
         assert_eq!(
-            states(&window),
-            [const { State::Current }; 4],
+            are_current(&window),
+            [true; 3],
             "{key:?} changes no picture"
         );
     }
+    // Nothing asks for them again.
     window.app.set_look(Inspector(None));
     window.press(Key::F2);
-    for key in [
-        Key::W,
-        Key::G,
-        Key::O,
-        Key::ArrowLeft,
-        Key::C,
-        Key::OpenBracket,
-    ] {
-        let facts = &mut window.app.facts;
-        facts.comparison.state = State::Current;
-        facts.required.state = State::Current;
-        facts.bits.state = State::Current;
-        window.press(key);
-        let facts = &window.app.facts;
-        assert_eq!(facts.comparison.state, State::Old, "{key:?}");
-        assert_eq!(facts.required.state, State::Old, "{key:?}");
-        assert_eq!(facts.bits.state, State::Old, "{key:?}");
-        assert!(facts.comparison.current().is_none() && facts.comparison.value.is_some());
-    }
-    let facts = &mut window.app.facts;
-    facts.comparison.state = State::Current;
+    window.press(Key::OpenBracket);
+    assert_eq!(are_current(&window)[1..], [false; 2]);
+    assert!(window.app.facts.comparison.value.is_some());
+    window.app.facts.comparison.is_current = true;
     window.size = [140, 90];
     window.step(Vec::new());
-    assert_eq!(
-        window.app.facts.comparison.state,
-        State::Old,
-        "another size"
-    );
+    assert!(!window.app.facts.comparison.is_current, "another size");
     assert_eq!(window.app.pixels().len(), 140 * 90);
 }
 
@@ -130,39 +106,13 @@ fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized() {
 }
 
 #[test]
-fn a_part_is_left_out_and_comes_back() {
+fn the_part_that_matters_most_comes_first() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::P);
     window.press(Key::N);
-    let whole = window.app.pictures.frame().to_vec();
-    let parts = window
-        .app
-        .facts
-        .required
-        .current()
-        .expect("an answer")
-        .clone();
-    assert!(
-        parts.iter().any(|it| it.name.contains("red")),
-        "a light is a part"
-    );
-    let most = parts.first().expect("a part");
-    assert!(most.change.most() >= parts.last().expect("a part").change.most());
-    window.app.desk.left_out = Some(most.part);
-    window.press(Key::Escape);
-    window.app.desk.left_out = Some(most.part);
-    window.step(Vec::new());
-    let without = window
-        .app
-        .facts
-        .without
-        .current()
-        .expect("an answer")
-        .clone();
-    assert_ne!(without, whole);
-    assert!(window.seen() == without);
-    window.press(Key::Escape);
-    assert!(window.seen() == whole);
+    let parts = window.app.facts.required.current().expect("an answer");
+    assert!(parts.iter().any(|(name, _)| name.contains("red")));
+    assert!(parts.is_sorted_by(|one, other| one.1.most() >= other.1.most()));
 }
 
 #[test]

@@ -3,11 +3,9 @@
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{
-    Inspector, Magnifier, Orbit, Projection, ShadingMode, Side, Spin, Tab, ViewMode,
-};
+use shadetrade::components::{Inspector, Orbit, Projection, ShadingMode, Side, Spin, ViewMode};
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::keys::{BINDINGS, Command};
+use shadetrade::window::keys::{self, Command, gouraud_phong};
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::window::{default_scene, widgets};
@@ -19,8 +17,7 @@ fn prepare(window: &mut Window, command: Command) {
             window.press(Key::P);
         }
         Command::View(ViewMode::Picture) => window.press(Key::F5),
-        Command::Magnify(-1) => window.press(Key::Z),
-        Command::ResetView => [Key::ArrowLeft, Key::Minus, Key::Z]
+        Command::ResetView => [Key::ArrowLeft, Key::Minus]
             .map(|key| window.press(key))
             .into_iter()
             .collect(),
@@ -56,7 +53,7 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
         Command::Redo => record.cuboid[0].shading = ShadingMode::Phong,
         Command::Tolerance(way) => {
             view.tolerance = if way > 0 { 1.0 } else { 0.25 };
-            view.sides = sides(view.tolerance);
+            view.sides = gouraud_phong(view.tolerance);
         }
         Command::HoldTime => view.budget = Some(1.0),
         Command::NextProjection => view.projection = Projection::Orthographic,
@@ -66,22 +63,11 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
             view.show = ViewMode::Wipe;
             view.sides = [Side::Picture, Side::Reference];
         }
-        Command::Side(index, way) => {
-            view.show = ViewMode::Wipe;
-            let other = match (index, way) {
-                (0, 1) => "phong-unit-vectors",
-                (0, _) => "gouraud-0",
-                (_, 1) => "phong-0.25",
-                _ => "phong-1",
-            };
-            view.sides[index] = other.to_owned().try_into().expect("a side");
-        }
         Command::Probe(right, down) => {
             let [x, y] = view.pixel.expect("the middle");
             let moved = |at: usize, by: i32| at.saturating_add_signed(by as isize);
             view.pixel = Some([moved(x, right), moved(y, down)]);
         }
-        Command::Magnify(way) => view.magnifier.scale = if way > 0 { 2 } else { 1 },
         Command::Orbit(right, up) => {
             record.camera[0].orbit.azimuth = right;
             record.camera[0].orbit.elevation = up;
@@ -89,7 +75,6 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
         Command::Zoom(steps) => record.camera[0].orbit.zoom = 1.1_f64.powi(-steps),
         Command::ResetView => {
             record.camera[0].orbit = Orbit::default();
-            view.magnifier = Magnifier::default();
         }
         Command::Tab(tab) => view.inspector = Some(tab),
         _ => {}
@@ -97,43 +82,34 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
     record
 }
 
-fn sides(tolerance: f64) -> [Side; 2] {
-    [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method { mode, tolerance })
-}
-
 #[test]
 fn every_key_does_what_its_description_says() {
-    for binding in BINDINGS {
-        for (modifiers, key, command) in binding.keys {
-            let (command, mut window) = (*command, Window::open());
-            prepare(&mut window, command);
-            let before = window.record();
-            window.modifiers = *modifiers;
-            window.key(*key, true);
-            let blinks = |window: &Window| window.app.turn().is_some();
-            assert_eq!(blinks(&window), command == Command::Blink, "{key:?}");
-            window.key(*key, false);
-            assert!(!blinks(&window), "{key:?}");
-            let (mut after, wanted) = (window.record(), expected(command, &before));
-            // The corner is derived from the centre.
-            after.view.magnifier.corner = wanted.view.magnifier.corner;
-            assert_eq!(after, wanted, "{key:?}, {}", binding.says);
-            let desk = &window.app.desk;
-            assert_eq!(desk.help, command == Command::Help, "{key:?}");
-            assert_eq!(desk.panel_folded, command == Command::Panel, "{key:?}");
-            assert_eq!(
-                window.app.look::<Spin>().on,
-                command == Command::Rotate,
-                "{key:?}"
-            );
-            assert_eq!(window.app.quits, command == Command::Quit, "{key:?}");
-            let saved = match command {
-                Command::Save | Command::SaveAs => vec!["cuboid.toml"],
-                Command::Screenshot => vec!["shadetrade-001.png"],
-                _ => Vec::new(),
-            };
-            assert_eq!(window.files(), saved, "{key:?}");
+    for (modifiers, key, command) in keys::keys() {
+        let (command, mut window) = (*command, Window::open());
+        prepare(&mut window, command);
+        let before = window.record();
+        window.modifiers = *modifiers;
+        window.key(*key, true);
+        let blinks = window.app.turn().is_some();
+        window.key(*key, false);
+        assert_eq!(window.record(), expected(command, &before), "{key:?}");
+        let desk = &window.app.desk;
+        for (is_on, own) in [
+            (blinks, Command::Blink),
+            (desk.help, Command::Help),
+            (desk.panel_folded, Command::Panel),
+            (window.app.look::<Spin>().on, Command::Rotate),
+            (window.app.quits, Command::Quit),
+        ] {
+            assert_eq!(is_on, command == own, "{key:?}");
         }
+        assert_eq!(window.app.turn(), None, "{key:?}");
+        let saved = match command {
+            Command::Save | Command::SaveAs => vec!["cuboid.toml"],
+            Command::Screenshot => vec!["shadetrade-001.png"],
+            _ => Vec::new(),
+        };
+        assert_eq!(window.files(), saved, "{key:?}");
     }
 }
 
@@ -142,8 +118,6 @@ fn a_key_without_effect_shows_a_message() {
     let mut window = Window::open();
     for (key, times) in [
         (Key::Num9, 1),
-        (Key::Z, 8),
-        (Key::X, 8),
         (Key::OpenBracket, 9),
         (Key::ArrowUp, 60),
         (Key::Plus, 60),
@@ -156,22 +130,17 @@ fn a_key_without_effect_shows_a_message() {
         assert_eq!(window.record(), before, "{key:?}");
         assert!(!window.message().is_empty(), "{key:?}");
     }
-    window.undo();
-    (0..200).for_each(|_| window.undo());
-    assert_eq!(window.message(), "nothing to undo");
-}
-
-/// A window with the scene's tab.
-fn editor() -> Window {
-    let mut window = Window::open();
-    window.press(Key::E);
-    window.step(Vec::new());
-    window
 }
 
 #[test]
 fn keys_type_into_a_focused_field_and_do_nothing_else() {
     let name = "wrsagpfmco=-bzxehniq1 23?[]";
+    let editor = || {
+        let mut window = Window::open();
+        window.press(Key::E);
+        window.step(Vec::new());
+        window
+    };
     let harness = widgets(editor().app, SIZE);
     let mut window = editor();
     window.click(harness.get_by_role(Role::TextInput).rect().center());
@@ -196,37 +165,18 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
 }
 
 #[test]
-fn the_key_that_opens_the_scenes_tab_closes_it() {
-    let mut window = Window::open();
-    for open in [Some(Tab::Scene), None, Some(Tab::Scene)] {
-        window.press(Key::E);
-        assert_eq!(window.app.look::<Inspector>(), Inspector(open));
-    }
-    window.press(Key::N);
-    assert_eq!(
-        window.app.look::<Inspector>(),
-        Inspector(Some(Tab::Required))
-    );
-}
-
-#[test]
 fn escape_closes_one_visible_thing_at_a_time() {
-    for size in [SIZE, [500, 400]] {
+    // A narrow window has no room for the inspector beside the picture.
+    for (size, presses) in [(SIZE, 4), ([500, 400], 3)] {
         let mut window = Window::of(default_scene(), size);
         window.click(window.app.place.center());
         window.press(Key::H);
-        for _ in 0..4 {
+        // The last press closes nothing and names the key that quits.
+        for _ in 0..presses {
             window.point_at(Pos2::ZERO);
-            let (before, help) = (window.app.pixels().to_vec(), window.app.desk.help);
-            let opened = window.app.desk.message.is_some();
+            let before = window.app.pixels().to_vec();
             window.press(Key::Escape);
-            if window.message() == "Q quits" {
-                break;
-            }
-            assert!(
-                window.app.pixels() != before,
-                "{size:?}: help {help}, message {opened}"
-            );
+            assert!(window.app.pixels() != before, "{size:?}");
         }
         assert_eq!(window.message(), "Q quits", "{size:?}");
         assert_eq!(window.app.look::<Inspector>(), Inspector(None));
@@ -234,27 +184,23 @@ fn escape_closes_one_visible_thing_at_a_time() {
 }
 
 #[test]
-fn the_keys_of_panel_and_scene_show_and_hide_in_a_narrow_window_too() {
+fn in_a_narrow_window_panel_and_inspector_take_turns() {
     let mut window = Window::of(default_scene(), [400, 300]);
     let folded = window.app.pixels().to_vec();
-    for key in [Key::I, Key::E] {
-        window.press(key);
-        assert!(window.app.pixels() != folded, "{key:?} opens");
-        window.press(key);
-        assert!(window.app.pixels() == folded, "{key:?} closes");
-    }
-    // The inspector takes the panel's place, and the panel the inspector's.
-    for (key, has_inspector) in [
-        (Key::I, false),
-        (Key::E, true),
-        (Key::I, false),
-        (Key::E, true),
+    for (key, is_folded, has_inspector) in [
+        (Key::I, false, false),
+        (Key::I, true, false),
+        (Key::E, false, true),
+        (Key::E, true, false),
+        (Key::I, false, false),
+        (Key::E, false, true),
+        (Key::I, false, false),
+        (Key::E, false, true),
     ] {
         window.press(key);
+        assert_eq!(window.app.pixels() == folded, is_folded, "{key:?}");
         let Inspector(tab) = window.app.look();
-        assert_eq!(tab.is_some(), has_inspector);
+        assert_eq!(tab.is_some(), has_inspector, "{key:?}");
         assert!(window.app.picture_size()[0] > 100, "a side takes the rest");
     }
-    window.press(Key::Escape);
-    assert_eq!(window.app.look::<Inspector>(), Inspector(None));
 }

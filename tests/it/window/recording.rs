@@ -6,20 +6,20 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{Event, Key, Modifiers, RawInput};
+use egui::Key;
 use fearless_simd::Level;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
 use serde_json::json;
-use shadetrade::drawing::Drawing;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::simd;
-use shadetrade::window::app::App;
 use shadetrade::window::recording::{Log, Recorder, patch};
 use shadetrade::window::replay::{draw, hash};
 
+use super::{FRAME, Window};
 use crate::scene::random;
+use crate::support::window::default_scene;
 
 /// A file in memory with a limited length.
 #[derive(Clone)]
@@ -52,34 +52,10 @@ impl File {
 const SIZE: [usize; 2] = [700, 480];
 
 /// A window that records into a file.
-fn recorded(file: &File) -> App {
-    let drawing = Drawing {
-        scene: Scene::load(None).expect("it is built in"),
-        size: SIZE,
-        threads: 1,
-        level: Level::new(),
-    };
-    let mut app = App::new(drawing, false).expect("there are threads");
-    app.shows_times = false;
-    app.recorder = Some(Recorder::new(file.clone()));
-    app
-}
-
-fn press(app: &mut App, milliseconds: u64, key: Option<Key>) {
-    let event = |key, pressed| Event::Key {
-        key,
-        physical_key: None,
-        pressed,
-        repeat: false,
-        modifiers: Modifiers::NONE,
-    };
-    let events = key.map(|key| vec![event(key, true), event(key, false)]);
-    let input = RawInput {
-        events: events.unwrap_or_default(),
-        ..RawInput::default()
-    };
-    let now = Duration::from_millis(milliseconds);
-    app.step(now, SIZE, input).expect("there is memory");
+fn recorded(file: &File) -> Window {
+    let mut window = Window::of(default_scene(), SIZE);
+    window.app.recorder = Some(Recorder::new(file.clone()));
+    window
 }
 
 fn read(text: &str) -> anyhow::Result<Log> {
@@ -90,9 +66,8 @@ fn read(text: &str) -> anyhow::Result<Log> {
 fn replayed(log: &Log, threads: usize, level: Level) -> Vec<(Duration, Arc<SceneRecord>, u64)> {
     let mut frames = Vec::new();
     let drawing = log.drawing(threads, level);
-    draw(log, drawing, |drawn| {
-        let hash = hash(&drawn.app.shown());
-        frames.push((drawn.time, Arc::clone(&drawn.app.state), hash));
+    draw(log, drawing, |app, frame, _| {
+        frames.push((frame.time, Arc::clone(&app.state), hash(&app.shown())));
         Ok(())
     })
     .expect("there is memory");
@@ -101,8 +76,7 @@ fn replayed(log: &Log, threads: usize, level: Level) -> Vec<(Duration, Arc<Scene
 
 /// A log of a scene, followed by these lines.
 fn log(lines: &str) -> String {
-    let scene = Scene::load(None).expect("it is built in");
-    let scene = json!({ "name": "cuboid", "scene": SceneRecord::of(&scene.world) });
+    let scene = json!({ "name": "cuboid", "scene": SceneRecord::of(&default_scene().world) });
     format!("0.000 scene {scene}\n{lines}")
 }
 
@@ -112,21 +86,23 @@ proptest! {
     #[test]
     fn a_window_is_replayed_unchanged(keys in vec(select(vec![
         Key::W, Key::R, Key::Num3, Key::A, Key::G, Key::P, Key::OpenBracket, Key::CloseBracket, Key::C, Key::O,
-        Key::ArrowLeft, Key::ArrowUp, Key::Plus, Key::Home, Key::F2, Key::F3, Key::F4, Key::F5, Key::F6, Key::Z,
+        Key::ArrowLeft, Key::ArrowUp, Key::Plus, Key::Home, Key::F2, Key::F3, Key::F4, Key::F5, Key::F6,
         Key::E, Key::Escape,
     ]), 4..8)) {
         let file = File::new(usize::MAX);
-        let mut app = recorded(&file);
+        let mut window = recorded(&file);
         let mut expected: Vec<(Duration, Arc<SceneRecord>, u64)> = Vec::new();
-        for (index, key) in std::iter::once(None).chain(keys.into_iter().map(Some)).enumerate() {
-            let now = 40 * index as u64;
-            press(&mut app, now, key);
+        for key in std::iter::once(None).chain(keys.into_iter().map(Some)) {
+            let now = window.now + FRAME;
+            let events = key.map(|key| [true, false].map(|pressed| window.key_event(key, pressed)));
+            window.step_at(now, events.into_iter().flatten().collect());
+            // Answers are shown a step after they are found.
             for _ in 0..3 {
-                press(&mut app, now, None);
+                window.step_at(now, Vec::new());
             }
+            let app = &window.app;
             if expected.last().is_none_or(|(_, state, _)| *state != app.state) {
-                let frame = (Duration::from_millis(now), Arc::clone(&app.state), hash(&app.shown()));
-                expected.push(frame);
+                expected.push((now, Arc::clone(&app.state), hash(&app.shown())));
             }
         }
         let log = read(&file.text()).expect("it was recorded");
@@ -185,14 +161,13 @@ const LINES: &str = r#"0.000 size [320,200]
 0.500 patch [{"op":"replace","path":"/light/0/on","value":false}]
 0.500 patch [{"op":"add","path":"/view/pixel","value":[16383,16383]},{"op":"remove","path":"/light/1"}]
 10.5 say "words"
-11.000 patch [{"op":"add","path":"/view/magnifier","value":{"scale":64,"corner":[16383,16383]}}]
+11.000 patch [{"op":"add","path":"/view/show","value":"wipe"}]
 11.000 size [1,1]
 "#;
 
 #[test]
 fn a_change_of_one_number_is_one_operation_with_its_name() {
-    let scene = Scene::load(None).expect("it is built in");
-    let before = SceneRecord::of(&scene.world);
+    let before = SceneRecord::of(&default_scene().world);
     let mut after = before.clone();
     after.light[2].on = false;
     let expected = json!([{ "op": "replace", "path": "/light/2/on", "value": false }]);
@@ -219,7 +194,6 @@ fn the_limits_of_a_log_are_drawn() {
     let log = read(&log(LINES)).expect("it is valid");
     let frames = replayed(&log, 1, Level::new());
     assert_eq!(frames.len(), 4);
-    assert_eq!(frames[3].1.view.magnifier.scale, 64);
 }
 
 #[test]
@@ -235,53 +209,42 @@ fn long_pauses_are_shortened_and_short_ones_are_not() {
     assert_eq!(played, [0.0, 0.5, 0.75, 2.75, 3.75]);
 }
 
+/// Third lines of a log, and words of their error.
+const MISTAKES: &str = r#"
+ ¦ seconds
+x say "a" ¦ seconds from 1
+nan say "a" ¦ "nan"
+-1 say "a" ¦ seconds
+1e300 say "a" ¦ 1000000000
+0.999 say "a" ¦ seconds from 1 to
+2 ¦ `say`
+2 quit ¦ `scene`, `patch`, `size`, `say`
+2 say words ¦ expected value
+2 say 3 ¦ string
+2 size [0,1] ¦ 16384
+2 size [16385,1] ¦ 16384
+2 size [1.5,1] ¦ 1.5
+2 size [1,1,1] ¦ trailing characters
+2 scene {"name":"é","scene":{}} ¦ missing field `cuboid`
+2 scene {"lamp":3} ¦ unknown field `lamp`
+2 patch {} ¦ sequence
+2 patch [{"op":"remove","path":"/light/9"}] ¦ /light/9
+2 patch [{"op":"remove","path":"/camera"}] ¦ `camera`
+2 patch [{"op":"replace","path":"/cuboid/0/size/0","value":-4}] ¦ -4
+2 patch [{"op":"replace","path":"/light/0/name","value":"red"}] ¦ red
+"#;
+
 #[test]
 fn mistakes_are_reported_with_their_place() {
-    for (line, words) in [
-        ("", "seconds"),
-        ("x say \"a\"", "seconds from 1"),
-        ("nan say \"a\"", "\"nan\""),
-        ("-1 say \"a\"", "seconds"),
-        ("1e300 say \"a\"", "1000000000"),
-        ("0.999 say \"a\"", "seconds from 1 "),
-        ("2", "`say`"),
-        ("2 quit", "`scene`, `patch`, `size` or `say`"),
-        ("2 say words", "expected value"),
-        ("2 say 3", "string"),
-        ("2 size [0,1]", "16384"),
-        ("2 size [16385,1]", "16384"),
-        ("2 size [1.5,1]", "1.5"),
-        ("2 size [1,1,1]", "trailing characters"),
-        (
-            "2 scene {\"name\":\"\u{e9}\",\"scene\":{}}",
-            "missing field `cuboid`",
-        ),
-        ("2 scene {\"lamp\":3}", "unknown field `lamp`"),
-        ("2 patch {}", "sequence"),
-        (
-            "2 patch [{\"op\":\"remove\",\"path\":\"/light/9\"}]",
-            "/light/9",
-        ),
-        (
-            "2 patch [{\"op\":\"remove\",\"path\":\"/camera\"}]",
-            "`camera`",
-        ),
-        (
-            "2 patch [{\"op\":\"replace\",\"path\":\"/cuboid/0/size/0\",\"value\":-4}]",
-            "-4",
-        ),
-        (
-            "2 patch [{\"op\":\"replace\",\"path\":\"/light/0/name\",\"value\":\"red\"}]",
-            "red",
-        ),
-    ] {
-        let error = read(&log(&format!("1.000 say \"ok\"\n{line}\n"))).err();
-        let error = error
-            .unwrap_or_else(|| panic!("{line} is accepted"))
-            .to_string();
-        let place = "a.log:3: ";
+    let error = |text: &str| {
+        let error = read(text).err();
+        error.map_or_else(|| panic!("{text}"), |error| error.to_string())
+    };
+    for row in MISTAKES.lines().skip(1) {
+        let (line, words) = row.split_once(" ¦ ").expect("a line and its error");
+        let error = error(&log(&format!("1.000 say \"ok\"\n{line}\n")));
         assert!(
-            error.starts_with(place) && error.contains(words),
+            error.starts_with("a.log:3: ") && error.contains(words),
             "{line}: {error}"
         );
     }
@@ -292,33 +255,30 @@ fn mistakes_are_reported_with_their_place() {
         "\n",
         "shadetrade log 1\n",
     ] {
-        let error = read(text).err().expect("it has no scene").to_string();
-        assert!(error.starts_with("a.log:1:"), "{error}");
+        assert!(error(text).starts_with("a.log:1:"), "{text}");
     }
 }
 
 #[test]
 fn a_failed_write_ends_the_recording_and_the_window_reports_it() {
     let file = File::new(4000);
-    let mut app = recorded(&file);
-    for now in 0..200 {
-        press(&mut app, now, Some(Key::W));
-    }
-    assert!(app.recorder.is_none());
-    let message = app.desk.message.expect("a message").text;
-    assert!(message.contains("the disk is full"), "{message}");
+    let mut window = recorded(&file);
+    (0..100).for_each(|_| window.press(Key::W));
+    assert!(window.app.recorder.is_none());
+    assert!(window.message().contains("the disk is full"));
     assert!(read(&file.text()).is_ok_and(|log| log.frames.len() > 1));
 }
 
 #[test]
 fn another_scene_is_recorded_completely() {
     let file = File::new(usize::MAX);
-    let mut app = recorded(&file);
-    press(&mut app, 0, None);
-    app.open(Scene::load(Some("bench-far")).expect("it is built in"));
-    press(&mut app, 10, None);
+    let mut window = recorded(&file);
+    window.press(Key::W);
+    let other = Scene::load(Some("bench-far"));
+    window.app.open(other.expect("it is built in"));
+    window.press(Key::W);
     let log = read(&file.text()).expect("it was recorded");
     let frames = replayed(&log, 1, Level::new());
-    assert_eq!(frames.last().map(|frame| &frame.1), Some(&app.state));
-    assert!(file.text().contains("0.010 scene {\"name\":\"bench-far\""));
+    assert_eq!(frames.last().map(|frame| &frame.1), Some(&window.app.state));
+    assert!(file.text().contains("scene {\"name\":\"bench-far\""));
 }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use egui::{Key, Modifiers, vec2};
+use egui::{Key, vec2};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{Probed, ShadingMode, Show, Side, View, ViewMode};
@@ -12,7 +12,6 @@ use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::metrics::displayed;
 use shadetrade::window::app::App;
-use shadetrade::window::facts::State;
 use shadetrade::window::keys::gouraud_phong;
 use shadetrade::window::pictures::side_view;
 use shadetrade::window::style::{GOURAUD, PHONG};
@@ -44,7 +43,7 @@ fn measured() -> App {
             },
         )
     });
-    app.facts.trade.finish(methods.collect());
+    app.facts.trade.finish(Some(methods.collect()));
     app
 }
 
@@ -60,50 +59,26 @@ fn sides(window: &Window) -> [Side; 2] {
 }
 
 #[test]
-fn keys_go_through_all_sides_and_back() {
-    let mut window = Window::open();
-    for (key, index) in [(Key::Comma, 0), (Key::Period, 1)] {
-        window.press(Key::F3);
-        let start = sides(&window);
-        let mut seen = Vec::new();
-        for _ in 0..METHODS.len() + 2 {
-            window.press(key);
-            assert_eq!(window.app.look::<Show>().mode, ViewMode::Wipe);
-            let side = sides(&window)[index];
-            assert!(!seen.contains(&side), "{side:?}");
-            assert_eq!(sides(&window)[1 - index], start[1 - index]);
-            seen.push(side);
-        }
-        assert_eq!(sides(&window), start, "all of them, and round");
-        window.press_with(Modifiers::SHIFT, key);
-        assert_eq!(sides(&window)[index], seen[seen.len() - 2]);
-    }
-}
-
-#[test]
 fn the_menu_in_a_tag_chooses_the_method_of_its_side() {
     let mut harness = widgets(measured(), SIZE);
     harness.key_press(Key::F3);
     harness.run_ok();
-    for (index, from, to, side) in [
-        (
-            0,
+    let choices = [
+        [
             "Gouraud ⏷",
             "Interpolated unit vectors",
             "phong-unit-vectors",
-        ),
-        (
-            1,
+        ],
+        [
             "Phong within half a level ⏷",
             "Exact Phong in f64",
             "reference",
-        ),
-    ] {
+        ],
+    ];
+    for (index, [from, to, side]) in choices.into_iter().enumerate() {
         for label in [from, to] {
-            let at = *places(&harness, label)
-                .last()
-                .unwrap_or_else(|| panic!("no {label:?}"));
-            click_at(&mut harness, at);
+            let found = places(&harness, label);
+            click_at(&mut harness, *found.last().expect(label));
         }
         let shown = harness.state().look::<Show>().sides[index];
         assert_eq!(String::from(shown), side);
@@ -111,46 +86,25 @@ fn the_menu_in_a_tag_chooses_the_method_of_its_side() {
 }
 
 #[test]
-fn both_tags_are_whole_wherever_the_divider_is() {
+fn both_tags_are_whole_in_windows_of_any_width() {
     for size in [SIZE, [760, 700]] {
         let mut harness = widgets(measured(), size);
         harness.key_press(Key::F3);
         harness.run_ok();
-        for divider in [0.02, 0.2, 0.5, 0.8, 0.98] {
-            let show: Show = harness.state().look();
-            harness.state_mut().set_look(Show { divider, ..show });
-            harness.run_ok();
-            let place = harness.state().place;
-            let tags = [
-                ["Gouraud ⏷", "worst pixel 165 of 255"],
-                ["Phong within half a level ⏷", "worst pixel 0.500 of 255"],
-            ];
-            let tags = tags.map(|labels| {
-                let [name, worst] = labels.map(|label| harness.get_by_label(label).rect());
-                name.union(worst)
-            });
-            for tag in tags {
-                assert!(place.contains_rect(tag), "{divider}: {tag} in {place}");
-            }
-            assert!(tags[0].max.x < tags[1].min.x, "{divider}: {tags:?}");
-        }
-    }
-}
-
-#[test]
-fn a_price_of_another_view_is_grey_and_says_why() {
-    let mut harness = widgets(measured(), SIZE);
-    harness.key_press(Key::F3);
-    harness.run_ok();
-    for is_old in [false, true] {
-        if is_old {
-            harness.state_mut().facts.trade.state = State::Old;
-        }
-        let at = harness.get_by_label("worst pixel 165 of 255").rect();
-        harness.hover_at(at.center());
-        harness.run_ok();
-        let told = harness.query_by_label_contains("It is measured again");
-        assert_eq!(told.is_some(), is_old);
+        let place = harness.state().place;
+        let tags = [
+            ["Gouraud ⏷", "worst pixel 165 of 255"],
+            ["Phong within half a level ⏷", "worst pixel 0.500 of 255"],
+        ];
+        let tags = tags.map(|labels| {
+            let [name, worst] = labels.map(|label| harness.get_by_label(label).rect());
+            name.union(worst)
+        });
+        assert!(
+            tags.iter().all(|tag| place.contains_rect(*tag)),
+            "{tags:?} in {place}"
+        );
+        assert!(tags[0].max.x < tags[1].min.x, "{tags:?}");
     }
 }
 
@@ -180,7 +134,7 @@ fn two_pictures_take_turns_while_a_key_is_held() {
 }
 
 #[test]
-fn the_worst_pixel_is_probed_by_its_mark_its_tag_and_its_key() {
+fn the_worst_pixel_is_probed_by_its_mark_and_its_tag() {
     let probed = |window: &Window| window.app.look::<Probed>().0;
     // Its mark, where its side is shown: Gouraud's lies right of the divider and Phong's left.
     for is_shown in [false, true] {
@@ -191,7 +145,7 @@ fn the_worst_pixel_is_probed_by_its_mark_its_tag_and_its_key() {
                 window.app.wipe([right, left]);
                 window.step(Vec::new());
             }
-            window.click(window.app.place_of([x as i32, y as i32]) + vec2(4.0, 3.0));
+            window.click(window.app.place_of([x, y]) + vec2(4.0, 3.0));
             assert_eq!(probed(&window) == Some([x, y]), is_shown);
         }
     }
@@ -207,31 +161,6 @@ fn the_worst_pixel_is_probed_by_its_mark_its_tag_and_its_key() {
     // The inspector opens beside the picture, whose columns move.
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
     assert!(divider > WORST[1][0] as f64 / width as f64, "{divider}");
-    // The key chooses the side that errs more.
-    let mut window = open();
-    window.press(Key::Y);
-    assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
-}
-
-#[test]
-fn shift_and_arrows_move_the_probed_pixel() {
-    let mut window = Window::open();
-    let shift = |window: &mut Window, key| window.press_with(Modifiers::SHIFT, key);
-    shift(&mut window, Key::ArrowLeft);
-    let [x, y] = window.record().view.pixel.expect("the middle");
-    window.step(Vec::new());
-    let [x, y] = window.record().view.pixel.unwrap_or([x, y]);
-    let orbit = window.record().camera[0].orbit;
-    for (key, expected) in [
-        (Key::ArrowRight, [x + 1, y]),
-        (Key::ArrowDown, [x + 1, y + 1]),
-        (Key::ArrowLeft, [x, y + 1]),
-        (Key::ArrowUp, [x, y]),
-    ] {
-        shift(&mut window, key);
-        assert_eq!(window.record().view.pixel, Some(expected));
-    }
-    assert_eq!(window.record().camera[0].orbit, orbit);
 }
 
 #[test]
@@ -268,7 +197,8 @@ fn the_levels_below_a_wipe_stand_under_their_columns() {
         "{found:?} of {gouraud}, {phong}"
     );
     assert_eq!(show.mode, ViewMode::Wipe);
-    window.press(Key::L);
+    window.app.desk.profile_folded = true;
+    window.step(Vec::new());
     assert_eq!(place(&window, x, GOURAUD), None, "they are folded");
     assert_eq!(window.app.picture_size(), [width, height]);
 }

@@ -3,15 +3,15 @@
 use egui::{Key, Pos2, RawInput};
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Budget, Show, Side, Tolerance, View, ViewMode};
+use shadetrade::components::{Budget, Show, Side, View, ViewMode};
 use shadetrade::drawing::Drawing;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::Measurement;
+use shadetrade::trade::verdict::method_name;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::facts::State;
 
 use super::{FRAME, Window};
 use crate::support::window::{app, default_scene, places, widgets};
@@ -44,7 +44,7 @@ fn measured() -> Vec<Measurement> {
 fn app_with_trade() -> App {
     let mut app = app(default_scene(), SIZE, Level::new());
     app.shows_times = true;
-    app.facts.trade.finish(measured());
+    app.facts.trade.finish(Some(measured()));
     app
 }
 
@@ -55,19 +55,11 @@ fn open() -> Window {
 /// The positions of the dots in the window, in the order of [`METHODS`].
 fn dots() -> Vec<Pos2> {
     let harness = widgets(app_with_trade(), SIZE);
-    let names = [
-        "exact Gouraud",
-        "Gouraud",
-        "interpolated unit vectors",
-        "Phong within 4 levels",
-        "Phong within 2 levels",
-        "Phong within 1 level",
-        "Phong within half a level",
-        "Phong within 0.25 levels",
-        "exact Phong",
-    ];
-    let dot = |name: &str| places(&harness, &format!("choose {name}"));
-    names.map(|name| *dot(name).first().expect(name)).to_vec()
+    let dot = |method: &Method| {
+        let label = format!("choose {}", method_name(*method));
+        places(&harness, &label)[0]
+    };
+    METHODS.iter().map(dot).collect()
 }
 
 #[test]
@@ -75,22 +67,10 @@ fn dots_lie_by_time_and_error() {
     let (dots, measured) = (dots(), measured());
     for (one, at) in measured.iter().zip(&dots) {
         for (other, there) in measured.iter().zip(&dots) {
-            if one.timing.median < other.timing.median {
-                assert!(
-                    at.x < there.x,
-                    "{:?} is faster than {:?}",
-                    one.method,
-                    other.method
-                );
-            }
-            if one.error > other.error {
-                assert!(
-                    at.y < there.y,
-                    "{:?} errs more than {:?}",
-                    one.method,
-                    other.method
-                );
-            }
+            let is_faster = one.timing.median < other.timing.median;
+            assert!(!is_faster || at.x < there.x, "{one:?}, {other:?}");
+            let errs_more = one.error > other.error;
+            assert!(!errs_more || at.y < there.y, "{one:?}, {other:?}");
         }
     }
 }
@@ -141,68 +121,25 @@ fn hovering_a_dot_shows_its_picture_and_changes_nothing() {
 }
 
 #[test]
-fn a_drag_along_the_staircase_chooses_the_tolerance_continuously() {
-    let dots = dots();
-    let mut window = open();
-    let (from, to) = (dots[3], dots[7]);
-    window.point_at(from);
-    window.button(from, true);
-    window.point_at(from + egui::vec2(-20.0, 20.0));
-    let (mut last, mut between) = (f64::INFINITY, 0);
-    for step in 1..=40 {
-        // Outside of the staircase.
-        let at = from + (to - from) * (step as f32 / 40.0) + egui::vec2(0.0, 3.0);
-        window.point_at(at);
-        let Tolerance(tolerance) = window.app.look();
-        assert!(tolerance <= last, "{tolerance} after {last}");
-        assert_eq!(window.app.shading(), Some(Phong));
-        between += i32::from(METHODS.iter().all(|it| it.tolerance != tolerance));
-        last = tolerance;
-    }
-    assert!(
-        between > 10 && (0.2..0.28).contains(&last),
-        "{between}, {last}"
-    );
-    window.point_at(dots[8]);
-    assert_eq!(window.app.method(), Some(Method::of(Phong, 0.0)));
-    window.point_at(dots[1]);
-    assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
-    window.button(dots[1], false);
-    window.point_at(window.app.place.center());
-    // A method between two dots is drawn like any other.
-    window.app.set_tolerance(0.7);
-    window.step(Vec::new());
-    assert!(window.app.pictures.frame() == window.drawn(|view| view.with_tolerance(0.7)));
-}
-
-#[test]
 fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
     let mut window = open();
-    for key in [
-        Key::P,
-        Key::OpenBracket,
-        Key::G,
-        Key::F5,
-        Key::Z,
-        Key::H,
-        Key::H,
-    ] {
+    for key in [Key::P, Key::OpenBracket, Key::G, Key::F5, Key::H, Key::H] {
         window.press(key);
         assert!(window.app.facts.trade.current().is_some(), "{key:?}");
     }
     for key in [Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home] {
-        window.app.facts.trade.finish(measured());
+        window.app.facts.trade.finish(Some(measured()));
         window.press(key);
-        assert_eq!(window.app.facts.trade.state, State::Old, "{key:?}");
+        assert!(!window.app.facts.trade.is_current, "{key:?}");
         assert!(
             window.app.measured(Phong, 1.0).is_some(),
             "{key:?}: it is known to be old"
         );
     }
-    window.app.facts.trade.finish(measured());
+    window.app.facts.trade.finish(Some(measured()));
     window.size = [800, 600];
     window.step(Vec::new());
-    assert_eq!(window.app.facts.trade.state, State::Old, "another size");
+    assert!(!window.app.facts.trade.is_current, "another size");
 }
 
 #[test]
@@ -255,7 +192,7 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // Measurements of another view say nothing about this one, and nothing moves.
-    window.app.facts.trade.state = State::Old;
+    window.app.facts.trade.is_current = false;
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // No frame of this picture takes so little time.
@@ -294,19 +231,10 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     };
     let mut app = App::new(drawing, true).expect("there are threads");
     run(&mut app, |app| app.facts.trade.current().is_some());
-    let methods: Vec<Method> = app
-        .facts
-        .trade
-        .value
-        .iter()
-        .flatten()
-        .map(|it| it.method)
-        .collect();
-    let ladder: Vec<Method> = METHODS
-        .iter()
-        .copied()
-        .filter(|it| it.mode != UnitVectors)
-        .collect();
+    let measured = app.facts.trade.value.iter().flatten();
+    let methods: Vec<Method> = measured.map(|it| it.method).collect();
+    let mut ladder = METHODS.to_vec();
+    ladder.retain(|it| it.mode != UnitVectors);
     assert_eq!(methods, ladder);
     app.choose_method(Method::of(Phong, 0.7));
     run(&mut app, |app| {
