@@ -149,8 +149,7 @@
 //!   `match` in [`systems::rasterization`] (its listing and [`systems::lighting`] ask for one mode each), a row of [`shading::METHODS`]; its own definition in the reference; what it is called
 //!   in the window and how it is marked in the plot, which the compiler asks for;
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
-//!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference and in
-//!   the textbook's formula of [`extremes::stability`];
+//!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`components::cuboid`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
