@@ -119,7 +119,7 @@ fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
 }
 
 /// The names in `folder` in order, with hidden files.
-fn listing(folder: &Path) -> Vec<String> {
+pub fn listing(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder");
     let names = entries.map(|entry| entry.expect("an entry").file_name());
     let mut names: Vec<String> = names.filter_map(|name| name.into_string().ok()).collect();
