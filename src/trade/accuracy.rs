@@ -29,8 +29,8 @@ use crate::shading::METHODS;
 use crate::systems;
 
 /// The most bytes for a pixel during the comparison: three reference pictures of 28, a frame with depths of 25, two lists
-/// of errors of 16, and a map of 4 for each method.
-const BYTES_PER_PIXEL: usize = 3 * 28 + 25 + 2 * 16 + 4 * METHODS.len();
+/// of errors of 16, a map of 4 for each method, and FLIP.
+const BYTES_PER_PIXEL: usize = 3 * 28 + 25 + 2 * 16 + 4 * METHODS.len() + flip::BYTES_PER_PIXEL;
 
 /// # Errors
 /// If pictures of this size cannot be compared for lack of memory.
