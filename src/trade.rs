@@ -26,12 +26,10 @@ use std::path::Path;
 use std::time::Duration;
 
 use rayon::prelude::*;
-use serde::Serialize;
 
 use self::machine::Machine;
-pub use self::measurement::{Measurement, Request};
+pub use self::measurement::{Measurement, Report, Request};
 use self::timing::Batch;
-use crate::components::Projection;
 use crate::output::{self, Output};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
@@ -39,23 +37,6 @@ use crate::report::words::counted;
 
 /// The default time for timing frames.
 pub const USUAL_TIME: Duration = Duration::from_secs(20);
-
-/// A measurement of methods, with the view and the machine: enough to judge the times and to repeat it.
-#[derive(Clone, Debug, Serialize)]
-pub struct Report {
-    pub machine: Machine,
-    /// The command line.
-    pub command: String,
-    pub scene: String,
-    pub camera: String,
-    pub projection: Projection,
-    /// Width and height in pixels.
-    pub size: [usize; 2],
-    /// Pixels that show a cuboid.
-    pub covered_pixels: u64,
-    /// In the order of [`crate::shading::METHODS`].
-    pub methods: Vec<Measurement>,
-}
 
 /// Times the batch with this number.
 type TimeBatch = fn(&Request, usize, Monitor) -> anyhow::Result<Batch>;

@@ -11,7 +11,7 @@ use clap::Args;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use image::ImageFormat;
 
-use super::Failure;
+use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::{Output, quoted};
 use crate::prove::{Picture, read_png};

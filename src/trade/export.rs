@@ -1,8 +1,8 @@
 //! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
+use super::measurement::{Measurement, Report};
 use super::timing::BATCHES;
 use super::verdict::verdict;
-use super::{Measurement, Report};
 use crate::report::tables::{self, aligned, wrapped};
 use crate::report::words::{counted, short};
 

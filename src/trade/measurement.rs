@@ -15,9 +15,10 @@ use fearless_simd::Level;
 use serde::{Serialize, Serializer};
 use serde_json::json;
 
+use super::machine::Machine;
 use super::metrics::Error;
 use super::timing::Timing;
-use crate::components::View;
+use crate::components::{Projection, View};
 use crate::drawing::Drawing;
 use crate::frame::Counts;
 use crate::scene::Scene;
@@ -54,6 +55,23 @@ impl Request {
             command,
         }
     }
+}
+
+/// A measurement of methods, with the view and the machine: enough to judge the times and to repeat it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    pub machine: Machine,
+    /// The command line.
+    pub command: String,
+    pub scene: String,
+    pub camera: String,
+    pub projection: Projection,
+    /// Width and height in pixels.
+    pub size: [usize; 2],
+    /// Pixels that show a cuboid.
+    pub covered_pixels: u64,
+    /// In the order of [`crate::shading::METHODS`].
+    pub methods: Vec<Measurement>,
 }
 
 /// The time of one method in a view, and its error. Each figure stands here once, under its name in `trade.json`.

@@ -13,7 +13,7 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use super::export::{place, subject};
-use super::{Measurement, Report};
+use super::measurement::{Measurement, Report};
 use crate::components::ShadingMode;
 use crate::report::chart::{self, Area, Axis, BLUE, FAINT, GREEN, ORANGE};
 
