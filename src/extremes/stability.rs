@@ -12,10 +12,8 @@ mod plot;
 pub mod sweeps;
 
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use fearless_simd::Level;
-use rayon::prelude::*;
 
 use self::curve::{Curve, EVALUATIONS, Errors, table};
 use self::sweeps::{SWEEPS, Sweep};
@@ -36,20 +34,25 @@ const SIZE: [usize; 2] = [64, 48];
 ///
 /// # Errors
 /// If a value makes no valid scene, or a picture does not fit in memory.
-pub fn measure(sweeps: &[Sweep], level: Level, monitor: Monitor) -> anyhow::Result<Vec<Curve>> {
-    let total: usize = sweeps.iter().map(|sweep| sweep.values().len()).sum();
-    let done = AtomicUsize::new(0);
+pub fn measure(
+    sweeps: &'static [Sweep],
+    level: Level,
+    monitor: Monitor,
+) -> anyhow::Result<Vec<Curve>> {
+    let values = |sweep: &'static Sweep| sweep.values().into_iter().map(move |it| (sweep, it));
+    let values: Vec<_> = sweeps.iter().flat_map(values).collect();
+    let errors = |index: usize| {
+        let (sweep, value) = values[index];
+        Ok((value, errors(&sweep.scene(value), level)?))
+    };
+    let all = values.len();
+    let mut errors = &monitor.in_parallel("sweeping numbers", 0..all, all, errors)?[..];
     let mut curves = Vec::new();
     for sweep in sweeps {
-        let errors = sweep.values().into_par_iter().map(|value| {
-            let errors = errors(&sweep.scene(value), level)?;
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            (monitor.progress)("sweeping numbers", done as f64 / total as f64);
-            Ok((value, errors))
-        });
-        let errors = errors.collect::<anyhow::Result<Vec<_>>>()?;
+        let (own, others) = errors.split_at(sweep.values().len());
+        errors = others;
         let evaluations = 0..EVALUATIONS.len();
-        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, &errors)));
+        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, own)));
     }
     Ok(curves)
 }
