@@ -152,8 +152,8 @@ the extreme and the expected picture. Exit status 1 if an extreme fails.
 
 With --chart it sweeps one number of a scene at a time instead: shininess, edge length, aspect,
 distance from the origin, distance of the eye and of a light, field of view, intensity, number of
-lights. Four evaluations are compared with enclosures of the exact levels: the textbook's formula in
-f32, this renderer at tolerance 0 and 0.5, and the f64 reference. Prints the range in which each keeps
+lights. Four evaluations are compared with enclosures of the exact levels: the reference in f32
+(textbook-f32) and in f64, and this renderer at tolerance 0 and 0.5. Prints the range in which each keeps
 0.05 level (0.5 at tolerance 0.5). With -o it also writes stability.svg and stability.json.")]
     Extremes(ExtremesOptions),
     /// Plays a recording in a window, or draws it into a file

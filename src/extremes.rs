@@ -131,14 +131,22 @@ pub fn examine(extremes: &[Extreme], level: Level, all: bool, monitor: Monitor) 
     outcomes.collect()
 }
 
-/// The command: proves extremes, prints the outcomes, and returns the number of failures.
+/// The command: proves extremes and prints the outcomes.
 ///
 /// # Errors
-/// If the result cannot be printed.
-pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<usize> {
+/// If one of them fails, or the result cannot be printed.
+pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<()> {
     let outcomes = with_bar(|monitor| Ok(examine(extremes, level, true, monitor)))?;
     print(&outcomes, as_json, || text(&outcomes))?;
-    Ok(outcomes.iter().filter(|outcome| !outcome.pass).count())
+    all_pass(&outcomes)
+}
+
+/// # Errors
+/// If one of them failed.
+pub fn all_pass(outcomes: &[Outcome]) -> anyhow::Result<()> {
+    let failed = outcomes.iter().filter(|outcome| !outcome.pass).count();
+    ensure!(failed == 0, "{failed} of the extremes fail");
+    Ok(())
 }
 
 /// A line for each outcome, and the number of those that passed.

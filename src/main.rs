@@ -69,7 +69,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     }
 }
 
-/// Proves extremes, where a failed one is an error, or draws the stability charts.
+/// Proves extremes or draws the stability charts.
 fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
     let level = options.workers.simd;
     if options.chart {
@@ -77,10 +77,7 @@ fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
         return Ok(extremes::stability::run(level, folder, options.json)?);
     }
     let chosen = extremes::named(&options.names).map_err(Failure::Usage)?;
-    match extremes::run(&chosen, level, options.json)? {
-        0 => Ok(()),
-        failed => Err(Failure::Work(anyhow!("{failed} of the extremes fail"))),
-    }
+    Ok(extremes::run(&chosen, level, options.json)?)
 }
 
 /// Prints the evaluation of a pixel.

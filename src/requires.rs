@@ -20,9 +20,6 @@ pub mod command;
 pub mod least;
 mod share;
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::{Mesh, ShadingMode, View, ordered};
@@ -147,10 +144,10 @@ pub fn changes(
     };
     let full = rows(Reference::<Interval>::new(&without(scene, &[]).world, view));
     let limit = limit(view.tolerance);
-    let all = left_out.len().div_ceil(AT_ONCE) * view.size[1];
-    let done = AtomicUsize::new(0);
+    let height = view.size[1];
+    let all = left_out.len().div_ceil(AT_ONCE) * height;
     let mut changes = Vec::with_capacity(left_out.len());
-    for some in left_out.chunks(AT_ONCE) {
+    for (some, first) in left_out.chunks(AT_ONCE).zip((0..).step_by(height)) {
         let picture = |parts: &Vec<Part>| {
             let (world, rule) = (&without(scene, parts).world, rule(parts));
             if parts.contains(&Part::F64SetUp) {
@@ -161,8 +158,8 @@ pub fn changes(
             }
         };
         let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
-        let row = |y: usize| {
-            monitor.check()?;
+        let by_row = monitor.in_parallel("leaving out", first..first + height, all, |row| {
+            let y = row - first;
             let full = full(y);
             let change = |(picture, is_enclosed): &(PixelRows, bool)| {
                 let pixels = full.iter().zip(picture(y));
@@ -174,35 +171,48 @@ pub fn changes(
                     }
                 }))
             };
-            let changes = pictures.iter().map(change).collect();
-            let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / all as f64;
-            (monitor.progress)("leaving out", share);
-            Ok(changes)
-        };
-        let by_row = (0..view.size[1]).into_par_iter().map(row);
-        let by_row: Vec<Vec<Change>> = by_row.collect::<anyhow::Result<_>>()?;
+            Ok(pictures.iter().map(change).collect::<Vec<Change>>())
+        })?;
         let of_picture = |number: usize| Change::sum(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
     }
     Ok(changes)
 }
 
-/// Each part by its name, and the change of the picture without it, the largest error first.
+/// A part and the change of the picture without it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartChange {
+    #[serde(skip)]
+    pub part: Part,
+    #[serde(rename = "part")]
+    pub name: String,
+    #[serde(flatten)]
+    pub change: Change,
+}
+
+/// The change of the picture without each part, in the order of [`parts`].
 ///
 /// # Errors
 /// If the work is cancelled.
-pub fn ranked(
+pub fn part_changes(
     scene: &Scene,
     view: &View,
     monitor: Monitor,
-) -> anyhow::Result<Vec<(String, Change)>> {
-    let (parts, names): (Vec<_>, Vec<_>) = parts(scene)
-        .into_iter()
-        .map(|(part, name)| (vec![part], name))
-        .unzip();
-    let changes = changes(scene, view, &parts, monitor)?;
-    let mut ranked: Vec<_> = names.into_iter().zip(changes).collect();
-    ranked.sort_by(|one, other| other.1.most().total_cmp(&one.1.most()));
+) -> anyhow::Result<Vec<PartChange>> {
+    let parts = parts(scene);
+    let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
+    let changes = changes(scene, view, &left_out, monitor)?;
+    let part_change = |((part, name), change)| PartChange { part, name, change };
+    Ok(parts.into_iter().zip(changes).map(part_change).collect())
+}
+
+/// As [`part_changes`], the largest error first.
+///
+/// # Errors
+/// If the work is cancelled.
+pub fn ranked(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<PartChange>> {
+    let mut ranked = part_changes(scene, view, monitor)?;
+    ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
     Ok(ranked)
 }
 

@@ -5,7 +5,8 @@
 //! Request ---+                                                   +-- front --> Report --> export, plot, error_map
 //!            +-- accuracy: pictures against the reference -------+
 //! ```
-//! Measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it.
+//! Measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it. JSON has
+//! its fields; a figure that does not exist is `null` there.
 
 pub mod accuracy;
 pub mod batch;
@@ -18,7 +19,6 @@ pub mod machine;
 pub mod measurement;
 pub mod metrics;
 pub mod plot;
-pub mod record;
 pub mod timing;
 pub mod verdict;
 
@@ -27,9 +27,8 @@ use std::time::Duration;
 
 use rayon::prelude::*;
 
-pub use self::measurement::{Measurement, Request};
-use self::record::Subject;
-pub use self::record::{MethodReport, Report};
+use self::machine::Machine;
+pub use self::measurement::{Measurement, Report, Request};
 use self::timing::Batch;
 use crate::output::{self, Output};
 use crate::report::Monitor;
@@ -56,31 +55,25 @@ pub fn measure(
         |number| time_batch(request, number, monitor),
         |share| (monitor.progress)("timing frames", share),
     )?;
-    let accuracies = accuracy::of_methods(request, monitor)?;
-    let mut methods = Vec::new();
-    let measured = request.methods.iter().zip(timings).zip(accuracies);
-    for ((method, timing), (counts, accuracy)) in measured {
-        let pixels = counts.covered_pixels;
-        methods.push(MethodReport {
-            method: *method,
-            threads: request.threads,
-            ns_per_covered_pixel: (pixels > 0).then(|| timing.median * 1e6 / pixels as f64),
-            timing,
-            counts,
-            accuracy,
-            on_front: false,
-        });
+    let mut methods = accuracy::of_methods(request, monitor)?;
+    let details = methods.first().and_then(|one| one.details.as_ref());
+    let covered_pixels = details.map_or(0, |it| it.counts.covered_pixels);
+    for (one, timing) in methods.iter_mut().zip(timings) {
+        let time = timing.median * 1e6 / covered_pixels as f64;
+        one.ns_per_covered_pixel = (covered_pixels > 0).then_some(time);
+        one.timing = timing;
     }
-    let mut report = Report {
-        subject: Subject::of(request),
-        covered_pixels: methods.first().map_or(0, |one| one.counts.covered_pixels),
+    measurement::mark_front(&mut methods);
+    Ok(Report {
+        machine: Machine::this(request.level),
+        command: request.command.clone(),
+        scene: request.scene.name.clone(),
+        camera: request.camera.clone(),
+        projection: request.view.projection,
+        size: request.view.size,
+        covered_pixels,
         methods,
-    };
-    let front = measurement::on_front(&report.measurements());
-    for (one, on_front) in report.methods.iter_mut().zip(front) {
-        one.on_front = on_front;
-    }
-    Ok(report)
+    })
 }
 
 /// The command: measures, prints the table, and writes the files into the folder `out` if there is one.
@@ -116,9 +109,10 @@ pub fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
     ];
     output::write_texts(folder, &files)?;
     report.methods.par_iter().try_for_each(|one| {
-        let id = one.method.id;
+        let (id, details) = (one.method.id, one.details.as_ref());
+        let map = details.map_or(&[][..], |it| &it.map);
         let title = format!("{id}: error against exact Phong, in levels");
-        let (pixels, size) = error_map::with_legend(&one.accuracy.map, report.subject.size, &title);
+        let (pixels, size) = error_map::with_legend(map, report.size, &title);
         Output::File(folder.join(format!("error-{id}.png"))).write_png(&pixels, size)
     })
 }

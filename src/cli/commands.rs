@@ -11,7 +11,7 @@ use clap::Args;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use image::ImageFormat;
 
-use super::Failure;
+use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::{Output, quoted};
 use crate::prove::{Picture, read_png};
@@ -248,7 +248,7 @@ pub struct ExtremesOptions {
     #[arg(long)]
     pub chart: bool,
     /// The folder for the charts, created if absent
-    #[arg(short, long, value_name = "DIR", requires = "chart",
+    #[arg(short, long, value_name = "DIR", requires = "chart", conflicts_with = "names",
           value_parser = PathBufValueParser::new().try_map(folder))]
     pub output: Option<PathBuf>,
     /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves

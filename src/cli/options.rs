@@ -11,7 +11,7 @@ use clap::builder::{PossibleValuesParser, RangedU64ValueParser, TypedValueParser
 use fearless_simd::Level;
 use serde::de::DeserializeOwned;
 
-use super::Failure;
+use super::failure::Failure;
 use crate::components::range::Milliseconds;
 use crate::components::{Budget, Projection, ShadingMode, Tolerance, overwrite};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};

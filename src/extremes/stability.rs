@@ -2,36 +2,30 @@
 //! with the enclosures of its exact levels.
 //!
 //! ```text
-//! sweeps --values--> SceneRecord -+-- textbook, in f32 --------+
-//!                                +-- renderer at 0 and 0.5 ---+-- enclosures --> curves --> table, plot
-//!                                '-- reference in f64 --------+
+//! sweeps --values--> SceneRecord -+-- reference in f32, f64 ---+
+//!                                '-- renderer at 0 and 0.5 ---+-- enclosures --> curves --> table, plot
 //! ```
 //! The error of a pixel lies in an interval: from the drawn level to the nearest and to the farthest value of the enclosure.
 
 pub mod curve;
 mod plot;
 pub mod sweeps;
-mod textbook;
 
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use fearless_simd::Level;
-use rayon::prelude::*;
 
 use self::curve::{Curve, EVALUATIONS, Errors, table};
 use self::sweeps::{SWEEPS, Sweep};
-use self::textbook::Textbook;
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::{self, print, say};
 use crate::prove::{nearest, shown_face};
-use crate::reference::{Interval, Reference, Seen};
+use crate::reference::{Interval, Real, Reference};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
 use crate::scene::SceneRecord;
 use crate::systems;
-use crate::trade::accuracy::exact;
 
 /// Width and height of a picture, in pixels.
 const SIZE: [usize; 2] = [64, 48];
@@ -40,20 +34,25 @@ const SIZE: [usize; 2] = [64, 48];
 ///
 /// # Errors
 /// If a value makes no valid scene, or a picture does not fit in memory.
-pub fn measure(sweeps: &[Sweep], level: Level, monitor: Monitor) -> anyhow::Result<Vec<Curve>> {
-    let total: usize = sweeps.iter().map(|sweep| sweep.values().len()).sum();
-    let done = AtomicUsize::new(0);
+pub fn measure(
+    sweeps: &'static [Sweep],
+    level: Level,
+    monitor: Monitor,
+) -> anyhow::Result<Vec<Curve>> {
+    let values = |sweep: &'static Sweep| sweep.values().into_iter().map(move |it| (sweep, it));
+    let values: Vec<_> = sweeps.iter().flat_map(values).collect();
+    let errors = |index: usize| {
+        let (sweep, value) = values[index];
+        Ok((value, errors(&sweep.scene(value), level)?))
+    };
+    let all = values.len();
+    let mut errors = &monitor.in_parallel("sweeping numbers", 0..all, all, errors)?[..];
     let mut curves = Vec::new();
     for sweep in sweeps {
-        let errors = sweep.values().into_par_iter().map(|value| {
-            let errors = errors(&sweep.scene(value), level)?;
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            (monitor.progress)("sweeping numbers", done as f64 / total as f64);
-            Ok((value, errors))
-        });
-        let errors = errors.collect::<anyhow::Result<Vec<_>>>()?;
+        let (own, others) = errors.split_at(sweep.values().len());
+        errors = others;
         let evaluations = 0..EVALUATIONS.len();
-        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, &errors)));
+        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, own)));
     }
     Ok(curves)
 }
@@ -69,42 +68,39 @@ fn errors(record: &SceneRecord, level: Level) -> anyhow::Result<Errors> {
         anyhow::Ok(frame)
     };
     let frames = [drawn(0.0)?, drawn(0.5)?];
-    let truth = exact(
-        &world,
-        &view,
-        ShadingMode::Phong,
-        0..SIZE[1],
-        Monitor::NONE,
-        |_| (),
-    )?;
-    let textbook = Textbook::new(record, SIZE);
+    let in_f32 = Reference::<f32>::new(&world, &view);
+    let in_f64 = Reference::<f64>::new(&world, &view);
     let enclosures = Reference::<Interval>::new(&world, &view);
     let mut errors = Errors::default();
     for y in 0..SIZE[1] {
         enclosures.row(y, |x, seen| {
             let pixel = y * SIZE[0] + x;
-            // The textbook's formula is evaluated on the visible face.
-            let visible = seen.iter().find_map(Seen::face);
             let [exact, half] = frames.each_ref().map(|frame| {
                 let face = shown_face(frame.triangles()[pixel]);
-                Some((face, frame.levels()[pixel].map(f64::from)))
+                (face, frame.levels()[pixel].map(f64::from))
             });
             let shown = [
-                visible.map(|face| (Some(face), textbook.levels(face, [x, y]).map(f64::from))),
+                nearest_surface(&in_f32, [x, y]),
                 exact,
                 half,
-                Some((shown_face(truth.triangles[pixel]), truth.levels[pixel])),
+                nearest_surface(&in_f64, [x, y]),
             ];
-            for (worst, shown) in errors.iter_mut().zip(shown) {
-                let Some((face, levels)) = shown else {
-                    continue;
-                };
+            for (worst, (face, levels)) in errors.iter_mut().zip(shown) {
                 let error = nearest(face, levels, seen).unwrap_or([255.0; 2]);
                 *worst = [worst[0].max(error[0]), worst[1].max(error[1])];
             }
         });
     }
     Ok(errors)
+}
+
+/// The face that a pixel shows in a picture of floats, and its levels.
+fn nearest_surface<R: Real>(
+    picture: &Reference<R>,
+    pixel: [usize; 2],
+) -> (Option<usize>, [f64; 3]) {
+    let seen = picture.at(pixel)[0];
+    (seen.face(), seen.levels.map(|level| level.endpoints()[0]))
 }
 
 /// The command: sweeps all numbers, prints the ranges, and writes the files into the folder `out` if there is one.

@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::{Context, ensure};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use rayon::prelude::*;
 
 /// Rows of a picture that are evaluated at once. They bound the memory of a comparison.
 const BAND: usize = 64;
@@ -52,6 +54,28 @@ impl Monitor<'_> {
             (self.progress)(step, end as f64 / height as f64);
         }
         Ok(())
+    }
+
+    /// Does `work` for these of `total` items on rayon's current threads. Returns the results in order.
+    ///
+    /// # Errors
+    /// An error of `work`, or that the work is cancelled.
+    pub fn in_parallel<T: Send>(
+        &self,
+        step: &'static str,
+        items: Range<usize>,
+        total: usize,
+        work: impl Fn(usize) -> anyhow::Result<T> + Sync,
+    ) -> anyhow::Result<Vec<T>> {
+        let done = AtomicUsize::new(items.start);
+        let one = |item| {
+            self.check()?;
+            let found = work(item)?;
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            (self.progress)(step, done as f64 / total as f64);
+            Ok(found)
+        };
+        items.into_par_iter().map(one).collect()
     }
 }
 

@@ -25,7 +25,6 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::DVec3;
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{error, rows, without};
@@ -251,9 +250,7 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     let columns: Vec<usize> = (0..view.size[0]).collect();
     // By stage: the trial of the fewest bits that no pixel has ruled out so far.
     let fewest = STAGES.map(|_| AtomicUsize::new(FORMATS.len()));
-    let done = AtomicUsize::new(0);
     let row = |y: usize| {
-        monitor.check()?;
         let mut errors = [[0.0_f64; TRIALS]; STAGES.len()];
         let mut at_corners = HashMap::new();
         for (full, sample) in enclosures(y).iter().zip(in_row(world, view, y, &columns)) {
@@ -302,12 +299,10 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
                 }
             }
         }
-        let share = (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / view.size[1] as f64;
-        (monitor.progress)("rounding", share);
         Ok(errors)
     };
-    let by_row = (0..view.size[1]).into_par_iter().map(row);
-    let by_row: Vec<_> = by_row.collect::<anyhow::Result<_>>()?;
+    let height = view.size[1];
+    let by_row = monitor.in_parallel("rounding", 0..height, height, row)?;
     let of_stage = |(number, fewest): (usize, AtomicUsize)| {
         let largest = |index: usize| {
             let errors = by_row.iter().map(|row| row[number][index]);

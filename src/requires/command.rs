@@ -8,7 +8,7 @@ use serde_json::json;
 use super::bits::{StageBits, bits};
 use super::least::least;
 use super::share::time_share;
-use super::{Change, Part, changes, parts, without};
+use super::{Part, PartChange, part_changes, parts, without};
 use crate::components::View;
 use crate::drawing::Drawing;
 use crate::output::{Output, print, say};
@@ -20,13 +20,16 @@ use crate::scene::{Scene, SceneRecord, updated};
 /// A part in the table and in the output of `--json`.
 #[derive(Serialize)]
 struct PartRow {
-    #[serde(skip)]
-    left_out: Part,
-    part: String,
     #[serde(flatten)]
-    change: Change,
+    found: PartChange,
     time_share: Option<f64>,
     required: bool,
+}
+
+impl PartRow {
+    fn most(&self) -> f64 {
+        self.found.change.most()
+    }
 }
 
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
@@ -75,29 +78,25 @@ fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartRow>> {
         };
         parts.iter().enumerate().map(of_part).collect()
     })?;
-    let left_out: Vec<Vec<Part>> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = with_bar(|monitor| changes(scene, view, &left_out, monitor))?;
-    let row = |(((left_out, part), time_share), change): (((Part, String), _), Change)| PartRow {
-        left_out,
-        part,
-        change,
+    let found = with_bar(|monitor| part_changes(scene, view, monitor))?;
+    let row = |(found, time_share): (PartChange, _)| PartRow {
+        required: !found.change.keeps(view.tolerance),
+        found,
         time_share,
-        required: !change.keeps(view.tolerance),
     };
-    let parts = parts.into_iter().zip(time_shares).zip(changes);
-    Ok(parts.map(row).collect())
+    Ok(found.into_iter().zip(time_shares).map(row).collect())
 }
 
 /// The table, the largest error first.
 fn table(rows: &[PartRow]) -> String {
     let mut sorted: Vec<&PartRow> = rows.iter().collect();
-    sorted.sort_by(|left, right| right.change.most().total_cmp(&left.change.most()));
+    sorted.sort_by(|one, other| other.most().total_cmp(&one.most()));
     let cells = |row: &&PartRow| {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         vec![
-            row.part.clone(),
-            error(row.change.largest_error),
-            row.change.pixels.to_string(),
+            row.found.name.clone(),
+            error(row.found.change.largest_error),
+            row.found.change.pixels.to_string(),
             row.time_share.map_or_else(|| "-".to_owned(), percent),
             if row.required { "yes" } else { "no" }.to_owned(),
         ]
@@ -125,14 +124,14 @@ fn write_least(
     output: &Output,
 ) -> anyhow::Result<()> {
     rows.retain(|row| {
-        let is_in_file = !matches!(row.left_out, Part::Rule(_) | Part::F64SetUp);
+        let is_in_file = !matches!(row.found.part, Part::Rule(_) | Part::F64SetUp);
         is_in_file && !row.required
     });
-    rows.sort_by(|left, right| left.change.most().total_cmp(&right.change.most()));
-    let candidates: Vec<Part> = rows.iter().map(|row| row.left_out).collect();
+    rows.sort_by(|one, other| one.most().total_cmp(&other.most()));
+    let candidates: Vec<Part> = rows.iter().map(|row| row.found.part).collect();
     let (left_out, change) = with_bar(|monitor| least(scene, view, &candidates, monitor))?;
-    rows.retain(|row| left_out.contains(&row.left_out));
-    let names: Vec<String> = rows.into_iter().map(|row| row.part).collect();
+    rows.retain(|row| left_out.contains(&row.found.part));
+    let names: Vec<String> = rows.into_iter().map(|row| row.found.name).collect();
     let most = (1e4 * change.most()).ceil() / 1e4;
     let found = match &names[..] {
         [] => "nothing can be left out".to_owned(),

@@ -13,15 +13,14 @@ use std::ops::Range;
 use anyhow::Context;
 use glam::DVec3;
 use hecs::World;
-use serde::Serialize;
 
 use super::error_map::{Scale, compared};
 use super::flip;
-use super::measurement::Request;
-use super::metrics::{self, Error, Picture};
+use super::measurement::{Details, Measurement, PhongError, Request};
+use super::metrics::{self, Picture};
 use crate::components::{Light, LightKind, ShadingMode, View};
 use crate::drawing::all_cores;
-use crate::frame::{Counts, Frame, Keep, Workers, display_step};
+use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
 use crate::reference::{self, Truth};
 use crate::report::{CANCELLED, Monitor};
@@ -29,34 +28,9 @@ use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::systems;
 
-/// How true the picture of a method is.
-#[derive(Clone, Debug, Serialize)]
-pub struct Accuracy {
-    /// The error against exact Phong; `None` if no pixel can be compared.
-    pub error: Option<PhongError>,
-    /// The error against the exact evaluation of the method's own mode; `None` if no pixel can be compared.
-    pub own_error: Option<Error>,
-    /// The share of the highlight that is in its place, 0..=1; `None` if exact Phong shows none.
-    pub highlight_kept: Option<f64>,
-    /// Pixels at which the method and exact Phong show different faces.
-    pub edge_pixels: u64,
-    /// The error against exact Phong in the colours of [`Scale::WIDEST`], 0x00RRGGBB.
-    #[serde(skip)]
-    pub map: Vec<u32>,
-}
-
-/// The error against exact Phong.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PhongError {
-    #[serde(flatten)]
-    pub levels: Error,
-    /// Mean FLIP of the displayed bytes, 0..=1.
-    pub flip_mean: f64,
-}
-
 /// The most bytes for a pixel during the comparison: three reference pictures of 28, a frame with depths of 25, two lists
-/// of errors of 16, and a map of 4 for each method.
-const BYTES_PER_PIXEL: usize = 3 * 28 + 25 + 2 * 16 + 4 * METHODS.len();
+/// of errors of 16, a map of 4 for each method, and FLIP.
+const BYTES_PER_PIXEL: usize = 3 * 28 + 25 + 2 * 16 + 4 * METHODS.len() + flip::BYTES_PER_PIXEL;
 
 /// # Errors
 /// If pictures of this size cannot be compared for lack of memory.
@@ -85,11 +59,11 @@ pub fn exact(
     exact.context(CANCELLED)
 }
 
-/// The work for each method's picture, and its accuracy, in the order of the methods of `request`.
+/// The methods of `request` with the accuracy of their pictures, without times.
 ///
 /// # Errors
 /// If the pictures do not fit in memory, or the work is cancelled.
-pub fn of_methods(request: &Request, monitor: Monitor) -> anyhow::Result<Vec<(Counts, Accuracy)>> {
+pub fn of_methods(request: &Request, monitor: Monitor) -> anyhow::Result<Vec<Measurement>> {
     let Request { methods, view, .. } = request;
     let height = view.size[1];
     let workers = Workers::new(all_cores(), request.level);
@@ -123,32 +97,39 @@ pub fn of_methods(request: &Request, monitor: Monitor) -> anyhow::Result<Vec<(Co
         .map(|(done, mode)| Ok((*mode, truth(done, &scene.world, view, *mode)?)));
     let truths: HashMap<ShadingMode, Truth> = truths.collect::<anyhow::Result<_>>()?;
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
-    let mut accuracies = Vec::with_capacity(methods.len());
+    let mut measured = Vec::with_capacity(methods.len());
     for (method, highlight_kept) in methods.iter().zip(kept) {
         monitor.check()?;
         systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
         let own = Picture::from(&truths[&method.mode]);
-        let (flip_mean, (error, own_error, map)) = rayon::join(
+        let (flip_mean, (difference, own, map)) = rayon::join(
             || flip::mean(drawn, exact, flip::PIXELS_PER_DEGREE),
             || {
-                let [error, own_error] = [exact, own].map(|truth| metrics::compare(drawn, truth));
+                let [difference, own] = [exact, own].map(|truth| metrics::compare(drawn, truth));
                 let map = compared(drawn, exact).map(|it| Scale::WIDEST.color(it));
-                (error, own_error.error, map.collect())
+                (difference, own, map.collect())
             },
         );
-        let error_and_flip = error.error.zip(flip_mean);
-        let accuracy = Accuracy {
-            error: error_and_flip.map(|(levels, flip_mean)| PhongError { levels, flip_mean }),
-            own_error,
+        let error = difference.error;
+        measured.push(Measurement {
+            error: error.map(|error| error.max),
+            worst: error.map(|error| error.max_pixel),
             highlight_kept,
-            edge_pixels: error.edge_pixels,
-            map,
-        };
-        accuracies.push((frame.counts(), accuracy));
-        told(1 + truths.len() + accuracies.len(), 0.0);
+            details: Some(Details {
+                counts: frame.counts(),
+                error: error
+                    .zip(flip_mean)
+                    .map(|(levels, flip_mean)| PhongError { levels, flip_mean }),
+                own_error: own.error,
+                edge_pixels: difference.edge_pixels,
+                map,
+            }),
+            ..Measurement::new(*method, request.threads)
+        });
+        told(1 + truths.len() + measured.len(), 0.0);
     }
-    Ok(accuracies)
+    Ok(measured)
 }
 
 /// The scene with only its specular lights on, and the view with a black background.

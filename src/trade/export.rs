@@ -1,13 +1,13 @@
 //! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
-use super::record::{MethodReport, Report};
+use super::measurement::{Measurement, Report};
 use super::timing::BATCHES;
 use super::verdict::verdict;
 use crate::report::tables::{self, aligned, wrapped};
 use crate::report::words::{counted, short};
 
 /// The head of a column, and its cell for a method.
-type Column = (&'static str, fn(&MethodReport) -> String);
+type Column = (&'static str, fn(&Measurement) -> String);
 
 const COLUMNS: [Column; 6] = [
     ("method", |one| one.method.id.to_owned()),
@@ -16,8 +16,8 @@ const COLUMNS: [Column; 6] = [
         let [low, high] = one.timing.interval.map(|end| short(Some(end)));
         format!("{low} to {high}")
     }),
-    ("largest error", |one| short(one.max_error())),
-    ("highlight kept", |one| percent(one.accuracy.highlight_kept)),
+    ("largest error", |one| short(one.error)),
+    ("highlight kept", |one| percent(one.highlight_kept)),
     ("best trade", |one| {
         if one.on_front { "yes" } else { "" }.to_owned()
     }),
@@ -30,7 +30,7 @@ const _: () = assert!(BATCHES == 8);
 /// The text for a terminal: the verdict, the view and the machine, the table, and the meaning of its columns.
 pub fn table(report: &Report) -> String {
     let paragraphs = [
-        wrapped(&verdict(&report.measurements())),
+        wrapped(&verdict(&report.methods)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), &rows(report)),
         wrapped(&legend()),
@@ -42,10 +42,10 @@ pub fn table(report: &Report) -> String {
 pub fn markdown(report: &Report) -> String {
     format!(
         "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}\n",
-        verdict(&report.measurements()),
+        verdict(&report.methods),
         subject(report),
         place(report),
-        report.subject.command,
+        report.command,
         tables::markdown(&head(), &rows(report)),
         legend()
     )
@@ -62,14 +62,32 @@ fn rows(report: &Report) -> Vec<Vec<String>> {
 
 /// The view in words.
 pub fn subject(report: &Report) -> String {
-    let covered = counted(report.covered_pixels as usize, "covered pixel");
-    format!("{}: {covered}", report.subject.view())
+    let [width, height] = report.size;
+    format!(
+        "{}, camera {}, {}, {width}x{height}: {}",
+        report.scene,
+        report.camera,
+        report.projection.name(),
+        counted(report.covered_pixels as usize, "covered pixel")
+    )
 }
 
 /// The machine in words.
 pub fn place(report: &Report) -> String {
+    let machine = &report.machine;
     let threads = report.methods.first().map_or(1, |one| one.threads);
-    report.subject.place(&counted(threads, "thread"))
+    // The name and the version, without the commit.
+    let rustc: Vec<&str> = machine.rustc.split(' ').take(2).collect();
+    format!(
+        "{}, {}, {}, {}, {}, {}, {} build",
+        machine.cpu,
+        counted(machine.cores, "core"),
+        machine.lanes,
+        counted(threads, "thread"),
+        machine.os,
+        rustc.join(" "),
+        machine.profile
+    )
 }
 
 fn legend() -> String {

@@ -13,19 +13,20 @@
 //! threads.
 
 mod color;
-mod filter;
 
-use std::ops::Range;
+use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
 use super::metrics::Picture;
 use crate::frame::display_step;
 use color::{distance, hunt_lab, linear_from_opponent, opponent_from_srgb};
-use filter::{Filter, Plane};
 
 /// Pixels per degree for a usual screen: 3840 pixels on 0.7 m, seen from 0.7 m (67.02).
-pub const PIXELS_PER_DEGREE: f64 = 0.7 * (3840.0 / 0.7) * (std::f64::consts::PI / 180.0);
+pub const PIXELS_PER_DEGREE: f64 = 0.7 * (3840.0 / 0.7) * (PI / 180.0);
+
+/// The most bytes for a pixel: the looks of 20 of both pictures, and ten planes of 4.
+pub const BYTES_PER_PIXEL: usize = 2 * 20 + 10 * 4;
 
 /// The paper's exponent of colour differences, `q_c`, and of feature differences, `q_f`.
 const COLOR_EXPONENT: f32 = 0.7;
@@ -34,13 +35,21 @@ const FEATURE_EXPONENT: f32 = 0.5;
 const SHARE: f32 = 0.4;
 const TARGET: f32 = 0.95;
 
-/// Rows evaluated at once: few enough for the cache, many more than the filters add at both ends.
-const BAND: usize = 64;
+/// Amplitude a and width b (square degrees) of the Gaussians a sqrt(pi / b) exp(-(pi x)^2 / b) of the contrast
+/// sensitivity in luminance, red-green and blue-yellow, as the authors' code has them.
+const CONTRAST: [&[[f64; 2]]; 3] = [
+    &[[1.0, 0.0047]],
+    &[[1.0, 0.0053]],
+    &[[34.1, 0.04], [13.5, 0.025]],
+];
+/// The largest b above.
+const WIDEST: f64 = 0.04;
+/// The paper's w: from peak to trough of the edge filter, twice the Gaussian's standard deviation, in degrees.
+const FEATURE_WIDTH: f64 = 0.082;
 
 /// Mean FLIP, 0..=1, over the pixels that show the same face in both pictures; `None` if there is none.
 ///
-/// The pictures have one size. Their displayed bytes are taken as sRGB. Only the rectangle around the pixels of the mean is
-/// evaluated, but all pixels within the reach of the filters have an effect. Beyond the border of the picture its outermost
+/// The pictures have one size. Their displayed bytes are taken as sRGB. Beyond the border of the picture its outermost
 /// pixels repeat. `pixels_per_degree` is at least 1.
 pub fn mean<T, U>(left: Picture<T>, right: Picture<U>, pixels_per_degree: f64) -> Option<f64>
 where
@@ -48,35 +57,14 @@ where
     U: Into<f64> + Copy + Sync,
 {
     let counts = |pixel: &usize| left.shows_as(&right, *pixel);
-    let [columns, rows] = rectangle(left.width, (0..left.levels.len()).filter(counts))?;
-    let observer = Observer::new(pixels_per_degree);
-    let starts: Vec<usize> = rows.clone().step_by(BAND).collect();
-    let sums: Vec<f64> = starts
-        .into_par_iter()
-        .map(|start| {
-            let band = start..(start + BAND).min(rows.end);
-            let looks_left = observer.looks(&left, &columns, &band);
-            let looks_right = observer.looks(&right, &columns, &band);
-            let pixels =
-                band.flat_map(|row| columns.clone().map(move |column| row * left.width + column));
-            pixels
-                .zip(looks_left.iter().zip(&looks_right))
-                .filter(|(pixel, _)| counts(pixel))
-                .map(|(_, (left, right))| f64::from(observer.difference(left, right)))
-                .sum()
-        })
-        .collect();
-    let count = (0..left.levels.len()).filter(counts).count();
-    Some(sums.iter().sum::<f64>() / count as f64)
-}
-
-/// The smallest range of columns and of rows that holds these pixels.
-fn rectangle(width: usize, pixels: impl Iterator<Item = usize>) -> Option<[Range<usize>; 2]> {
-    pixels
-        .map(|pixel| [pixel % width, pixel / width].map(|at| at..at + 1))
-        .reduce(|all, one| {
-            std::array::from_fn(|i| all[i].start.min(one[i].start)..all[i].end.max(one[i].end))
-        })
+    let pixels: Vec<usize> = (0..left.levels.len()).filter(counts).collect();
+    if pixels.is_empty() {
+        return None;
+    }
+    let looks_left = looks(&left, pixels_per_degree);
+    let looks_right = looks(&right, pixels_per_degree);
+    let flip = |pixel: &usize| f64::from(difference(&looks_left[*pixel], &looks_right[*pixel]));
+    Some(pixels.iter().map(flip).sum::<f64>() / pixels.len() as f64)
 }
 
 /// The appearance of a pixel.
@@ -87,99 +75,148 @@ struct Look {
     features: [f32; 2],
 }
 
-/// An eye at a certain distance.
-struct Observer {
-    /// Contrast sensitivity in luminance, red-green and blue-yellow.
-    contrast: [Filter; 3],
-    /// Edges and points, each across the columns and down the rows.
-    features: [[Filter; 2]; 2],
-    /// The reach of the filters, in pixels.
-    reach: usize,
-    /// The largest possible colour difference, between green and blue, after the exponent.
-    largest: f32,
+/// The appearance of every pixel.
+fn looks<T: Into<f64> + Copy + Sync>(picture: &Picture<T>, pixels_per_degree: f64) -> Vec<Look> {
+    let opponent = |levels: &[T; 3]| {
+        let bytes = levels.map(|level| f64::from(display_step(level.into())));
+        opponent_from_srgb(bytes.map(|byte| (byte / 255.0) as f32))
+    };
+    let opponent: Vec<[f32; 3]> = picture.levels.par_iter().map(opponent).collect();
+    let planes = [0, 1, 2].map(|channel| Plane {
+        width: picture.width,
+        values: opponent.iter().map(|color| color[channel]).collect(),
+    });
+    let blurred = [0, 1, 2].map(|channel| {
+        let gaussians = contrast(CONTRAST[channel], pixels_per_degree);
+        let parts = gaussians
+            .iter()
+            .map(|taps| planes[channel].filtered(taps, taps));
+        let add = |sums: Vec<f32>, part: Vec<f32>| {
+            sums.into_iter()
+                .zip(part)
+                .map(|(sum, value)| sum + value)
+                .collect()
+        };
+        parts.reduce(add).unwrap_or_default()
+    });
+    let [along, edge, point] = features(pixels_per_degree);
+    let strengths = [edge, point].map(|derivative| {
+        let across = planes[0].filtered(&derivative, &along);
+        let down = planes[0].filtered(&along, &derivative);
+        let strengths = across.into_iter().zip(down);
+        strengths
+            .map(|(across, down)| across.hypot(down))
+            .collect::<Vec<f32>>()
+    });
+    let look = |pixel: usize| Look {
+        color: hunt_lab(
+            linear_from_opponent(blurred.each_ref().map(|plane: &Vec<f32>| plane[pixel]))
+                .map(|linear| linear.clamp(0.0, 1.0)),
+        ),
+        features: strengths.each_ref().map(|plane| plane[pixel]),
+    };
+    (0..opponent.len()).into_par_iter().map(look).collect()
 }
 
-impl Observer {
-    fn new(pixels_per_degree: f64) -> Self {
-        let reach = filter::contrast_radius(pixels_per_degree)
-            .max(filter::feature_radius(pixels_per_degree));
-        let [green, blue] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(hunt_lab);
-        Observer {
-            contrast: filter::contrast(pixels_per_degree, reach),
-            features: filter::features(pixels_per_degree, reach),
-            reach,
-            largest: distance(green, blue).powf(COLOR_EXPONENT),
-        }
+/// The FLIP of one pixel, 0..=1.
+fn difference(left: &Look, right: &Look) -> f32 {
+    // The largest possible colour difference is that between green and blue.
+    let [green, blue] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(hunt_lab);
+    let largest = distance(green, blue).powf(COLOR_EXPONENT);
+    let color = distance(left.color, right.color).powf(COLOR_EXPONENT);
+    let knee = SHARE * largest;
+    let color = if color < knee {
+        TARGET * color / knee
+    } else {
+        TARGET + (1.0 - TARGET) * (color - knee) / (largest - knee)
+    };
+    let [edge, point] = [0, 1].map(|i| (left.features[i] - right.features[i]).abs());
+    let feature = (edge.max(point) / 2.0_f32.sqrt()).powf(FEATURE_EXPONENT);
+    color.powf(1.0 - feature)
+}
+
+/// One weight for each pixel along one direction; the middle one is that of the pixel itself.
+type Taps = Vec<f32>;
+
+/// The Gaussians of a contrast sensitivity, up to three standard deviations of the widest. The weights of their products
+/// across and down sum to 1.
+fn contrast(gaussians: &[[f64; 2]], pixels_per_degree: f64) -> Vec<Taps> {
+    let radius = 3.0 * (WIDEST / (2.0 * PI * PI)).sqrt() * pixels_per_degree;
+    let parts = gaussians.iter().map(|[a, b]| {
+        let amplitude = (a * (PI / b).sqrt()).sqrt();
+        let gaussian = |x: f64| (-(PI * x / pixels_per_degree).powi(2) / b).exp();
+        weights(radius, |x| amplitude * gaussian(x))
+    });
+    let parts: Vec<Vec<f64>> = parts.collect();
+    let sums = parts.iter().map(|weights| weights.iter().sum::<f64>());
+    let whole = sums.map(|sum| sum * sum).sum::<f64>().sqrt();
+    let taps = |weights: &Vec<f64>| weights.iter().map(|it| (it / whole) as f32).collect();
+    parts.iter().map(taps).collect()
+}
+
+/// A Gaussian and its first and second derivative, which find edges and points: of values 0..=1 for a luminance of
+/// -16..=100.
+fn features(pixels_per_degree: f64) -> [Taps; 3] {
+    let deviation = 0.5 * FEATURE_WIDTH * pixels_per_degree;
+    let gaussian = |x: f64| (-x * x / (2.0 * deviation * deviation)).exp();
+    let point = |x: f64| (x * x / (deviation * deviation) - 1.0) * gaussian(x);
+    [
+        balanced(&weights(3.0 * deviation, gaussian), 1.0),
+        balanced(&weights(3.0 * deviation, |x| -x * gaussian(x)), 1.0 / 116.0),
+        balanced(&weights(3.0 * deviation, point), 1.0 / 116.0),
+    ]
+}
+
+fn weights(radius: f64, weight: impl Fn(f64) -> f64) -> Vec<f64> {
+    let radius = radius.ceil() as i32;
+    (-radius..=radius).map(|x| weight(f64::from(x))).collect()
+}
+
+/// The weights scaled so that the positive sum to `sum` and the negative to `-sum`.
+fn balanced(weights: &[f64], sum: f64) -> Taps {
+    let [positive, negative] = [1.0, -1.0].map(|sign| {
+        let parts = weights.iter().map(|weight| (sign * weight).max(0.0));
+        parts.sum::<f64>()
+    });
+    let scaled = |weight: &f64| {
+        let whole = if *weight < 0.0 { negative } else { positive };
+        (weight / whole * sum) as f32
+    };
+    weights.iter().map(scaled).collect()
+}
+
+/// Values row by row.
+struct Plane {
+    width: usize,
+    values: Vec<f32>,
+}
+
+impl Plane {
+    /// The values after a filter across the columns and one down the rows.
+    fn filtered(&self, across: &Taps, down: &Taps) -> Vec<f32> {
+        self.across(across).across(down).values
     }
 
-    /// The appearance of these pixels, row by row.
-    fn looks<T: Into<f64> + Copy>(
-        &self,
-        picture: &Picture<T>,
-        columns: &Range<usize>,
-        rows: &Range<usize>,
-    ) -> Vec<Look> {
-        let opponent = self.opponent_colors(picture, columns, rows);
-        let colors: [Plane; 3] =
-            std::array::from_fn(|channel| opponent[channel].filtered(&self.contrast[channel]));
-        let features = self
-            .features
-            .each_ref()
-            .map(|ways| ways.each_ref().map(|way| opponent[0].filtered(way)));
-        (0..columns.len() * rows.len())
-            .map(|pixel| Look {
-                color: hunt_lab(
-                    linear_from_opponent(colors.each_ref().map(|plane| plane.values[pixel]))
-                        .map(|linear| linear.clamp(0.0, 1.0)),
-                ),
-                features: features
-                    .each_ref()
-                    .map(|[across, down]| across.values[pixel].hypot(down.values[pixel])),
-            })
-            .collect()
-    }
-
-    /// The opponent colours of these pixels and of those within the reach of the filters.
-    fn opponent_colors<T: Into<f64> + Copy>(
-        &self,
-        picture: &Picture<T>,
-        columns: &Range<usize>,
-        rows: &Range<usize>,
-    ) -> [Plane; 3] {
-        let height = picture.levels.len() / picture.width;
-        let reached = |inner: &Range<usize>, end: usize| {
-            let [start, length] = [inner.start, inner.len() + 2 * self.reach];
-            let reach = self.reach;
-            (0..length).map(move |i| (start + i).saturating_sub(reach).min(end - 1))
-        };
-        let mut planes = [(); 3].map(|()| Plane {
-            width: columns.len() + 2 * self.reach,
-            values: Vec::new(),
-        });
-        for row in reached(rows, height) {
-            for column in reached(columns, picture.width) {
-                let levels = picture.levels[row * picture.width + column];
-                let bytes = levels.map(|level| f64::from(display_step(level.into())));
-                let opponent = opponent_from_srgb(bytes.map(|byte| (byte / 255.0) as f32));
-                for (plane, value) in planes.iter_mut().zip(opponent) {
-                    plane.values.push(value);
+    /// The transposed plane after a filter across the columns.
+    fn across(&self, taps: &Taps) -> Plane {
+        let reach = taps.len() / 2;
+        let filtered = |row: &[f32]| {
+            let place = |x: usize| row[x.saturating_sub(reach).min(row.len() - 1)];
+            let padded: Vec<f32> = (0..row.len() + 2 * reach).map(place).collect();
+            let mut sums = vec![0.0; row.len()];
+            for (shift, weight) in taps.iter().enumerate() {
+                for (sum, value) in sums.iter_mut().zip(&padded[shift..]) {
+                    *sum += weight * value;
                 }
             }
-        }
-        planes
-    }
-
-    /// The FLIP of one pixel, 0..=1.
-    fn difference(&self, left: &Look, right: &Look) -> f32 {
-        let color = distance(left.color, right.color).powf(COLOR_EXPONENT);
-        let knee = SHARE * self.largest;
-        let color = if color < knee {
-            TARGET * color / knee
-        } else {
-            TARGET + (1.0 - TARGET) * (color - knee) / (self.largest - knee)
+            sums
         };
-        let [edge, point] = [0, 1].map(|i| (left.features[i] - right.features[i]).abs());
-        let feature = (edge.max(point) / 2.0_f32.sqrt()).powf(FEATURE_EXPONENT);
-        color.powf(1.0 - feature)
+        let rows = self.values.par_chunks_exact(self.width).map(filtered);
+        let rows: Vec<Vec<f32>> = rows.collect();
+        let columns = (0..self.width).flat_map(|x| rows.iter().map(move |row| row[x]));
+        Plane {
+            width: rows.len(),
+            values: columns.collect(),
+        }
     }
 }

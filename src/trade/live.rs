@@ -9,9 +9,9 @@
 
 use super::accuracy::{exact, highlight_of, light_kept, share};
 use super::batch;
-use super::measurement::{Measurement, Request, on_front};
+use super::measurement::{Measurement, Request, mark_front};
 use super::metrics::{self, Picture};
-use super::timing::{self, Timing};
+use super::timing;
 use crate::components::ShadingMode;
 use crate::frame::{Frame, Keep, Workers};
 use crate::report::Monitor;
@@ -48,10 +48,7 @@ pub fn measure(
             one.timing = timing;
         }
     }
-    let front = on_front(&measured);
-    for (one, on_front) in measured.iter_mut().zip(front) {
-        one.on_front = on_front;
-    }
+    mark_front(&mut measured);
     Ok(measured)
 }
 
@@ -61,14 +58,8 @@ fn errors(
     methods: Vec<Method>,
     monitor: Monitor,
 ) -> anyhow::Result<Vec<Measurement>> {
-    let unknown = methods.into_iter().map(|method| Measurement {
-        method,
-        timing: Timing::default(),
-        error: None,
-        worst: None,
-        highlight_kept: None,
-        on_front: false,
-    });
+    let unknown = methods.into_iter();
+    let unknown = unknown.map(|method| Measurement::new(method, request.threads));
     // With the light of the highlight that is kept, and the whole light of the highlight.
     let mut errors: Vec<(Measurement, [u64; 2])> = unknown.map(|it| (it, [0; 2])).collect();
     if errors.is_empty() {

@@ -13,7 +13,7 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use super::export::{place, subject};
-use super::record::{MethodReport, Report};
+use super::measurement::{Measurement, Report};
 use crate::components::ShadingMode;
 use crate::report::chart::{self, Area, Axis, BLUE, FAINT, GREEN, ORANGE};
 
@@ -26,7 +26,7 @@ const SIZE: (u32, u32) = (960, 600);
 
 /// One method in the plot.
 struct Point<'a> {
-    measured: &'a MethodReport,
+    measured: &'a Measurement,
     /// ns per covered pixel.
     time: f64,
     /// Levels, at least [`FLOOR`].
@@ -36,11 +36,11 @@ struct Point<'a> {
 
 impl<'a> Point<'a> {
     /// `None` without an error or a time.
-    fn of(measured: &'a MethodReport) -> Option<Self> {
+    fn of(measured: &'a Measurement) -> Option<Self> {
         Some(Point {
             measured,
             time: measured.ns_per_covered_pixel.filter(|time| *time > 0.0)?,
-            error: measured.max_error()?.max(FLOOR),
+            error: measured.error?.max(FLOOR),
             color: match measured.method.mode {
                 ShadingMode::Gouraud => BLUE,
                 ShadingMode::Phong => ORANGE,

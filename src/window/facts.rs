@@ -12,7 +12,7 @@ use crate::drawing::all_cores;
 use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
-use crate::requires::Change;
+use crate::requires::PartChange;
 use crate::trade::Measurement;
 
 /// A fact about a picture.
@@ -50,7 +50,7 @@ pub struct Facts {
     pub section: Fact<Vec<Probe>>,
     pub comparison: Fact<Comparison>,
     pub proof: Fact<Proof>,
-    pub required: Fact<Vec<(String, Change)>>,
+    pub required: Fact<Vec<PartChange>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Fact<Vec<Measurement>>,
 }

@@ -62,10 +62,10 @@ impl App {
         let ink = ink(&self.facts.required);
         let parts = self.facts.required.value.iter().flatten();
         Grid::new("required").striped(true).show(ui, |ui| {
-            for (name, change) in parts {
-                let is_kept = change.keeps(tolerance);
-                ui.label(name);
-                ui.colored_label(ink, short(change.most()));
+            for part in parts {
+                let is_kept = part.change.keeps(tolerance);
+                ui.label(&part.name);
+                ui.colored_label(ink, short(part.change.most()));
                 ui.colored_label(ink, if is_kept { "not required" } else { "required" });
                 ui.end_row();
             }

@@ -6,12 +6,10 @@ mod errors;
 mod faults;
 mod files;
 mod help;
-mod judging;
 #[cfg(unix)]
 mod names;
 mod pictures;
-#[cfg(unix)]
-mod processes;
+mod proofs;
 mod replays;
 mod requires;
 mod trade;
@@ -24,9 +22,22 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
+/// The text of the default scene.
+const SCENE: &str = include_str!("../../assets/scenes/cuboid.toml");
+
 /// A temporary folder for one test.
 fn folder() -> TempDir {
     tempfile::tempdir().expect("a temporary folder can be made")
+}
+
+/// Writes a file.
+fn put(folder: &Path, name: &str, content: impl AsRef<[u8]>) {
+    fs::write(folder.join(name), content).expect("it is written");
+}
+
+/// The content of a file.
+fn get(folder: &Path, name: &str) -> Vec<u8> {
+    fs::read(folder.join(name)).expect("it can be read")
 }
 
 /// The program in `folder`, without a display.
@@ -42,10 +53,9 @@ fn shadetrade(folder: &Path) -> Command {
 
 /// Runs the program in `folder` with the arguments in `line`.
 fn run(folder: &Path, line: &str) -> Output {
-    shadetrade(folder)
-        .args(line.split_whitespace())
-        .output()
-        .expect("the program starts")
+    let mut program = shadetrade(folder);
+    program.args(line.split_whitespace());
+    program.output().expect("the program starts")
 }
 
 /// Runs a shell script in `folder`, with the program as `$0`.
@@ -75,24 +85,19 @@ fn said(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("messages are UTF-8")
 }
 
-/// Runs `line` and asserts its exit status, one paragraph with each of `words` on standard error, and no standard
-/// output.
+/// Asserts an exit status, one paragraph with each of `words` on standard error, and no standard output. Bars separate
+/// words.
 #[track_caller]
-fn assert_fails(folder: &Path, line: &str, status: i32, words: &[&str]) {
-    let output = run(folder, line);
-    let said = said(&output);
-    let context = format!("`shadetrade {line}` said: {said}");
-    assert_eq!(output.status.code(), Some(status), "{context}");
-    assert!(output.stdout.is_empty(), "{context}");
-    assert!(
-        said.starts_with("error: ") && said.ends_with('\n'),
-        "{context}"
-    );
+fn assert_failed(output: &Output, status: i32, words: &str) {
+    let said = said(output);
+    assert_eq!(output.status.code(), Some(status), "{said}");
+    let is_paragraph = said.starts_with("error: ") && said.ends_with('\n');
+    assert!(is_paragraph && output.stdout.is_empty(), "{said}");
     for internal in ["\n\n", "panicked", "backtrace", "src/"] {
-        assert!(!said.contains(internal), "{internal:?}: {context}");
+        assert!(!said.contains(internal), "{internal:?}: {said}");
     }
-    for word in words {
-        assert!(said.contains(word), "no {word:?}: {context}");
+    for word in words.split('|') {
+        assert!(said.contains(word), "no {word:?}: {said}");
     }
 }
 
@@ -101,12 +106,19 @@ fn assert_fails(folder: &Path, line: &str, status: i32, words: &[&str]) {
 fn assert_works(folder: &Path, line: &str) -> String {
     let output = run(folder, line);
     let said = said(&output);
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "`shadetrade {line}` said: {said}"
-    );
+    assert_eq!(output.status.code(), Some(0), "`{line}` said: {said}");
     said
+}
+
+/// Runs `line` and returns its exit status and the JSON on standard output.
+#[track_caller]
+fn json(folder: &Path, line: &str) -> (Option<i32>, serde_json::Value) {
+    let output = run(folder, line);
+    let json = serde_json::from_slice(&output.stdout);
+    (
+        output.status.code(),
+        json.unwrap_or_else(|_| panic!("{}", said(&output))),
+    )
 }
 
 /// Width, height and RGB bytes of a PNG; panics unless it is an 8-bit RGB PNG.
@@ -119,7 +131,7 @@ fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
 }
 
 /// The names in `folder` in order, with hidden files.
-fn listing(folder: &Path) -> Vec<String> {
+pub fn listing(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder");
     let names = entries.map(|entry| entry.expect("an entry").file_name());
     let mut names: Vec<String> = names.filter_map(|name| name.into_string().ok()).collect();

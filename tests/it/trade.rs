@@ -7,6 +7,5 @@ pub mod example;
 mod exports;
 mod measured;
 mod metrics;
-mod requests;
 mod statistics;
 mod words;

@@ -102,8 +102,8 @@ pub fn table(curves: &[Curve]) -> String {
 }
 
 const LEGEND: &str = "The range in which the largest error of a picture is proven to be within 0.05 level of the exact \
-    value, for phong-0.5 within 0.5. textbook-f32: the formula in f32 throughout; phong-0, phong-0.5: this renderer at \
-    tolerance 0 and 0.5; reference-f64: the reference. A ? marks ranges outside of which nothing is refuted, but f64 does \
+    value, for phong-0.5 within 0.5. textbook-f32: the reference in f32 throughout; phong-0, phong-0.5: this renderer at \
+    tolerance 0 and 0.5; reference-f64: the reference in f64. A ? marks ranges outside of which nothing is refuted, but f64 does \
     not suffice to decide.";
 
 /// A range as text.

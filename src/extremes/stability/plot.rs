@@ -1,7 +1,7 @@
 //! `stability.svg`: a panel for each number, a line for each evaluation.
 //!
 //! ```text
-//!  error |      /   textbook
+//!  error |      /   f32     
 //!   0.05 |- - -/- - - - - -    limit
 //!        |____/_________       ours
 //!        +-------------- number

@@ -2,25 +2,17 @@
 //!
 //! White is D65. `linear_from_opponent` is the inverse of `opponent_from_srgb` except for the sRGB curve.
 
-/// From linear sRGB to X, Y and Z in shares of D65 white's: the fractions of the authors' code, each row divided by its
-/// sum, which is white.
+/// From linear sRGB to X, Y and Z in shares of D65 white's: the numerators of the authors' code.
 const RELATIVE_FROM_LINEAR: [[f32; 3]; 3] = [
-    [
-        10_135_552.0 / 23_359_437.0,
-        8_788_810.0 / 23_359_437.0,
-        4_435_075.0 / 23_359_437.0,
-    ],
-    [
-        2_613_072.0 / 12_288_897.0,
-        8_788_810.0 / 12_288_897.0,
-        887_015.0 / 12_288_897.0,
-    ],
-    [
-        1_425_312.0 / 80_288_307.0,
-        8_788_810.0 / 80_288_307.0,
-        70_074_185.0 / 80_288_307.0,
-    ],
+    shares([10_135_552.0, 8_788_810.0, 4_435_075.0]),
+    shares([2_613_072.0, 8_788_810.0, 887_015.0]),
+    shares([1_425_312.0, 8_788_810.0, 70_074_185.0]),
 ];
+
+const fn shares([a, b, c]: [f64; 3]) -> [f32; 3] {
+    let sum = a + b + c;
+    [(a / sum) as f32, (b / sum) as f32, (c / sum) as f32]
+}
 
 /// Its inverse.
 const LINEAR_FROM_RELATIVE: [[f32; 3]; 3] = [

@@ -1,107 +1,135 @@
-//! Wrong command lines and scenes: exit status 2 and one paragraph with what is allowed.
+//! Wrong command lines, scenes and files: exit status 1 or 2, one paragraph with the reason, and nothing is written.
 
 use std::fs;
 
-use shadetrade::scene::BUILT_IN;
+use image::{DynamicImage, ImageFormat};
 
-use super::{assert_fails, assert_works, folder, listing};
+use super::{SCENE, assert_failed, assert_works, folder, get, listing, put, run};
+
+/// Exit status, arguments, and words of the message with bars between.
+const FAILURES: &str = r#"
+2  --size 0x0  ->  '0x0'|1x1 to 16384x16384
+2  --size 16385x1  ->  '16385x1'
+2  view --size 960  ->  '960'|such as 960x720
+2  render -o b.png --size -5x5  ->  '-5x5'
+2  render -o b.png --tolerance -1  ->  '-1'|0.0001 to 255
+2  render -o b.png --tolerance 9.9e-5  ->  '9.9e-5'
+2  render -o b.png --tolerance nan  ->  'nan'
+2  render -o b.png --budget 0  ->  '0'|0.001 to 10000
+2  render -o b.png --budget 1 --tolerance 1  ->  --budget|--tolerance
+2  probe --pixel 1,1 --budget 1  ->  --budget
+2  render -o b.png --threads 0  ->  '0'|1..=1024
+2  render -o b.png --simd sse9  ->  'sse9'|fallback, sse4.2
+2  --camera 3  ->  "3"|"1", "2"
+2  view bench-far --lights white,blue  ->  "blue"|"white", "red"
+2  render -o b.png --lights white,,red  ->  no light is named ""
+2  extremes nowhere  ->  "nowhere"|`shadetrade extremes`
+2  extremes eye-inside -o sub  ->  --output
+2  probe --pixel 960,0  ->  960,0|959,719
+2  probe --pixel 0,720  ->  0,720|959,719
+2  probe --pixel -1,0  ->  '-1,0'|480,300
+2  probe --pixel 1,2,3  ->  '1,2,3'|480,300
+2  trade --shading phong  ->  --shading|trade
+2  trade --tolerance 1  ->  --tolerance|trade
+2  trade --methods phong-0,phong-3  ->  gouraud-0.5|phong-unit-vectors
+1  trade --batch 1 --quick  ->  standard input
+# Scenes.
+2  render absent.toml -o b.png  ->  absent.toml
+2  render absent -o b.png  ->  absent|built in are cuboid, bench-far
+2  render . -o b.png  ->  .
+2  render bytes.toml -o b.png  ->  bytes.toml
+2  render ./cuboid -o b.png  ->  cuboid
+2  view key.toml  ->  key.toml:1:1: |colour|^^^^^^
+# Outputs.
+2  render -o b.jpg  ->  b.jpg|PNG
+2  prove -o b.GIF  ->  b.GIF|PNG
+2  figures -o -  ->  folder|standard output
+2  requires -o -  ->  '-'|standard output
+2  render ./a.toml -o a.toml  ->  is the scene itself
+2  prove a.toml -o sub/../a.toml  ->  is the scene itself
+1  render --size 9x9 -o sub  ->  sub|folder
+1  render --size 9x9 -o none/  ->  none/|folder
+1  render --size 9x9 -o none/b.png  ->  none/b.png|no folder none
+1  render --size 9x9 -o cuboid/b.png  ->  cuboid/b.png
+1  render --size 9x9 -o LONG  ->  too long
+1  figures -o none/b  ->  none/b|no folder none
+1  figures -o cuboid  ->  cuboid|not a folder
+# Pictures to judge.
+2  prove --picture deep.png  ->  16 bits
+2  prove --picture clear.png  ->  transparent
+2  prove --picture half.png  ->  damaged
+2  prove --picture text.png  ->  not a PNG
+2  prove --picture absent.png  ->  cannot read
+2  prove --picture .  ->  not a file
+2  prove --picture drawn.png --size 96x72  ->  --size
+2  prove --picture drawn.png -o drawn.png  ->  the picture itself
+# Recordings.
+2  replay absent.log  ->  absent.log
+2  replay quit.log  ->  quit.log:1:|"quit"
+2  replay quit.log -o quit.log  ->  recording itself
+2  replay quit.log --hash -o -  ->  ./-
+2  replay quit.log --idle -1  ->  86400
+# Without a display a scene is found and read, but not shown.
+1  ./render  ->  no display|shadetrade render ./render -o
+1  bench-far  ->  no display|shadetrade render bench-far -o
+1  view --camera 2  ->  no display|shadetrade render cuboid -o
+1  view --record b.log  ->  no display
+"#;
 
 #[test]
-fn a_wrong_command_line_or_scene_ends_with_status_2_and_a_message() {
+fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
     let folder = folder();
-    let (_, scene) = BUILT_IN[0];
-    let key = format!("colour = 1\n{scene}");
-    fs::write(folder.path().join("key.toml"), key).expect("written");
-    fs::write(folder.path().join("cuboid"), "this is no scene").expect("written");
-    fs::write(folder.path().join("bytes.toml"), [0xff, 0xfe, 0x00]).expect("written");
-    for (line, words) in [
-        ("render", &["--output <FILE>"][..]),
-        ("render a.toml b.toml -o a.png", &["'b.toml'"]),
-        ("--size 0x0", &["'0x0'", "1x1 to 16384x16384"]),
-        ("--size 16385x1", &["'16385x1'"]),
-        ("view --size 960", &["'960'", "such as 960x720"]),
-        ("render -o a.png --size -5x5", &["'-5x5'"]),
-        ("render -o a.png --tolerance -1", &["'-1'", "0.0001 to 255"]),
-        ("render -o a.png --tolerance 9.9e-5", &["'9.9e-5'"]),
-        ("render -o a.png --tolerance nan", &["'nan'"]),
-        ("render -o a.png --budget 0", &["'0'", "0.001 to 10000"]),
-        (
-            "render -o a.png --budget 1 --tolerance 1",
-            &["--budget", "--tolerance"],
-        ),
-        ("probe --pixel 1,1 --budget 1", &["--budget"]),
-        ("render -o a.png --threads 0", &["'0'", "1..=1024"]),
-        (
-            "render -o a.png --simd sse9",
-            &["'sse9'", "fallback, sse4.2"],
-        ),
-        (
-            "render -o a.png --projection isometric",
-            &["perspective, orthographic"],
-        ),
-        ("--shading flat", &["'flat'", "gouraud, phong"]),
-        ("--camera 3", &["\"3\"", "\"1\", \"2\""]),
-        (
-            "view bench-far --lights white,blue",
-            &["\"blue\"", "\"white\", \"red\", \"specular\", \"ambient\""],
-        ),
-        (
-            "render -o a.png --lights white,,red",
-            &["no light is named \"\"", "\"white\", \"red\""],
-        ),
-        (
-            "extremes nowhere",
-            &["\"nowhere\"", "`shadetrade extremes`"],
-        ),
-        ("figures -o -", &["folder", "standard output"]),
-        ("probe --pixel 960,0", &["960,0", "959,719"]),
-        ("probe --pixel 0,720", &["0,720", "959,719"]),
-        ("probe --pixel -1,0", &["'-1,0'", "480,300"]),
-        ("probe --pixel 1,2,3", &["'1,2,3'", "480,300"]),
-        ("trade --shading phong", &["--shading", "trade"]),
-        ("trade --tolerance 1", &["--tolerance", "trade"]),
-        ("trade --quick --seconds 3", &["--quick", "--seconds"]),
-        (
-            "trade --methods phong-0,phong-3",
-            &["--methods", "gouraud-0.5", "phong-unit-vectors"],
-        ),
-        ("requires -o -", &["'-'", "standard output"]),
-        ("requires ./key.toml -o key.toml", &["is the scene itself"]),
-        ("render absent.toml -o a.png", &["absent.toml"]),
-        ("render . -o a.png", &["."]),
-        ("render bytes.toml -o a.png", &["bytes.toml"]),
-        ("render ./cuboid -o a.png", &["cuboid"]),
-        ("view key.toml", &["key.toml:1:1: ", "colour", "^^^^^^"]),
-    ] {
-        assert_fails(folder.path(), line, 2, words);
+    let folder = folder.path();
+    put(folder, "a.toml", SCENE);
+    put(folder, "key.toml", format!("colour = 1\n{SCENE}"));
+    put(folder, "cuboid", "this is no scene");
+    put(folder, "render", SCENE);
+    put(folder, "bytes.toml", [0xff, 0xfe, 0x00]);
+    put(folder, "text.png", "no picture");
+    put(folder, "quit.log", "0.000 quit\n");
+    fs::create_dir(folder.join("sub")).expect("it is made");
+    assert_works(folder, "render --size 96x72 -o drawn.png");
+    let png = get(folder, "drawn.png");
+    put(folder, "half.png", &png[..png.len() / 2]);
+    let picture = |name, picture: DynamicImage| {
+        let saved = picture.save_with_format(folder.join(name), ImageFormat::Png);
+        saved.expect("it is written");
+    };
+    let drawn = image::load_from_memory(&png).expect("a PNG");
+    picture("deep.png", drawn.to_rgb16().into());
+    let mut clear = drawn.to_rgba8();
+    clear.get_pixel_mut(3, 4).0[3] = 254;
+    picture("clear.png", clear.into());
+
+    let before = listing(folder);
+    for row in FAILURES.lines().skip(1).filter(|row| !row.starts_with('#')) {
+        println!("{row}");
+        let (status, rest) = row.split_once("  ").expect("a status");
+        let (line, words) = rest.split_once("  ->  ").expect("words");
+        let line = line.replace("LONG", &"n".repeat(300));
+        assert_failed(
+            &run(folder, &line),
+            status.parse().expect("a number"),
+            words,
+        );
     }
-    assert_eq!(
-        listing(folder.path()),
-        ["bytes.toml", "cuboid", "key.toml"],
-        "nothing is written"
-    );
-    // A built-in scene has precedence over a file of its name.
-    assert_works(folder.path(), "render cuboid -o a.png --size 9x9");
-}
-
-#[test]
-fn a_scene_named_like_a_command_is_reached_by_its_path() {
-    let folder = folder();
-    fs::write(folder.path().join("render"), BUILT_IN[0].1).unwrap();
-    // Without a display the scene is found and read, but not shown.
-    assert_fails(folder.path(), "./render", 1, &["display"]);
+    assert_eq!(listing(folder), before);
+    assert_eq!(get(folder, "a.toml"), SCENE.as_bytes());
+    assert_eq!(get(folder, "drawn.png"), png);
+    // A built-in scene has precedence over a file of its name, which is not the scene.
+    assert_works(folder, "render cuboid -o cuboid --size 9x9");
 }
 
 #[test]
 fn a_simd_level_is_either_used_or_refused() {
     let folder = folder();
     for level in shadetrade::simd::NAMES {
-        let line = format!("render -o {level}.png --size 9x9 --simd {level}");
+        let line = format!("render -o a.png --size 9x9 --simd {level}");
         if shadetrade::simd::named(level).is_some() {
             assert!(assert_works(folder.path(), &line).contains(level));
         } else {
-            let words = [level, "this machine", "fallback"];
-            assert_fails(folder.path(), &line, 2, &words);
+            let words = format!("{level}|this machine|fallback");
+            assert_failed(&run(folder.path(), &line), 2, &words);
         }
     }
 }
@@ -109,14 +137,13 @@ fn a_simd_level_is_either_used_or_refused() {
 #[test]
 fn a_colour_in_levels_is_drawn_with_a_warning_and_its_place() {
     let folder = folder();
-    let (_, built_in) = BUILT_IN[0];
-    let line = built_in.lines().position(|line| line.starts_with("color"));
+    let line = SCENE.lines().position(|line| line.starts_with("color"));
     let line = line.expect("a light has a colour") + 1;
     let place = format!("a.toml:{line}:9: `light.color`: 255.0 ");
     for (color, warned) in [("[1.0, 1, 0.0]", false), ("[9, 255, 255.0]", true)] {
-        let text = built_in.replacen("color = [1.0, 1.0, 1.0]", &format!("color = {color}"), 1);
-        assert_ne!(text, built_in);
-        fs::write(folder.path().join("a.toml"), text).expect("it is written");
+        let text = SCENE.replacen("color = [1.0, 1.0, 1.0]", &format!("color = {color}"), 1);
+        assert_ne!(text, SCENE);
+        put(folder.path(), "a.toml", text);
         let said = assert_works(folder.path(), "render a.toml --size 32x24 -o a.png");
         assert_eq!(said.starts_with("warning: "), warned, "{said}");
         assert_eq!(said.contains(&place), warned, "{said}");

@@ -1,11 +1,10 @@
 //! External faults: readers that close the output, full disks, signals. In every case a file under its final name is
 //! complete.
 
-use std::fs;
 use std::path::Path;
-use std::process::{Output, Stdio};
+use std::process::Stdio;
 
-use super::{decode, folder, in_shell, listing, said, shadetrade, stop};
+use super::{assert_failed, decode, folder, get, in_shell, listing, put, said, shadetrade, stop};
 
 /// Commands that write files, limited to a second; the folder is `out`.
 const WRITERS: [&str; 2] = [
@@ -13,43 +12,31 @@ const WRITERS: [&str; 2] = [
     "figures -o out",
 ];
 
-/// Runs the program with the arguments in `line` in a shell after the commands `first`.
-fn run_after(first: &str, folder: &Path, line: &str) -> Output {
-    in_shell(folder, &format!("{first}; exec $0 {line}"))
-}
-
-/// Asserts that every file of `folder` is complete or, if allowed, hidden. Returns the names of the complete ones.
+/// Asserts that every file of `folder` is complete or, if allowed, hidden.
 #[track_caller]
-fn whole_files(folder: &Path, hidden_allowed: bool) -> Vec<String> {
-    let mut names = listing(folder);
-    names.retain(|name| {
-        let hidden = name.starts_with(".shadetrade-");
-        assert!(!hidden || hidden_allowed, "{name} is left");
-        !hidden
-    });
-    for name in &names {
-        let bytes = fs::read(folder.join(name)).expect("a file");
-        let text = || str::from_utf8(&bytes).expect("text");
+fn assert_whole(folder: &Path, hidden_allowed: bool) {
+    for name in listing(folder) {
+        if name.starts_with(".shadetrade-") {
+            assert!(hidden_allowed, "{name} is left");
+            continue;
+        }
+        let bytes = get(folder, &name);
         match name.rsplit_once('.').map(|(_, extension)| extension) {
             Some("png") => drop(decode(&bytes)),
-            Some("json") => drop(serde_json::from_str::<serde_json::Value>(text()).expect(name)),
-            Some("md") => assert!(text().ends_with(".\n"), "{name} must end with a sentence"),
-            Some("svg") => assert!(text().trim_end().ends_with("</svg>"), "{name}"),
+            Some("json") => drop(serde_json::from_slice::<serde_json::Value>(&bytes).expect(&name)),
+            Some("md") => assert!(bytes.ends_with(b".\n"), "{name} must end with a sentence"),
+            Some("svg") => assert!(bytes.trim_ascii_end().ends_with(b"</svg>"), "{name}"),
             _ => panic!("{name} is not a known file"),
         }
     }
-    names
 }
 
 #[test]
 fn a_reader_that_closes_early_is_no_error_of_any_command() {
     for line in [
-        "render -o -",
-        "render --size 64x48 --reference -o -",
+        "render --size 64x48 -o -",
         "figures",
-        "probe --pixel 5,5",
         "probe --pixel 480,300 --json",
-        "trade --size 64x48 --seconds 0.05",
         "trade --size 64x48 --seconds 0.05 -o out",
         "completions zsh",
         "--help",
@@ -67,55 +54,72 @@ fn a_reader_that_closes_early_is_no_error_of_any_command() {
 }
 
 #[test]
-fn a_closed_standard_output_or_error_breaks_nothing() {
-    for (closed, line) in [
-        (">&-", "render --size 64x48 -o a.png"),
-        ("2>&-", "render --size 64x48 -o a.png"),
-        (">&- 2>&- <&-", "render --size 64x48 -o a.png"),
-    ] {
-        let folder = folder();
-        let output = run_after(&format!("exec {closed}"), folder.path(), line);
+fn a_closed_standard_output_or_error_breaks_no_file() {
+    let folder = folder();
+    for closed in [">&-", "2>&-", ">&- 2>&- <&-"] {
+        let script = format!("exec {closed}; exec $0 render --size 64x48 -o a.png");
+        let output = in_shell(folder.path(), &script);
         assert_eq!(output.status.code(), Some(0), "{closed}: {}", said(&output));
-        assert_eq!(whole_files(folder.path(), false), ["a.png"]);
+        assert_eq!(listing(folder.path()), ["a.png"]);
+        assert_whole(folder.path(), false);
     }
+}
+
+#[test]
+fn an_unusable_standard_output_is_an_error() {
+    let folder = folder();
+    put(folder.path(), "a", "mine");
+    for (redirected, reason) in [
+        ("1< a", "Bad file descriptor"),
+        ("> /dev/full", "No space left"),
+    ] {
+        for line in [
+            "render --size 9x9 -o -",
+            "probe --pixel 3,3",
+            "completions bash",
+        ] {
+            let output = in_shell(folder.path(), &format!("exec $0 {line} {redirected}"));
+            let words = format!("cannot write to standard output: {reason}");
+            assert_failed(&output, 1, &words);
+        }
+    }
+    let output = in_shell(folder.path(), "exec $0 --help > /dev/full");
+    assert_failed(&output, 1, "cannot write to standard output: No space left");
 }
 
 #[test]
 fn a_full_disk_is_an_error_and_every_file_is_complete() {
     // A limit on the file size stands for a full disk. Its signal is ignored.
-    for (limit, line) in [(8, WRITERS[0]), (64, WRITERS[1])] {
-        let folder = folder();
-        let full = format!("trap '' XFSZ; ulimit -f {limit}");
-        let output = run_after(&full, folder.path(), line);
-        let said = said(&output);
-        assert_eq!(output.status.code(), Some(1), "{line}: {said}");
-        assert!(said.contains("error: cannot write out/"), "{line}: {said}");
-        whole_files(&folder.path().join("out"), false);
+    let folder = folder();
+    put(folder.path(), "a.png", "old");
+    let render = "render --size 960x720 -o a.png";
+    for (limit, line, name) in [
+        (8, WRITERS[0], "out/"),
+        (64, WRITERS[1], "out/"),
+        (8, render, "a.png: "),
+    ] {
+        let script = format!("trap '' XFSZ; ulimit -f {limit}; exec $0 {line} > /dev/null");
+        let words = format!("error: cannot write {name}");
+        assert_failed(&in_shell(folder.path(), &script), 1, &words);
     }
+    assert_whole(&folder.path().join("out"), false);
+    assert_eq!(get(folder.path(), "a.png"), b"old");
+    assert_eq!(listing(folder.path()), ["a.png", "out"]);
 }
 
 #[test]
 fn a_signal_at_any_time_leaves_complete_files() {
     for line in WRITERS {
-        for (signal, files) in [
-            ("KILL", 1),
-            ("INT", 1),
-            ("TERM", 2),
-            ("KILL", 4),
-            ("INT", 6),
-        ] {
+        for (signal, files) in [("KILL", 1), ("TERM", 2), ("INT", 6)] {
             let folder = folder();
             let out = folder.path().join("out");
-            let child = shadetrade(folder.path())
-                .args(line.split(' '))
-                .stdout(Stdio::null())
-                .stderr(Stdio::null())
-                .spawn()
-                .expect("the program starts");
+            let mut program = shadetrade(folder.path());
+            let program = program.args(line.split(' '));
+            let program = program.stdout(Stdio::null()).stderr(Stdio::null());
             // A hidden file shows that one is being written.
             let has_files = || out.exists() && listing(&out).len() >= files;
-            let ended = stop(child, signal, has_files);
-            whole_files(&out, !ended.success());
+            let ended = stop(program.spawn().expect("it starts"), signal, has_files);
+            assert_whole(&out, !ended.success());
         }
     }
 }

@@ -1,58 +1,47 @@
 //! Unusual and hostile names and paths: none reaches the terminal as anything but text.
 
 use std::ffi::OsStr;
-use std::fs;
 use std::os::unix::ffi::OsStrExt;
 
-use super::{assert_works, decode, folder, said, shadetrade};
-
-const SCENE: &str = include_str!("../../../assets/scenes/cuboid.toml");
+use super::{SCENE, assert_failed, assert_works, decode, folder, put, run, said, shadetrade};
 
 #[test]
 fn the_path_of_a_scene_need_not_be_utf_8() {
     let folder = folder();
-    let name = OsStr::from_bytes(b"caf\xe9.toml");
-    fs::write(folder.path().join(name), SCENE).unwrap();
     let render = |name: &OsStr| {
         let mut command = shadetrade(folder.path());
         command.args("render --size 9x9 -o -".split(' ')).arg(name);
         command.output().expect("the program starts")
     };
-    let output = render(name);
-    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
-    decode(&output.stdout);
+    let name = OsStr::from_bytes(b"caf\xe9.toml");
+    std::fs::write(folder.path().join(name), SCENE).expect("it is written");
+    decode(&render(name).stdout);
     let output = render(OsStr::from_bytes(b"th\xe9.toml"));
-    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
-    assert!(
-        said(&output).contains("th\u{fffd}.toml"),
-        "{}",
-        said(&output)
-    );
+    assert_failed(&output, 2, "th\u{fffd}.toml");
 }
 
 #[test]
 fn no_name_or_path_moves_the_cursor() {
     let folder = folder();
     let path = "\u{1b}[31mred\u{9b}m\u{7}.toml";
-    fs::write(
-        folder.path().join(path),
+    put(
+        folder.path(),
+        path,
         SCENE.replace("\"white\"", r#""w\u001b[31m""#),
-    )
-    .unwrap();
+    );
     for words in [
         vec!["render", path, "--size", "9x9", "-o", "a\u{1b}[2J.png"],
         vec!["render", path, "--lights", "\u{1b}[31m", "-o", "a.png"],
-        vec!["render", path, "--camera", "\u{1b}[31m", "-o", "a.png"],
         vec!["render", "\u{1b}[31m.toml", "-o", "a.png"],
         vec!["render", "-o", "absent/\u{1b}[31m.png"],
         vec!["render", path, "--size", "\u{1b}[31m", "-o", "a.png"],
-        vec!["\u{1b}[31m", "\u{1b}[31m"],
         vec!["--\u{1b}[31m"],
         vec!["figures", "-o", "\u{1b}[31m/\u{1b}[31m"],
         vec!["probe", path, "--pixel", "480,300"],
         vec![path],
     ] {
-        let output = shadetrade(folder.path()).args(&words).output().unwrap();
+        let output = shadetrade(folder.path()).args(&words).output();
+        let output = output.expect("the program starts");
         for text in [&output.stderr, &output.stdout] {
             let text = String::from_utf8_lossy(text);
             let harmful = |c: char| c.is_control() && c != '\n';
@@ -71,18 +60,15 @@ fn a_missing_name_is_answered_with_a_short_list_of_names() {
         )
     };
     let more: String = (0..500).map(more).collect();
-    fs::write(folder.path().join("many.toml"), SCENE.to_owned() + &more).unwrap();
+    put(folder.path(), "many.toml", SCENE.to_owned() + &more);
     for option in ["--lights", "--camera"] {
         let line = format!("render many.toml -o a.png {option} nope");
-        let output = crate::cli::run(folder.path(), &line);
-        let said = said(&output);
-        assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(
-            said.contains("\"nope\"") && said.contains(" more"),
-            "{said}"
-        );
-        assert!(said.len() < 1000, "{said}");
+        let output = run(folder.path(), &line);
+        assert_failed(&output, 2, "\"nope\"| more");
+        assert!(said(&output).len() < 1000);
     }
-    let last = "render many.toml -o a.png --camera c499 --size 9x9";
-    assert_works(folder.path(), last);
+    assert_works(
+        folder.path(),
+        "render many.toml -o a.png --camera c499 --size 9x9",
+    );
 }

@@ -1,42 +1,71 @@
-//! `trade --methods`.
+//! `trade`: its options, and its batches in processes of their own, which read the scene from standard input.
 
 use std::fs;
+use std::process::{Command, Stdio};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use super::{folder, said, shadetrade};
+use super::{SCENE, folder, get, listing, put, said, shadetrade};
+
+#[cfg(unix)]
+#[test]
+fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
+    let folder = folder();
+    put(folder.path(), "my.toml", SCENE);
+    let line = "trade --quick --size 64x48 --methods phong-1,gouraud-0";
+    let script = format!("cat my.toml | $0 {line} -o 'my report' -- /dev/stdin");
+    let output = crate::cli::in_shell(folder.path(), &script);
+    assert!(output.status.success(), "{}", said(&output));
+    let out = folder.path().join("my report");
+    let report: Value = serde_json::from_slice(&get(&out, "trade.json")).expect("JSON");
+    let methods = report["methods"].as_array().expect("there are methods");
+    // Eight batches of four, on one thread.
+    let found = methods
+        .iter()
+        .map(|it| json!([it["id"], it["ms"]["samples"], it["threads"]]));
+    let expected = [json!(["gouraud-0", 32, 1]), json!(["phong-1", 32, 1])];
+    assert_eq!(found.collect::<Vec<_>>(), expected);
+    assert_eq!(listing(&out).len(), 3 + 2);
+    let table = String::from_utf8(output.stdout).expect("a table is UTF-8");
+    assert!(table.contains("phong-1 ") && !table.contains("phong-0.25"));
+
+    // A shell takes the command apart as it was given.
+    let command = report["command"].as_str().expect("it is text");
+    let script = format!("shadetrade() {{ printf '%s\\n' \"$@\"; }}; {command}");
+    let words = crate::cli::in_shell(folder.path(), &script).stdout;
+    let words = String::from_utf8(words).expect("it is UTF-8");
+    let expected = line
+        .split(' ')
+        .chain(["-o", "my report", "--", "/dev/stdin"]);
+    assert!(words.lines().eq(expected), "{command}");
+}
 
 #[test]
-fn only_the_named_methods_are_measured_and_the_command_can_be_repeated() {
+fn a_batch_measures_only_the_scene_on_standard_input() {
     let folder = folder();
-    let output = shadetrade(folder.path())
-        .args(["trade", "--quick", "--size", "24x18", "-o", "my report"])
-        .args([
-            "--methods",
-            "phong-0.5,gouraud-0",
-            "--lights",
-            "white,ambient",
-        ])
-        .output()
-        .expect("it starts");
-    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
-    let out = folder.path().join("my report");
-    let text = fs::read_to_string(out.join("trade.json")).expect("it can be read");
-    let value: Value = serde_json::from_str(&text).expect("it is JSON");
-    let methods = value["methods"].as_array().expect("there are methods");
-    let ids: Vec<_> = methods.iter().map(|method| &method["id"]).collect();
-    assert_eq!(ids, ["gouraud-0", "phong-0.5"]);
-    let table = String::from_utf8(output.stdout).expect("a table is UTF-8");
-    assert!(!table.contains("phong-0.25"), "{table}");
-    assert!(!out.join("error-phong-0.png").exists());
+    put(folder.path(), "my.toml", SCENE);
+    let line = "trade --batch 1 --quick --size 64x48 --methods phong-0,phong-1 ./none.toml";
+    let mut program = shadetrade(folder.path());
+    let scene = fs::File::open(folder.path().join("my.toml")).expect("it is there");
+    let output = program.args(line.split(' ')).stdin(scene).output();
+    let output = output.expect("it starts").stdout;
+    let times: Vec<Vec<f64>> = serde_json::from_slice(&output).expect("they are times");
+    assert_eq!(times.iter().map(Vec::len).collect::<Vec<_>>(), [4, 4]);
+    assert!(times.concat().iter().all(|time| *time > 0.0));
+}
 
-    #[cfg(unix)]
-    {
-        let command = value["command"].as_str().expect("it is text");
-        let script = format!("shadetrade() {{ printf '%s\\n' \"$@\"; }}; {command}");
-        let words = String::from_utf8(crate::cli::in_shell(folder.path(), &script).stdout);
-        let words = words.expect("it is UTF-8");
-        let words: Vec<&str> = words.lines().collect();
-        assert_eq!(words[5..7], ["my report", "--methods"], "{command}");
-    }
+#[test]
+fn a_measurement_goes_on_if_the_program_is_removed() {
+    let folder = folder();
+    let program = folder.path().join("program");
+    fs::copy(env!("CARGO_BIN_EXE_shadetrade"), &program).expect("there is room for it");
+    let child = Command::new(&program)
+        .args("trade --quick --size 64x48 --methods phong-0".split(' '))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    fs::remove_file(&program).expect("it is there");
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.status.success(), "{}", said(&output));
 }

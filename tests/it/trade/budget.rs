@@ -94,6 +94,12 @@ fn a_method_that_was_given_up_comes_back_when_there_is_time_again() {
         drawn(&mut hold, 200, 0.8, 0.05, &mut random);
         assert!(hold.place >= 2, "load {load}: {hold:?}");
     }
+    // A method that fits every second frame is not taken.
+    let mut hold = Hold::at(3);
+    for frame in 0..1000 {
+        hold = hold.after([0.1, 0.4][frame % 2], &COSTS, BUDGET);
+        assert_eq!(hold.place, 3, "frame {frame}");
+    }
     // Every twentieth frame is interrupted, for longer than the budget.
     let mut hold = Hold::at(3);
     for _ in 0..15 {

@@ -1,7 +1,6 @@
 //! The format of `trade.json`: its keys, their types, and the range of each figure.
 
 use serde::Deserialize;
-use shadetrade::components::{Projection, ShadingMode};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -10,7 +9,7 @@ pub struct Report {
     pub command: String,
     scene: String,
     camera: String,
-    pub projection: Projection,
+    projection: String,
     pub size: [u64; 2],
     pub covered_pixels: u64,
     pub methods: Vec<Method>,
@@ -31,19 +30,19 @@ struct Machine {
 #[serde(deny_unknown_fields)]
 pub struct Method {
     pub id: String,
-    pub mode: ShadingMode,
-    tolerance: f64,
-    threads: u64,
+    pub mode: String,
+    pub tolerance: f64,
+    pub threads: u64,
     pub ms: Timing,
     #[serde(deserialize_with = "Option::deserialize")]
     pub ns_per_covered_pixel: Option<f64>,
     pub counts: Counts,
     #[serde(deserialize_with = "Option::deserialize")]
-    pub error: Option<PhongError>,
+    pub error: Option<Error>,
     #[serde(deserialize_with = "Option::deserialize")]
     pub own_error: Option<Error>,
     #[serde(deserialize_with = "Option::deserialize")]
-    highlight_kept: Option<f64>,
+    pub highlight_kept: Option<f64>,
     pub edge_pixels: u64,
     pub on_front: bool,
 }
@@ -51,90 +50,74 @@ pub struct Method {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Timing {
-    samples: usize,
+    pub samples: usize,
     pub median: f64,
     interval: [f64; 2],
     min: f64,
-    pub raw: Vec<f64>,
+    raw: Vec<f64>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, PartialEq, Debug)]
 #[serde(deny_unknown_fields)]
 pub struct Counts {
     pub model_evaluations: u64,
     pub specular_evaluations: u64,
 }
 
-#[derive(Deserialize)]
-pub struct PhongError {
-    #[serde(flatten)]
-    pub levels: Error,
-    pub flip_mean: f64,
-}
-
-#[derive(Deserialize)]
+#[derive(Deserialize, PartialEq, Debug)]
+#[serde(deny_unknown_fields)]
 pub struct Error {
     pub max: f64,
-    max_pixel: [u64; 2],
+    pub max_pixel: [usize; 2],
     mean: f64,
     rmse: f64,
     p999: f64,
     over_1_level: f64,
+    /// Of the error against exact Phong alone.
+    pub flip_mean: Option<f64>,
 }
 
 /// Reads the report in `text`; panics if it violates the format.
 pub fn read(text: &str) -> Report {
     let report: Report = serde_json::from_str(text).expect("it has the keys of the contract");
-    let machine = &report.machine;
-    let of_machine = [&machine.cpu, &machine.lanes, &machine.os, &machine.rustc];
-    let of_view = [&report.command, &report.scene, &report.camera];
-    let texts = of_machine.into_iter().chain(of_view);
-    assert!(texts.chain([&machine.profile]).all(|text| !text.is_empty()));
-    assert!(machine.cores > 0 && !report.size.contains(&0));
+    let Machine { cpu, os, rustc, .. } = &report.machine;
+    let Machine { lanes, profile, .. } = &report.machine;
+    let texts = [cpu, os, rustc, lanes, profile, &report.command];
+    assert!(texts.into_iter().all(|text| !text.is_empty()));
+    let view = [&report.scene, &report.camera, &report.projection];
+    assert_eq!(view, ["test", "1", "perspective"]);
+    assert!(report.machine.cores > 0);
+    let [width, height] = report.size.map(|side| side as usize);
     let is_covered = report.covered_pixels > 0;
     for method in &report.methods {
         let what = &method.id;
-        let [width, height] = report.size;
-        assert!((0.0..=255.0).contains(&method.tolerance) && method.threads > 0);
-        assert!(method.edge_pixels <= width * height, "{what}");
+        let is_named = what.starts_with(&method.mode) || what.is_empty();
+        assert!(is_named, "{what} is {}", method.mode);
+        assert!(method.edge_pixels <= (width * height) as u64, "{what}");
         let ms = &method.ms;
         let least = ms.raw.iter().copied().fold(f64::INFINITY, f64::min);
         assert_eq!((ms.samples, ms.min), (ms.raw.len(), least), "{what}");
         let [low, high] = ms.interval;
-        assert!(
-            [0.0, ms.min, low, high].is_sorted() && ms.min <= ms.median,
-            "{what}"
-        );
-        let time = method.ns_per_covered_pixel;
-        let is_there = [
-            time.is_some(),
-            method.error.is_some(),
-            method.own_error.is_some(),
-        ];
-        assert_eq!(is_there, [is_covered; 3], "{what}");
-        assert!(time.is_none_or(|time| time >= 0.0), "{what}");
-        let shares = [
-            method.highlight_kept,
-            method.error.as_ref().map(|it| it.flip_mean),
-        ];
-        let mut shares = shares.into_iter().flatten();
-        assert!(shares.all(|share| (0.0..=1.0).contains(&share)), "{what}");
-        let levels = method.error.as_ref().map(|error| &error.levels);
-        for error in levels.into_iter().chain(&method.own_error) {
+        let is_sorted = [0.0, ms.min, low, high].is_sorted() && ms.min <= ms.median;
+        assert!(is_sorted, "{what}");
+        let time = ms.median * 1e6 / report.covered_pixels as f64;
+        let time = is_covered.then_some(time);
+        assert_eq!(method.ns_per_covered_pixel, time, "{what}");
+        let errors = [&method.error, &method.own_error].map(Option::as_ref);
+        assert_eq!(errors.map(|it| it.is_some()), [is_covered; 2], "{what}");
+        let flip = errors.map(|it| it.and_then(|error| error.flip_mean));
+        assert_eq!(flip.map(|it| it.is_some()), [is_covered, false], "{what}");
+        let shares = [method.highlight_kept, flip[0]].into_iter().flatten();
+        let shares = shares.chain(errors.into_iter().flatten().map(|it| it.over_1_level));
+        assert!(shares.into_iter().all(|it| (0.0..=1.0).contains(&it)));
+        for error in errors.into_iter().flatten() {
             let in_levels = [0.0, error.mean, error.rmse, error.max, 255.0];
             assert!(in_levels.is_sorted() && error.p999 <= error.max, "{what}");
-            assert!((0.0..=1.0).contains(&error.over_1_level), "{what}");
-            assert!(
-                error.max_pixel[0] < width && error.max_pixel[1] < height,
-                "{what}"
-            );
+            let [x, y] = error.max_pixel;
+            assert!(x < width && y < height, "{what}");
         }
     }
-    let mut fronts = report.methods.iter().map(|method| method.on_front);
-    assert_eq!(
-        fronts.any(|it| it),
-        is_covered,
-        "there is a front if something is drawn"
-    );
+    let has_front = report.methods.iter().any(|method| method.on_front);
+    assert_eq!(has_front, is_covered);
     report
 }

@@ -2,8 +2,8 @@
 
 use shadetrade::components::ShadingMode::{self, Gouraud, Phong};
 use shadetrade::shading::Method;
+use shadetrade::trade::Measurement;
 use shadetrade::trade::verdict::{sentence, verdict};
-use shadetrade::trade::{Measurement, Report};
 
 use super::example;
 use crate::support::random::Random;
@@ -84,24 +84,15 @@ fn the_sentence_states_only_measured_facts() {
     }
     assert_eq!(sentence(&measured(USUAL), Method::of(Phong, 0.7)), None);
     // Intervals that are so wide that they overlap allow no verdict.
-    let mut noisy = measured(USUAL);
-    for one in &mut noisy {
-        one.timing.interval = [0.1, 2.0];
-    }
-    for one in &noisy {
-        let text = sentence(&noisy, one.method).expect("it is measured");
-        assert!(
-            text.contains("not measurably") && !text.contains(NOTHING),
-            "{text}"
-        );
-    }
-    let mut alike = measured([(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)]);
-    for one in &mut alike {
-        one.timing.interval = [0.1, 2.0];
-    }
-    for one in &alike {
-        let text = sentence(&alike, one.method).expect("it is measured");
-        assert!(!text.contains(NOTHING), "{text}");
+    for (trade, says) in [(USUAL, "not measurably"), (exact_is_as_fast, "")] {
+        let mut noisy = measured(trade);
+        for one in &mut noisy {
+            one.timing.interval = [0.1, 2.0];
+        }
+        for one in &noisy {
+            let text = sentence(&noisy, one.method).expect("it is measured");
+            assert!(text.contains(says) && !text.contains(NOTHING), "{text}");
+        }
     }
 }
 
@@ -129,25 +120,22 @@ fn times_within_noise_are_called_neither_faster_nor_slower() {
 }
 
 #[test]
-fn the_verdict_states_only_measured_facts() {
-    let report = |change: fn(&mut Report)| {
-        let mut report = example::report();
-        change(&mut report);
-        verdict(&report.measurements())
-    };
-    let whole = report(|_| ());
-    for part in ["Gouraud", "163", "xact Phong", "unit vectors", "171"] {
-        assert!(whole.contains(part), "{part:?} is not in {whole:?}");
+fn the_verdict_is_about_the_methods_that_were_measured() {
+    for (report, words, others) in [
+        (
+            example::report(),
+            "Gouraud|163|xact Phong|unit vectors|171",
+            "nothing is drawn",
+        ),
+        (example::empty_report(), "othing is drawn", "off by"),
+    ] {
+        let text = verdict(&report.methods);
+        assert!(words.split('|').all(|word| text.contains(word)), "{text}");
+        assert!(!text.contains(others), "{text}");
+        let alone = verdict(&report.methods[..1]);
+        assert!(
+            !alone.contains("faster") && !alone.contains("unit"),
+            "{alone}"
+        );
     }
-    assert!(!report(|it| drop(it.methods.remove(1))).contains("unit vectors"));
-    let alone = report(|it| it.methods.truncate(1));
-    assert!(
-        alone.contains("163") && !alone.contains("faster"),
-        "{alone:?}"
-    );
-    let nothing = report(|it| *it = example::empty_report());
-    assert!(
-        !nothing.contains("off by") && !nothing.is_empty(),
-        "{nothing:?}"
-    );
 }

@@ -111,8 +111,8 @@ fn the_part_that_matters_most_comes_first() {
     window.press(Key::P);
     window.press(Key::N);
     let parts = window.app.facts.required.current().expect("an answer");
-    assert!(parts.iter().any(|(name, _)| name.contains("red")));
-    assert!(parts.is_sorted_by(|one, other| one.1.most() >= other.1.most()));
+    assert!(parts.iter().any(|it| it.name.contains("red")));
+    assert!(parts.is_sorted_by(|one, other| one.change.most() >= other.change.most()));
 }
 
 #[test]
