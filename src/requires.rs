@@ -11,7 +11,8 @@
 //!
 //! A part is required unless the picture without it is proven to keep the tolerance. Near an edge a pixel may show one
 //! of several surfaces. Each of them is compared with the nearest possible colour of the same face in the other
-//! picture, or with all its possible colours if that face is not there.
+//! picture, or, if that picture cannot show the face there, with every colour that the
+//! pixel may have.
 //!
 //! [`bits`] rounds one stage of the model at a time, and compares in the same way.
 
@@ -40,9 +41,8 @@ pub enum Part {
     EveryPixel(usize),
     /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
-    /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. A formula that does not
-    /// subtract positions first, as the reference does, may err more. Only the bounds of a cuboid on the screen stay
-    /// intervals.
+    /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. The reference subtracts positions
+    /// first; a formula that does not may err more. The bounds of a cuboid on the screen are still computed in intervals.
     F64SetUp,
 }
 
@@ -106,7 +106,7 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
 }
 
 impl Change {
-    /// The largest error and the number of pixels of all changes.
+    /// Combines changes: the maximum of their errors, the sum of their pixels.
     pub fn sum(changes: impl IntoIterator<Item = Change>) -> Change {
         let add = |sum: Change, one: Change| Change {
             largest_error: [0, 1].map(|end| sum.largest_error[end].max(one.largest_error[end])),
@@ -126,7 +126,7 @@ impl Change {
     }
 }
 
-/// The change of the picture without each of these lists of parts, computed on rayon's current threads.
+/// One change for each list of parts; all parts of a list are left out together. Computed on rayon's current threads.
 ///
 /// Each cuboid keeps its own shading; that of the view is not used.
 ///

@@ -6,12 +6,11 @@
 //!    '----reference over intervals--> levels of each pixel ----------------------------------------------+
 //! ```
 //! The textbook's formula is evaluated in world space, as a shader does. One stage at a time is rounded: each number of
-//! the scene that it uses, and the result of each of its operations, to nearest. It takes the results of the other stages
-//! as f64 has them, so every rounding belongs to one stage:
+//! the scene that it uses, and the result of each of its operations, to nearest. All other stages are computed in f64:
 //!
 //! ```text
 //! positions                  P = a P1 + b P2 + c P3          (Gouraud: the corners)
-//! normals                    n = unit(a n1 + b n2 + c n3)    (Gouraud: the corners')
+//! normals                    n = unit(a n1 + b n2 + c n3)    (Gouraud: those of the corners)
 //! vectors to light and eye   l = unit(L - P), o = unit(O - P)
 //! dot products               n.l, r = 2 (n.l) n - l, o.r
 //! power                      2^(rho log2(o.r))
@@ -73,7 +72,7 @@ pub const FORMATS: [(&str, Format); 3] = [
     ("f32", Format { bits: 24, exponent: 127 }),
 ];
 
-/// Formats that are tried: [`FORMATS`], then those of 2 to 24 bits with exponents that no scene exceeds.
+/// Formats that are tried: [`FORMATS`], then formats of 2 to 24 bits whose range holds every number of every scene.
 const TRIALS: usize = FORMATS.len() + 23;
 
 impl Format {
@@ -87,9 +86,8 @@ impl Format {
             .map_or_else(of_bits, |(_, format)| *format)
     }
 
-    /// The nearest number of the format; of two, the even one. Beyond the largest it is infinite.
-    ///
-    /// An operation on numbers of at most 24 bits that is rounded to f64 first is rounded as if directly (Figueroa 1995).
+    /// Rounds to nearest, ties to even. A number beyond the largest becomes infinite. The result of an operation is rounded to
+    /// f64 first, which changes the second rounding only within 2^-53 of a tie (Figueroa 1995).
     pub fn round(self, value: f64) -> f64 {
         /// 1.5 * 2^52: a smaller number added to it is rounded to an integer.
         const INTEGERS: f64 = 6_755_399_441_055_744.0;
@@ -174,8 +172,8 @@ impl Trial {
         self.all(stage, self.all(stage, a + b) + c)
     }
 
-    /// The model at a point of the cuboid that a pixel shows. A direction that is not a number, as that of a light at the
-    /// point, lights nothing.
+    /// The model at a point of the cuboid that a pixel shows. A light at the point itself has no
+    /// direction; it adds nothing.
     fn lit(
         self,
         scene: &SceneRecord,

@@ -1,6 +1,6 @@
-//! The command `requires`: prints a table or JSON, and writes the least scene.
+//! The command `requires`: prints a table or JSON, and writes a reduced scene.
 //!
-//! The least scene is a valid scene file. Its comments list the parts left out and their error.
+//! The reduced scene is a valid scene file. Its comments list the parts left out and their error.
 
 use serde::Serialize;
 use serde_json::json;
@@ -33,14 +33,15 @@ impl PartRow {
 }
 
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
-    above the tolerance, proven; time: the part's share of the shortest frame time on one thread, - if the renderer \
-    cannot draw without it; required: not proven to keep the tolerance without it.";
+    above the tolerance, proven; time: the part's share of the shortest frame time on one thread, negative \
+    if the frame without the part takes longer, a dash if the renderer cannot draw without it; required: the picture \
+    without the part is not proven to keep the tolerance.";
 
 const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
-    fewest bits of significand, 2 to 24, that keep the tolerance; largest error: with so many bits, in levels of 255, \
+    fewest bits of significand, 2 to 24, that keep the tolerance; largest error: with that number of bits, in levels of 255, \
     proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
 
-/// Prints the parts and the bits that a picture requires, and writes the least scene to `least_scene`.
+/// Prints the parts and the bits that a picture requires, and writes a reduced scene to `least_scene`.
 ///
 /// # Errors
 /// If the picture does not fit in memory or the output cannot be written.
@@ -115,7 +116,7 @@ fn error(ends: [f64; 2]) -> String {
     }
 }
 
-/// Writes the least scene that keeps the tolerance. Only parts that a scene file can leave out are tried.
+/// Writes the scene without parts that it does not require together. Only parts that a scene file can leave out are tried.
 fn write_least(
     subject: &str,
     scene: &Scene,
@@ -134,7 +135,7 @@ fn write_least(
     let names: Vec<String> = rows.into_iter().map(|row| row.found.name).collect();
     let most = (1e4 * change.most()).ceil() / 1e4;
     let found = match &names[..] {
-        [] => "nothing can be left out".to_owned(),
+        [] => "no part is proven to be unnecessary".to_owned(),
         names => format!(
             "left out: {}; errs at most {most} levels, proven",
             names.join(", ")

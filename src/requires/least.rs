@@ -1,4 +1,4 @@
-//! A set of parts that a scene does not require together.
+//! Finds parts that can be left out of a scene together.
 //!
 //! Errors of parts add up or cancel, so each candidate is tried together with the parts already left out. The picture
 //! without the set is proven to keep the tolerance.

@@ -1,6 +1,6 @@
 //! The share of a frame's time that a part of the model costs.
 //!
-//! The renderer draws warm frames on one thread, alternately with and without the part.
+//! Frames with and without the part are timed in turns, in random order, on one thread.
 
 use std::time::Duration;
 

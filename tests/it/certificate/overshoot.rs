@@ -1,9 +1,17 @@
-//! Pixels that snapping adds beyond an edge: their distance from a face that is not a sliver.
+//! Slivers: how far snapping takes pixels off other faces, and that f32 evaluates no pixel of a sliver.
 
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
-use shadetrade::components::{Lens, Projection};
+use shadetrade::components::{Illumination, Lens, Projection};
+use shadetrade::shading::Surface;
 use shadetrade::shading::face::{Face, OVERSHOOT, Rays, Solid};
+use shadetrade::shading::field::Places;
+use shadetrade::shading::gloss::Gloss;
+use shadetrade::shading::gouraud::{Gouraud, TileColors};
+use shadetrade::shading::phong::{Phong, TileLights};
+use shadetrade::simd::baseline;
+
+use crate::support::scene::white;
 
 /// A number of any magnitude between two powers of ten.
 fn sized(from: i32, to: i32) -> impl Strategy<Value = f64> {
@@ -62,5 +70,47 @@ proptest! {
             let beyond = (place.x.abs().max(place.y.abs()) / place.z) - 1.0;
             prop_assert!(beyond <= 2.0 * OVERSHOOT + 1e-6, "{beyond}");
         }
+    }
+
+    #[test]
+    fn f32_evaluates_no_square_that_meets_the_end_of_a_sliver_or_in_which_depth_more_than_doubles(
+        solid in solid(),
+        orthographic in any::<bool>(),
+        yaw in -3.2..3.2_f64,
+        pitch in sized(-4, -1),
+        middle in [-400.0..400.0, -400.0..400.0_f64],
+        half in [0.5..16.0, 0.5..16.0_f64],
+    ) {
+        let (sine, cosine) = yaw.sin_cos();
+        let lens = Lens {
+            axes: [DVec3::new(cosine, sine, 0.0), DVec3::new(-sine, cosine, 0.0), DVec3::NEG_Z],
+            projection: if orthographic { Projection::Orthographic } else { Projection::Perspective },
+            near: 1e-3,
+            pitch,
+            ..Lens::default()
+        };
+        let rays = Rays::new(&lens);
+        let face = Face::new(2, &solid, &rays);
+        let simd = baseline().expect("every machine has the baseline");
+        let places = Places::single(simd, middle, half);
+        let w = |x: f64, y: f64| face.plane.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
+        let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
+        let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
+
+        let gouraud = Gouraud::new(&face, &[DVec3::splat(100.0); 8], 0.5);
+        let mut colors = TileColors::default();
+        gouraud.prepare(simd, &places, true, &mut colors);
+        let by_vertex = gouraud.single(&colors, 0).is_some();
+        prop_assert!(!by_vertex || face.is_steady(least) && least >= w(0.0, 0.0) / 2.0);
+
+        let (material, illumination) = (white(1.0), Illumination::default());
+        let surface = Surface { material: &material, illumination: &illumination, centre: solid.centre };
+        let normals = face.linear(&[DVec3::Y; 8], 0);
+        let gloss = Gloss::new(&surface, 0.5);
+        let mut lights = Vec::new();
+        let phong = Phong::new(&face, normals, surface, DVec3::ZERO, &gloss, &mut lights, 0.5);
+        let mut tile = TileLights::default();
+        phong.prepare(simd, &places, true, &mut tile);
+        prop_assert!(phong.single(&tile, 0).is_none() || face.is_steady(least));
     }
 }

@@ -65,7 +65,7 @@ const FAILURES: &str = r#"
 2  prove --picture drawn.png -o drawn.png  ->  the picture itself
 # Recordings.
 2  replay absent.log  ->  absent.log
-2  replay quit.log  ->  quit.log:1:|"quit"
+2  replay quit.log  ->  quit.log:1:|`quit`
 2  replay quit.log -o quit.log  ->  recording itself
 2  replay quit.log --hash -o -  ->  ./-
 2  replay quit.log --idle -1  ->  86400
