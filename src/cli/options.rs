@@ -184,7 +184,10 @@ fn level() -> impl TypedValueParser<Value = Level> {
     })
 }
 
-/// A legal number, or the message about it.
+/// A legal number.
+///
+/// # Errors
+/// `message` if it is no number, or not legal.
 pub fn number(
     text: &str,
     is_legal: impl Fn(f64) -> bool,
