@@ -18,7 +18,7 @@ use crate::output::{Output, say};
 use crate::report::CANCELLED;
 use crate::report::progress::with_bar;
 use crate::report::words::counted;
-use crate::trade::budget;
+use crate::trade::{budget, timing::median};
 use crate::{reference, simd, systems};
 
 /// Draws one picture into `output` and reports it, with the time of a frame, on standard error.
@@ -44,7 +44,7 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
         "wrote {name}: PNG, {width}x{height}, {} shaded; a frame takes {:.3} ms \
          (median of {}, PNG apart; {}, {})",
         counted(frame.counts().covered_pixels as usize, "pixel"),
-        time.as_secs_f64() * 1e3,
+        time,
         counted(frames, "warm frame"),
         counted(frame.workers().threads(), "thread"),
         simd::name(frame.workers().level()),
@@ -83,20 +83,19 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     Ok(())
 }
 
-/// The median time of a frame by `draw`, and the number of frames, which is odd, so that the median is one of the times.
+/// The median time of a frame by `draw` in milliseconds, and the number of frames.
 fn warm_frame(
     mut draw: impl FnMut() -> Result<(), OutOfMemory>,
-) -> Result<(Duration, usize), OutOfMemory> {
+) -> Result<(f64, usize), OutOfMemory> {
     // Small pictures need several frames for a steady median. A few frames of a large one suffice.
     const MAX_FRAMES: usize = 15;
     const ENOUGH: Duration = Duration::from_millis(200);
     let begin = Instant::now();
     let mut times = Vec::with_capacity(MAX_FRAMES);
-    while times.len() < MAX_FRAMES && (times.len() % 2 == 0 || begin.elapsed() < ENOUGH) {
+    while times.is_empty() || times.len() < MAX_FRAMES && begin.elapsed() < ENOUGH {
         let start = Instant::now();
         draw()?;
-        times.push(start.elapsed());
+        times.push(start.elapsed().as_secs_f64() * 1e3);
     }
-    times.sort_unstable();
-    Ok((times[times.len() / 2], times.len()))
+    Ok((median(&times), times.len()))
 }

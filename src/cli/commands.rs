@@ -162,11 +162,9 @@ fn scene_from_stdin() -> anyhow::Result<Scene> {
 }
 
 fn seconds(text: &str) -> Result<Duration, &'static str> {
-    let seconds = text.parse().ok();
-    seconds
-        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
-        .filter(|time| time.as_secs() <= 86_400)
-        .ok_or("it is a number of seconds from 0 to 86400")
+    let message = "it is a number of seconds from 0 to 86400";
+    let seconds = options::number(text, |it| (0.0..=86_400.0).contains(&it), message)?;
+    Ok(Duration::from_secs_f64(seconds))
 }
 
 /// The options of `probe`.
@@ -184,11 +182,7 @@ pub struct ProbeOptions {
 }
 
 fn pixel(text: &str) -> Result<[usize; 2], &'static str> {
-    let (x, y) = text.split_once(',').unwrap_or_default();
-    let pixel = x.parse().ok().zip(y.parse().ok());
-    pixel
-        .map(<[usize; 2]>::from)
-        .ok_or("it is X,Y in whole pixels from 0, such as 480,300")
+    options::pair(text, ',').ok_or("it is X,Y in whole pixels from 0, such as 480,300")
 }
 
 /// The options of `prove`.

@@ -184,29 +184,39 @@ fn level() -> impl TypedValueParser<Value = Level> {
     })
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
-    let levels = text.parse().ok();
-    levels
-        .filter(|it| Tolerance::is_legal(*it))
-        .ok_or_else(|| "it is 0 (exact) or a number of levels from 0.0001 to 255".to_owned())
+/// A legal number.
+///
+/// # Errors
+/// `message` if it is no number, or not legal.
+pub fn number(
+    text: &str,
+    is_legal: impl Fn(f64) -> bool,
+    message: &'static str,
+) -> Result<f64, &'static str> {
+    let number = text.parse().ok();
+    number.filter(|it| is_legal(*it)).ok_or(message)
 }
 
-fn budget(text: &str) -> Result<f64, String> {
-    let milliseconds = text.parse().ok();
-    milliseconds
-        .filter(|it| Milliseconds::RANGE.contains(it))
-        .ok_or_else(|| "it is a number of milliseconds from 0.001 to 10000".to_owned())
+/// Two whole numbers with a separator between.
+pub fn pair(text: &str, separator: char) -> Option<[usize; 2]> {
+    let (one, other) = text.split_once(separator)?;
+    Some([one.parse().ok()?, other.parse().ok()?])
 }
 
-fn size(text: &str) -> Result<[usize; 2], String> {
+fn tolerance(text: &str) -> Result<f64, &'static str> {
+    let message = "it is 0 (exact) or a number of levels from 0.0001 to 255";
+    number(text, Tolerance::is_legal, message)
+}
+
+fn budget(text: &str) -> Result<f64, &'static str> {
+    let message = "it is a number of milliseconds from 0.001 to 10000";
+    number(text, |it| Milliseconds::RANGE.contains(&it), message)
+}
+
+fn size(text: &str) -> Result<[usize; 2], &'static str> {
     let is_legal = |size: &[usize; 2]| size.iter().all(|side| (1..=MAX_SIDE).contains(side));
-    let (width, height) = text.split_once('x').unwrap_or_default();
-    let size = width.parse().ok().zip(height.parse().ok());
-    size.map(<[usize; 2]>::from)
-        .filter(is_legal)
-        .ok_or_else(|| {
-            "it is WIDTHxHEIGHT in pixels, 1x1 to 16384x16384, such as 960x720".to_owned()
-        })
+    let size = pair(text, 'x').filter(is_legal);
+    size.ok_or("it is WIDTHxHEIGHT in pixels, 1x1 to 16384x16384, such as 960x720")
 }
 
 fn threads() -> impl TypedValueParser<Value = usize> {

@@ -112,7 +112,7 @@ fn assert_works(folder: &Path, line: &str) -> String {
 
 /// Runs `line` and returns its exit status and the JSON on standard output.
 #[track_caller]
-fn json(folder: &Path, line: &str) -> (Option<i32>, serde_json::Value) {
+pub fn json(folder: &Path, line: &str) -> (Option<i32>, serde_json::Value) {
     let output = run(folder, line);
     let json = serde_json::from_slice(&output.stdout);
     (

@@ -4,9 +4,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use image::RgbImage;
+use shadetrade::pictures::figures;
 
 /// A byte may differ by this much, because the libm of another machine may round differently.
 const MAX_LEVELS: u8 = 1;
@@ -23,15 +23,13 @@ const FIGURES: [&str; 6] = [
 ];
 
 fn golden(figure: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("assets/golden")
-        .join(format!("{figure}.png"))
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/golden");
+    folder.join(figure).with_extension("png")
 }
 
 fn open(path: &Path) -> RgbImage {
-    image::open(path)
-        .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-        .into_rgb8()
+    let picture = image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    picture.into_rgb8()
 }
 
 /// The number of pixels that differ by more than allowed, and a picture of expected, actual and difference side by
@@ -45,13 +43,10 @@ fn compare(expected: &RgbImage, actual: &RgbImage) -> (usize, RgbImage) {
         let other = actual.get_pixel(x, y);
         let difference = [0, 1, 2].map(|channel| pixel[channel].abs_diff(other[channel]));
         wrong += usize::from(difference.iter().any(|&levels| levels > MAX_LEVELS));
-        sheet.put_pixel(x, y, *pixel);
-        sheet.put_pixel(width + x, y, *other);
-        sheet.put_pixel(
-            2 * width + x,
-            y,
-            image::Rgb(difference.map(|levels| levels.saturating_mul(32))),
-        );
+        let amplified = difference.map(|levels| levels.saturating_mul(32));
+        for (part, color) in (0..).zip([*pixel, *other, image::Rgb(amplified)]) {
+            sheet.put_pixel(part * width + x, y, color);
+        }
     }
     (wrong, sheet)
 }
@@ -59,32 +54,18 @@ fn compare(expected: &RgbImage, actual: &RgbImage) -> (usize, RgbImage) {
 #[test]
 fn the_figures_equal_the_stored_ones() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figures");
-    let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
-        .args(["figures", "-o"])
-        .arg(&folder)
-        .output()
-        .expect("the program runs");
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    figures(&folder).expect("they are drawn");
     let mut changed = Vec::new();
     for figure in FIGURES {
-        let drawn = folder.join(format!("{figure}.png"));
+        let drawn = folder.join(figure).with_extension("png");
         if std::env::var_os("SHADETRADE_BLESS").is_some() {
             fs::copy(&drawn, golden(figure)).expect("assets/golden can be written");
         }
         let (wrong, sheet) = compare(&open(&golden(figure)), &open(&drawn));
         if wrong > MAX_EDGE_PIXELS {
             let path = folder.join(format!("{figure}-difference.png"));
-            sheet
-                .save(&path)
-                .expect("the folder of the figures can be written");
-            changed.push(format!(
-                "{wrong} pixels of {figure}, see {}",
-                path.display()
-            ));
+            sheet.save(&path).expect("the folder can be written");
+            changed.push(format!("{wrong} pixels of {figure}, see {path:?}"));
         }
     }
     assert!(changed.is_empty(), "changed:\n{}", changed.join("\n"));

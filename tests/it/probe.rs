@@ -2,11 +2,10 @@
 
 mod text;
 
-use std::process::Command;
-
 use fearless_simd::Level;
 use glam::DVec3;
-use serde_json::Value;
+use serde::Deserialize;
+use serde_json::{Map, Value};
 use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::probe::{self, Probe, ProbedSurface};
@@ -18,64 +17,95 @@ use shadetrade::trade::metrics::pixel_error;
 
 use crate::support::scene::{draw, view_from};
 
-fn probe(arguments: &[&str]) -> Value {
-    let output = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
-        .arg("probe")
-        .args(arguments)
-        .arg("--json")
-        .output()
-        .expect("the program runs");
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    serde_json::from_slice(&output.stdout).expect("JSON and nothing else on standard output")
+/// The JSON of the command.
+fn probe(line: &str) -> Value {
+    let folder = std::env::temp_dir();
+    let (status, json) = crate::cli::json(&folder, &format!("probe {line} --json"));
+    assert_eq!(status, Some(0));
+    json
 }
 
-fn triple(value: &Value) -> [f64; 3] {
-    [0, 1, 2].map(|index| value[index].as_f64().expect("a number"))
+/// The keys of the contract.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "the keys and their types are what counts")]
+struct Printed {
+    pixel: [usize; 2],
+    object: String,
+    triangle: u32,
+    position: DVec3,
+    normal: DVec3,
+    to_eye: DVec3,
+    lights: Vec<PrintedLight>,
+    gouraud: PrintedMode,
+    phong: PrintedMode,
+    reference: PrintedReference,
 }
 
-fn length(v: [f64; 3]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PrintedLight {
+    name: String,
+    kind: LightKind,
+    #[serde(deserialize_with = "Option::deserialize")]
+    to_light: Option<DVec3>,
+    #[serde(deserialize_with = "Option::deserialize")]
+    reflected: Option<DVec3>,
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PrintedMode {
+    levels: [f64; 3],
+    terms: Map<String, Value>,
+    bytes: [u8; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "the keys and their types are what counts")]
+struct PrintedReference {
+    triangle: u32,
+    gouraud: PrintedLevels,
+    phong: PrintedLevels,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PrintedLevels {
+    levels: [f64; 3],
+}
+
+fn printed(line: &str) -> Printed {
+    serde_json::from_value(probe(line)).expect("the keys of the contract")
 }
 
 #[test]
 fn the_vectors_meet_their_definitions() {
-    let probe = probe(&["--pixel", "480,300"]);
-    let (position, normal, to_eye) = (
-        triple(&probe["position"]),
-        triple(&probe["normal"]),
-        triple(&probe["to_eye"]),
-    );
-    assert_eq!(probe["object"], "emerald");
-    assert!(
-        (position[2] - 1.0).abs() < 1e-12,
-        "the pixel shows the face z = 1: {position:?}"
-    );
-    // Corner normals are interpolated over a face: n is (x / 2, y / 1.5, z) normalised.
-    let along = [position[0] / 2.0, position[1] / 1.5, position[2]];
-    for axis in 0..3 {
-        assert!((normal[axis] - along[axis] / length(along)).abs() < 1e-12);
-        // The eye of camera 1 is at (7, 5, 8).
-        let eye = [7.0, 5.0, 8.0];
-        let away: [f64; 3] = std::array::from_fn(|axis| eye[axis] - position[axis]);
-        assert!((to_eye[axis] - away[axis] / length(away)).abs() < 1e-12);
-    }
-    for light in probe["lights"].as_array().expect("lights") {
-        if light["kind"] == "ambient" {
-            assert!(light["to_light"].is_null() && light["reflected"].is_null());
-            continue;
-        }
-        let (l, r) = (triple(&light["to_light"]), triple(&light["reflected"]));
-        for axis in 0..3 {
-            assert!((r[axis] - (2.0 * dot(normal, l) * normal[axis] - l[axis])).abs() < 1e-12);
-        }
+    let probe = printed("--pixel 480,300");
+    assert_eq!((&*probe.object, probe.pixel), ("emerald", [480, 300]));
+    let Printed {
+        position,
+        normal,
+        to_eye,
+        lights,
+        ..
+    } = probe;
+    // The pixel shows the face z = 1. Corner normals are interpolated over it; the eye of camera 1 is at (7, 5, 8).
+    let along = position / DVec3::new(2.0, 1.5, 1.0);
+    let away = DVec3::new(7.0, 5.0, 8.0) - position;
+    assert!((position.z - 1.0).abs() < 1e-12, "{position}");
+    assert!((normal - along.normalize()).length() < 1e-12);
+    assert!((to_eye - away.normalize()).length() < 1e-12);
+    for light in lights {
+        let is_ambient = light.kind == LightKind::Ambient;
+        assert_eq!(light.to_light.is_none(), is_ambient, "{}", light.name);
+        let mirrored = light.to_light.map(|l| 2.0 * normal.dot(l) * normal - l);
+        let error = light
+            .reflected
+            .zip(mirrored)
+            .map(|(r, known)| (r - known).length());
+        assert!(is_ambient || error < Some(1e-12), "{}", light.name);
     }
 }
 
@@ -83,28 +113,31 @@ fn the_vectors_meet_their_definitions() {
 fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
     for (tolerance, allowed) in [("0", 0.05), ("0.5", 0.5), ("4", 4.0)] {
         for pixel in ["480,300", "600,250", "700,400", "520,260"] {
-            let probe = probe(&["--pixel", pixel, "--tolerance", tolerance]);
-            for mode in ["gouraud", "phong"] {
-                let reference = triple(&probe["reference"][mode]["levels"]);
-                let levels = triple(&probe[mode]["levels"]);
-                assert_ne!(
-                    levels, reference,
-                    "the levels of the renderer, not of the reference"
+            let probe = printed(&format!("--pixel {pixel} --tolerance {tolerance}"));
+            let reference = probe.reference;
+            let modes = [
+                (probe.gouraud, reference.gouraud),
+                (probe.phong, reference.phong),
+            ];
+            for (mode, reference) in modes {
+                // The levels are those of the renderer, not of the reference.
+                assert_ne!(mode.levels, reference.levels);
+                assert_eq!(mode.terms.len(), 4);
+                let term = |it: &Value| DVec3::deserialize(it).expect("three numbers");
+                let sum: DVec3 = mode.terms.values().map(term).sum();
+                assert!(
+                    (sum - DVec3::from(reference.levels)).length() < 1e-9,
+                    "at {pixel}"
                 );
-                let terms = probe[mode]["terms"].as_object().expect("terms by light");
-                assert_eq!(terms.keys().count(), 4);
-                for channel in 0..3 {
-                    let sum: f64 = terms.values().map(|term| triple(term)[channel]).sum();
-                    assert!((sum - reference[channel]).abs() < 1e-9, "{mode} at {pixel}");
-                    let shown = |level: f64| level.clamp(0.0, 255.0);
-                    let error = (shown(levels[channel]) - shown(reference[channel])).abs();
-                    assert!(
-                        error <= allowed,
-                        "{mode} at {pixel}: {error} levels at tolerance {tolerance}"
-                    );
-                    let byte = (shown(levels[channel]) + 0.5).floor();
-                    assert_eq!(probe[mode]["bytes"][channel].as_f64(), Some(byte));
-                }
+                let error = pixel_error(mode.levels, reference.levels);
+                assert!(
+                    error <= allowed,
+                    "{error} at {pixel}, tolerance {tolerance}"
+                );
+                let shown = mode
+                    .levels
+                    .map(|level| (level.clamp(0.0, 255.0) + 0.5).floor());
+                assert_eq!(mode.bytes.map(f64::from), shown);
             }
         }
     }
@@ -189,20 +222,12 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
 
 #[test]
 fn the_background_and_lights_that_are_off_appear_nowhere() {
-    let background = probe(&["--pixel", "0,0"]);
-    assert_eq!(
-        background,
-        serde_json::json!({"pixel": [0, 0], "object": null})
-    );
-    let probe = probe(&["--pixel", "480,300", "--lights", "white,ambient"]);
-    let names = |lights: &Value| {
-        lights
-            .as_object()
-            .map(|it| it.keys().cloned().collect::<Vec<_>>())
-    };
-    let expected = ["white", "ambient"].map(str::to_owned);
-    assert_eq!(names(&probe["phong"]["terms"]), Some(expected.to_vec()));
-    assert_eq!(probe["lights"].as_array().map(Vec::len), Some(2));
+    let background = serde_json::json!({"pixel": [0, 0], "object": null});
+    assert_eq!(probe("--pixel 0,0"), background);
+    let probe = printed("--pixel 480,300 --lights white,ambient");
+    assert!(probe.phong.terms.keys().eq(["white", "ambient"]));
+    let names = probe.lights.iter().map(|light| &*light.name);
+    assert!(names.eq(["white", "ambient"]));
 }
 
 #[test]

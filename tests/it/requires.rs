@@ -9,12 +9,14 @@ mod sixteen;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    ActiveCamera, Background, Budget, FileOrder, Inspector, Material, Name, Orbit, Probed, Show,
-    Spin, Tolerance, Transform, View,
+    ActiveCamera, Background, Budget, FileOrder, Inspector, LightKind, Material, Name, Orbit,
+    Probed, Projection, Show, Spin, Tolerance, Transform, View,
 };
 use shadetrade::report::Monitor;
 use shadetrade::requires::{Change, Part, changes, parts};
 use shadetrade::scene::Scene;
+
+use crate::support::scene::{empty, shine, spawn_cuboid, view};
 
 /// Reflects diffuse light fully, and half of specular light.
 const WHITE: Material = Material {
@@ -52,6 +54,25 @@ fn scene_of(mut world: World, view: &View) -> Scene {
         warning: None,
         world,
     }
+}
+
+/// Cubes with edges of 2 under white lights, and a view of them.
+fn cubes(places: &[Transform], lights: &[(LightKind, f64, DVec3)], view: &View) -> Scene {
+    let mut world = empty();
+    for place in places {
+        spawn_cuboid(&mut world, DVec3::splat(2.0), *place, WHITE);
+    }
+    for (kind, levels, position) in lights {
+        shine(&mut world, *kind, *levels, *position);
+    }
+    scene_of(world, view)
+}
+
+/// A view from +z towards the origin, in perspective, at half a level. Its sides are odd, so that the middle of the picture
+/// is a pixel centre.
+fn from_z(distance: f64, projection: Projection) -> View {
+    let eye = DVec3::Z * distance;
+    view([49, 37], eye, DVec3::ZERO, projection).with_tolerance(0.5)
 }
 
 /// The change of the picture without a part.

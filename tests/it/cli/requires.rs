@@ -11,13 +11,13 @@ use super::{SCENE, assert_works, decode, folder, get, json, listing, put, run};
 struct Found {
     scene: String,
     tolerance: f64,
-    parts: Vec<Part>,
-    bits: Vec<Stage>,
+    parts: Vec<LeftOut>,
+    bits: Vec<Rounded>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Part {
+struct LeftOut {
     part: String,
     largest_error: [f64; 2],
     pixels: u64,
@@ -28,16 +28,16 @@ struct Part {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Stage {
+struct Rounded {
     stage: String,
     bits: u64,
     largest_error: f64,
-    formats: Vec<Format>,
+    formats: Vec<Tried>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Format {
+struct Tried {
     format: String,
     largest_error: f64,
     keeps: bool,
@@ -86,7 +86,7 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
         assert!(is_proven, "{stage:?}");
         let names = stage.formats.iter().map(|it| &*it.format);
         assert_eq!(names.collect::<Vec<_>>(), ["f16", "bf16", "f32"]);
-        let is_right = |it: &Format| it.keeps == (it.largest_error <= 4.0);
+        let is_right = |it: &Tried| it.keeps == (it.largest_error <= 4.0);
         assert!(stage.formats.iter().all(is_right), "{stage:?}");
     }
 }

@@ -18,24 +18,16 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
         record.light.truncate(1);
         record.light[0].position = Some(DVec3::new(0.0, 0.0, 2.0));
     };
+    let dark: Change = |record| record.light.clear();
+    let ambient: Change = |record| drop(record.light.drain(..3));
     let cases: [([usize; 2], usize, Change, &str); 6] = [
         // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
-        (
-            HIGHLIGHT,
-            2,
-            |_| (),
-            "No vertex lies in the highlight of specular",
-        ),
+        (HIGHLIGHT, 2, |_| (), "No vertex lies in the highlight"),
         // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
         (HIGHLIGHT, 2, wide, "The highlight of specular rises"),
         // Ambient light is the same everywhere.
-        (
-            HIGHLIGHT,
-            1,
-            |record| drop(record.light.drain(..3)),
-            "Light changes nearly linearly",
-        ),
-        (HIGHLIGHT, 0, |record| record.light.clear(), "No light"),
+        (HIGHLIGHT, 1, ambient, "Light changes nearly linearly"),
+        (HIGHLIGHT, 0, dark, "No light"),
         // The light is behind the face: n.l is 0 at all of its corners but those that lean to it.
         ([480, 300], 1, only_white, "white is behind a vertex"),
         // A lamp before the middle of the face shines past its corners' normals.

@@ -3,18 +3,17 @@
 use std::sync::Mutex;
 
 use glam::DVec3;
-use hecs::World;
 use shadetrade::components::{
-    LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View, overwrite,
+    LightKind, Mesh, Projection, ShadingMode, TRIANGLES, View, overwrite,
 };
 use shadetrade::reference::in_row;
 use shadetrade::report::{CANCELLED, Monitor};
 use shadetrade::requires::bits::{FORMATS, Format, StageBits, bits};
-use shadetrade::scene::{BUILT_IN, Scene};
+use shadetrade::scene::Scene;
 
-use super::{WHITE, scene_of};
+use super::{WHITE, cubes, from_z};
 use crate::support::random::Random;
-use crate::support::scene::{at, empty, spawn_cuboid, spawn_light, view, view_from};
+use crate::support::scene::{at, view_from};
 
 fn of(scene: &Scene, view: &View) -> Vec<StageBits> {
     bits(scene, view, Monitor::NONE).expect("nobody cancels it")
@@ -26,23 +25,16 @@ fn stage<'a>(found: &'a [StageBits], name: &str) -> &'a StageBits {
     rows.find(|row| row.stage == name).expect("a stage")
 }
 
-/// A cube with edges of 2 at the origin, seen from +z at half a level.
-fn cube(lights: impl FnOnce(&mut World)) -> (Scene, View) {
-    let mut world = empty();
-    spawn_cuboid(&mut world, DVec3::splat(2.0), at(DVec3::ZERO), WHITE);
-    lights(&mut world);
-    let (eye, target) = (DVec3::Z * 8.0, DVec3::ZERO);
-    let view = view([33, 25], eye, target, Projection::Perspective).with_tolerance(0.5);
-    (scene_of(world, &view), view)
+/// A cube at the origin under lights, seen from +z at half a level.
+fn cube(lights: &[(LightKind, f64, DVec3)]) -> (Scene, View) {
+    let mut view = from_z(8.0, Projection::Perspective);
+    view.size = [33, 25];
+    (cubes(&[at(DVec3::ZERO)], lights, &view), view)
 }
 
 /// The scene of a file in the picture of its first camera.
 fn built_in(name: &str, mode: ShadingMode, size: [usize; 2]) -> (Scene, View) {
-    let (_, text) = BUILT_IN
-        .iter()
-        .find(|(own, _)| *own == name)
-        .expect("built in");
-    let mut scene = Scene::parse(name, text).expect("a scene");
+    let mut scene = Scene::load(Some(name)).expect("built in");
     overwrite(&mut scene.world, &mode);
     let view = view_from(&scene, 0, size).with_tolerance(0.5);
     (scene, view)
@@ -86,8 +78,7 @@ fn formats_round_as_ieee_754_has_it() {
 /// 100.4 levels lie between 100 and 100.5 in multiples of 4, and between 96 and 104 in multiples of 8.
 #[test]
 fn an_ambient_light_requires_the_bits_of_its_levels() {
-    let (scene, view) =
-        cube(|world| spawn_light(world, LightKind::Ambient, DVec3::splat(100.4), DVec3::ZERO));
+    let (scene, view) = cube(&[(LightKind::Ambient, 100.4, DVec3::ZERO)]);
     let found = of(&scene, &view);
     let names: Vec<&str> = found.iter().map(|row| row.stage).collect();
     let stages = [
@@ -120,8 +111,7 @@ fn an_ambient_light_requires_the_bits_of_its_levels() {
 /// The square of a distance of 1000 overflows f16, and l is then zero. n.l of the corners is nearly 1 / sqrt(3).
 #[test]
 fn a_format_fails_where_its_exponents_end() {
-    let (levels, far) = (DVec3::splat(200.0), DVec3::Z * 1e3);
-    let (scene, view) = cube(|world| spawn_light(world, LightKind::Diffuse, levels, far));
+    let (scene, view) = cube(&[(LightKind::Diffuse, 200.0, DVec3::Z * 1e3)]);
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
         let mut scene = scene.snapshot();
         overwrite(&mut scene.world, &mode);
@@ -204,11 +194,8 @@ fn twin(
 #[test]
 fn the_errors_of_f32_are_those_of_a_twin() {
     let place = DVec3::new(3.1, 2.3, 7.7);
-    let (scene, view) = cube(|world| {
-        spawn_light(world, LightKind::Diffuse, DVec3::splat(200.0), place);
-        spawn_light(world, LightKind::Specular, DVec3::splat(200.0), place);
-    });
-    let mut scene = scene;
+    let kinds = [LightKind::Diffuse, LightKind::Specular];
+    let (mut scene, view) = cube(&kinds.map(|kind| (kind, 200.0, place)));
     overwrite(&mut scene.world, &ShadingMode::Phong);
     let found = of(&scene, &view);
     let mesh = Mesh::cuboid(DVec3::splat(2.0));
@@ -255,32 +242,6 @@ fn a_tolerance_just_below_the_largest_error_requires_more_bits() {
             assert_eq!(row.bits, Some(2), "{name}: {row:?}");
         }
     }
-}
-
-/// The light is behind the cube, opposite to the eye: the highlight ends at the terminator, in the middle of the top, with
-/// most of its 200 levels. There n.l is near 0, and rounding it to 8 bits opens or closes the gate. All is turned, so that no component
-/// vanishes.
-#[test]
-fn a_highlight_at_a_terminator_requires_more_bits_of_its_cosine() {
-    let turned = Transform {
-        rotation: DVec3::new(20.0, 35.0, 50.0),
-        ..Transform::default()
-    };
-    let [light, eye, top] =
-        [[1.3, -8.0], [2.0, 8.0], [1.0, 0.0]].map(|[y, z]| turned.axes() * DVec3::new(0.0, y, z));
-    let mut world = empty();
-    spawn_cuboid(&mut world, DVec3::splat(2.0), turned, WHITE);
-    spawn_light(&mut world, LightKind::Specular, DVec3::splat(400.0), light);
-    let mut view = view([385, 49], eye, top, Projection::Perspective).with_tolerance(0.5);
-    view.viewpoint.camera.up = turned.axes() * DVec3::Y;
-    view.viewpoint.camera.fov = 1.8;
-    let mut scene = scene_of(world, &view);
-    overwrite(&mut scene.world, &ShadingMode::Phong);
-    let found = of(&scene, &view);
-    let [cosine, power] = ["dot products", "power"].map(|name| stage(&found, name));
-    assert!(cosine.formats[1].largest_error > 100.0, "{cosine:?}");
-    assert!(cosine.bits >= Some(12), "{cosine:?}");
-    assert!(power.formats[1].largest_error < 1.0, "{power:?}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The words of the verdict, which must agree with the numbers.
 
-use shadetrade::components::ShadingMode::{self, Gouraud, Phong};
+use shadetrade::components::ShadingMode::{Gouraud, Phong};
 use shadetrade::shading::Method;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::verdict::{sentence, verdict};
@@ -12,9 +12,13 @@ use crate::support::random::Random;
 type Trade = [(f64, f64); 3];
 /// Gouraud saves half of the time, and tolerance 0.5 saves half of it again.
 const USUAL: Trade = [(0.2, 165.0), (0.46, 0.5), (1.0, 0.0)];
+const ALIKE: Trade = [(0.2, 165.0), (0.201, 0.5), (1.0, 0.0)];
+const EXACT_IS_AS_FAST: Trade = [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)];
+const EXACT_IS_FASTER: Trade = [(0.2, 165.0), (0.46, 0.5), (0.3, 0.0)];
+const INVISIBLE: Trade = [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)];
+const TOO_SHORT: Trade = [(0.0, 165.0), (0.46, 0.5), (1.0, 0.0)];
 
 const NOTHING: &str = "nothing to trade";
-const ALIKE: &str = "about as fast";
 
 fn measured(trade: Trade) -> Vec<Measurement> {
     let methods = [(Gouraud, 0.5), (Phong, 0.5), (Phong, 0.0)];
@@ -24,67 +28,47 @@ fn measured(trade: Trade) -> Vec<Measurement> {
     methods.into_iter().zip(trade).map(measurement).collect()
 }
 
-/// A trade, the method on screen, and parts of the sentence that are in it and that are not, each with a bar between.
-type Row = (Trade, (ShadingMode, f64), &'static str, &'static str);
+/// For each trade and method (0 is Gouraud, 1 half a level, 2 exact): parts of the sentence, and parts that are not in it.
+const SENTENCES: &str = "\
+usual 0: 2.3 times faster|half a level|but off by 165 -- about as fast
+usual 1: 2.3 times slower|330 times more exact -- but|nothing to trade
+usual 2: 5 times slower|rounding|2.2 times faster -- nothing to trade
+alike 0: about as fast|and off by 165 -- times|but
+as-fast 0: exact Phong|2.3 times -- half
+as-fast 1: about as fast|nothing to trade -- but
+as-fast 2: nothing to trade -- 2.2
+faster 1: 1.5 times faster|nothing to trade -- as fast
+invisible 0: 2.3 times faster|0.310 -- but
+invisible 1: 2.3 times slower|0.200 -- more exact
+too-short 0: faster -- times|inf|NaN";
 
 #[test]
 fn the_sentence_states_only_measured_facts() {
-    let [gouraud, half, exact] = [(Gouraud, 0.5), (Phong, 0.5), (Phong, 0.0)];
-    let alike: Trade = [(0.2, 165.0), (0.201, 0.5), (1.0, 0.0)];
-    let exact_is_as_fast: Trade = [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)];
-    let exact_is_faster: Trade = [(0.2, 165.0), (0.46, 0.5), (0.3, 0.0)];
-    let invisible: Trade = [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)];
-    let too_short: Trade = [(0.0, 165.0), (0.46, 0.5), (1.0, 0.0)];
-    let rows: [Row; 11] = [
-        (
-            USUAL,
-            gouraud,
-            "2.3 times faster|half a level|but off by 165",
-            ALIKE,
-        ),
-        (
-            USUAL,
-            half,
-            "2.3 times slower|330 times more exact",
-            "but|nothing to trade",
-        ),
-        (
-            USUAL,
-            exact,
-            "5 times slower|rounding|2.2 times faster",
-            NOTHING,
-        ),
-        (alike, gouraud, "about as fast|and off by 165", "times|but"),
-        (exact_is_as_fast, gouraud, "exact Phong|2.3 times", "half"),
-        (
-            exact_is_as_fast,
-            half,
-            "about as fast|nothing to trade",
-            "but",
-        ),
-        (exact_is_as_fast, exact, NOTHING, "2.2"),
-        (
-            exact_is_faster,
-            half,
-            "1.5 times faster|nothing to trade",
-            "as fast",
-        ),
-        (invisible, gouraud, "2.3 times faster|0.310", "but"),
-        (invisible, half, "2.3 times slower|0.200", "more exact"),
-        (too_short, gouraud, "faster", "times|inf|NaN"),
+    let trades = [
+        ("usual", USUAL),
+        ("alike", ALIKE),
+        ("as-fast", EXACT_IS_AS_FAST),
+        ("faster", EXACT_IS_FASTER),
+        ("invisible", INVISIBLE),
+        ("too-short", TOO_SHORT),
     ];
-    for (trade, (mode, tolerance), says, hides) in rows {
-        let text = sentence(&measured(trade), Method::of(mode, tolerance)).expect("it is measured");
-        for part in says.split('|') {
-            assert!(text.contains(part), "{part:?} is not in {text:?}");
-        }
-        for part in hides.split('|') {
-            assert!(!text.contains(part), "{part:?} is in {text:?}");
-        }
+    for row in SENTENCES.lines() {
+        let (shown, parts) = row.split_once(": ").expect("a trade");
+        let (name, index) = shown.split_once(' ').expect("a method");
+        let (says, hides) = parts.split_once(" -- ").expect("other parts");
+        let (_, trade) = trades.iter().find(|it| it.0 == name).expect(name);
+        let measured = measured(*trade);
+        let method = measured[index.parse::<usize>().expect("a number")].method;
+        let text = sentence(&measured, method).expect("it is measured");
+        assert!(says.split('|').all(|it| text.contains(it)), "{row}\n{text}");
+        assert!(
+            !hides.split('|').any(|it| text.contains(it)),
+            "{row}\n{text}"
+        );
     }
     assert_eq!(sentence(&measured(USUAL), Method::of(Phong, 0.7)), None);
     // Intervals that are so wide that they overlap allow no verdict.
-    for (trade, says) in [(USUAL, "not measurably"), (exact_is_as_fast, "")] {
+    for (trade, says) in [(USUAL, "not measurably"), (EXACT_IS_AS_FAST, "")] {
         let mut noisy = measured(trade);
         for one in &mut noisy {
             one.timing.interval = [0.1, 2.0];
@@ -100,33 +84,23 @@ fn the_sentence_states_only_measured_facts() {
 fn times_within_noise_are_called_neither_faster_nor_slower() {
     let mut random = Random(5);
     for _ in 0..200 {
-        let mut one = || {
-            (
-                1.0 + 0.004 * random.within(-1.0, 1.0),
-                random.within(0.0, 3.0),
-            )
-        };
+        let mut one = || (random.within(0.996, 1.004), random.within(0.0, 3.0));
         let measured = measured([one(), one(), one()]);
         let sentences = measured
             .iter()
             .filter_map(|it| sentence(&measured, it.method));
         for text in sentences.chain([verdict(&measured)]) {
-            assert!(
-                !text.contains("faster") && !text.contains("slower"),
-                "{text}"
-            );
+            let is_neither = !text.contains("faster") && !text.contains("slower");
+            assert!(is_neither, "{text}");
         }
     }
 }
 
 #[test]
 fn the_verdict_is_about_the_methods_that_were_measured() {
+    let usual = "Gouraud|163|xact Phong|unit vectors|171";
     for (report, words, others) in [
-        (
-            example::report(),
-            "Gouraud|163|xact Phong|unit vectors|171",
-            "nothing is drawn",
-        ),
+        (example::report(), usual, "nothing is drawn"),
         (example::empty_report(), "othing is drawn", "off by"),
     ] {
         let text = verdict(&report.methods);
