@@ -2,19 +2,20 @@
 
 use fearless_simd::Level;
 use shadetrade::components::{Projection, ShadingMode, View};
-use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::frame::Keep;
 use shadetrade::prove::{Proof, Verdict, prove};
 use shadetrade::report::Monitor;
 use shadetrade::scene::{BUILT_IN, Scene};
-use shadetrade::systems;
+
+use crate::support::scene::draw;
 
 const SIZE: [usize; 2] = [80, 60];
 
 /// The renderer's bytes for a window.
 fn drawn(scene: &mut Scene, view: &View) -> Vec<u32> {
-    let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
-    systems::draw(&mut scene.world, view, &mut frame).expect("a small picture fits");
-    frame.pixels().to_vec()
+    draw(&mut scene.world, view, Keep::Display)
+        .pixels()
+        .to_vec()
 }
 
 fn judged(scene: &mut Scene, view: &View, picture: &[u32]) -> Proof {
@@ -60,6 +61,24 @@ fn the_renderers_own_bytes_are_proven_and_a_changed_one_is_refuted() {
                 // A byte is at most half a level from its level.
                 assert!((1.5..=2.5).contains(&example.error[0]), "{example:?}");
                 assert!(example.face.is_some());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_picture_moved_by_a_pixel_is_refuted_along_its_edges() {
+    let mut scene = Scene::load(None).expect("the built-in scene");
+    for projection in Projection::ALL {
+        let view = exact(&scene, ShadingMode::Phong, projection);
+        let picture = drawn(&mut scene, &view);
+        for moved in [1, SIZE[0]] {
+            for back in [0, 2 * moved] {
+                let mut picture = picture.clone();
+                picture.rotate_right(moved);
+                picture.rotate_left(back);
+                let proof = judged(&mut scene, &view, &picture);
+                assert!(proof.refuted > 30, "{moved} {back}: {}", proof.refuted);
             }
         }
     }

@@ -11,7 +11,7 @@ use shadetrade::trade::metrics::{Picture, compare};
 
 use super::proof;
 use crate::support::cases::{cases, values};
-use crate::support::extreme::{exaggerated, graze};
+use crate::support::extreme::{exaggerated, flatten, graze};
 use crate::support::random::Random;
 use crate::support::random_scene::{Case, between, case};
 use crate::support::scene::{draw, truth};
@@ -71,13 +71,15 @@ fn distance(world: &mut World, eye: DVec3) -> f64 {
 fn no_pixel_of_random_scenes_with_numbers_of_any_magnitude_is_refuted_or_undefined() {
     let mut sum = [0; 3];
     let random = &mut Random(9);
-    for (case, tolerance) in values(&asked(), cases(200)) {
+    for (case, tolerance) in values(&asked(), cases(500)) {
         let mut record = case.record(tolerance);
         for _ in 0..=random.below(2) {
             record = exaggerated(&record, random);
         }
-        if random.below(4) == 0 {
-            graze(&mut record, random);
+        match random.below(4) {
+            0 => graze(&mut record, random),
+            1 => flatten(&mut record, random),
+            _ => (),
         }
         if record.check().is_err() {
             continue;

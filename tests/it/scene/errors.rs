@@ -188,7 +188,9 @@ fn every_range_contains_its_ends_and_nothing_beyond() {
         assert_accepted(&text(least));
         assert_accepted(&text(most));
         for beyond in [least.next_down(), most.next_up()] {
-            complaint(&text(beyond));
+            let complaint = complaint(&text(beyond));
+            let found = format!("{beyond:e}");
+            assert!(complaint.contains(&found), "{complaint}");
         }
     }
     complaint(&with_line(22, "orbit.zoom = 0"));

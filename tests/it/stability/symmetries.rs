@@ -39,9 +39,9 @@ fn the_order_of_cuboids_changes_no_bit() {
             .into_iter()
             .collect();
         let last = cuboids.len() as u32 - 1;
-        cuboids
-            .iter_mut()
-            .for_each(|(order, _)| order.0 = last - order.0);
+        for (order, _) in &mut cuboids {
+            order.0 = last - order.0;
+        }
         let mut second = Bits::of(&draw(&mut world, &view, Keep::Levels));
         for id in second.triangles.iter_mut().filter(|id| **id != NO_TRIANGLE) {
             // The depths of random cuboids do not tie.

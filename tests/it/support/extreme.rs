@@ -44,6 +44,14 @@ fn any_number<'a>(value: &'a mut Value, random: &mut Random) -> Option<&'a mut V
     any_number(children.swap_remove(chosen), random)
 }
 
+/// Makes the first cuboid a sheet or a needle, whose narrow faces lie between two pixels.
+pub fn flatten(record: &mut SceneRecord, random: &mut Random) {
+    let size = &mut record.cuboid[0].size;
+    for axis in 0..1 + random.below(2) {
+        size[axis] = (size[axis] * random.between(1e-9, 1e-2)).max(1e-100);
+    }
+}
+
 /// Moves the eye to a tiny height above a face, which it looks along or down at.
 pub fn graze(record: &mut SceneRecord, random: &mut Random) {
     let (cuboid, camera) = (&mut record.cuboid[0], &mut record.camera[0]);

@@ -56,7 +56,7 @@ impl Case {
         };
         let count = random.below(6);
         let lights = (0..count)
-            .map(|index| light(random, index, &cuboids[0], &to_eye))
+            .map(|index| light(random, index, &cuboids[0], to_eye))
             .collect();
         let up = loop {
             let up = random.direction();

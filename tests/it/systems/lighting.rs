@@ -19,18 +19,23 @@ fn run(world: &mut World, view: &View) -> Frame {
     frame
 }
 
-/// The colours at the corners of an upright cube of two units at the origin under these lights, and the frame.
+/// The colours at the corners of an upright cube of two units under these lights, and the frame. All positions are relative
+/// to the cube's centre.
 fn cube(lights: &[(DVec3, Light)], view: &View) -> ([DVec3; 8], Frame) {
     let mut world = World::new();
-    let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), at(DVec3::ZERO), MATERIAL);
+    let centre = dvec3(5.0, -6.0, 7.0);
+    let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), at(centre), MATERIAL);
     let third = 1.0 / 3.0_f64.sqrt();
     let normals = Normals(std::array::from_fn(|corner| signs(corner) * third));
-    let derived = (place(at(DVec3::ZERO)), normals);
+    let derived = (place(at(centre)), normals);
     world.insert(cuboid, derived).expect("it was spawned");
     for (position, light) in lights {
-        world.spawn((at(*position), *light));
+        world.spawn((at(centre + *position), *light));
     }
-    let frame = run(&mut world, view);
+    let mut view = view.clone();
+    view.viewpoint.position += centre;
+    view.viewpoint.camera.target += centre;
+    let frame = run(&mut world, &view);
     (read::<VertexColors>(&world, cuboid).0, frame)
 }
 
