@@ -53,13 +53,11 @@ impl Comparison {
             }
             errors.extend(error_map::compared(drawn, compared));
             differences.extend((0..drawn.levels.len()).map(|pixel| {
-                let [drawn_there, exact_there] =
-                    [drawn.levels[pixel].map(f64::from), compared.levels[pixel]];
-                let is_compared = drawn.shows_as(&compared, pixel);
-                [0, 1, 2].map(|it| match is_compared {
-                    true => (displayed(drawn_there[it]) - displayed(exact_there[it])) as f32,
-                    false => 0.0,
-                })
+                if !drawn.shows_as(&compared, pixel) {
+                    return [0.0; 3];
+                }
+                let [drawn, exact] = [drawn.levels[pixel].map(f64::from), exact.levels[pixel]];
+                [0, 1, 2].map(|it| (displayed(drawn[it]) - displayed(exact[it])) as f32)
             }));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
             Ok(())

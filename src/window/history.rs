@@ -71,14 +71,6 @@ impl History {
         self.before.push(Arc::clone(present));
         Some(seen_as(&after, present))
     }
-
-    pub fn has_undo(&self) -> bool {
-        !self.before.is_empty()
-    }
-
-    pub fn has_redo(&self) -> bool {
-        !self.after.is_empty()
-    }
 }
 
 /// A state with the rotation, pixel and tab of another one, which undo leaves as they are.

@@ -117,7 +117,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         bind("error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen.", &[(NO, Key::F5, Command::View(ViewMode::Error))]),
         bind("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Command::View(ViewMode::Tiles))]),
         bind("blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Command::Blink)]),
-        bind("move the probed pixel", "", &[
+        bind("move the pixel", "", &[
             (SHIFT, Key::ArrowLeft, Command::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Command::Probe(1, 0)),
             (SHIFT, Key::ArrowUp, Command::Probe(0, -1)), (SHIFT, Key::ArrowDown, Command::Probe(0, 1)),
         ]),

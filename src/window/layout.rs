@@ -76,7 +76,8 @@ impl App {
         }
         self.desk.message.take_if(|it| it.until <= self.now);
         if let Some(message) = &self.desk.message {
-            ui.ctx().request_repaint_after(message.until - self.now);
+            ui.ctx()
+                .request_repaint_after(message.until.saturating_sub(self.now));
         }
         ui.horizontal(|ui| {
             let width = ui.available_width();
@@ -138,6 +139,7 @@ impl App {
             ui.weak("H or Esc closes this. A tooltip says what a thing is.");
             let height = (screen.y - 100.0).max(LEAST_HELP);
             let scroll = ScrollArea::vertical().max_height(height);
+            let scroll = scroll.min_scrolled_height(height);
             scroll.show(ui, |ui| {
                 ui.columns(if screen.x > 600.0 { 2 } else { 1 }, |columns| {
                     for (index, (section, rows)) in BINDINGS.iter().enumerate() {

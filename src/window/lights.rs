@@ -51,9 +51,10 @@ impl Marker {
             None if self.is_on => drop(painter.circle(self.at, RADIUS, self.color, dark)),
             None => drop(painter.circle(self.at, RADIUS, hollow, (2.0, self.color))),
         }
-        let (align, side) = match self.at.x > area.center().x {
-            true => (Align2::RIGHT_CENTER, -1.0),
-            false => (Align2::LEFT_CENTER, 1.0),
+        let (align, side) = if self.at.x > area.center().x {
+            (Align2::RIGHT_CENTER, -1.0)
+        } else {
+            (Align2::LEFT_CENTER, 1.0)
         };
         let ink = [Color32::GRAY, Color32::WHITE][usize::from(self.is_on)];
         let at = self.at + vec2(side * (RADIUS + 8.0), 0.0);

@@ -34,12 +34,7 @@ impl App {
 
     /// A button with the name, the key and the sentence of a command, which a click runs.
     pub fn offer(&mut self, ui: &mut Ui, command: Command, is_chosen: bool) {
-        let is_enabled = match command {
-            Command::Undo => self.history.has_undo(),
-            Command::Redo => self.history.has_redo(),
-            _ => true,
-        };
-        if command_button(ui, command, is_chosen, is_enabled).clicked() {
+        if command_button(ui, command, is_chosen).clicked() {
             self.run(command);
         }
     }
@@ -118,7 +113,7 @@ impl App {
         ] {
             self.offer(ui, command, command == shown);
         }
-        let hold = command_button(ui, Command::Blink, self.desk.blinks.is_some(), true);
+        let hold = command_button(ui, Command::Blink, self.desk.blinks.is_some());
         let is_held = hold.is_pointer_button_down_on();
         if is_held || ui.input(|input| input.pointer.any_released()) {
             self.blink_while(is_held);
@@ -127,35 +122,31 @@ impl App {
     }
 
     fn camera_rows(&mut self, ui: &mut Ui) {
-        let active = active_camera(&self.scene.world);
-        let cameras = ordered::<Camera>(&self.scene.world);
-        let names = names::<Camera>(&self.scene.world);
-        let name = get(&self.scene.world, active).map_or_else(String::new, |Name(name)| name);
+        let world = &self.scene.world;
+        let mut active = active_camera(world);
+        let cameras = ordered::<Camera>(world).into_iter();
+        let cameras = cameras.zip(names::<Camera>(world));
+        let name = get(world, active).map_or_else(String::new, |Name(name)| name);
         ui.horizontal(|ui| {
             let says = "The camera that is looked through.";
             ui.label("camera").on_hover_text(says);
             let choices = ComboBox::from_id_salt("camera").selected_text(name);
             choices.show_ui(ui, |ui| {
-                for (camera, name) in cameras.into_iter().zip(names) {
-                    if ui.selectable_label(camera == active, name).clicked() {
-                        self.set_look(ActiveCamera(camera));
-                    }
+                for (camera, name) in cameras {
+                    ui.selectable_value(&mut active, camera, name);
                 }
             });
             ui.weak(caption(Command::NextCamera));
         });
-        let projection: Projection = self.look();
+        self.set_look(ActiveCamera(active));
+        let mut projection: Projection = self.look();
         ui.horizontal_wrapped(|ui| {
             for each in Projection::ALL {
-                if ui
-                    .selectable_label(each == projection, each.name())
-                    .clicked()
-                {
-                    self.set_look(each);
-                }
+                ui.selectable_value(&mut projection, each, each.name());
             }
             ui.weak(caption(Command::NextProjection));
         });
+        self.set_look(projection);
         ui.horizontal_wrapped(|ui| {
             self.offer(ui, Command::Rotate, self.look::<Spin>().on);
             self.offer(ui, Command::ResetView, false);
@@ -198,11 +189,11 @@ fn heading(text: &str) -> String {
 }
 
 /// A button with the name and the key of a command, and its sentence as a tooltip.
-fn command_button(ui: &mut Ui, command: Command, is_chosen: bool, is_enabled: bool) -> Response {
+fn command_button(ui: &mut Ui, command: Command, is_chosen: bool) -> Response {
     let (name, says) = binding(command).map_or(("", ""), |it| (it.name, it.says));
     let button = Button::selectable(is_chosen, name).shortcut_text(caption(command));
     let button = button.sense(Sense::click_and_drag());
-    ui.add_enabled(is_enabled, button).on_hover_text(says)
+    ui.add(button).on_hover_text(says)
 }
 
 /// A section of the panel that can be folded.

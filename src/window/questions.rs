@@ -75,7 +75,7 @@ impl App {
     /// Measures all methods. Those that are known in this view are not compared again.
     fn measure(&mut self) {
         let methods = self.wanted_methods();
-        let is_known = |it: &Method| self.measured(it.mode, it.tolerance).is_some();
+        let is_known = |it: &Method| self.measured(*it).is_some();
         let trade = &self.facts.trade;
         let known = trade.current().cloned().unwrap_or_default();
         if trade.is_current && (known.is_empty() || methods.iter().all(is_known)) {
@@ -170,10 +170,8 @@ impl App {
         section.find(|probe| Some(probe.pixel) == pixel)
     }
 
-    /// The measurement of a method, if there is one; the state of [`Facts::trade`] says whether it is that of the present
-    /// view.
-    pub fn measured(&self, mode: ShadingMode, tolerance: f64) -> Option<&Measurement> {
-        let method = Method::of(mode, tolerance);
+    /// The measurement of a method, if there is one; [`Facts::trade`] says whether it is that of the present view.
+    pub fn measured(&self, method: Method) -> Option<&Measurement> {
         let mut measured = self.facts.trade.value.iter().flatten();
         measured.find(|it| it.method == method)
     }
@@ -187,10 +185,8 @@ impl App {
 
     /// The milliseconds of a frame on screen: measured, or the last one's until that is done.
     pub fn milliseconds(&self) -> Option<f64> {
-        let method = self
-            .method()
-            .filter(|_| self.facts.trade.current().is_some());
-        let measured = method.and_then(|it| self.measured(it.mode, it.tolerance));
+        let method = self.method().filter(|_| self.facts.trade.is_current);
+        let measured = method.and_then(|it| self.measured(it));
         let last = || self.pictures.time.map(|time| time.as_secs_f64() * 1e3);
         measured.map(|it| it.timing.median).or_else(last)
     }

@@ -18,6 +18,8 @@ use crate::trade::verdict::method_name;
 /// The usual width of a tag, and its distance from the edges of the picture, in points.
 const WIDTH: f32 = 188.0;
 const GAP: f32 = 9.0;
+/// The length of the bar of a time, in points.
+const BAR: f32 = 90.0;
 /// A smaller picture has tags without a price, in points.
 const ROOM: f32 = 300.0;
 /// How far the mark of a worst pixel can be missed and is still caught, in points.
@@ -65,10 +67,7 @@ impl App {
     /// The measurements of both sides.
     fn prices(&self) -> [Option<&Measurement>; 2] {
         let Show { sides, .. } = self.look();
-        sides.map(|side| {
-            let method = self.side_method(&side)?;
-            self.measured(method.mode, method.tolerance)
-        })
+        sides.map(|side| self.measured(self.side_method(&side)?))
     }
 
     /// Lays out the tag of each side; while the sides take turns, that of the side on screen.
@@ -130,7 +129,8 @@ impl App {
         let time = price.timing.median;
         let row = ui.horizontal(|ui| {
             let bar = ProgressBar::new((time / slowest) as f32).fill(fill);
-            ui.add(bar.desired_width(90.0).desired_height(8.0));
+            let width = BAR.min(ui.available_width() / 2.0);
+            ui.add(bar.desired_width(width).desired_height(8.0));
             ui.label(format!("{} ms", short(time)));
         });
         row.response.on_hover_text(told(PRICE));

@@ -50,9 +50,8 @@ impl App {
                 _ => 0.0,
             };
             let turned: f32 = ui.input(|input| input.events.iter().map(turned).sum());
-            match turned.round() as i32 {
-                0 => {}
-                steps => self.zoom(steps),
+            if turned.round() != 0.0 {
+                self.zoom(turned.round() as i32);
             }
         }
         self.draw_over(ui, &markers);

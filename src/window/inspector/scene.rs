@@ -181,9 +181,10 @@ fn free_name(kind: &'static str, entities: &[Entity]) -> String {
 fn place_light(light: &mut Value) {
     let is_ambient = light["kind"] == "ambient";
     if let Some(table) = light.as_object_mut() {
-        match is_ambient {
-            true => drop(table.remove("position")),
-            false => drop(table.entry("position").or_insert(json!([0.0, 0.0, 0.0]))),
+        if is_ambient {
+            table.remove("position");
+        } else {
+            table.entry("position").or_insert(json!([0.0, 0.0, 0.0]));
         }
     }
 }

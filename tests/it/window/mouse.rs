@@ -34,10 +34,14 @@ fn each_notch_of_the_wheel_is_a_step_and_the_same_number_back_undoes_them_bit_fo
         let single = vec![notches.signum(); notches.abs() as usize];
         let back = single.iter().map(|notch| -notch).collect();
         for (there, back) in [(single, vec![-notches]), (vec![notches], back)] {
-            there.into_iter().for_each(|notch| window.wheel(at, notch));
+            for notch in there {
+                window.wheel(at, notch);
+            }
             let zoom = window.record().camera[0].orbit.zoom;
             assert!((zoom / factor - 1.0).abs() < 1e-12, "{zoom}");
-            back.into_iter().for_each(|notch| window.wheel(at, notch));
+            for notch in back {
+                window.wheel(at, notch);
+            }
             assert!((window.record(), window.seen()) == start, "{notches}");
         }
     }

@@ -132,7 +132,7 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
         window.press(key);
         assert!(!window.app.facts.trade.is_current, "{key:?}");
         assert!(
-            window.app.measured(Phong, 1.0).is_some(),
+            window.app.measured(Method::of(Phong, 1.0)).is_some(),
             "{key:?}: it is known to be old"
         );
     }
@@ -238,20 +238,20 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     assert_eq!(methods, ladder);
     app.choose_method(Method::of(Phong, 0.7));
     run(&mut app, |app| {
-        app.measured(Phong, 0.7).is_some() && app.facts.comparison.current().is_some()
+        app.measured(Method::of(Phong, 0.7)).is_some() && app.facts.comparison.current().is_some()
     });
-    assert!(
-        ladder
-            .iter()
-            .all(|it| app.measured(it.mode, it.tolerance).is_some())
-    );
+    assert!(ladder.iter().all(|it| app.measured(*it).is_some()));
     let side = Side::Method {
         mode: Phong,
         tolerance: 0.3,
     };
     app.wipe([side, Side::Picture]);
-    run(&mut app, |app| app.measured(Phong, 0.3).is_some());
-    let shown = app.measured(Phong, 0.7).expect("it is measured");
+    run(&mut app, |app| {
+        app.measured(Method::of(Phong, 0.3)).is_some()
+    });
+    let shown = app
+        .measured(Method::of(Phong, 0.7))
+        .expect("it is measured");
     let mut world = app.state.spawn();
     let view = View::of(&world, app.picture_size());
     let compared = Comparison::of(&mut world, &view, Level::new(), Monitor::NONE);

@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
 use shadetrade::components::{Light, Projection, Spin, Tab, Tolerance, names};
-use shadetrade::scene::SceneRecord;
+use shadetrade::scene::{SceneRecord, ViewRecord};
 use shadetrade::window::app::App;
 use shadetrade::window::keys::{BINDINGS, Command};
 
@@ -114,28 +114,27 @@ fn every_button_does_what_its_key_does() {
 
 #[test]
 fn lists_of_choices_change_the_record() {
-    type Change = fn(&mut SceneRecord);
-    let clicks: [(&str, Change); 7] = [
-        ("orthographic", |it| {
-            it.view.projection = Projection::Orthographic
-        }),
-        ("perspective", |it| {
-            it.view.projection = Projection::Perspective
-        }),
-        ("Required", |it| it.view.inspector = Some(Tab::Required)),
-        ("Pixel", |it| it.view.inspector = Some(Tab::Pixel)),
-        ("Proof", |it| it.view.inspector = Some(Tab::Proof)),
-        ("red", |it| it.light[1].on = false),
-        ("red", |it| it.light[1].on = true),
+    type Change = fn(&mut ViewRecord);
+    let clicks: [(&str, Change); 5] = [
+        ("orthographic", |it| it.projection = Projection::ALL[1]),
+        ("perspective", |it| it.projection = Projection::ALL[0]),
+        ("Required", |it| it.inspector = Some(Tab::Required)),
+        ("Pixel", |it| it.inspector = Some(Tab::Pixel)),
+        ("Proof", |it| it.inspector = Some(Tab::Proof)),
     ];
     let mut harness = open();
     harness.key_press(Key::N);
     harness.run_ok();
+    let mut expected = record(&harness);
     for (label, change) in clicks {
-        let mut expected = record(&harness);
-        change(&mut expected);
+        change(&mut expected.view);
         click(&mut harness, label);
         assert_eq!(record(&harness), expected, "{label}");
+    }
+    for on in [false, true] {
+        expected.light[1].on = on;
+        click(&mut harness, "red");
+        assert_eq!(record(&harness), expected);
     }
 }
 
@@ -186,6 +185,15 @@ fn entities_are_added_renamed_and_deleted() {
         click(&mut harness, "delete");
         assert_eq!(record(&harness), start, "{kind}");
     }
+    // The view forgets a deleted camera.
+    harness.key_press(Key::C);
+    harness.state_mut().desk.selected = Some(("camera", "2".to_owned()));
+    harness.run_ok();
+    assert_eq!(record(&harness).view.camera.as_deref(), Some("2"));
+    click(&mut harness, "delete");
+    assert_eq!(record(&harness).view, start.view);
+    harness.state_mut().restore(&start);
+    harness.run_ok();
     // The last cuboid cannot be deleted.
     click(&mut harness, "emerald");
     click(&mut harness, "delete");
