@@ -19,14 +19,14 @@ use crate::memory::OutOfMemory;
 /// Reads components, and overwrites derived ones or the frame.
 pub type System = fn(&mut World, &View, &mut Frame);
 
-/// A frame, in order: every stage's name and its system.
-pub const FRAME: [(&str, System); 6] = [
-    ("spin", spin::run),
-    ("viewpoint", viewpoint::run),
-    ("normals", normals::run),
-    ("projection", projection::run),
-    ("lighting", lighting::run),
-    ("rasterization", rasterization::run),
+/// The stages of a frame, in order.
+pub const FRAME: [System; 6] = [
+    spin::run,
+    viewpoint::run,
+    normals::run,
+    projection::run,
+    lighting::run,
+    rasterization::run,
 ];
 
 /// Draws one frame of `view.size`: every stage in order.
@@ -47,26 +47,10 @@ pub fn draw_rows(
     rows: Range<usize>,
     frame: &mut Frame,
 ) -> Result<(), OutOfMemory> {
-    draw_in_stages(world, view, rows, frame, |_| ())
-}
-
-/// The same; `after_stage` is called with a stage's name when it is done. A caller with a clock
-/// learns what each took.
-///
-/// # Errors
-/// As [`draw`].
-pub fn draw_in_stages(
-    world: &mut World,
-    view: &View,
-    rows: Range<usize>,
-    frame: &mut Frame,
-    mut after_stage: impl FnMut(&'static str),
-) -> Result<(), OutOfMemory> {
     let cuboids = world.query_mut::<&Mesh>().into_iter().count();
     frame.begin(view.size, rows, cuboids > 1)?;
-    for (name, run) in FRAME {
+    for run in FRAME {
         run(world, view, frame);
-        after_stage(name);
     }
     Ok(())
 }

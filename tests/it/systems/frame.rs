@@ -3,25 +3,11 @@
 use shadetrade::components::{Light, Orbit, ShadingMode, Spin, View, overwrite};
 use shadetrade::frame::Keep;
 use shadetrade::scene::Scene;
-use shadetrade::systems::{self, FRAME};
+use shadetrade::systems;
 
 use super::empty_frame;
 use crate::stability::life::{still_life, views};
 use crate::support::scene::{draw, truth};
-
-#[test]
-fn every_stage_is_reported_once_in_order_and_draws_the_same_picture() {
-    let view = &views([60, 40])[0];
-    let plain = draw(&mut still_life(3), view, Keep::Levels);
-    let (mut staged, mut names) = (empty_frame(), Vec::new());
-    systems::draw_in_stages(&mut still_life(3), view, 0..40, &mut staged, |stage| {
-        names.push(stage);
-    })
-    .expect("a small picture fits");
-    assert_eq!(names, FRAME.map(|(name, _)| name));
-    assert_eq!(plain.levels(), staged.levels());
-    assert_eq!(plain.counts(), staged.counts());
-}
 
 #[test]
 fn renderer_and_reference_draw_a_spun_and_orbited_scene_like_its_snapshot() {
