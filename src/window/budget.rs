@@ -106,7 +106,7 @@ impl App {
     /// The method that holds the budget, its time and its error, and the error that is proven.
     fn outcome(&self, budget: f64) -> String {
         let Some(method) = self.held else {
-            return "Each method is measured once nothing moves.".to_owned();
+            return "Each method is measured as soon as nothing moves.".to_owned();
         };
         let measured = self.facts.trade.current();
         let held = measured.and_then(|measured| held(measured, budget));

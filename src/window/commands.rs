@@ -4,6 +4,7 @@ use egui::{Event, Key, Ui};
 
 use super::app::App;
 use super::keys::{self, Command, EXACT_SIDES, TOLERANCES, gouraud_phong};
+use super::tags::choices;
 use crate::components::{
     ActiveCamera, Budget, Camera, Inspector, Light, Orbit, Probed, Projection, ShadingMode, Show,
     Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
@@ -84,6 +85,9 @@ impl App {
                 self.set_look(Show { mode, ..show });
             }
             Command::WipeExact => self.wipe(EXACT_SIDES),
+            Command::Side(index, steps) => self.step_side(index, steps),
+            Command::Worst => self.explain_worst(),
+            Command::Profile => self.desk.profile_folded ^= true,
             Command::Probe(right, down) => self.step_probed([right, down]),
             // It acts while it is held.
             Command::Blink => {}
@@ -194,6 +198,16 @@ impl App {
             sides,
             ..show
         });
+    }
+
+    /// Shows the wipe with another of the choices on one side.
+    fn step_side(&mut self, index: usize, steps: i32) {
+        let Show { mut sides, .. } = self.look();
+        let choices = choices();
+        let present = choices.iter().position(|choice| *choice == sides[index]);
+        let next = present.map_or(0, |place| place as i32 + steps);
+        sides[index] = choices[next.rem_euclid(choices.len() as i32) as usize];
+        self.wipe(sides);
     }
 
     /// Moves the probed pixel within the picture; the first one is in the middle.

@@ -24,6 +24,12 @@ pub enum Command {
     View(ViewMode),
     /// Shows the wipe between a method and exact Phong.
     WipeExact,
+    /// Shows the wipe with the next choice on its left (0) or right (1) side: an earlier one if negative.
+    Side(usize, i32),
+    /// Probes the worst pixel.
+    Worst,
+    /// Folds the profile below a wipe.
+    Profile,
     /// Moves the probed pixel: columns to the right, rows down.
     Probe(i32, i32),
     /// Two pictures take turns while its key is held.
@@ -117,6 +123,10 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         bind("error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen.", &[(NO, Key::F5, Command::View(ViewMode::Error))]),
         bind("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Command::View(ViewMode::Tiles))]),
         bind("blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Command::Blink)]),
+        bind("left side", "The next method left of the divider; with Shift, the one before.", &[(NO, Key::Comma, Command::Side(0, 1)), (SHIFT, Key::Comma, Command::Side(0, -1))]),
+        bind("right side", "The next method right of the divider; with Shift, the one before.", &[(NO, Key::Period, Command::Side(1, 1)), (SHIFT, Key::Period, Command::Side(1, -1))]),
+        bind("worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Command::Worst)]),
+        bind("levels below a wipe", "Folds and opens the levels along a row.", &[(NO, Key::L, Command::Profile)]),
         bind("move the pixel", "", &[
             (SHIFT, Key::ArrowLeft, Command::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Command::Probe(1, 0)),
             (SHIFT, Key::ArrowUp, Command::Probe(0, -1)), (SHIFT, Key::ArrowDown, Command::Probe(0, 1)),

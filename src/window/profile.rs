@@ -4,6 +4,7 @@
 use egui::{Align2, Color32, Pos2, Rect, Ui, UiBuilder, pos2, vec2};
 
 use super::app::App;
+use super::keys::{Command, caption};
 use super::style::{EXACT, INK, STALE};
 use super::widgets::{CHANNELS, tag};
 use crate::components::{Probed, Show};
@@ -35,7 +36,8 @@ impl App {
         let mut bar = ui.new_child(UiBuilder::new().max_rect(place).id_salt("profile"));
         bar.set_clip_rect(self.place);
         let arrow = if is_open { "⏷" } else { "⏵" };
-        let fold = bar.small_button(format!("{arrow} levels along row {row}"));
+        let key = caption(Command::Profile);
+        let fold = bar.small_button(format!("{arrow} levels along row {row}  {key}"));
         if fold
             .on_hover_text("Folds the levels along the row.")
             .clicked()

@@ -22,16 +22,15 @@ const GAP: f32 = 9.0;
 const BAR: f32 = 90.0;
 /// A smaller picture has tags without a price, in points.
 const ROOM: f32 = 300.0;
-/// How far the mark of a worst pixel can be missed and is still caught, in points.
+/// How far beside the mark of a worst pixel a click still counts, in points.
 const REACH: f32 = 10.0;
 const PRICE: &str = "The median time of a frame; both bars have one scale.";
 const KEPT: &str = "The share of the highlight's light that is where exact Phong has it.";
 const WORST: &str = "Shows why it errs.";
-const OLD_PRICE: &str =
-    "Grey: this was measured in another view or size. It is measured again once nothing moves.";
+const OLD_PRICE: &str = "Grey: this was measured in another view or size. It is measured again as soon as nothing moves.";
 
-/// The sides to choose from, in the order of menus.
-fn choices() -> Vec<Side> {
+/// The sides to choose from, in the order of menus and keys.
+pub fn choices() -> Vec<Side> {
     let methods = METHODS.iter().map(|method| Side::Method {
         mode: method.mode,
         tolerance: method.tolerance,
@@ -156,6 +155,21 @@ impl App {
             self.set_look(Show { divider, ..show });
         }
         self.probe([x, y]);
+    }
+
+    /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
+    pub fn explain_worst(&mut self) {
+        let wipes = self.look::<Show>().mode == ViewMode::Wipe;
+        let errors = self.prices().map(|price| price?.error);
+        let picture = self
+            .method()
+            .and_then(|method| self.measured(method)?.worst);
+        match picture {
+            _ if self.facts.trade.current().is_none() => self.say("the errors are not known yet"),
+            _ if wipes => self.explain(usize::from(errors[1] > errors[0])),
+            Some(pixel) => self.probe(pixel),
+            None => self.say("the picture has no worst pixel"),
+        }
     }
 
     /// Looks at a pixel, in the tab for it where there is room.

@@ -12,7 +12,7 @@ use crate::components::{
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
-/// How far the divider can be missed and is still caught, in points.
+/// How far beside the divider a press still moves it, in points.
 const REACH: f32 = 10.0;
 /// The divider stays this share of the picture's width away from either edge.
 pub const DIVIDER_MARGIN: f64 = 0.02;

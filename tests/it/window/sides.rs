@@ -161,6 +161,10 @@ fn the_worst_pixel_is_probed_by_its_mark_and_its_tag() {
     // The inspector opens beside the picture, whose columns move.
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
     assert!(divider > WORST[1][0] as f64 / width as f64, "{divider}");
+    // The key chooses the side that errs more.
+    let mut window = open();
+    window.press(Key::Y);
+    assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
 }
 
 #[test]
