@@ -55,13 +55,14 @@ pub fn measure(
         |number| time_batch(request, number, monitor),
         |share| (monitor.progress)("timing frames", share),
     )?;
-    let mut methods = accuracy::of_methods(request, monitor)?;
-    let details = methods.first().and_then(|one| one.details.as_ref());
-    let covered_pixels = details.map_or(0, |it| it.counts.covered_pixels);
-    for (one, timing) in methods.iter_mut().zip(timings) {
+    let mut methods = accuracy::errors(request, request.methods.clone(), monitor)?;
+    let details = accuracy::details(request, monitor)?;
+    let covered_pixels = details.first().map_or(0, |it| it.counts.covered_pixels);
+    for ((one, timing), details) in methods.iter_mut().zip(timings).zip(details) {
         let time = timing.median * 1e6 / covered_pixels as f64;
         one.ns_per_covered_pixel = (covered_pixels > 0).then_some(time);
         one.timing = timing;
+        one.details = Some(details);
     }
     measurement::mark_front(&mut methods);
     Ok(Report {

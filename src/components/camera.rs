@@ -26,14 +26,6 @@ pub struct Camera {
     pub near: Option<f64>,
 }
 
-impl Camera {
-    /// Distance of the near plane of a camera that stands at `position`, in world units.
-    pub fn near_from(&self, position: DVec3) -> f64 {
-        self.near
-            .unwrap_or_else(|| length(self.target - position) * 1e-3)
-    }
-}
-
 /// The projection of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -100,7 +92,8 @@ impl Viewpoint {
 
     /// Distance of the near plane, in world units.
     pub fn near(&self) -> f64 {
-        self.camera.near_from(self.position)
+        let to_target = || length(self.camera.target - self.position);
+        self.camera.near.unwrap_or_else(|| to_target() * 1e-3)
     }
 }
 

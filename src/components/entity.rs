@@ -1,26 +1,27 @@
 //! Names and the order of entities, and access to their components.
 
-use hecs::{Component, Entity, World};
+use hecs::{Component, Entity, Query, World};
+
+/// Values of the entities that a query finds, in file order.
+pub fn in_file_order<Q: Query, T>(
+    world: &World,
+    value: impl for<'a> Fn(Q::Item<'a>) -> T,
+) -> Vec<T> {
+    let mut query = world.query::<(&FileOrder, Q)>();
+    let values = query.iter().map(|(order, item)| (*order, value(item)));
+    let mut values: Vec<_> = values.collect();
+    values.sort_by_key(|(order, _)| *order);
+    values.into_iter().map(|(_, value)| value).collect()
+}
 
 /// The entities that have a component, in file order.
 pub fn ordered<C: Component>(world: &World) -> Vec<Entity> {
-    let mut query = world.query::<(Entity, &FileOrder)>().with::<&C>();
-    in_file_order(query.iter().map(|(entity, order)| (*order, entity)))
-}
-
-/// Values of entities, in file order.
-pub fn in_file_order<T>(entities: impl Iterator<Item = (FileOrder, T)>) -> Vec<T> {
-    let mut entities: Vec<_> = entities.collect();
-    entities.sort_by_key(|(order, _)| *order);
-    entities.into_iter().map(|(_, entity)| entity).collect()
+    in_file_order::<(Entity, &C), _>(world, |(entity, _)| entity)
 }
 
 /// The names of the entities that have a component, in file order.
 pub fn names<C: Component>(world: &World) -> Vec<String> {
-    let entities = ordered::<C>(world).into_iter();
-    entities
-        .filter_map(|entity| get(world, entity).map(|Name(name)| name))
-        .collect()
+    in_file_order::<(&Name, &C), _>(world, |(name, _)| name.0.clone())
 }
 
 /// A copy of a component; `None` if the entity has no such component.

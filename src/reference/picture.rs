@@ -45,6 +45,15 @@ pub struct Reference<R> {
     width: usize,
 }
 
+/// The components of a cuboid.
+type Cuboid<'a> = (
+    &'a FileOrder,
+    &'a Transform,
+    &'a Mesh,
+    &'a Material,
+    &'a ShadingMode,
+);
+
 /// A cuboid: its geometry (`solid`) and its illumination (`surface`).
 pub struct ReferenceCuboid<R> {
     /// Its index in the file, which does not change when other cuboids are removed.
@@ -82,29 +91,24 @@ impl<R: Real> Reference<R> {
     pub fn without(world: &World, view: &View, without: Option<Rule>) -> Self {
         let sight = Sight::new(view, without);
         let enclosed = Sight::<Interval>::new(view, without);
-        let mut query = world.query::<(&FileOrder, &Transform, &Light)>();
-        let lights = query.iter().filter(|(_, _, light)| light.on);
-        let lights = in_file_order(
-            lights.map(|(order, transform, light)| (*order, (transform.position, *light))),
-        );
-        let mut query = world.query::<(&FileOrder, &Transform, &Mesh, &Material, &ShadingMode)>();
-        let cuboids = query
-            .iter()
-            .map(|(order, transform, mesh, material, mode)| {
+        let mut lights = in_file_order::<(&Transform, &Light), _>(world, |(transform, light)| {
+            (transform.position, *light)
+        });
+        lights.retain(|(_, light)| light.on);
+        let cuboids =
+            in_file_order::<Cuboid, _>(world, |(order, transform, mesh, material, mode)| {
                 let transform = &transform.turned(view.turned);
                 let bounds = enclosed.bounds(transform, mesh);
                 let solid = CuboidGeometry::new(&sight, transform, mesh, bounds);
                 let places = (sight.eye, transform.position);
-                let cuboid = ReferenceCuboid {
+                ReferenceCuboid {
                     number: order.0 as usize,
                     surface: ReferenceSurface::new(&solid, material, &lights, places, without),
                     solid,
                     mode: view.mode(*mode),
                     is_perspective_correct: without != Some(Rule::PerspectiveCorrect),
-                };
-                (*order, cuboid)
+                }
             });
-        let cuboids = in_file_order(cuboids);
         Reference {
             without,
             sight,

@@ -8,7 +8,7 @@ use super::geometry::CuboidGeometry;
 use super::illumination::{blend, reflection};
 use super::picture::{Met, Reference, ReferenceCuboid};
 use super::vector::RealVector;
-use crate::components::{FileOrder, Light, LightKind, Name, View, in_file_order};
+use crate::components::{Light, LightKind, Name, View, in_file_order};
 
 /// The evaluation of one pixel. Vectors are unit vectors in world space.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,9 +72,10 @@ pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample
 pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Option<Sample>> {
     let reference = Reference::new(world, view);
     let cuboids: Vec<_> = reference.cuboids.iter().collect();
-    let mut query = world.query::<(&FileOrder, &Name, &Light)>();
-    let names = query.iter().filter(|(_, _, light)| light.on);
-    let names = in_file_order(names.map(|(order, name, _)| (*order, name.0.clone())));
+    let lights = in_file_order::<(&Name, &Light), _>(world, |(name, light)| {
+        light.on.then(|| name.0.clone())
+    });
+    let names: Vec<String> = lights.into_iter().flatten().collect();
     let mut met = Vec::new();
     let columns = columns.iter().map(|&x| {
         reference.meet([x, y], &cuboids, &mut met);

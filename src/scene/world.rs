@@ -9,46 +9,42 @@ use crate::components::{
     cuboid, get, in_file_order, ordered,
 };
 
+type CuboidParts<'a> = (
+    &'a Name,
+    &'a Transform,
+    &'a Mesh,
+    &'a Material,
+    &'a ShadingMode,
+);
+type CameraParts<'a> = (&'a Name, &'a Transform, &'a Camera, &'a Orbit);
+
 impl SceneRecord {
     /// The record of a world. Whether cuboids go on turning is not part of it.
     ///
     /// # Panics
     /// If the world has no viewer or no camera. A spawned scene has both.
     pub fn of(world: &World) -> SceneRecord {
-        let mut cuboids = world.query::<(
-            &FileOrder,
-            &Name,
-            &Transform,
-            &Mesh,
-            &Material,
-            &ShadingMode,
-        )>();
-        let cuboid = cuboids
-            .iter()
-            .map(|(order, name, at, mesh, material, shading)| {
-                let cuboid = CuboidRecord {
+        let cuboid =
+            in_file_order::<CuboidParts, _>(world, |(name, at, mesh, material, shading)| {
+                CuboidRecord {
                     name: name.0.clone(),
                     size: mesh.size(),
                     position: at.position,
                     rotation: at.rotation,
                     shading: *shading,
                     material: *material,
-                };
-                (*order, cuboid)
+                }
             });
-        let mut lights = world.query::<(&FileOrder, &Name, &Transform, &Light)>();
-        let light = lights.iter().map(|(order, name, at, light)| {
-            let light = LightRecord {
+        let light = in_file_order::<(&Name, &Transform, &Light), _>(world, |(name, at, light)| {
+            LightRecord {
                 color: light.color,
                 gain: light.gain,
                 on: light.on,
                 ..LightRecord::new(&name.0, light.kind, light.intensity, at.position)
-            };
-            (*order, light)
+            }
         });
-        let mut cameras = world.query::<(&FileOrder, &Name, &Transform, &Camera, &Orbit)>();
-        let camera = cameras.iter().map(|(order, name, at, camera, orbit)| {
-            let camera = CameraRecord {
+        let camera =
+            in_file_order::<CameraParts, _>(world, |(name, at, camera, orbit)| CameraRecord {
                 name: name.0.clone(),
                 position: at.position,
                 target: camera.target,
@@ -57,9 +53,7 @@ impl SceneRecord {
                 height: camera.height,
                 near: camera.near,
                 orbit: *orbit,
-            };
-            (*order, camera)
-        });
+            });
         let mut viewers = world.query::<(
             (&Background, &Projection, &Tolerance, &Budget, &Spin),
             (&Show, &Probed, &Inspector),
@@ -72,9 +66,9 @@ impl SceneRecord {
         let name = get(world, active).map(|Name(name)| name);
         SceneRecord {
             background: background.0,
-            cuboid: in_file_order(cuboid),
-            light: in_file_order(light),
-            camera: in_file_order(camera),
+            cuboid,
+            light,
+            camera,
             view: ViewRecord {
                 camera: name.filter(|_| !is_first),
                 projection: *projection,

@@ -1,13 +1,16 @@
 //! The picture of each method compared with the reference.
 //!
 //! ```text
-//! method --draw--> levels, triangles --+-- exact Phong in f64 ----> error, FLIP, error map
-//!                                      +-- its own mode in f64 ---> own error
-//! its highlights --draw--> bytes --------- those of exact Phong --> share of the highlight that it keeps
+//! band of rows --reference--> exact Phong, its highlight --+--> largest error, highlight kept    (errors)
+//!              --each method--> levels --------------------+
+//! whole picture --+-- exact Phong in f64 ----> statistics, FLIP, error map                      (details)
+//!                 '-- its own mode in f64 ---> own error
 //! ```
-//! Nothing here is timed, so all cores work. The figures do not depend on their number.
+//! A live trade needs the errors alone. Two references serve all methods, a band of rows at a time, so no picture is held.
+//! Nothing here is timed, so all cores work on the details. The figures do not depend on their number.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::ops::Range;
 
 use anyhow::Context;
@@ -25,7 +28,7 @@ use crate::memory;
 use crate::reference::{self, Truth};
 use crate::report::{CANCELLED, Monitor};
 use crate::scene::Scene;
-use crate::shading::METHODS;
+use crate::shading::{METHODS, Method};
 use crate::systems;
 
 /// The most bytes for a pixel during the comparison: three reference pictures of 28, a frame with depths of 25, two lists
@@ -59,46 +62,87 @@ pub fn exact(
     exact.context(CANCELLED)
 }
 
-/// The methods of `request` with the accuracy of their pictures, without times.
+/// The largest errors of `methods` and their shares of the highlight, without times.
 ///
 /// # Errors
 /// If the pictures do not fit in memory, or the work is cancelled.
-pub fn of_methods(request: &Request, monitor: Monitor) -> anyhow::Result<Vec<Measurement>> {
+pub fn errors(
+    request: &Request,
+    methods: Vec<Method>,
+    monitor: Monitor,
+) -> anyhow::Result<Vec<Measurement>> {
+    let unknown = methods.into_iter();
+    let unknown = unknown.map(|method| Measurement::new(method, request.threads));
+    // With the light of the highlight that is kept, and the whole light of the highlight.
+    let mut errors: Vec<(Measurement, [u64; 2])> = unknown.map(|it| (it, [0; 2])).collect();
+    if errors.is_empty() {
+        return Ok(Vec::new());
+    }
+    let view = &request.view;
+    let mut scene = request.scene.snapshot();
+    let (mut highlight, black) = highlight_of(&scene, view);
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(request.level));
+    let phong = ShadingMode::Phong;
+    monitor.in_bands("comparing pictures", view.size[1], |rows| {
+        let whole = exact(&scene.world, view, phong, rows.clone(), monitor, |_| ())?;
+        let lit = exact(
+            &highlight.world,
+            &black,
+            phong,
+            rows.clone(),
+            monitor,
+            |_| (),
+        )?;
+        for (one, kept) in &mut errors {
+            monitor.check()?;
+            let drawn = one.method.view(view);
+            systems::draw_rows(&mut scene.world, &drawn, rows.clone(), &mut frame)?;
+            let compared = metrics::compare(Picture::from(&frame), Picture::from(&whole));
+            if let Some(error) = compared.error
+                && one.error.is_none_or(|largest| error.max > largest)
+            {
+                let [x, y] = error.max_pixel;
+                (one.error, one.worst) = (Some(error.max), Some([x, rows.start + y]));
+            }
+            let drawn = one.method.view(&black);
+            systems::draw_rows(&mut highlight.world, &drawn, rows.clone(), &mut frame)?;
+            let [common, all] = light_kept(frame.levels(), &lit.levels);
+            *kept = [kept[0] + common, kept[1] + all];
+        }
+        Ok(())
+    })?;
+    let measured = errors.into_iter().map(|(one, kept)| Measurement {
+        highlight_kept: share(kept),
+        ..one
+    });
+    Ok(measured.collect())
+}
+
+/// The figures of whole pictures, in the order of the methods of `request`.
+///
+/// # Errors
+/// If the pictures do not fit in memory, or the work is cancelled.
+pub fn details(request: &Request, monitor: Monitor) -> anyhow::Result<Vec<Details>> {
     let Request { methods, view, .. } = request;
     let height = view.size[1];
     let workers = Workers::new(all_cores(), request.level);
     let workers = workers.context("cannot start the threads that draw")?;
     let mut frame = Frame::new(Keep::Levels, workers);
     let mut scene = request.scene.snapshot();
-    let (mut highlight, black) = highlight_of(&scene, view);
-    let mut modes = vec![ShadingMode::Phong];
-    for method in methods {
-        if !modes.contains(&method.mode) {
-            modes.push(method.mode);
+    let mut truths = HashMap::new();
+    let modes = methods.iter().map(|method| method.mode);
+    for mode in modes.chain([ShadingMode::Phong]) {
+        if let Entry::Vacant(unknown) = truths.entry(mode) {
+            let row_done = |rows| {
+                (monitor.progress)("drawing the reference", rows as f64 / height as f64);
+            };
+            let truth = exact(&scene.world, view, mode, 0..height, monitor, row_done)?;
+            unknown.insert(truth);
         }
     }
-    let steps = 1 + modes.len() + methods.len();
-    let told = |done: usize, share: f64| {
-        (monitor.progress)("comparing pictures", (done as f64 + share) / steps as f64);
-    };
-    let truth = |done: usize, world: &World, view: &View, mode| {
-        let row_done = |rows| told(done, rows as f64 / height as f64);
-        exact(world, view, mode, 0..height, monitor, row_done)
-    };
-    let mut kept = Vec::new();
-    let whole = truth(0, &highlight.world, &black, ShadingMode::Phong)?;
-    for method in methods {
-        systems::draw(&mut highlight.world, &method.view(&black), &mut frame)?;
-        kept.push(share(light_kept(frame.levels(), &whole.levels)));
-    }
-    drop(whole);
-    let truths = (1..)
-        .zip(&modes)
-        .map(|(done, mode)| Ok((*mode, truth(done, &scene.world, view, *mode)?)));
-    let truths: HashMap<ShadingMode, Truth> = truths.collect::<anyhow::Result<_>>()?;
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
-    let mut measured = Vec::with_capacity(methods.len());
-    for (method, highlight_kept) in methods.iter().zip(kept) {
+    let mut details = Vec::with_capacity(methods.len());
+    for method in methods {
         monitor.check()?;
         systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
@@ -111,29 +155,22 @@ pub fn of_methods(request: &Request, monitor: Monitor) -> anyhow::Result<Vec<Mea
                 (difference, own, map.collect())
             },
         );
-        let error = difference.error;
-        measured.push(Measurement {
-            error: error.map(|error| error.max),
-            worst: error.map(|error| error.max_pixel),
-            highlight_kept,
-            details: Some(Details {
-                counts: frame.counts(),
-                error: error
-                    .zip(flip_mean)
-                    .map(|(levels, flip_mean)| PhongError { levels, flip_mean }),
-                own_error: own.error,
-                edge_pixels: difference.edge_pixels,
-                map,
-            }),
-            ..Measurement::new(*method, request.threads)
+        let error = difference.error.zip(flip_mean);
+        details.push(Details {
+            counts: frame.counts(),
+            error: error.map(|(levels, flip_mean)| PhongError { levels, flip_mean }),
+            own_error: own.error,
+            edge_pixels: difference.edge_pixels,
+            map,
         });
-        told(1 + truths.len() + measured.len(), 0.0);
+        let share = details.len() as f64 / methods.len() as f64;
+        (monitor.progress)("measuring errors", share);
     }
-    Ok(measured)
+    Ok(details)
 }
 
 /// The scene with only its specular lights on, and the view with a black background.
-pub fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
+fn highlight_of(scene: &Scene, view: &View) -> (Scene, View) {
     let mut scene = scene.snapshot();
     for light in scene.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;

@@ -20,6 +20,7 @@ use std::path::Path;
 use std::process::{Child, ExitStatus};
 use std::process::{Command, Output};
 
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// The text of the default scene.
@@ -112,13 +113,19 @@ fn assert_works(folder: &Path, line: &str) -> String {
 
 /// Runs `line` and returns its exit status and the JSON on standard output.
 #[track_caller]
-pub fn json(folder: &Path, line: &str) -> (Option<i32>, serde_json::Value) {
+pub fn json(folder: &Path, line: &str) -> (Option<i32>, Value) {
     let output = run(folder, line);
     let json = serde_json::from_slice(&output.stdout);
     (
         output.status.code(),
         json.unwrap_or_else(|_| panic!("{}", said(&output))),
     )
+}
+
+/// The keys of an object, in order.
+pub fn keys(object: &Value) -> String {
+    let object = object.as_object().expect("an object");
+    object.keys().cloned().collect::<Vec<_>>().join(" ")
 }
 
 /// Width, height and RGB bytes of a PNG; panics unless it is an 8-bit RGB PNG.

@@ -5,7 +5,7 @@ mod text;
 use fearless_simd::Level;
 use glam::DVec3;
 use serde::Deserialize;
-use serde_json::{Map, Value};
+use serde_json::{Value, json};
 use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::probe::{self, Probe, ProbedSurface};
@@ -15,6 +15,7 @@ use shadetrade::shading::TileKind;
 use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
 
+use crate::cli::keys;
 use crate::support::scene::{draw, view_from};
 
 /// The JSON of the command.
@@ -25,87 +26,34 @@ fn probe(line: &str) -> Value {
     json
 }
 
-/// The keys of the contract.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-#[expect(dead_code, reason = "the keys and their types are what counts")]
-struct Printed {
-    pixel: [usize; 2],
-    object: String,
-    triangle: u32,
-    position: DVec3,
-    normal: DVec3,
-    to_eye: DVec3,
-    lights: Vec<PrintedLight>,
-    gouraud: PrintedMode,
-    phong: PrintedMode,
-    reference: PrintedReference,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PrintedLight {
-    name: String,
-    kind: LightKind,
-    #[serde(deserialize_with = "Option::deserialize")]
-    to_light: Option<DVec3>,
-    #[serde(deserialize_with = "Option::deserialize")]
-    reflected: Option<DVec3>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PrintedMode {
-    levels: [f64; 3],
-    terms: Map<String, Value>,
-    bytes: [u8; 3],
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-#[expect(dead_code, reason = "the keys and their types are what counts")]
-struct PrintedReference {
-    triangle: u32,
-    gouraud: PrintedLevels,
-    phong: PrintedLevels,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PrintedLevels {
-    levels: [f64; 3],
-}
-
-fn printed(line: &str) -> Printed {
-    serde_json::from_value(probe(line)).expect("the keys of the contract")
+/// Three numbers.
+fn triple(value: &Value) -> DVec3 {
+    DVec3::deserialize(value).expect("three numbers")
 }
 
 #[test]
 fn the_vectors_meet_their_definitions() {
-    let probe = printed("--pixel 480,300");
-    assert_eq!((&*probe.object, probe.pixel), ("emerald", [480, 300]));
-    let Printed {
-        position,
-        normal,
-        to_eye,
-        lights,
-        ..
-    } = probe;
+    let probe = probe("--pixel 480,300");
+    let of_probe = "pixel object triangle position normal to_eye lights gouraud phong reference";
+    assert_eq!(keys(&probe), of_probe);
+    let expected = (&json!([480, 300]), &json!("emerald"));
+    assert_eq!((&probe["pixel"], &probe["object"]), expected);
+    let [position, normal, to_eye] =
+        ["position", "normal", "to_eye"].map(|key| triple(&probe[key]));
     // The pixel shows the face z = 1. Corner normals are interpolated over it; the eye of camera 1 is at (7, 5, 8).
     let along = position / DVec3::new(2.0, 1.5, 1.0);
     let away = DVec3::new(7.0, 5.0, 8.0) - position;
     assert!((position.z - 1.0).abs() < 1e-12, "{position}");
     assert!((normal - along.normalize()).length() < 1e-12);
     assert!((to_eye - away.normalize()).length() < 1e-12);
-    for light in lights {
-        let is_ambient = light.kind == LightKind::Ambient;
-        assert_eq!(light.to_light.is_none(), is_ambient, "{}", light.name);
-        let mirrored = light.to_light.map(|l| 2.0 * normal.dot(l) * normal - l);
-        let error = light
-            .reflected
-            .zip(mirrored)
-            .map(|(r, known)| (r - known).length());
-        assert!(is_ambient || error < Some(1e-12), "{}", light.name);
+    for light in probe["lights"].as_array().expect("a list") {
+        assert_eq!(keys(light), "name kind to_light reflected");
+        if light["kind"] == "ambient" {
+            assert!(light["to_light"].is_null() && light["reflected"].is_null());
+            continue;
+        }
+        let (l, r) = (triple(&light["to_light"]), triple(&light["reflected"]));
+        assert!((r - (2.0 * normal.dot(l) * normal - l)).length() < 1e-12);
     }
 }
 
@@ -113,31 +61,25 @@ fn the_vectors_meet_their_definitions() {
 fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
     for (tolerance, allowed) in [("0", 0.05), ("0.5", 0.5), ("4", 4.0)] {
         for pixel in ["480,300", "600,250", "700,400", "520,260"] {
-            let probe = printed(&format!("--pixel {pixel} --tolerance {tolerance}"));
-            let reference = probe.reference;
-            let modes = [
-                (probe.gouraud, reference.gouraud),
-                (probe.phong, reference.phong),
-            ];
-            for (mode, reference) in modes {
+            let probe = probe(&format!("--pixel {pixel} --tolerance {tolerance}"));
+            assert_eq!(keys(&probe["reference"]), "triangle gouraud phong");
+            for mode in ["gouraud", "phong"] {
+                assert_eq!(keys(&probe[mode]), "levels terms bytes");
+                assert_eq!(keys(&probe[mode]["terms"]), "white red specular ambient");
+                let levels = triple(&probe[mode]["levels"]);
+                let reference = triple(&probe["reference"][mode]["levels"]);
                 // The levels are those of the renderer, not of the reference.
-                assert_ne!(mode.levels, reference.levels);
-                assert_eq!(mode.terms.len(), 4);
-                let term = |it: &Value| DVec3::deserialize(it).expect("three numbers");
-                let sum: DVec3 = mode.terms.values().map(term).sum();
-                assert!(
-                    (sum - DVec3::from(reference.levels)).length() < 1e-9,
-                    "at {pixel}"
-                );
-                let error = pixel_error(mode.levels, reference.levels);
+                assert_ne!(levels, reference);
+                let terms = probe[mode]["terms"].as_object().expect("terms by light");
+                let sum: DVec3 = terms.values().map(triple).sum();
+                assert!((sum - reference).length() < 1e-9, "{mode} at {pixel}");
+                let error = pixel_error(levels.to_array(), reference.to_array());
                 assert!(
                     error <= allowed,
                     "{error} at {pixel}, tolerance {tolerance}"
                 );
-                let shown = mode
-                    .levels
-                    .map(|level| (level.clamp(0.0, 255.0) + 0.5).floor());
-                assert_eq!(mode.bytes.map(f64::from), shown);
+                let shown = (levels.clamp(DVec3::ZERO, DVec3::splat(255.0)) + 0.5).floor();
+                assert_eq!(triple(&probe[mode]["bytes"]), shown);
             }
         }
     }
@@ -222,12 +164,11 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
 
 #[test]
 fn the_background_and_lights_that_are_off_appear_nowhere() {
-    let background = serde_json::json!({"pixel": [0, 0], "object": null});
+    let background = json!({"pixel": [0, 0], "object": null});
     assert_eq!(probe("--pixel 0,0"), background);
-    let probe = printed("--pixel 480,300 --lights white,ambient");
-    assert!(probe.phong.terms.keys().eq(["white", "ambient"]));
-    let names = probe.lights.iter().map(|light| &*light.name);
-    assert!(names.eq(["white", "ambient"]));
+    let probe = probe("--pixel 480,300 --lights white,ambient");
+    assert_eq!(keys(&probe["phong"]["terms"]), "white ambient");
+    assert_eq!(probe["lights"].as_array().map(Vec::len), Some(2));
 }
 
 #[test]

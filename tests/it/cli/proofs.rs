@@ -1,17 +1,11 @@
 //! `prove` and `extremes`: their JSON, their exit status, and pictures of other programs.
 
 use image::{DynamicImage, ImageFormat};
-use serde_json::{Value, json};
+use serde_json::json;
 
-use super::{assert_works, folder, json, run, said};
+use super::{assert_works, folder, json, keys, run, said};
 
 const SMALL: &str = "--shading phong --tolerance 0";
-
-/// The keys of an object, in order.
-fn keys(object: &Value) -> String {
-    let object = object.as_object().expect("an object");
-    object.keys().cloned().collect::<Vec<_>>().join(" ")
-}
 
 #[test]
 fn a_picture_of_any_8_bit_colour_type_is_judged() {

@@ -1,7 +1,7 @@
 //! Metrics: every figure against a value computed by hand or by another program.
 
 use shadetrade::frame::NO_TRIANGLE;
-use shadetrade::trade::error_map::compared;
+use shadetrade::trade::error_map::{Pixel, compared};
 use shadetrade::trade::flip;
 use shadetrade::trade::metrics::{Difference, Error, Picture, compare, difference, pixel_error};
 
@@ -23,14 +23,6 @@ fn against_gray(levels: &[[f64; 3]]) -> Difference {
         whole(levels.len(), levels, &triangles),
         whole(levels.len(), &vec![GRAY; levels.len()], &triangles),
     )
-}
-
-#[track_caller]
-fn close(observed: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (observed - expected).abs() <= tolerance,
-        "{observed} is not {expected} within {tolerance}"
-    );
 }
 
 #[test]
@@ -69,16 +61,11 @@ fn the_largest_error_has_its_column_and_row_and_the_first_wins() {
 fn one_error_in_a_thousand_is_beyond_the_percentile_and_two_are_not() {
     // Of 1000 errors in ascending order the 999th is the percentile.
     let mut levels = vec![[102.0; 3]; 1000];
-    levels[500] = [150.0; 3];
-    assert_eq!(
-        against_gray(&levels).error.map(|error| error.p999),
-        Some(2.0)
-    );
-    levels[501] = [140.0; 3];
-    assert_eq!(
-        against_gray(&levels).error.map(|error| error.p999),
-        Some(40.0)
-    );
+    for (pixel, level, p999) in [(500, 150.0, 2.0), (501, 140.0, 40.0)] {
+        levels[pixel] = [level; 3];
+        let error = against_gray(&levels).error;
+        assert_eq!(error.map(|error| error.p999), Some(p999));
+    }
 }
 
 #[test]
@@ -96,52 +83,29 @@ fn levels_are_compared_as_they_are_displayed_without_rounding() {
 }
 
 #[test]
-fn pixels_of_different_faces_are_edge_pixels_and_have_no_error() {
-    // Triangles 5 and 6 belong to two faces, 11 and 12 to two cuboids.
-    let [left, right] = [
-        [3, 3, NO_TRIANGLE, 6, NO_TRIANGLE, 11],
-        [3, NO_TRIANGLE, 3, 5, NO_TRIANGLE, 12],
-    ];
-    let difference = compare(
-        whole(6, &[[0.0; 3]; 6], &left),
-        whole(6, &[[9.0; 3]; 6], &right),
-    );
-    assert_eq!((difference.compared_pixels, difference.edge_pixels), (1, 4));
-    assert_eq!(difference.error.map(|error| error.max), Some(9.0));
-}
-
-#[test]
-fn two_triangles_of_one_face_are_compared() {
-    // The halves of the first cuboid's first face, and of the fourth's last.
-    let [left, right] = [[0, 46], [1, 47]];
-    let [zeros, nines] = [[[0.0; 3]; 2], [[9.0; 3]; 2]];
-    let (left, right) = (whole(2, &zeros, &left), whole(2, &nines, &right));
-    let difference = compare(left, right);
-    assert_eq!((difference.compared_pixels, difference.edge_pixels), (2, 0));
-    assert_eq!(difference.error.map(|error| error.max), Some(9.0));
-    assert!(flip::mean(left, right, flip::PIXELS_PER_DEGREE).is_some());
-    let alike = Picture {
-        triangles: left.triangles,
-        ..right
-    };
-    assert!(compared(left, right).eq(compared(left, alike)));
-}
-
-#[test]
-fn without_a_cuboid_in_the_picture_there_is_no_error() {
-    let background = whole(2, &[GRAY; 2], &[NO_TRIANGLE; 2]);
-    assert_eq!(
-        compare(background, background),
-        Difference {
-            error: None,
-            compared_pixels: 0,
-            edge_pixels: 0
-        }
-    );
-    assert_eq!(
-        flip::mean(background, background, flip::PIXELS_PER_DEGREE),
-        None
-    );
+fn pixels_of_one_face_are_compared_and_others_are_edge_pixels() {
+    const NOTHING: u32 = NO_TRIANGLE;
+    // Both triangles; the number of compared pixels and of edge pixels.
+    for (left, right, compared_pixels, edge_pixels) in [
+        // Triangles 5 and 6 belong to two faces, 11 and 12 to two cuboids.
+        ([3, 3, 6, 11], [3, NOTHING, 5, 12], 1, 3),
+        ([3, NOTHING, NOTHING, 3], [NOTHING, 3, NOTHING, 3], 1, 2),
+        // The halves of the first cuboid's first face, and of the fourth's last.
+        ([0, 46, 1, 47], [1, 47, 0, 46], 4, 0),
+        ([NOTHING; 4], [NOTHING; 4], 0, 0),
+    ] {
+        let (zeros, nines) = ([[0.0; 3]; 4], [[9.0; 3]; 4]);
+        let (left, right) = (whole(2, &zeros, &left), whole(2, &nines, &right));
+        let found = compare(left, right);
+        let pixels = (found.compared_pixels, found.edge_pixels);
+        assert_eq!(pixels, (compared_pixels, edge_pixels));
+        let error = (compared_pixels > 0).then_some(9.0);
+        assert_eq!(found.error.map(|error| error.max), error);
+        let flip = flip::mean(left, right, flip::PIXELS_PER_DEGREE);
+        assert_eq!(flip.is_some(), compared_pixels > 0);
+        let kinds = compared(left, right).filter(|it| matches!(it, Pixel::Error(_)));
+        assert_eq!(kinds.count() as u64, compared_pixels);
+    }
 }
 
 const WIDTH: usize = 64;
@@ -174,12 +138,8 @@ fn disc(x: i64, y: i64, [center, area, green]: [i64; 3]) -> [i64; 3] {
 /// Mean FLIP of two pictures that show one triangle everywhere.
 fn flip_of(left: &[[f64; 3]], right: &[[f64; 3]], pixels_per_degree: f64) -> f64 {
     let triangles = vec![0; left.len()];
-    flip::mean(
-        whole(WIDTH, left, &triangles),
-        whole(WIDTH, right, &triangles),
-        pixels_per_degree,
-    )
-    .expect("covered")
+    let [left, right] = [left, right].map(|levels| whole(WIDTH, levels, &triangles));
+    flip::mean(left, right, pixels_per_degree).expect("covered")
 }
 
 #[test]
@@ -211,12 +171,13 @@ fn flip_agrees_with_its_authors_program() {
         ),
     ];
     for (left, right, expected) in &pairs {
-        close(
-            flip_of(left, right, flip::PIXELS_PER_DEGREE),
-            expected[0],
-            2e-5,
-        );
-        close(flip_of(left, right, 30.0), expected[1], 2e-5);
+        for (pixels_per_degree, expected) in [flip::PIXELS_PER_DEGREE, 30.0].iter().zip(expected) {
+            let found = flip_of(left, right, *pixels_per_degree);
+            assert!(
+                (found - expected).abs() <= 2e-5,
+                "{found} is not {expected}"
+            );
+        }
     }
 }
 
