@@ -134,8 +134,8 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
             }
             let output = app.step(now, size, input)?;
             due = now.saturating_add(output.repaint_after).min(next);
-            if title != output.title {
-                title = output.title;
+            if title != app.title() {
+                title = app.title();
                 display.set_title(&title);
             }
             if let Some(text) = output.copied

@@ -85,7 +85,6 @@ pub struct App {
 
 /// The part of a step that the window system carries out.
 pub struct Output {
-    pub title: String,
     /// A text for the clipboard.
     pub copied: Option<String>,
     /// The time after which a step is wanted though nothing happens.
@@ -222,7 +221,6 @@ impl App {
         let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
         Ok(Output {
-            title: self.title(),
             copied: commands
                 .into_iter()
                 .rev()

@@ -68,9 +68,8 @@ impl App {
 
     /// Holds the time that the method on screen takes, with a little room, or the error again.
     pub fn switch_budget(&mut self) {
-        let time = self
-            .milliseconds()
-            .filter(|_| self.facts.trade.current().is_some());
+        let time = self.milliseconds();
+        let time = time.filter(|_| self.facts.trade.is_current);
         let next = time.map_or(FIRST, |time| 1.1 * time);
         let Budget(budget) = self.look();
         self.set_budget(budget.is_none().then_some(next));

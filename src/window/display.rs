@@ -18,12 +18,6 @@ use super::input::{Input, Report};
 const X11_NOTCH: f32 = 2.0;
 const WAYLAND_NOTCH: f32 = -10.0;
 
-const BUTTONS: [(MouseButton, PointerButton); 3] = [
-    (MouseButton::Left, PointerButton::Primary),
-    (MouseButton::Right, PointerButton::Secondary),
-    (MouseButton::Middle, PointerButton::Middle),
-];
-
 /// There is nothing to open a window on; nothing has been done.
 #[derive(Debug, thiserror::Error)]
 #[error("no display to open a window on ({reason})")]
@@ -42,7 +36,8 @@ pub struct Display {
     is_wayland: bool,
     is_active: bool,
     mouse: Option<Pos2>,
-    buttons: [bool; 3],
+    /// Whether the left button is down; no other one is used.
+    is_pressed: bool,
     /// Turns of the wheel that make no whole notch yet.
     wheel: f32,
 }
@@ -88,7 +83,7 @@ impl Display {
             is_wayland,
             is_active: false,
             mouse: None,
-            buttons: [false; 3],
+            is_pressed: false,
             wheel: 0.0,
         })
     }
@@ -135,7 +130,7 @@ impl Display {
 
     /// Whether a key or a button is down.
     pub fn is_busy(&self) -> bool {
-        self.input.is_busy() || self.buttons.contains(&true)
+        self.input.is_busy() || self.is_pressed
     }
 
     fn gather(&mut self) {
@@ -145,25 +140,24 @@ impl Display {
             self.input.focus(is_active);
         }
         self.gather_wheel();
-        let buttons = BUTTONS.map(|(button, _)| self.window.get_mouse_down(button));
-        if buttons != self.buttons {
+        let is_pressed = self.window.get_mouse_down(MouseButton::Left);
+        let has_changed = is_pressed != self.is_pressed;
+        if has_changed {
             // minifb asks for the mouse's place before it reads the press, and the mouse may have moved in between.
             self.window.update();
             self.gather_reports();
             self.gather_wheel();
         }
-        self.gather_mouse(buttons.contains(&true));
-        for (index, (_, button)) in BUTTONS.into_iter().enumerate() {
-            if buttons[index] != self.buttons[index] {
-                self.input.events.push(Event::PointerButton {
-                    pos: self.mouse.unwrap_or_default(),
-                    button,
-                    pressed: buttons[index],
-                    modifiers: self.input.modifiers,
-                });
-            }
+        self.gather_mouse(is_pressed);
+        if has_changed {
+            self.input.events.push(Event::PointerButton {
+                pos: self.mouse.unwrap_or_default(),
+                button: PointerButton::Primary,
+                pressed: is_pressed,
+                modifiers: self.input.modifiers,
+            });
         }
-        self.buttons = buttons;
+        self.is_pressed = is_pressed;
     }
 
     fn gather_reports(&mut self) {

@@ -33,8 +33,8 @@ pub const TINTS: [u32; TileKind::ALL.len()] = [
 pub struct Pictures {
     frame: Frame,
     levels: Frame,
-    /// Left and right of the divider, as far as the renderer draws them.
-    sides: [Vec<u32>; 2],
+    /// Left and right of the divider, as far as the renderer draws them; 0x00RRGGBB.
+    pub sides: [Vec<u32>; 2],
     /// The time of the last frame; `None` in a wipe, which has two.
     pub time: Option<Duration>,
 }
@@ -65,19 +65,6 @@ impl Pictures {
         self.frame.pixels()
     }
 
-    /// A side of a wipe, left (0) or right (1), 0x00RRGGBB.
-    pub fn side<'a>(
-        &'a self,
-        side: Side,
-        index: usize,
-        exact: Option<&'a [u32]>,
-    ) -> Cow<'a, [u32]> {
-        match side {
-            Side::Reference => or_dimmed(exact, self.frame()),
-            _ => Cow::from(&self.sides[index]),
-        }
-    }
-
     /// Draws all pictures that `show` needs.
     ///
     /// # Errors
@@ -104,34 +91,11 @@ impl Pictures {
         Ok(())
     }
 
-    /// The picture of the view; `exact` and `error_map` are known once they were computed.
-    pub fn shown<'a>(
-        &'a self,
-        show: &Show,
-        exact: Option<&'a [u32]>,
-        error_map: Option<&'a [u32]>,
-    ) -> Cow<'a, [u32]> {
-        let frame = self.frame.pixels();
-        match show.mode {
-            ViewMode::Picture => frame.into(),
-            ViewMode::Error | ViewMode::Difference => or_dimmed(error_map, frame),
-            ViewMode::Tiles => {
-                let mut pixels = frame.to_vec();
-                tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
-                pixels.into()
-            }
-            ViewMode::Wipe => {
-                let [left, right] = [0, 1].map(|index| self.side(show.sides[index], index, exact));
-                let width = self.size()[0];
-                let mut pixels = left.into_owned();
-                let divider = divider_column(show.divider, width);
-                let rows = pixels
-                    .chunks_exact_mut(width)
-                    .zip(right.chunks_exact(width));
-                rows.for_each(|(left, right)| left[divider..].copy_from_slice(&right[divider..]));
-                pixels.into()
-            }
-        }
+    /// The frame with its tiles tinted, 0x00RRGGBB.
+    pub fn tiles(&self) -> Vec<u32> {
+        let mut pixels = self.frame().to_vec();
+        tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
+        pixels
     }
 }
 

@@ -58,9 +58,8 @@ impl App {
         let width = self.pictures.size()[0];
         let comparison = self.facts.comparison.current();
         let of_row = |pixels| <[u32]>::get(pixels, row * width..(row + 1) * width);
-        let exact = comparison.map(|it| it.exact.as_slice());
-        let sides = [0, 1].map(|index| self.pictures.side(show.sides[index], index, exact));
-        let exact = exact.and_then(of_row);
+        let sides = [0, 1].map(|index| self.side(index));
+        let exact = comparison.and_then(|it| of_row(&it.exact));
         let [Some(left), Some(right)] = sides.each_ref().map(|side| of_row(side)) else {
             return;
         };

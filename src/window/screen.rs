@@ -5,8 +5,8 @@ use std::io::Write;
 use std::sync::Arc;
 
 use super::app::{App, REST, TURN};
-use super::pictures::or_dimmed;
-use crate::components::{Probed, Show, View, ViewMode};
+use super::pictures::{divider_column, or_dimmed};
+use crate::components::{Probed, Show, Side, View, ViewMode};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
 use crate::shading::Method;
@@ -89,23 +89,39 @@ impl App {
         Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
     }
 
+    /// The picture of a side of a wipe, left (0) or right (1), 0x00RRGGBB.
+    pub fn side(&self, index: usize) -> Cow<'_, [u32]> {
+        let Show { sides, .. } = self.look();
+        let exact = self.facts.comparison.current().map(|it| &*it.exact);
+        match sides[index] {
+            Side::Reference => or_dimmed(exact, self.pictures.frame()),
+            _ => Cow::from(&self.pictures.sides[index]),
+        }
+    }
+
     /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
         let show = self.shows();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
-        let error_map = comparison.map(|it| match show.mode {
-            ViewMode::Difference => it.difference.as_slice(),
-            _ => &it.error_map,
-        });
         let frame = self.pictures.frame();
-        match self.turn() {
-            Some(turn) if show.mode == ViewMode::Wipe => {
-                self.pictures.side(show.sides[turn], turn, exact)
+        match (show.mode, self.turn()) {
+            (ViewMode::Wipe, Some(turn)) => self.side(turn),
+            (_, Some(0)) => or_dimmed(exact, frame),
+            (ViewMode::Picture, _) | (_, Some(_)) => frame.into(),
+            (ViewMode::Error, None) => or_dimmed(comparison.map(|it| &*it.error_map), frame),
+            (ViewMode::Difference, None) => or_dimmed(comparison.map(|it| &*it.difference), frame),
+            (ViewMode::Tiles, None) => self.pictures.tiles().into(),
+            (ViewMode::Wipe, None) => {
+                let width = self.pictures.size()[0];
+                let divider = divider_column(show.divider, width);
+                let (mut pixels, right) = (self.side(0).into_owned(), self.side(1));
+                let lines = pixels.chunks_exact_mut(width);
+                for (left, right) in lines.zip(right.chunks_exact(width)) {
+                    left[divider..].copy_from_slice(&right[divider..]);
+                }
+                pixels.into()
             }
-            Some(0) => or_dimmed(exact, frame),
-            Some(_) => frame.into(),
-            None => self.pictures.shown(&show, exact, error_map),
         }
     }
 

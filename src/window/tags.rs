@@ -76,8 +76,8 @@ impl App {
         let prices = self.prices();
         let times = prices.iter().flatten().map(|price| price.timing.median);
         let slowest = times.fold(0.0, f64::max);
-        let has_room = self.place.height() > ROOM;
         let width = ((self.place.width() - 3.0 * GAP) / 2.0).clamp(0.0, WIDTH);
+        let has_room = self.place.height() > ROOM && width > 0.8 * WIDTH;
         let mut clicked = None;
         for (index, side) in sides.iter_mut().enumerate() {
             if self.turn().is_some_and(|turn| turn != index) {

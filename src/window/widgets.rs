@@ -31,13 +31,6 @@ fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
     }
 }
 
-/// Keeps the digits of a number that was only looked at: a widget writes back the digits that it shows.
-fn keep_digits(before: f64, value: &mut f64) {
-    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
-        *value = before;
-    }
-}
-
 /// The ink of an answer: grey if it is that of an earlier picture.
 pub fn ink<T>(fact: &Fact<T>) -> Color32 {
     if fact.current().is_some() { INK } else { STALE }
@@ -48,7 +41,10 @@ pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Respo
     let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
     let drag = DragValue::new(value).speed(speed).range(range);
     let response = ui.add(drag.custom_formatter(format_number));
-    keep_digits(before, value);
+    // The widget writes back the digits that it shows, though it was only looked at.
+    if format_number(*value, 0..=0) == format_number(before, 0..=0) {
+        *value = before;
+    }
     response
 }
 
@@ -60,7 +56,6 @@ pub fn slider(
     range: RangeInclusive<f64>,
     least: f64,
 ) {
-    let before = *value;
     ui.horizontal(|ui| {
         ui.label(name).on_hover_text(says);
         let slider = Slider::new(value, range).logarithmic(true);
@@ -71,7 +66,6 @@ pub fn slider(
         }
         ui.weak(keys);
     });
-    keep_digits(before, value);
 }
 
 /// A button with a colour whose click opens a picker; channels are shares of full strength.

@@ -98,7 +98,7 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
 #[test]
 fn the_title_has_a_star_while_edits_are_not_saved() {
     let (mut window, _) = on_file();
-    let has_star = |window: &Window| window.output.title.contains('*');
+    let has_star = |window: &Window| window.app.title().contains('*');
     for key in [
         Key::W,
         Key::ArrowLeft,
@@ -113,7 +113,7 @@ fn the_title_has_a_star_while_edits_are_not_saved() {
     }
     window.wait(PAUSE);
     edit(&mut window, 3.0);
-    assert!(has_star(&window) && window.output.title.contains("mine.toml"));
+    assert!(has_star(&window) && window.app.title().contains("mine.toml"));
     window.undo();
     assert!(!has_star(&window));
     window.redo();
@@ -150,14 +150,14 @@ fn another_scene_takes_no_edits_with_it() {
     let log = Log::read("other.log", text.as_bytes(), PAUSE).expect("a recording");
     replay::play(&mut window.app, &log.frames[0]).expect("it is played");
     window.wait(PAUSE);
-    assert!(window.output.title.contains("other"));
+    assert!(window.app.title().contains("other"));
     assert_eq!(window.files(), ["mine.toml"]);
     edit(&mut window, 4.0);
     let edits = window.record();
     let scene = Scene::load(Some("assignment")).expect("built in");
     window.app.choose(scene);
     window.wait(PAUSE);
-    assert!(window.output.title.contains("assignment"));
+    assert!(window.app.title().contains("assignment"));
     assert_eq!(window.files(), ["mine.toml", "other-unsaved.toml"]);
     assert_eq!(
         read(&window.folder.path().join("other-unsaved.toml")),

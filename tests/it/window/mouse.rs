@@ -105,7 +105,7 @@ fn lights_of_one_position_have_markers_of_their_own() {
 
 #[test]
 fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
-    for steps in [1, 3, 60] {
+    for steps in [1, 3, 300] {
         let mut window = with_light_in_sight();
         window.press(Key::E);
         window.step(Vec::new());

@@ -197,6 +197,16 @@ fn the_limits_of_a_log_are_drawn() {
 }
 
 #[test]
+fn the_lessons_are_valid() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons");
+    for name in ["why-the-plane-stays-dull", "what-a-tolerance-buys"] {
+        let text = std::fs::read_to_string(format!("{folder}/{name}.log"));
+        let log = read(&text.expect("a lesson")).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(log.frames.len() > 8 && log.cut_off.is_none());
+    }
+}
+
+#[test]
 fn long_pauses_are_shortened_and_short_ones_are_not() {
     let text = log("0.500 say \"a\"\n0.750 say \"b\"\n100.75 say \"c\"\n101.75 say \"d\"\n");
     let log = read(&text).expect("it is valid");

@@ -186,8 +186,7 @@ fn the_levels_below_a_wipe_stand_under_their_columns() {
         })
     };
     // In the highlight Phong lies above Gouraud, beside the cuboid both are the background.
-    let pictures = &window.app.pictures;
-    let side = [0, 1].map(|index| pictures.side(show.sides[index], index, None));
+    let side = [0, 1].map(|index| window.app.side(index).into_owned());
     let level = |index: usize, x: usize| (side[index][row * width + x] & 0xff) as f32;
     let columns = (0..width).max_by(|one, other| {
         let gap = |x: usize| level(1, x) - level(0, x);

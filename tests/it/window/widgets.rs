@@ -321,7 +321,7 @@ fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     let mut start = SceneRecord::of(&scene.world);
     start.cuboid[0].position.x = 0.123_456_789_012;
     start.light[0].intensity = 1_234.567_891;
-    start.view.tolerance = 0.123_45;
+    start.view.tolerance = 0.123_456_789;
     scene.world = start.spawn();
     let mut harness = widgets(app(scene, SIZE, Level::new()), SIZE);
     harness.key_press(Key::E);
