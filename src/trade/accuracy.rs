@@ -71,28 +71,28 @@ pub fn errors(
     methods: Vec<Method>,
     monitor: Monitor,
 ) -> anyhow::Result<Vec<Measurement>> {
-    let unknown = methods.into_iter();
-    let unknown = unknown.map(|method| Measurement::new(method, request.threads));
-    // With the light of the highlight that is kept, and the whole light of the highlight.
-    let mut errors: Vec<(Measurement, [u64; 2])> = unknown.map(|it| (it, [0; 2])).collect();
-    if errors.is_empty() {
+    if methods.is_empty() {
         return Ok(Vec::new());
     }
+    // With the light of the highlight that is kept, and the whole light of the highlight.
+    let unknown = |method| (Measurement::new(method, request.threads), [0; 2]);
+    let mut errors: Vec<(_, [u64; 2])> = methods.into_iter().map(unknown).collect();
     let view = &request.view;
     let mut scene = request.scene.snapshot();
     let (mut highlight, black) = highlight_of(&scene, view);
     let mut frame = Frame::new(Keep::Levels, Workers::alone(request.level));
-    let phong = ShadingMode::Phong;
     monitor.in_bands("comparing pictures", view.size[1], |rows| {
-        let whole = exact(&scene.world, view, phong, rows.clone(), monitor, |_| ())?;
-        let lit = exact(
-            &highlight.world,
-            &black,
-            phong,
-            rows.clone(),
-            monitor,
-            |_| (),
-        )?;
+        let truth = |world: &World, view: &View| {
+            exact(
+                world,
+                view,
+                ShadingMode::Phong,
+                rows.clone(),
+                monitor,
+                |_| (),
+            )
+        };
+        let (whole, lit) = (truth(&scene.world, view)?, truth(&highlight.world, &black)?);
         for (one, kept) in &mut errors {
             monitor.check()?;
             let drawn = one.method.view(view);

@@ -22,24 +22,17 @@ fn rows(columns: usize) -> Vec<Vec<&'static str>> {
 
 /// The scene of a case, given by its first four cells.
 fn scene(case: &[&str]) -> Scene {
-    let blocks: Vec<&str> = PAGE.split("```toml").collect();
-    let mut text = blocks[1]
-        .split("```")
-        .next()
-        .unwrap()
-        .replace("KIND", case[3]);
+    let block = PAGE.split("```toml").nth(1).expect("a block");
+    let text = block.split("```").next().expect("its text");
+    let mut text = text.replace("KIND", case[3]);
     for value in rows(3) {
         let of = match value[0] {
             "EYE" | "FOV" => case[0],
             "LIGHT" => case[1],
             _ => case[2],
         };
-        let column = if ["near", "turning"].contains(&of) {
-            1
-        } else {
-            2
-        };
-        text = text.replace(value[0], value[column]);
+        let is_first = ["near", "turning"].contains(&of);
+        text = text.replace(value[0], value[if is_first { 1 } else { 2 }]);
     }
     Scene::parse("case", &text).expect("a scene")
 }
