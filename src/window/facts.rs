@@ -13,6 +13,7 @@ use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
 use crate::requires::PartChange;
+use crate::requires::bits::StageBits;
 use crate::trade::Measurement;
 
 /// A fact about a picture.
@@ -51,6 +52,7 @@ pub struct Facts {
     pub comparison: Fact<Comparison>,
     pub proof: Fact<Proof>,
     pub required: Fact<Vec<PartChange>>,
+    pub bits: Fact<Vec<StageBits>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Fact<Vec<Measurement>>,
 }
@@ -62,6 +64,7 @@ impl Facts {
         self.comparison.is_current = false;
         self.proof.is_current = false;
         self.required.is_current = false;
+        self.bits.is_current = false;
         self.trade.is_current &= is_same_view;
     }
 }
@@ -76,6 +79,8 @@ pub enum Question {
     Measure,
     Prove,
     Require,
+    /// The bits that each stage of the model requires.
+    Bits,
 }
 
 /// The threads that probe, and those that answer all other questions; one core is left for the window.

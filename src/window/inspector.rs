@@ -4,6 +4,8 @@ mod pixel;
 mod scene;
 mod section;
 
+use std::iter;
+
 use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use super::app::App;
@@ -12,6 +14,7 @@ use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::{ink, short};
 use crate::components::{Inspector, Tab, Tolerance};
 use crate::prove::Proof;
+use crate::requires::bits::StageBits;
 
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
@@ -67,6 +70,28 @@ impl App {
                 ui.label(&part.name);
                 ui.colored_label(ink, short(part.change.most()));
                 ui.colored_label(ink, if is_kept { "not required" } else { "required" });
+                ui.end_row();
+            }
+        });
+        ui.separator();
+        self.bits_section(ui);
+    }
+
+    /// A row for each stage of the model: the fewest bits, and the errors of three formats.
+    fn bits_section(&self, ui: &mut Ui) {
+        ui.label(
+            "The fewest bits of significand that each stage needs, with the largest error in levels of \
+             255, proven; and whether f16, bf16 and f32 keep the tolerance. The other stages are in f64.",
+        );
+        self.wait(ui, &self.facts.bits);
+        let ink = ink(&self.facts.bits);
+        let stages = self.facts.bits.value.iter().flatten().map(StageBits::cells);
+        let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
+        Grid::new("bits").striped(true).show(ui, |ui| {
+            for cells in iter::once(head.to_vec()).chain(stages) {
+                for cell in cells {
+                    ui.colored_label(ink, cell);
+                }
                 ui.end_row();
             }
         });

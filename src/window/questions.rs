@@ -15,7 +15,7 @@ use crate::components::{
 use crate::probe::{self, Probe};
 use crate::prove::prove;
 use crate::report::Monitor;
-use crate::requires::ranked;
+use crate::requires::{bits::bits, ranked};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::trade::{Measurement, Request, live};
@@ -68,6 +68,11 @@ impl App {
                 Question::Require,
                 |facts| &mut facts.required,
                 |scene, view, monitor| ranked(scene, view, monitor),
+            );
+            self.find(
+                Question::Bits,
+                |facts| &mut facts.bits,
+                |scene, view, monitor| bits(scene, view, monitor),
             );
         }
     }
