@@ -67,9 +67,9 @@ impl App {
         Grid::new("required").striped(true).show(ui, |ui| {
             for part in parts {
                 let is_kept = part.change.keeps(tolerance);
-                ui.label(&part.name);
-                ui.colored_label(ink, short(part.change.most()));
                 ui.colored_label(ink, if is_kept { "not required" } else { "required" });
+                ui.colored_label(ink, short(part.change.most()));
+                ui.label(&part.name);
                 ui.end_row();
             }
         });
