@@ -55,6 +55,8 @@ pub struct Facts {
     pub bits: Fact<Vec<StageBits>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Fact<Vec<Measurement>>,
+    /// Whether the times of the trade were measured a second time, for longer.
+    pub is_refined: bool,
 }
 
 impl Facts {
@@ -66,6 +68,7 @@ impl Facts {
         self.required.is_current = false;
         self.bits.is_current = false;
         self.trade.is_current &= is_same_view;
+        self.is_refined &= is_same_view;
     }
 }
 
@@ -81,6 +84,8 @@ pub enum Question {
     Require,
     /// The bits that each stage of the model requires.
     Bits,
+    /// The timing of all methods, for longer.
+    Refine,
 }
 
 /// The threads that probe, and those that answer all other questions; one core is left for the window.

@@ -22,8 +22,9 @@ use crate::trade::{Measurement, Request, live};
 
 /// The time between two reports of progress: a layout takes time from the frames that are measured.
 const PROGRESS: Duration = Duration::from_millis(200);
-/// How long the frames of all methods are timed together.
+/// How long the frames of all methods are timed together, at first and once all else is answered.
 const TIMING: Duration = Duration::from_secs(1);
+const LONG_TIMING: Duration = Duration::from_secs(4);
 
 impl App {
     /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there is
@@ -83,12 +84,15 @@ impl App {
         let is_known = |it: &Method| self.measured(*it).is_some();
         let trade = &self.facts.trade;
         let known = trade.current().cloned().unwrap_or_default();
-        if trade.is_current && (known.is_empty() || methods.iter().all(is_known)) {
-            return;
-        }
+        let all_known = trade.is_current && (known.is_empty() || methods.iter().all(is_known));
+        let (question, time) = match all_known {
+            true if self.facts.is_refined => return,
+            true => (Question::Refine, LONG_TIMING),
+            false => (Question::Measure, TIMING),
+        };
         let (threads, level) = (self.threads, self.level);
         self.find(
-            Question::Measure,
+            question,
             |facts| &mut facts.trade,
             move |scene, view, monitor| {
                 let request = Request {
@@ -98,7 +102,7 @@ impl App {
                     methods,
                     threads,
                     level,
-                    time: TIMING,
+                    time,
                     command: String::new(),
                 };
                 live::measure(&request, &known, monitor)
@@ -115,7 +119,8 @@ impl App {
         find: impl FnOnce(&mut Scene, &View, Monitor) -> anyhow::Result<T> + Send + 'static,
     ) {
         let is_probe = question == Question::Probe;
-        let is_open = question == Question::Measure || !place(&mut self.facts).is_current;
+        let is_trade = matches!(question, Question::Measure | Question::Refine);
+        let is_open = is_trade || !place(&mut self.facts).is_current;
         let index = usize::from(!is_probe);
         let work = self.works[index].as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
@@ -149,6 +154,7 @@ impl App {
             if let Some(reason) = answer(&mut self.facts) {
                 self.say(reason);
             }
+            self.facts.is_refined |= question == Question::Refine;
             if question == Question::Probe {
                 let first = self.facts.section.value.iter().flatten().next();
                 let object = first.and_then(|probe| probe.object.clone());
