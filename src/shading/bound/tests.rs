@@ -213,3 +213,42 @@ fn the_arc_covers_the_furthest_that_a_bounded_vector_turns() {
     let turn = MAX_RADIUS.asin();
     assert!(turn <= MAX_RADIUS * ARC * (1.0 + f64::EPSILON), "{turn}");
 }
+
+#[test]
+fn the_largest_products_of_powers_of_sine_and_cosine_are_known() {
+    for shininess in [3.5, 5.0, 76.8, 1e3] {
+        let largest = |k: f64, j: i32| {
+            let angles = (0..100_000).map(|step| f64::from(step) * 1.5e-5);
+            angles
+                .map(|angle| angle.cos().powf(k) * angle.sin().powi(j))
+                .fold(0.0, f64::max)
+        };
+        let known = [largest(shininess - 2.0, 1), largest(shininess - 3.0, 3)];
+        for (peak, known) in Highlight::new(shininess).peaks.into_iter().zip(known) {
+            assert!((peak / known - 1.0).abs() < 1e-6, "{peak} for {known}");
+        }
+    }
+}
+
+#[test]
+fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
+    // o and r are 60 degrees apart, so |r - o| = 1. Only l moves, along x, with p = q = 1/10: E_1 = 0.1,
+    // E_2 = 0.02 / sqrt(3), E_3 = 0.003. For rho = 1 the third derivative is at most 3 E_1 E_2 + |r - o| E_3.
+    let number = |value| Lanes::splat(token(), value);
+    let places = Places::single(token(), [0.0; 2], [0.5; 2]);
+    let vector = Affine {
+        centre: DVec3::Z,
+        ..Affine::default()
+    };
+    let resting = Field::new(&vector.into(), &places);
+    let mut moving = resting;
+    moving.rates[0] = [number(0.1); 2];
+    let range = Reflection {
+        most: number(0.5),
+        least: number(0.5),
+        sine: number(0.75_f64.sqrt()),
+    };
+    let found = Highlight::new(1.0).error(&resting, &moving, &resting, &range, number(0.5));
+    let expected = (0.3 * 0.02 / 3.0_f64.sqrt() + 0.003) / 24.0;
+    assert!((one(found) / expected - 1.0).abs() < 1e-6);
+}
