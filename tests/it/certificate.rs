@@ -7,7 +7,7 @@ mod overshoot;
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
+use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Keep, OUTLINE};
 use shadetrade::shading::{EXACT, TileKind};
 use shadetrade::trade::metrics::pixel_error;
@@ -126,12 +126,16 @@ fn the_error_of_samples_is_subtracted_from_the_tolerance() {
 
 #[test]
 fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
-    // The highlight is bright where n.l is zero. In the fine pixels n.l is so small all over that f32 has no sign.
-    let forward = DVec3::new(1.0, 0.0, -0.2).normalize();
-    for (pitch, height) in [(1e-10, 1.0), (1e-3, 1.001), (1e-3, 0.999), (1e-2, 1.01)] {
-        let light = (LightKind::Specular, DVec3::new(20.0, 0.0, height));
+    // The middle of the picture shows u = 0.3 and v = 0.2, where the normal is (0.3, 0.2, 1) and the light's direction
+    // (20, 0, -6): n.l is zero, and the highlight is as bright as can be. In the fine pixels f32 has no sign of n.l.
+    let forward = DVec3::new(20.0, 0.0, -6.0).normalize();
+    for (pitch, higher) in [(1e-10, 0.0), (1e-3, 0.2), (1e-3, -0.2), (1e-2, 2.0)] {
+        let light = (LightKind::Specular, DVec3::new(20.0, 0.0, higher - 5.0));
         for shininess in [0.5, 1.0, 2.0, 4.0] {
             let (mut world, view) = face(DVec3::splat(2.0), forward, pitch, shininess, light);
+            for transform in world.query_mut::<&mut Transform>().with::<&Mesh>() {
+                transform.position = DVec3::new(-0.3, -0.2, 0.0);
+            }
             for tolerance in [0.0, 4.0] {
                 let shares = shares(&mut world, &view.with_tolerance(tolerance));
                 assert_eq!(shares.len(), 1024);

@@ -214,3 +214,38 @@ fn samples_err_by_no_more_in_between_than_the_constant_says() {
     let corner: f64 = terms.as_flattened().iter().sum();
     assert!((corner - LEBESGUE).abs() < 1e-12, "{corner}");
 }
+
+#[test]
+fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
+    let number = |value| Lanes::splat(token(), value);
+    let power = |x: f64, exponent: usize| x.powi(exponent as i32);
+    for (j, i) in (0..9).map(|term| (term / 3, term % 3)) {
+        for sign in [1.0, -1.0] {
+            // One level of one term.
+            let mut terms = [[[number(0.0); 3]; 3]; 4];
+            terms[1][j][i] = number(sign);
+            let mut kinds = [0; 3];
+            for step in 1..=120 {
+                let budget = f64::from(step) / 100.0;
+                let none = mask64x4::splat(token(), false);
+                let interpolant = Interpolant::new(terms, [number(0.0); 3], none, number(budget));
+                let form = interpolant.forms[0].expect("a budget is left");
+                kinds[form.kind as usize] += 1;
+                let color = interpolant.color(0, form, [1.0; 2])[1];
+                let grid = (0..=20).map(|place| f64::from(place) / 10.0 - 1.0);
+                for (x, y) in grid.clone().flat_map(|x| grid.clone().map(move |y| (x, y))) {
+                    let drawn = (0..9).map(|term| {
+                        color[term / 3][term % 3] * power(y, term / 3) * power(x, term % 3)
+                    });
+                    let error = (drawn.sum::<f64>() - sign * power(y, j) * power(x, i)).abs();
+                    assert!(
+                        error <= budget,
+                        "{error} of {budget} for {sign} x^{i} y^{j}"
+                    );
+                }
+            }
+            // No term is counted at more than its size.
+            assert!(kinds[TileKind::Constant as usize] >= 19, "{kinds:?}");
+        }
+    }
+}
