@@ -47,7 +47,7 @@ fn any_number<'a>(value: &'a mut Value, random: &mut Random) -> Option<&'a mut V
 /// Makes the first cuboid a sheet or a needle, whose narrow faces lie between two pixels.
 pub fn flatten(record: &mut SceneRecord, random: &mut Random) {
     let size = &mut record.cuboid[0].size;
-    for axis in 0..1 + random.below(2) {
+    for axis in 0..=random.below(2) {
         size[axis] = (size[axis] * random.between(1e-9, 1e-2)).max(1e-100);
     }
 }
