@@ -25,19 +25,26 @@ fn asked() -> impl Strategy<Value = (Case, f64)> {
 
 #[test]
 fn every_pixel_of_random_scenes_is_proven() {
-    let (mut covered, mut outline, mut proven) = (0, 0, 0);
+    let (mut covered, mut outline, mut proven, mut error) = (0, 0, 0, 0.0_f64);
     for (case, tolerance) in values(&asked(), cases(150)) {
         let (mut world, view) = case.build([48, 36], tolerance);
         let proof = proof(&mut world, &view);
         let what = format!("tolerance {tolerance}: {proof:?}\n{case:?}");
         assert_eq!([proof.refuted, proof.undecided], [0, 0], "{what}");
         assert!(proof.reference_error < 1e-6, "{what}");
+        let outlines = proof.marks.iter().filter(|mark| mark.is_outline).count();
+        assert_eq!(proof.outline, outlines as u64, "{what}");
+        error = error.max(proof.reference_error);
         covered += proof.covered;
         outline += proof.outline;
         proven += proof.proven;
     }
     assert!(covered * 10 > proven, "{covered} of {proven} are covered");
-    assert!(outline * 10 < covered, "{outline} of {covered} are outline");
+    assert!(
+        outline > 0 && outline * 10 < covered,
+        "{outline} of {covered}"
+    );
+    assert!(error > 0.0, "f64 rounds");
 }
 
 /// The shortcut's vectors are not normalised, so its enclosures are wide. It is compared with the f64 reference instead,
