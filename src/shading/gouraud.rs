@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn the_count_of_roundings_covers_what_a_running_error_analysis_finds() {
-        // LaneLayout a corner, where x = y = 1.
+        // At a corner, where x = y = 1.
         let at = |terms: [f64; 3]| {
             let [middle, right, down] = terms.map(Rounded::stored);
             // The place is a product with the stored inverse of the half extent.

@@ -8,7 +8,7 @@ mod overshoot;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
-use shadetrade::frame::{Keep, OUTLINE};
+use shadetrade::frame::{Keep, OUTLINE, display_pixel};
 use shadetrade::shading::{EXACT, TileKind};
 use shadetrade::trade::metrics::pixel_error;
 
@@ -137,7 +137,18 @@ fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
                 transform.position = DVec3::new(-0.3, -0.2, 0.0);
             }
             for tolerance in [0.0, 4.0] {
-                let shares = shares(&mut world, &view.with_tolerance(tolerance));
+                let view = view.clone().with_tolerance(tolerance);
+                let [kept, shown] =
+                    [Keep::Levels, Keep::Display].map(|keep| draw(&mut world, &view, keep));
+                let bytes = kept
+                    .levels()
+                    .iter()
+                    .map(|it| display_pixel(it.map(f64::from)));
+                assert!(
+                    bytes.eq(shown.pixels().iter().copied()),
+                    "shininess {shininess}"
+                );
+                let shares = shares(&mut world, &view);
                 assert_eq!(shares.len(), 1024);
                 for (kind, share) in shares {
                     assert!(kind == TileKind::Exact || pitch > 1e-10);
