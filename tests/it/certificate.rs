@@ -160,6 +160,17 @@ fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
 }
 
 #[test]
+fn the_outline_of_a_square_is_its_upper_and_left_edge() {
+    let light = (LightKind::Diffuse, DVec3::Z * 9.0);
+    let (mut world, view) = face(DVec3::splat(2.0), DVec3::NEG_Z, 1e-3, 1.0, light);
+    let frame = draw(&mut world, &view.with_tolerance(4.0), Keep::Levels);
+    for (pixel, kind) in frame.kinds().iter().enumerate() {
+        let is_edge = pixel < 32 || pixel % 32 == 0;
+        assert_eq!(kind & OUTLINE != 0, is_edge, "pixel {pixel}");
+    }
+}
+
+#[test]
 fn under_many_lights_half_a_level_takes_no_more_squares_than_every_pixel() {
     let mut world = empty();
     let material = Material {

@@ -15,6 +15,7 @@ fn a_warm_frame_on_one_thread_allocates_nothing() {
         for cuboids in [1, 3] {
             let mut world = still_life(cuboids);
             let workers = Workers::new(1, Level::new()).expect("one thread is always there");
+            assert_eq!(workers.threads(), 1);
             let mut frame = Frame::new(keep, workers);
             let views = views([160, 120]);
             // The first frame of each mode allocates the memory that is kept for later ones.
