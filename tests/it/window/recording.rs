@@ -108,10 +108,9 @@ proptest! {
         let log = read(&file.text()).expect("it was recorded");
         prop_assert_eq!(log.frames[0].size(), Some(SIZE));
         prop_assert_eq!(log.frames.len(), expected.len());
-        for level in simd::NAMES.into_iter().filter_map(simd::named) {
-            for threads in [1, 2] {
-                prop_assert_eq!(&replayed(&log, threads, level), &expected);
-            }
+        // Every level draws the same bits; another test shows it.
+        for (threads, level) in [(1, Level::baseline()), (2, Level::new())] {
+            prop_assert_eq!(&replayed(&log, threads, level), &expected);
         }
     }
 }
