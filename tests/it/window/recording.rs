@@ -13,7 +13,6 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use serde_json::json;
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::simd;
 use shadetrade::window::recording::{Log, Recorder, patch};
 use shadetrade::window::replay::{draw, hash};
 
