@@ -28,7 +28,6 @@ mod legend;
 pub mod lights;
 mod panel;
 pub mod pictures;
-mod profile;
 mod questions;
 pub mod recording;
 pub mod replay;

@@ -44,7 +44,6 @@ impl App {
     /// Shows the measured methods of this view. A click or Enter on a dot chooses one, and a drag along the line of best
     /// trades a tolerance between two.
     pub fn chart(&mut self, ui: &mut Ui) {
-        self.desk.preview = None;
         if !self.shows_times {
             return;
         }
@@ -125,7 +124,7 @@ impl App {
         ui.colored_label(ink(trade), text);
     }
 
-    /// The dot of a method. Hovering it shows the method's picture, a click chooses the method.
+    /// The dot of a method. A click chooses the method.
     fn dot(&mut self, ui: &Ui, one: &Measurement, place: Rect) {
         let (method, name) = (one.method, method_name(one.method));
         let response = ui.interact(place, ui.id().with(&name), Sense::click());
@@ -135,8 +134,6 @@ impl App {
         if response.hovered() || response.has_focus() {
             let line = (1.0, Color32::WHITE);
             ui.painter().circle_stroke(place.center(), DOT + 2.0, line);
-            let is_pressed = ui.input(|input| input.pointer.any_down());
-            self.desk.preview = Some(method).filter(|_| !is_pressed);
         }
         let [time, error] = [one.timing.median, one.error.unwrap_or_default()].map(short);
         let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));

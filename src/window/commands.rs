@@ -87,7 +87,6 @@ impl App {
             Command::WipeExact => self.wipe(EXACT_SIDES),
             Command::Side(index, steps) => self.step_side(index, steps),
             Command::Worst => self.explain_worst(),
-            Command::Profile => self.desk.profile_folded ^= true,
             Command::Probe(right, down) => self.step_probed([right, down]),
             // It acts while it is held.
             Command::Blink => {}

@@ -4,8 +4,6 @@ use std::time::Duration;
 
 use glam::DVec3;
 
-use crate::shading::Method;
-
 /// An entity of the scene: the key of its kind in scene files, and its name.
 pub type Entity = (&'static str, String);
 
@@ -33,14 +31,10 @@ pub struct Message {
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
-    /// The profile below a wipe is folded.
-    pub profile_folded: bool,
     /// Whether the panel and the inspector have room together. In a narrow window the inspector takes the panel's place.
     pub has_both: bool,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
-    /// The method whose dot the mouse or the focus is on: its picture is shown instead.
-    pub preview: Option<Method>,
     /// Asks whether to save before the program ends.
     pub asks_to_save: bool,
     pub message: Option<Message>,

@@ -28,8 +28,6 @@ pub enum Command {
     Side(usize, i32),
     /// Probes the worst pixel.
     Worst,
-    /// Folds the profile below a wipe.
-    Profile,
     /// Moves the probed pixel: columns to the right, rows down.
     Probe(i32, i32),
     /// Two pictures take turns while its key is held.
@@ -126,7 +124,6 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         bind("left side", "The next method left of the divider; with Shift, the one before.", &[(NO, Key::Comma, Command::Side(0, 1)), (SHIFT, Key::Comma, Command::Side(0, -1))]),
         bind("right side", "The next method right of the divider; with Shift, the one before.", &[(NO, Key::Period, Command::Side(1, 1)), (SHIFT, Key::Period, Command::Side(1, -1))]),
         bind("worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Command::Worst)]),
-        bind("levels below a wipe", "Folds and opens the levels along a row.", &[(NO, Key::L, Command::Profile)]),
         bind("move the pixel", "", &[
             (SHIFT, Key::ArrowLeft, Command::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Command::Probe(1, 0)),
             (SHIFT, Key::ArrowUp, Command::Probe(0, -1)), (SHIFT, Key::ArrowDown, Command::Probe(0, 1)),

@@ -9,8 +9,6 @@ use super::keys::{BINDINGS, caption_of};
 use super::style::{BAD, GOOD, STALE};
 use super::widgets::short;
 use crate::components::{Inspector, Show, Side, Tab, ViewMode};
-use crate::report::words::capital;
-use crate::trade::verdict::method_name;
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
@@ -97,11 +95,10 @@ impl App {
     fn facts_line(&self, ui: &mut Ui, width: f32) {
         let show: Show = self.look();
         let is_wipe = show.mode == ViewMode::Wipe;
-        let (name, is_shown) = match (self.turn(), self.desk.preview) {
-            (Some(turn), _) if is_wipe => (self.side_name(&show.sides[turn]), false),
-            (Some(0), _) => (self.side_name(&Side::Reference), false),
-            (None, Some(method)) => (capital(&method_name(method)), false),
-            (None, None) if is_wipe => ("Two pictures".to_owned(), false),
+        let (name, is_shown) = match self.turn() {
+            Some(turn) if is_wipe => (self.side_name(&show.sides[turn]), false),
+            Some(0) => (self.side_name(&Side::Reference), false),
+            None if is_wipe => ("Two pictures".to_owned(), false),
             _ => (self.side_name(&Side::Picture), true),
         };
         ui.label(name).on_hover_text(METHOD);

@@ -129,7 +129,7 @@ impl App {
             return;
         }
         let (name, record) = (self.scene.name.clone(), Arc::clone(&self.state));
-        let view = self.view_by(self.held);
+        let view = self.view();
         let find = move |monitor: Monitor| find(&mut Scene::spawn(name, &record), &view, monitor);
         let pool = self.pools.as_ref().map(|pools| &pools[index]);
         // The work before is cancelled first.

@@ -9,7 +9,6 @@ use super::pictures::{divider_column, or_dimmed};
 use crate::components::{Probed, Show, Side, View, ViewMode};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
-use crate::shading::Method;
 
 impl App {
     /// Width and height of the picture in pixels.
@@ -18,29 +17,11 @@ impl App {
         [size.x, size.y].map(|side| (side.round() as usize).max(1))
     }
 
-    /// The method that draws in place of the scene's: one that is looked at, or the one that holds the budget.
-    fn method_instead(&self) -> Option<Method> {
-        self.desk.preview.or(self.held)
-    }
-
     /// The view that is drawn.
     pub fn view(&self) -> View {
-        self.view_by(self.method_instead())
-    }
-
-    /// The view as a method draws it, or as the scene says.
-    pub(super) fn view_by(&self, method: Option<Method>) -> View {
         let view = View::of(&self.scene.world, self.picture_size());
-        method.map_or(view.clone(), |method| method.view(&view))
-    }
-
-    /// The view mode and the sides that are shown: the picture alone while a method is looked at.
-    fn shows(&self) -> Show {
-        let mut show: Show = self.look();
-        if self.desk.preview.is_some() {
-            show.mode = ViewMode::Picture;
-        }
-        show
+        let held = self.held.map(|method| method.view(&view));
+        held.unwrap_or(view)
     }
 
     /// Whether the picture has not changed for a while.
@@ -50,9 +31,9 @@ impl App {
 
     /// Draws the pictures if the state or their size is another one.
     pub(super) fn draw(&mut self) -> Result<(), OutOfMemory> {
-        let (show, view) = (self.shows(), self.view());
+        let (show, view): (Show, _) = (self.look(), self.view());
         let size = view.size;
-        let present = (Arc::clone(&self.state), size, self.method_instead());
+        let present = (Arc::clone(&self.state), size, self.held);
         let before = self.drawn.take();
         if before.as_ref() == Some(&present) {
             self.moved.take_if(|moved| self.now >= *moved + REST);
@@ -101,7 +82,7 @@ impl App {
 
     /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
-        let show = self.shows();
+        let show: Show = self.look();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
         let frame = self.pictures.frame();

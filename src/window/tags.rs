@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::app::App;
-use super::style::{BAD, EXACT, STALE, mode_ink};
+use super::style::{BAD, STALE, mode_ink};
 use super::viewport::DIVIDER_MARGIN;
 use super::widgets::{ink, short};
 use crate::components::{Inspector, Probed, Show, Side, Tab, ViewMode};
@@ -55,12 +55,6 @@ impl App {
             Side::Picture => format!("Picture: {}", method.unwrap_or_else(|| "mixed".to_owned())),
             Side::Method { .. } => capital(&method.unwrap_or_default()),
         }
-    }
-
-    /// The colour of a side's curve.
-    pub fn side_ink(&self, side: &Side) -> Color32 {
-        let method = self.side_method(side);
-        method.map_or(EXACT, |method| mode_ink(method.mode))
     }
 
     /// The measurements of both sides.

@@ -57,7 +57,6 @@ impl App {
         self.draw_over(ui, &markers);
         if self.divider().is_some() {
             self.tags(ui);
-            self.profile(ui);
         }
     }
 
@@ -178,9 +177,9 @@ impl App {
         let line = self.place.y_range();
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
         painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
-        let y = self.place_of([0, self.profile_row()]).y;
         let edge = (1.0, Color32::from_black_alpha(150));
-        painter.circle(pos2(x, y), 8.0, Color32::WHITE, edge);
+        let middle = pos2(x, self.place.center().y);
+        painter.circle(middle, 8.0, Color32::WHITE, edge);
     }
 }
 

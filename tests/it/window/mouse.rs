@@ -134,10 +134,8 @@ fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
 fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
     let mut window = Window::open();
     window.press(Key::F3);
-    window.app.desk.profile_folded = true;
-    window.step(Vec::new());
     let [width, height] = window.app.picture_size();
-    // The lower rows are covered by no text and, once folded, by no levels.
+    // The lower rows are covered by no text.
     let lower = width * (height - 150)..width * (height - 30);
     let sides = [ShadingMode::Gouraud, ShadingMode::Phong]
         .map(|mode| window.drawn(|view| view.shaded(mode))[lower.clone()].to_vec());

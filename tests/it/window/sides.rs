@@ -1,11 +1,11 @@
-//! The two sides of a wipe: their tags, the worst pixel, the levels under the picture, and the amplified difference.
+//! The two sides of a wipe: their tags, the worst pixel, and the amplified difference.
 
 use std::time::Duration;
 
 use egui::{Key, vec2};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
-use shadetrade::components::{Probed, ShadingMode, Show, Side, View, ViewMode};
+use shadetrade::components::{Probed, ShadingMode, Show, Side, View};
 use shadetrade::frame::{Keep, face};
 use shadetrade::reference;
 use shadetrade::shading::METHODS;
@@ -14,7 +14,6 @@ use shadetrade::trade::metrics::displayed;
 use shadetrade::window::app::App;
 use shadetrade::window::keys::gouraud_phong;
 use shadetrade::window::pictures::side_view;
-use shadetrade::window::style::{GOURAUD, PHONG};
 
 use super::Window;
 use super::widgets::click_at;
@@ -165,45 +164,6 @@ fn the_worst_pixel_is_probed_by_its_mark_and_its_tag() {
     let mut window = open();
     window.press(Key::Y);
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
-}
-
-#[test]
-fn the_levels_below_a_wipe_stand_under_their_columns() {
-    let mut window = open();
-    let [width, height] = window.app.picture_size();
-    let row = window.app.profile_row();
-    assert_eq!(row, height / 2);
-    let show: Show = window.app.look();
-    let [left, bottom] = [window.app.place.min.x, window.app.place.max.y].map(|it| it as usize);
-    let top = bottom - 84;
-    // The lowest place of a colour in a column below the picture.
-    let place = |window: &Window, x: usize, ink: egui::Color32| {
-        let [red, green, blue, _] = ink.to_array();
-        (top..bottom).rfind(|y| {
-            let pixel = window.app.pixels()[y * SIZE[0] + left + x].to_be_bytes();
-            let far = [red, green, blue].into_iter().zip(&pixel[1..]);
-            far.map(|(one, other)| one.abs_diff(*other)).max() < Some(100)
-        })
-    };
-    // In the highlight Phong lies above Gouraud, beside the cuboid both are the background.
-    let side = [0, 1].map(|index| window.app.side(index).into_owned());
-    let level = |index: usize, x: usize| (side[index][row * width + x] & 0xff) as f32;
-    let columns = (0..width).max_by(|one, other| {
-        let gap = |x: usize| level(1, x) - level(0, x);
-        gap(*one).total_cmp(&gap(*other))
-    });
-    let x = columns.expect("a column");
-    let [gouraud, phong] = [level(0, x), level(1, x)];
-    let found = [GOURAUD, PHONG].map(|ink| place(&window, x, ink).expect("a curve") as f32);
-    assert!(
-        phong - gouraud > 5.0 && found[1] < found[0],
-        "{found:?} of {gouraud}, {phong}"
-    );
-    assert_eq!(show.mode, ViewMode::Wipe);
-    window.app.desk.profile_folded = true;
-    window.step(Vec::new());
-    assert_eq!(place(&window, x, GOURAUD), None, "they are folded");
-    assert_eq!(window.app.picture_size(), [width, height]);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The live trade: the chart as a control, and measurements of the view that is shown.
 
 use egui::{Key, Pos2, RawInput};
+use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{Budget, Show, Side, Tolerance, View, ViewMode};
@@ -92,32 +93,19 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
             assert_eq!(window.app.method(), Some(*method));
         }
     }
-    let mut window = open();
+    let mut harness = widgets(app_with_trade(), SIZE);
     for method in METHODS.iter().filter(|it| it.mode != UnitVectors) {
+        let label = format!("choose {}", method_name(*method));
         // At most one round through the window.
         let mut steps = 0..200;
-        while window.app.desk.preview != Some(*method) && steps.next().is_some() {
-            window.press(Key::Tab);
+        while !harness.get_by_label(&label).is_focused() && steps.next().is_some() {
+            harness.key_press(Key::Tab);
+            harness.run_ok();
         }
-        window.press(Key::Enter);
-        assert_eq!(window.app.method(), Some(*method));
+        harness.key_press(Key::Enter);
+        harness.run_ok();
+        assert_eq!(harness.state().method(), Some(*method));
     }
-}
-
-#[test]
-fn hovering_a_dot_shows_its_picture_and_changes_nothing() {
-    let mut window = open();
-    let (before, frame) = (window.record(), window.app.shown().to_vec());
-    for (method, at) in METHODS.iter().zip(dots()) {
-        window.point_at(at);
-        let expected = window.drawn(|view| method.view(&view));
-        assert!(window.app.shown() == expected, "{method:?}");
-        assert!(window.seen() == expected, "{method:?}");
-        assert!(window.app.facts.trade.current().is_some());
-    }
-    window.point_at(window.app.place.center());
-    assert!(window.app.shown() == frame);
-    assert_eq!(window.record(), before);
 }
 
 #[test]
