@@ -21,52 +21,45 @@ fn main() -> ExitCode {
 }
 
 fn run(command: Option<Command>) -> Result<(), Failure> {
-    if let Some(command) = &command {
-        command.start_threads()?;
-    }
+    let Some(command) = command else {
+        return Ok(());
+    };
+    command.start_threads()?;
     match command {
-        None => Ok(()),
-        Some(Command::View(options)) => view(&options),
-        Some(Command::Replay(options)) => replay(&options),
-        Some(Command::Render(options)) => {
-            let mut drawing = options.drawing.open_for(Some(&options.output))?;
+        Command::View(options) => return view(&options),
+        Command::Replay(options) => return replay(&options),
+        Command::Extremes(options) => return extremes(&options),
+        Command::Probe(options) => return probe(&options),
+        Command::Render(options) => {
+            let mut drawing = options.drawing.open(Some(&options.output))?;
             options.budget.apply_to(&mut drawing);
-            let draw = if options.reference {
-                pictures::render_reference
+            if options.reference {
+                pictures::render_reference(&mut drawing, &options.output)
             } else {
-                pictures::render
-            };
-            Ok(draw(&mut drawing, &options.output)?)
+                pictures::render(&mut drawing, &options.output)
+            }
         }
-        Some(Command::Trade(options)) => {
-            let (request, folder) = (options.request()?, options.output.as_deref());
-            let done = match options.batch {
+        Command::Trade(options) => {
+            let request = options.request()?;
+            match options.batch {
                 Some(number) => trade::batch::run(&request, number),
-                None => trade::run(&request, folder),
-            };
-            Ok(done?)
+                None => trade::run(&request, options.output.as_deref()),
+            }
         }
-        Some(Command::Probe(options)) => probe(&options),
-        Some(Command::Prove(options)) => {
+        Command::Prove(options) => {
             let map = options.output.as_ref();
-            let mut drawing = options.drawing.open_for(map)?;
+            let mut drawing = options.drawing.open(map)?;
             let picture = options.read_picture()?;
-            Ok(prove::command::run(
-                &mut drawing,
-                picture,
-                map,
-                options.json,
-            )?)
+            prove::command::run(&mut drawing, picture, map, options.json)
         }
-        Some(Command::Requires(options)) => {
+        Command::Requires(options) => {
             let least = options.output.as_ref();
-            let drawing = options.drawing.open_for(least)?;
-            Ok(requires::command::run(&drawing, least, options.json)?)
+            requires::command::run(&options.drawing.open(least)?, least, options.json)
         }
-        Some(Command::Extremes(options)) => extremes(&options),
-        Some(Command::Figures(options)) => Ok(pictures::figures(&options.output)?),
-        Some(Command::Completions { shell }) => Ok(cli::print_completions(shell)?),
-    }
+        Command::Figures(options) => pictures::figures(&options.output),
+        Command::Completions { shell } => cli::print_completions(shell),
+    }?;
+    Ok(())
 }
 
 /// Proves extremes or draws the stability charts.
@@ -82,7 +75,7 @@ fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
 
 /// Prints the evaluation of a pixel.
 fn probe(options: &ProbeOptions) -> Result<(), Failure> {
-    let mut drawing = options.drawing.open()?;
+    let mut drawing = options.drawing.open(None)?;
     let ([x, y], [width, height]) = (options.pixel, drawing.size);
     if x >= width || y >= height {
         return Err(Failure::Usage(anyhow!(
@@ -103,7 +96,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     // Before the scene is read: a pipe can be read only once.
     window::restart_in_fit_environment()?;
     let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
-    let mut drawing = options.drawing.open()?;
+    let mut drawing = options.drawing.open(None)?;
     options.budget.apply_to(&mut drawing);
     let scene = drawing.scene.name.clone();
     let closed = window::run(drawing, options.record.as_deref());
@@ -114,30 +107,30 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
         output::say(&format!("{missing}; drawing the figures instead"));
         return Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?);
     }
-    let render = format!("`shadetrade render {scene} -o FILE.png` draws a picture without one");
-    advise(closed, &render)
+    let render = format!("render {scene} -o FILE.png` draws a picture");
+    Ok(closed.map_err(|error| advise(error, &render))?)
 }
 
-/// Adds the advice if the window failed for lack of a display.
-fn advise(closed: anyhow::Result<()>, advice: &str) -> Result<(), Failure> {
-    closed.map_err(|error| {
-        if error.is::<NoDisplay>() {
-            return Failure::Work(anyhow!("{error}; {advice}"));
-        }
-        Failure::Work(error)
-    })
+/// Names a command that needs no display, if the window failed for lack of one.
+fn advise(error: anyhow::Error, instead: &str) -> anyhow::Error {
+    if error.is::<NoDisplay>() {
+        return anyhow!("{error}; `shadetrade {instead} without one");
+    }
+    error
 }
 
 /// Plays a recording in a window, or draws it into a file or prints hashes if the options say so.
 fn replay(options: &ReplayOptions) -> Result<(), Failure> {
-    options.check_output()?;
-    let plays = options.output.is_none() && !options.hash;
+    let output = options.output.as_ref();
+    if let Some(output) = output {
+        cli::options::refuse_to_replace(&options.log, output)?;
+    }
+    let plays = output.is_none() && !options.hash;
     if plays {
         window::restart_in_fit_environment()?;
     }
     let name = options.log.to_string_lossy();
-    let bytes = fs::read(&options.log);
-    let log = bytes
+    let log = fs::read(&options.log)
         .with_context(|| format!("cannot read the recording {name}"))
         .and_then(|bytes| Log::read(&name, &bytes, options.idle))
         .map_err(Failure::Usage)?;
@@ -148,12 +141,11 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
     }
     let drawing = log.drawing(options.workers.threads(), options.workers.simd);
     if plays {
-        let log_name = output::quoted(&name);
-        let replay =
-            format!("`shadetrade replay {log_name} -o FILE.apng` draws an animation without one");
-        return advise(window::play(&log, drawing), &replay);
+        let name = output::quoted(&name);
+        let replay = format!("replay {name} -o FILE.apng` draws an animation");
+        return Ok(window::play(&log, drawing).map_err(|error| advise(error, &replay))?);
     }
-    let (output, animated) = (options.output.as_ref(), options.animated());
+    let animated = options.animated();
     Ok(replaying::run(
         &log,
         drawing,

@@ -8,11 +8,12 @@ mod animation;
 mod png;
 
 use std::borrow::Cow;
-use std::fs::{self, File, OpenOptions};
+use std::ffi::OsString;
+use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, ensure};
 use serde::Serialize;
 
 pub use animation::Animation;
@@ -27,13 +28,13 @@ pub enum Output {
     File(PathBuf),
 }
 
-impl From<PathBuf> for Output {
+impl From<OsString> for Output {
     /// `-` and `/dev/stdout` are standard output, everything else is a path.
-    fn from(path: PathBuf) -> Self {
-        if path.as_os_str() == "-" || path.as_os_str() == "/dev/stdout" {
+    fn from(path: OsString) -> Self {
+        if path == "-" || path == "/dev/stdout" {
             Output::Stdout
         } else {
-            Output::File(path)
+            Output::File(path.into())
         }
     }
 }
@@ -59,8 +60,11 @@ impl Output {
             Output::Stdout => {
                 // Encoders hide the kind of an error, so the whole content is collected before it is written.
                 let mut bytes = Vec::new();
-                let made = content(&mut bytes).and_then(|()| standard_output());
-                match made.and_then(|mut stdout| stdout.write_all(&bytes)) {
+                let mut stdout = io::stdout().lock();
+                let written = content(&mut bytes)
+                    .and_then(|()| stdout.write_all(&bytes))
+                    .and_then(|()| stdout.flush());
+                match written {
                     Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
                     written => written.context("cannot write to standard output"),
                 }
@@ -82,20 +86,12 @@ impl Output {
 /// Creates the folder `path` unless it exists, and checks that files can be written into it. Its parent must exist.
 ///
 /// # Errors
-/// If `path` exists and is not a folder, or the folder cannot be created or written to.
+/// If the folder cannot be created or written to.
 pub fn make_folder(path: &Path) -> anyhow::Result<()> {
-    match fs::create_dir(path) {
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => ensure!(
-            path.is_dir(),
-            "{} is there already and is not a folder",
-            path.display()
-        ),
-        Err(error) if error.kind() == ErrorKind::NotFound => bail!(
-            "cannot make the folder {}: there is no folder {}",
-            path.display(),
-            folder_of(path).display()
-        ),
-        made => made.with_context(|| format!("cannot make the folder {}", path.display()))?,
+    if !path.is_dir() {
+        check_folder(folder_of(path))
+            .and_then(|()| Ok(fs::create_dir(path)?))
+            .with_context(|| format!("cannot make the folder {}", path.display()))?;
     }
     tempfile::tempfile_in(path).with_context(|| format!("cannot write into {}", path.display()))?;
     Ok(())
@@ -159,16 +155,6 @@ pub fn quoted(word: &str) -> String {
     }
 }
 
-/// Standard output as a file: the standard library's handle reports no error if it is closed.
-fn standard_output() -> io::Result<File> {
-    let stdout = io::stdout();
-    #[cfg(unix)]
-    let handle = std::os::fd::AsFd::as_fd(&stdout).try_clone_to_owned()?;
-    #[cfg(windows)]
-    let handle = std::os::windows::io::AsHandle::as_handle(&stdout).try_clone_to_owned()?;
-    Ok(File::from(handle))
-}
-
 /// Writes `content` through a buffer and reports errors of the final flush.
 fn buffered(
     writer: impl Write,
@@ -184,17 +170,10 @@ fn write_file(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> anyhow::Result<()> {
-    let old = match fs::metadata(path) {
-        Ok(found) if found.is_dir() => bail!("it is a folder; give the name of a file"),
-        Ok(found) if found.is_file() => {
-            // A file that may not be written may not be replaced either.
-            OpenOptions::new().write(true).open(path)?;
-            Some(found)
-        }
-        Ok(_) => {
-            let file = OpenOptions::new().append(true).open(path)?;
-            return Ok(buffered(file, content)?);
-        }
+    // A file that may not be written may not be replaced either.
+    let old = match OpenOptions::new().append(true).open(path) {
+        Ok(device) if !device.metadata()?.is_file() => return Ok(buffered(device, content)?),
+        Ok(file) => Some(file.metadata()?.permissions()),
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => return Err(error.into()),
     };
@@ -202,16 +181,12 @@ fn write_file(
     while let Ok(next) = fs::read_link(&target) {
         target = folder_of(&target).join(next);
     }
-    ensure!(
-        !target.to_string_lossy().ends_with(std::path::is_separator),
-        "that is the name of a folder"
-    );
     let folder = folder_of(&target);
-    ensure!(folder.is_dir(), "there is no folder {}", folder.display());
+    check_folder(folder)?;
     let file = temporary_file(folder)?;
     buffered(file.as_file(), content)?;
-    if let Some(old) = old {
-        file.as_file().set_permissions(old.permissions())?;
+    if let Some(permissions) = old {
+        file.as_file().set_permissions(permissions)?;
     }
     file.as_file().sync_all()?;
     file.persist(&target).map_err(|error| error.error)?;
@@ -253,6 +228,11 @@ fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
         .make_in(folder, |path| {
             OpenOptions::new().write(true).create_new(true).open(path)
         })
+}
+
+fn check_folder(folder: &Path) -> anyhow::Result<()> {
+    ensure!(folder.is_dir(), "there is no folder {}", folder.display());
+    Ok(())
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -13,12 +13,12 @@ use anyhow::Context;
 
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
-use crate::memory::{self, OutOfMemory};
+use crate::memory;
 use crate::output::{Output, say};
 use crate::report::CANCELLED;
 use crate::report::progress::with_bar;
 use crate::report::words::counted;
-use crate::trade::{budget, timing::median};
+use crate::trade::{budget, timing};
 use crate::{reference, simd, systems};
 
 /// Draws one picture into `output` and reports it, with the time of a frame, on standard error.
@@ -34,18 +34,18 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
         say(&format!("a budget of {budget} ms chooses {text}"));
     }
     let mut frame = Frame::new(Keep::Display, drawing.workers()?);
-    let mut draw = || systems::draw(&mut drawing.scene.world, &view, &mut frame);
-    draw()?;
-    let (time, frames) = warm_frame(draw)?;
+    let times = timing::batch(0, 1, Duration::ZERO, |_| {
+        Ok(systems::draw(&mut drawing.scene.world, &view, &mut frame)?)
+    })?;
     output.write_png(frame.pixels(), frame.size())?;
     let [width, height] = frame.size();
-    let name = output.name();
     say(&format!(
-        "wrote {name}: PNG, {width}x{height}, {} shaded; a frame takes {:.3} ms \
+        "wrote {}: PNG, {width}x{height}, {} shaded; a frame takes {:.3} ms \
          (median of {}, PNG apart; {}, {})",
+        output.name(),
         counted(frame.counts().covered_pixels as usize, "pixel"),
-        time,
-        counted(frames, "warm frame"),
+        timing::median(&times[0]),
+        counted(times[0].len(), "warm frame"),
         counted(frame.workers().threads(), "thread"),
         simd::name(frame.workers().level()),
     ));
@@ -81,21 +81,4 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
         time.as_secs_f64()
     ));
     Ok(())
-}
-
-/// The median time of a frame by `draw` in milliseconds, and the number of frames.
-fn warm_frame(
-    mut draw: impl FnMut() -> Result<(), OutOfMemory>,
-) -> Result<(f64, usize), OutOfMemory> {
-    // Small pictures need several frames for a steady median. A few frames of a large one suffice.
-    const MAX_FRAMES: usize = 15;
-    const ENOUGH: Duration = Duration::from_millis(200);
-    let begin = Instant::now();
-    let mut times = Vec::with_capacity(MAX_FRAMES);
-    while times.is_empty() || times.len() < MAX_FRAMES && begin.elapsed() < ENOUGH {
-        let start = Instant::now();
-        draw()?;
-        times.push(start.elapsed().as_secs_f64() * 1e3);
-    }
-    Ok((median(&times), times.len()))
 }

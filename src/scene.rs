@@ -61,8 +61,6 @@ pub struct Scene {
     pub path: Option<PathBuf>,
     /// The text of the scene; empty if it was spawned from a record.
     pub text: String,
-    /// A probable mistake that the format allows, with its place.
-    pub warning: Option<String>,
     /// The entities, spawned in file order.
     pub world: World,
 }
@@ -100,10 +98,8 @@ impl Scene {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let located = |span, message: &str| error::located(name, text, &span, message);
         let record = SceneRecord::read(text).map_err(|(span, why)| anyhow!(located(span, &why)))?;
-        let slip = record.slip();
         Ok(Scene {
             text: text.to_owned(),
-            warning: slip.map(|slip| located(slip.span(text), &slip.to_string())),
             ..Scene::spawn(name.to_owned(), &record)
         })
     }
@@ -114,7 +110,6 @@ impl Scene {
             name,
             path: None,
             text: String::new(),
-            warning: None,
             world: record.spawn(),
         }
     }

@@ -2,13 +2,14 @@
 //!
 //! A message about a wrong value names the legal values.
 
+use std::ffi::OsString;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use clap::Args;
-use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
+use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use image::ImageFormat;
 
 use super::failure::Failure;
@@ -40,7 +41,7 @@ pub struct ReplayOptions {
     #[arg(value_name = "LOG")]
     pub log: PathBuf,
     /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
+    #[arg(short, long, value_name = "FILE", value_parser = OsStringValueParser::new().try_map(picture_file))]
     pub output: Option<Output>,
     /// Prints the time and a hash of the picture of every frame
     #[arg(long)]
@@ -54,27 +55,10 @@ pub struct ReplayOptions {
 }
 
 impl ReplayOptions {
-    /// Checks the file that receives the frames.
-    ///
-    /// # Errors
-    /// [`Failure::Usage`] if it is the recording, or it is standard output and that receives the hashes.
-    pub fn check_output(&self) -> Result<(), Failure> {
-        match &self.output {
-            Some(Output::Stdout) if self.hash => Err(Failure::Usage(anyhow!(
-                "standard output receives the hashes; give -o a file, ./- is one of that name"
-            ))),
-            Some(output) => options::refuse_to_replace(&self.log, "recording", output),
-            None => Ok(()),
-        }
-    }
-
     /// Whether the output is an animation of all frames.
     pub fn animated(&self) -> bool {
-        let Some(Output::File(path)) = &self.output else {
-            return false;
-        };
-        path.extension()
-            .is_some_and(|it| it.eq_ignore_ascii_case("apng"))
+        let name = self.output.as_ref().map(Output::name);
+        name.is_some_and(|name| name.to_lowercase().ends_with(".apng"))
     }
 }
 
@@ -88,7 +72,7 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub budget: BudgetOption,
     /// The PNG file; `-` for standard output
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(picture_file))]
+    #[arg(short, long, value_name = "FILE", value_parser = OsStringValueParser::new().try_map(picture_file))]
     pub output: Output,
     /// Draws with the f64 reference instead of the renderer, without use of --tolerance and --simd
     #[arg(long)]
@@ -102,7 +86,7 @@ pub struct TradeOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The folder for the reports, created if absent
-    #[arg(short, long, value_name = "DIR", value_parser = PathBufValueParser::new().try_map(folder))]
+    #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Takes the least number of samples; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
@@ -122,19 +106,10 @@ impl TradeOptions {
     /// The request to measure.
     ///
     /// # Errors
-    /// [`Failure::Usage`] if the scene is wrong, or a shading or tolerance is given.
+    /// [`Failure::Usage`] if the scene is wrong.
     pub fn request(&self) -> Result<trade::Request, Failure> {
-        let given = [
-            ("--shading", self.drawing.shading.is_some()),
-            ("--tolerance", self.drawing.tolerance.is_some()),
-        ];
-        if let Some((option, _)) = given.iter().find(|(_, given)| *given) {
-            return Err(Failure::Usage(anyhow!(
-                "{option} does not go with `trade`, which measures every shading at its own tolerance"
-            )));
-        }
         let mut drawing = match self.batch {
-            None => self.drawing.open()?,
+            None => self.drawing.open(None)?,
             Some(_) => self.drawing.apply_to(scene_from_stdin()?)?,
         };
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
@@ -195,7 +170,7 @@ pub struct ProveOptions {
     #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
     pub picture: Option<PathBuf>,
     /// The PNG file of the verdicts
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(map_file))]
+    #[arg(short, long, value_name = "FILE", value_parser = OsStringValueParser::new().try_map(picture_file))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -212,7 +187,7 @@ impl ProveOptions {
             return Ok(None);
         };
         if let Some(output) = &self.output {
-            options::refuse_to_replace(path, "picture", output)?;
+            options::refuse_to_replace(path, output)?;
         }
         read_png(path).map(Some).map_err(Failure::Usage)
     }
@@ -225,7 +200,7 @@ pub struct RequiresOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The file for the least scene that keeps the tolerance
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(file))]
+    #[arg(short, long, value_name = "FILE")]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -242,8 +217,13 @@ pub struct ExtremesOptions {
     #[arg(long)]
     pub chart: bool,
     /// The folder for the charts, created if absent
-    #[arg(short, long, value_name = "DIR", requires = "chart", conflicts_with = "names",
-          value_parser = PathBufValueParser::new().try_map(folder))]
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        requires = "chart",
+        conflicts_with = "names"
+    )]
     pub output: Option<PathBuf>,
     /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves
     #[arg(long)]
@@ -257,8 +237,7 @@ pub struct ExtremesOptions {
 #[derive(Args, Debug)]
 pub struct FiguresOptions {
     /// The folder for the figures, created if absent
-    #[arg(short, long, value_name = "DIR", default_value = DEFAULT_FIGURES,
-          value_parser = PathBufValueParser::new().try_map(folder))]
+    #[arg(short, long, value_name = "DIR", default_value = DEFAULT_FIGURES)]
     pub output: PathBuf,
 }
 
@@ -266,31 +245,9 @@ pub struct FiguresOptions {
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
 /// Refuses a name that ends like another format: pictures are PNG files.
-fn picture_file(path: PathBuf) -> Result<Output, &'static str> {
+fn picture_file(path: OsString) -> Result<Output, &'static str> {
     match ImageFormat::from_path(&path) {
         Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
         Ok(_) => Err("pictures are written as PNG; give a name that ends in .png"),
-    }
-}
-
-fn map_file(path: PathBuf) -> Result<Output, &'static str> {
-    picture_file(path.clone()).and_then(|_| file(path))
-}
-
-/// Refuses standard output, which receives the text or JSON.
-fn file(path: PathBuf) -> Result<Output, &'static str> {
-    match Output::from(path) {
-        Output::Stdout => {
-            Err("give a file: standard output receives the result; ./- is a file of that name")
-        }
-        file @ Output::File(_) => Ok(file),
-    }
-}
-
-/// Refuses standard output: several files need a folder.
-fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
-    match Output::from(path.clone()) {
-        Output::File(_) => Ok(path),
-        Output::Stdout => Err("give a folder, not standard output; ./- is a folder of that name"),
     }
 }

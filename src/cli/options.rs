@@ -2,7 +2,6 @@
 //!
 //! Values are checked before anything is allocated. A message about a wrong value names the legal values.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
@@ -15,15 +14,15 @@ use super::failure::Failure;
 use crate::components::range::Milliseconds;
 use crate::components::{Budget, Projection, ShadingMode, Tolerance, overwrite};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
-use crate::output::{Output, say};
-use crate::scene::{self, MAX_SIDE, Scene};
+use crate::output::Output;
+use crate::scene::{BUILT_IN, MAX_SIDE, Scene};
 use crate::simd;
 
 /// The scene and the view on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct DrawingOptions {
     /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME
-    #[arg(value_name = "SCENE", default_value = scene::BUILT_IN[0].0)]
+    #[arg(value_name = "SCENE", default_value = BUILT_IN[0].0)]
     pub scene: PathBuf,
     /// The camera of the scene [default: as the scene says]
     #[arg(long, value_name = "NAME")]
@@ -55,7 +54,7 @@ pub struct WorkerOptions {
     #[arg(long, default_value = "auto", value_name = "LEVEL", value_parser = level())]
     pub simd: Level,
     /// The number of threads, 1 to 1024 [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = RangedU64ValueParser::<usize>::new().range(1..=MAX_THREADS as u64), allow_negative_numbers = true)]
     pub threads: Option<usize>,
 }
 
@@ -67,27 +66,14 @@ impl WorkerOptions {
 }
 
 impl DrawingOptions {
-    /// As [`DrawingOptions::open`], for a command that writes to `output`.
+    /// Loads the scene and applies the options to it. The command will write to `output`.
     ///
     /// # Errors
-    /// [`Failure::Usage`] also if `output` is the file of the scene.
-    pub fn open_for(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
-        if let Some(output) = output
-            && !scene::is_built_in(&self.scene)
-        {
-            refuse_to_replace(&self.scene, "scene", output)?;
-        }
-        self.open()
-    }
-
-    /// Loads the scene and applies the options to it.
-    ///
-    /// # Errors
-    /// [`Failure::Usage`] if the scene is wrong, or has no such camera or light.
-    pub fn open(&self) -> Result<Drawing, Failure> {
+    /// [`Failure::Usage`] if the scene is wrong or its file is `output`, or if it has no such camera or light.
+    pub fn open(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
         let scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
-        if let Some(warning) = &scene.warning {
-            say(&format!("warning: {warning}"));
+        if let (Some(path), Some(output)) = (&scene.path, output) {
+            refuse_to_replace(path, output)?;
         }
         self.apply_to(scene)
     }
@@ -140,23 +126,21 @@ impl BudgetOption {
     }
 }
 
-/// Checks that `output` is not the file `source`, which the message calls `kind`.
+/// Checks that `output` is not the file that is read.
 ///
 /// # Errors
-/// [`Failure::Usage`] if both are the same file.
-pub fn refuse_to_replace(source: &Path, kind: &str, output: &Output) -> Result<(), Failure> {
-    let Output::File(file) = output else {
-        return Ok(());
-    };
-    match (fs::canonicalize(source), fs::canonicalize(file)) {
-        (Ok(source), Ok(target)) if source == target && target.is_file() => {
-            Err(Failure::Usage(anyhow!(
-                "{} is the {kind} itself; give -o another file",
-                file.display()
-            )))
-        }
-        _ => Ok(()),
+/// [`Failure::Usage`] if it is.
+pub fn refuse_to_replace(input: &Path, output: &Output) -> Result<(), Failure> {
+    if let Output::File(output) = output
+        && input.is_file()
+        && let (Ok(read), Ok(written)) = (input.canonicalize(), output.canonicalize())
+        && read == written
+    {
+        let output = output.display();
+        let error = anyhow!("{output} is the input itself; give -o another file");
+        return Err(Failure::Usage(error));
     }
+    Ok(())
 }
 
 /// A parser of one of these names, which serde converts to the value.
@@ -169,18 +153,9 @@ where
 
 fn level() -> impl TypedValueParser<Value = Level> {
     let names = ["auto"].into_iter().chain(simd::NAMES);
-    PossibleValuesParser::new(names).try_map(|name| {
-        if name == "auto" {
-            return Ok(Level::new());
-        }
-        simd::named(&name).ok_or_else(|| {
-            let mut present = simd::NAMES.to_vec();
-            present.retain(|name| simd::named(name).is_some());
-            format!(
-                "this machine does not have it; it has {}",
-                present.join(", ")
-            )
-        })
+    PossibleValuesParser::new(names).try_map(|name| match &*name {
+        "auto" => Ok(Level::new()),
+        name => simd::named(name).ok_or("this machine lacks it; auto and fallback always work"),
     })
 }
 
@@ -219,6 +194,7 @@ fn size(text: &str) -> Result<[usize; 2], &'static str> {
     size.ok_or("it is WIDTHxHEIGHT in pixels, 1x1 to 16384x16384, such as 960x720")
 }
 
-fn threads() -> impl TypedValueParser<Value = usize> {
-    RangedU64ValueParser::new().range(1..=MAX_THREADS as u64)
+/// Refuses an option that a command does not have.
+pub fn refuse<T>(_: &str) -> Result<T, &'static str> {
+    Err("`trade` measures every shading at its own tolerance")
 }

@@ -98,17 +98,6 @@ impl SceneRecord {
         let is_known = self.active_camera().is_some();
         require(is_known, ("view", 0), "camera", found, &expected)
     }
-
-    /// The first light with a colour above 1. Such a colour is probably meant in levels, and the light 255 times too bright.
-    pub(super) fn slip(&self) -> Option<Mistake> {
-        let is_slip = |light: &LightRecord| light.color.max_element() > 1.0;
-        let index = self.light.iter().position(is_slip)?;
-        let most = self.light[index].color.max_element();
-        let message = format!(
-            "{most:?} is above 1; a colour is usually from 0 to 1, and `intensity` says how bright it is"
-        );
-        Some(Mistake::new(("light", index), "color", message))
-    }
 }
 
 /// Checks that the names of a kind are unique and not empty.

@@ -68,23 +68,15 @@ fn a_closed_standard_output_or_error_breaks_no_file() {
 #[test]
 fn an_unusable_standard_output_is_an_error() {
     let folder = folder();
-    put(folder.path(), "a", "mine");
-    for (redirected, reason) in [
-        ("1< a", "Bad file descriptor"),
-        ("> /dev/full", "No space left"),
+    for line in [
+        "render --size 9x9 -o -",
+        "probe --pixel 3,3",
+        "completions bash",
+        "--help",
     ] {
-        for line in [
-            "render --size 9x9 -o -",
-            "probe --pixel 3,3",
-            "completions bash",
-        ] {
-            let output = in_shell(folder.path(), &format!("exec $0 {line} {redirected}"));
-            let words = format!("cannot write to standard output: {reason}");
-            assert_failed(&output, 1, &words);
-        }
+        let output = in_shell(folder.path(), &format!("exec $0 {line} > /dev/full"));
+        assert_failed(&output, 1, "cannot write to standard output: No space left");
     }
-    let output = in_shell(folder.path(), "exec $0 --help > /dev/full");
-    assert_failed(&output, 1, "cannot write to standard output: No space left");
 }
 
 #[test]
