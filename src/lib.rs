@@ -155,7 +155,7 @@
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
 //!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
-//!   `tests/it/systems`; a component that it derives joins the others in [`components::cuboid`];
+//!   `tests/it/systems`; a component that it derives joins the others in [`scene::SceneRecord::spawn`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
 //! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::measurement::Details`], which JSON shows by
 //!   itself; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;

@@ -10,11 +10,12 @@
 
 mod check;
 mod error;
-mod file;
 mod record;
 mod save;
 mod world;
 
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
@@ -25,6 +26,9 @@ pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, Vie
 pub use self::save::updated;
 pub use crate::components::range;
 use crate::components::{ActiveCamera, Camera, Light, Name, names, ordered, overwrite};
+
+/// In bytes: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most. Reading an endless device stops here.
+const LARGEST: u64 = 16 << 20;
 
 /// The built-in scenes, as name and text. The first is the default.
 pub const BUILT_IN: [(&str, &str); 4] = [
@@ -82,7 +86,29 @@ impl Scene {
         if let Some((name, text)) = built_in(path) {
             return Scene::parse(name, text);
         }
-        let scene = Scene::parse(&path.to_string_lossy(), &file::read(path)?)?;
+        let name = path.to_string_lossy();
+        let bytes = read(path).map_err(|cause| {
+            let names = BUILT_IN.map(|(name, _)| name).join(", ");
+            let hint = match cause.kind() {
+                ErrorKind::NotFound => {
+                    format!("; built in are {names} and what `shadetrade extremes` lists")
+                }
+                _ => String::new(),
+            };
+            anyhow!("cannot read the scene {name:?}: {cause}{hint}")
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let start = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(error.as_bytes());
+            let mark = start..start + char::REPLACEMENT_CHARACTER.len_utf8();
+            anyhow!(error::located(
+                &name,
+                &text,
+                &mark,
+                "not UTF-8, expected a text in UTF-8"
+            ))
+        })?;
+        let scene = Scene::parse(&name, &text)?;
         Ok(Scene {
             path: Some(path.to_path_buf()),
             ..scene
@@ -155,18 +181,29 @@ impl Scene {
     }
 }
 
+/// The bytes of a file. Reading ends for every path, devices and pipes included.
+fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let file = File::open(path)?;
+    file.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LARGEST {
+        let message = "it is larger than 16 MiB";
+        return Err(io::Error::new(ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
+}
+
 /// The error for a `name` that is not among the `names` of a `kind`. It lists at most twenty names.
 fn unknown(kind: &str, name: &str, names: &[String]) -> anyhow::Error {
     const MAX_LISTED: usize = 20;
     if names.is_empty() {
         return anyhow!("no {kind} is named {name:?}; the scene has no {kind}s");
     }
-    let quoted = names.iter().take(MAX_LISTED);
-    let listed: Vec<String> = quoted.map(|name| format!("{name:?}")).collect();
-    let more = match names.len().saturating_sub(MAX_LISTED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
+    let listed = names.iter().take(MAX_LISTED);
+    let mut listed: Vec<String> = listed.map(|name| format!("{name:?}")).collect();
+    if names.len() > MAX_LISTED {
+        listed.push(format!("{} more", names.len() - MAX_LISTED));
+    }
     let listed = listed.join(", ");
-    anyhow!("no {kind} is named {name:?}; the scene's {kind}s are {listed}{more}")
+    anyhow!("no {kind} is named {name:?}; the scene's {kind}s are {listed}")
 }

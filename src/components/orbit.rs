@@ -3,6 +3,8 @@
 //! The default orbit leaves the camera's viewpoint unchanged, bit for bit. All others look at the target and stay short of
 //! the poles, which are the camera's `up` and its opposite.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
@@ -66,25 +68,62 @@ impl Orbit {
         }
     }
 
-    /// This orbit this many steps closer, as far as `limits` allow. As many back undo them, exactly from the
-    /// camera's own distance.
+    /// This orbit this many steps closer, as far as the `limits` of its zoom allow. As many back undo them, exactly from
+    /// the camera's own distance.
     #[must_use]
-    pub fn zoomed(self, steps: i32, limits: &Limits) -> Self {
+    pub fn zoomed(mut self, steps: i32, limits: &RangeInclusive<f64>) -> Self {
         let mut place = -self.zoom.ln() / ZOOM_STEP.ln();
         if (place - place.round()).abs() < 1e-9 {
             place = place.round();
         }
-        let mut zoom = self.zoom;
         for _ in 0..steps.unsigned_abs() {
             let next = place + f64::from(steps.signum());
-            let factor = ZOOM_STEP.powf(-next);
+            let zoom = ZOOM_STEP.powf(-next);
+            let is_within = if steps > 0 {
+                zoom >= *limits.start()
+            } else {
+                zoom <= *limits.end()
+            };
             // Back towards the camera's own distance is always allowed, wherever the scene has put it.
-            if next.abs() > place.abs() && !limits.allow(factor) {
+            if next.abs() > place.abs() && !is_within {
                 break;
             }
-            (place, zoom) = (next, factor);
+            (place, self.zoom) = (next, zoom);
         }
-        Orbit { zoom, ..self }
+        self
+    }
+
+    /// The zooms of the active camera at which it is neither in a cuboid nor far from all.
+    pub fn limits(world: &World) -> RangeInclusive<f64> {
+        let from = Viewpoint::own(world, active_camera(world));
+        let spin: Spin = get(world, viewer(world)).unwrap_or_default();
+        let target = from.camera.target;
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        // The distance from the target to the farthest corner of the cuboid around it; 0 if there is none.
+        let mut clearance: f64 = 0.0;
+        for (mesh, transform) in world.query::<(&Mesh, &Transform)>().iter() {
+            let axes = transform.turned(spin.degrees).axes();
+            let inside = (axes.transpose() * (target - transform.position)).abs();
+            let is_inside = inside.cmple(mesh.corners[7]).all();
+            for corner in mesh.corners {
+                let corner = axes * corner + transform.position;
+                (low, high) = (low.min(corner), high.max(corner));
+                if is_inside {
+                    clearance = clearance.max(length(corner - target));
+                }
+            }
+        }
+        let size = length(high - low);
+        let distance = length(from.position - target);
+        // A camera that starts closer than the farthest corner is stopped only by the near plane.
+        let clearance = if distance > clearance { clearance } else { 0.0 };
+        let closest = clearance.max(size * CLOSEST);
+        let closest = match from.camera.near {
+            Some(near) => closest + near,
+            // The near plane is a thousandth of the distance away and follows it.
+            None => closest * (distance / (distance - from.near())),
+        };
+        closest / distance..=size * FARTHEST / distance.max(from.camera.height)
     }
 }
 
@@ -132,69 +171,5 @@ impl Viewpoint {
         let own = self.own_elevation();
         let limit = (90.0 - POLE_DISTANCE).max(own.abs());
         elevation.clamp(-limit - own, limit - own)
-    }
-}
-
-/// The limits of zooming.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// Eye to target in the scene, world units.
-    distance: f64,
-    /// World units seen vertically in the scene.
-    height: f64,
-    closest: f64,
-    farthest: f64,
-}
-
-impl Limits {
-    /// The limits of the active camera.
-    pub fn of(world: &World) -> Self {
-        let from = Viewpoint::own(world, active_camera(world));
-        let spin: Spin = get(world, viewer(world)).unwrap_or_default();
-        let target = from.camera.target;
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        // The distance from the target to the farthest corner of the cuboid around it; 0 if there is none.
-        let mut clearance: f64 = 0.0;
-        let mut cuboids = world.query::<(&Mesh, &Transform)>();
-        for (mesh, transform) in cuboids.iter() {
-            let axes = transform.turned(spin.degrees).axes();
-            let corners = mesh
-                .corners
-                .map(|corner| axes * corner + transform.position);
-            for corner in corners {
-                (low, high) = (low.min(corner), high.max(corner));
-            }
-            let inside = (axes.transpose() * (target - transform.position)).abs();
-            if inside.cmple(mesh.corners[7]).all() {
-                let reach = corners.map(|corner| length(corner - target));
-                clearance = reach.into_iter().fold(clearance, f64::max);
-            }
-        }
-        let size = length(high - low);
-        let distance = length(from.position - target);
-        // A camera that starts closer than the farthest corner is stopped only by the near plane.
-        let clearance = if distance > clearance { clearance } else { 0.0 };
-        let closest = clearance.max(size * CLOSEST);
-        let closest = match from.camera.near {
-            Some(near) => closest + near,
-            // The near plane is a thousandth of the distance away and follows it.
-            None => closest * (distance / (distance - from.near())),
-        };
-        Limits {
-            distance,
-            height: from.camera.height,
-            closest,
-            farthest: size * FARTHEST,
-        }
-    }
-
-    /// Whether a zoom by `factor` keeps the eye within the limits.
-    fn allow(&self, factor: f64) -> bool {
-        let distance = self.distance * factor;
-        if factor < 1.0 {
-            distance >= self.closest
-        } else {
-            distance.max(self.height * factor) <= self.farthest
-        }
     }
 }

@@ -1,13 +1,9 @@
 //! Material and shading mode of a cuboid, and what a frame derives for it.
 
 use glam::DVec3;
-use hecs::DynamicBundle;
 use serde::{Deserialize, Serialize};
 
-use super::entity::{FileOrder, Name};
-use super::mesh::Mesh;
 use super::range::{Shininess, Strength};
-use super::transform::{Transform, WorldTransform};
 
 /// The reflection of a surface: one coefficient for each channel and term, and the exponent of the highlight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -85,27 +81,4 @@ impl Polygon {
     pub fn vertices(&self) -> &[[i32; 2]] {
         &self.vertices[..usize::from(self.len)]
     }
-}
-
-/// Every component of a cuboid: those of the scene, and empty ones for a frame to derive.
-pub fn cuboid(
-    order: usize,
-    name: Name,
-    transform: Transform,
-    mesh: Mesh,
-    material: Material,
-    shading: ShadingMode,
-) -> impl DynamicBundle {
-    (
-        name,
-        FileOrder(order as u32),
-        transform,
-        mesh,
-        material,
-        shading,
-        WorldTransform::default(),
-        Normals::default(),
-        VertexColors::default(),
-        Projected::default(),
-    )
 }

@@ -100,19 +100,18 @@ impl TryFrom<String> for Side {
     type Error = String;
 
     fn try_from(text: String) -> Result<Self, String> {
-        let method = |mode, tolerance| Side::Method { mode, tolerance };
-        let with_tolerance = |mode: ShadingMode| {
-            let tolerance = text.strip_prefix(mode.name())?.strip_prefix('-')?;
-            let tolerance = tolerance.parse().ok()?;
-            Tolerance::is_legal(tolerance).then_some(method(mode, tolerance))
+        let method = |mode, levels: &str| {
+            let tolerance = levels.parse().ok();
+            let tolerance = tolerance.filter(|it| Tolerance::is_legal(*it))?;
+            Some(Side::Method { mode, tolerance })
         };
-        let side = match &*text {
-            "picture" => Some(Side::Picture),
-            "reference" => Some(Side::Reference),
-            "phong-unit-vectors" => Some(method(ShadingMode::UnitVectors, 0.0)),
-            _ => {
-                with_tolerance(ShadingMode::Gouraud).or_else(|| with_tolerance(ShadingMode::Phong))
-            }
+        let side = match text.split_once('-') {
+            None if text == "picture" => Some(Side::Picture),
+            None if text == "reference" => Some(Side::Reference),
+            Some(("phong", "unit-vectors")) => method(ShadingMode::UnitVectors, "0"),
+            Some(("phong", levels)) => method(ShadingMode::Phong, levels),
+            Some(("gouraud", levels)) => method(ShadingMode::Gouraud, levels),
+            _ => None,
         };
         side.ok_or_else(|| {
             format!(
@@ -156,7 +155,7 @@ pub struct Probed(pub Option<[usize; 2]>);
 pub struct Inspector(pub Option<Tab>);
 
 /// A page of the window's inspector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Tab {
     /// The evaluation of the probed pixel.
@@ -167,18 +166,6 @@ pub enum Tab {
     Required,
     /// The number of proven pixels.
     Proof,
-}
-
-impl Tab {
-    /// The name in scene files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Tab::Pixel => "pixel",
-            Tab::Scene => "scene",
-            Tab::Required => "required",
-            Tab::Proof => "proof",
-        }
-    }
 }
 
 /// The viewer.

@@ -29,19 +29,7 @@ pub struct Mistake {
     message: String,
 }
 
-/// The kind and the index of a table.
-type At = (&'static str, usize);
-
 impl Mistake {
-    fn new((kind, index): At, key: &'static str, message: impl Into<String>) -> Self {
-        Mistake {
-            kind,
-            index,
-            key,
-            message: message.into(),
-        }
-    }
-
     /// The bytes of the value in the text, or those of its table if the key is missing.
     pub(super) fn span(&self, text: &str) -> Range<usize> {
         let span = toml_edit::Document::parse(text).ok().and_then(|document| {
@@ -57,19 +45,23 @@ impl Mistake {
     }
 }
 
+/// A key of a table, and what is wrong with its value.
+type Fault = (&'static str, String);
+
 /// Refuses the value `found` at a key unless it is legal.
 fn require(
     is_legal: bool,
-    at: At,
     key: &'static str,
     found: impl Debug,
     expected: &str,
-) -> Result<(), Mistake> {
+) -> Result<(), Fault> {
     if is_legal {
         return Ok(());
     }
-    let message = format!("invalid value: {found:?}, expected {expected}");
-    Err(Mistake::new(at, key, message))
+    Err((
+        key,
+        format!("invalid value: {found:?}, expected {expected}"),
+    ))
 }
 
 impl SceneRecord {
@@ -78,47 +70,48 @@ impl SceneRecord {
     /// # Errors
     /// The first mistake.
     pub fn check(&self) -> Result<(), Mistake> {
-        for (kind, count) in [("cuboid", self.cuboid.len()), ("camera", self.camera.len())] {
+        let at = |kind, index| {
+            move |(key, message)| Mistake {
+                kind,
+                index,
+                key,
+                message,
+            }
+        };
+        let cuboids: Vec<&str> = self.cuboid.iter().map(|it| &*it.name).collect();
+        let lights: Vec<&str> = self.light.iter().map(|it| &*it.name).collect();
+        let cameras: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();
+        for (kind, names) in [
+            ("cuboid", &cuboids),
+            ("light", &lights),
+            ("camera", &cameras),
+        ] {
+            let is_enough = kind == "light" || !names.is_empty();
             let expected = format!("one or more tables, each headed `[[{kind}]]`");
-            require(count > 0, (kind, 0), "", count, &expected)?;
+            require(is_enough, "", names.len(), &expected).map_err(at(kind, 0))?;
+            let mut known = HashSet::from([""]);
+            let expected = format!("a name that is not empty and that no other {kind} has");
+            for (index, name) in names.iter().enumerate() {
+                let is_new = known.insert(name);
+                require(is_new, "name", name, &expected).map_err(at(kind, index))?;
+            }
         }
-        check_names("cuboid", self.cuboid.iter().map(|it| &*it.name))?;
-        check_names("light", self.light.iter().map(|it| &*it.name))?;
-        check_names("camera", self.camera.iter().map(|it| &*it.name))?;
         for (index, light) in self.light.iter().enumerate() {
-            light.check(("light", index))?;
+            light.check().map_err(at("light", index))?;
         }
         for (index, camera) in self.camera.iter().enumerate() {
-            camera.check(("camera", index))?;
+            camera.check().map_err(at("camera", index))?;
         }
-        self.view.check()?;
-        let names: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();
-        let expected = format!("the name of a camera: {}", names.join(", "));
-        let found = self.view.camera.as_deref().unwrap_or_default();
-        let is_known = self.active_camera().is_some();
-        require(is_known, ("view", 0), "camera", found, &expected)
+        self.view.check(&cameras).map_err(at("view", 0))
     }
-}
-
-/// Checks that the names of a kind are unique and not empty.
-fn check_names<'a>(
-    kind: &'static str,
-    names: impl Iterator<Item = &'a str>,
-) -> Result<(), Mistake> {
-    let mut known = HashSet::from([""]);
-    for (index, name) in names.enumerate() {
-        let expected = format!("a name that is not empty and that no other {kind} has");
-        require(known.insert(name), (kind, index), "name", name, &expected)?;
-    }
-    Ok(())
 }
 
 impl LightRecord {
-    fn check(&self, at: At) -> Result<(), Mistake> {
+    fn check(&self) -> Result<(), Fault> {
         // On the command line commas separate lights.
         let is_name = !["all", "none"].contains(&&*self.name) && !self.name.contains(',');
         let expected = "a name that holds no comma and is not \"all\" or \"none\"";
-        require(is_name, at, "name", &self.name, expected)?;
+        require(is_name, "name", &self.name, expected)?;
         let message = match (self.position, self.kind) {
             (Some(_), LightKind::Ambient) => "an ambient light has none: it is everywhere alike",
             (None, LightKind::Diffuse | LightKind::Specular) => {
@@ -126,17 +119,17 @@ impl LightRecord {
             }
             _ => return Ok(()),
         };
-        Err(Mistake::new(at, "position", message))
+        Err(("position", message.to_owned()))
     }
 }
 
 impl CameraRecord {
-    fn check(&self, at: At) -> Result<(), Mistake> {
+    fn check(&self) -> Result<(), Fault> {
         let view = self.target - self.position;
         // The default near plane, a thousandth of this distance, must not underflow.
         let is_apart = length(view) >= 1e-100;
         let expected = "a point at least 1e-100 away from `camera.position`";
-        require(is_apart, at, "target", self.target.to_array(), expected)?;
+        require(is_apart, "target", self.target.to_array(), expected)?;
         let is_across = unit(self.up).cross(unit(view)).length() >= PARALLEL;
         // The default `up` is rarely in the file, and rarely the mistake.
         let (key, found, expected) = if self.up == DVec3::Y {
@@ -148,38 +141,33 @@ impl CameraRecord {
                 "a direction that is neither zero nor parallel to the view, target - position";
             ("up", self.up, expected)
         };
-        require(is_across, at, key, found.to_array(), expected)?;
+        require(is_across, key, found.to_array(), expected)?;
         let zoom = self.orbit.zoom;
-        let is_seen = zoom == 1.0
-            || [length(view), self.height]
-                .iter()
-                .all(|it| Length::RANGE.contains(&(it * zoom)));
+        let is_seen = |size: f64| Length::RANGE.contains(&(size * zoom));
+        let is_seen = zoom == 1.0 || is_seen(length(view)) && is_seen(self.height);
         let expected = "a zoom that leaves distance and height from 1e-100 to 1e100";
-        require(is_seen, at, "orbit.zoom", zoom, expected)
+        require(is_seen, "orbit.zoom", zoom, expected)
     }
 }
 
 impl ViewRecord {
-    fn check(&self) -> Result<(), Mistake> {
-        let at = ("view", 0);
-        let is_legal = Tolerance::is_legal(self.tolerance);
+    fn check(&self, cameras: &[&str]) -> Result<(), Fault> {
+        let tolerance = self.tolerance;
         let expected = "0 or a number from 0.0001 to 255";
-        require(is_legal, at, "tolerance", self.tolerance, expected)?;
-        let is_alone = self.budget.is_none() || self.tolerance == Tolerance::default().0;
-        let expected = "either a budget or a tolerance";
-        require(
-            is_alone,
-            at,
-            "budget",
-            self.budget.unwrap_or_default(),
-            expected,
-        )?;
+        let is_legal = Tolerance::is_legal(tolerance);
+        require(is_legal, "tolerance", tolerance, expected)?;
+        let budget = self.budget.unwrap_or_default();
+        let is_alone = self.budget.is_none() || tolerance == Tolerance::default().0;
+        require(is_alone, "budget", budget, "either a budget or a tolerance")?;
         let expected = "a whole number of degrees from 0 to 359";
-        require(self.turned < 360, at, "turned", self.turned, expected)?;
+        require(self.turned < 360, "turned", self.turned, expected)?;
         let pixel = self.pixel.unwrap_or_default();
         let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
         let expected = "two whole numbers from 0 to 16383";
-        require(is_pixel, at, "pixel", pixel, expected)?;
-        Ok(())
+        require(is_pixel, "pixel", pixel, expected)?;
+        let camera = self.camera.as_deref();
+        let is_known = camera.is_none_or(|name| cameras.contains(&name));
+        let expected = format!("the name of a camera: {}", cameras.join(", "));
+        require(is_known, "camera", camera.unwrap_or_default(), &expected)
     }
 }

@@ -5,8 +5,8 @@ use hecs::World;
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 use crate::components::{
     ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, Material, Mesh, Name,
-    Orbit, Probed, Projection, ShadingMode, Show, Spin, Tolerance, Transform, active_camera,
-    cuboid, get, in_file_order, ordered,
+    Normals, Orbit, Probed, Projected, Projection, ShadingMode, Show, Spin, Tolerance, Transform,
+    VertexColors, WorldTransform, active_camera, get, in_file_order, ordered,
 };
 
 type CuboidParts<'a> = (
@@ -90,19 +90,23 @@ impl SceneRecord {
     /// If there is no camera.
     pub fn spawn(&self) -> World {
         let mut world = World::new();
-        for (order, it) in self.cuboid.iter().enumerate() {
+        for (order, it) in (0..).map(FileOrder).zip(&self.cuboid) {
             let transform = Transform {
                 position: it.position,
                 rotation: it.rotation,
             };
-            let (mesh, name) = (Mesh::cuboid(it.size), Name(it.name.clone()));
-            world.spawn(cuboid(
-                order,
+            let (name, mesh) = (Name(it.name.clone()), Mesh::cuboid(it.size));
+            world.spawn((
                 name,
+                order,
                 transform,
                 mesh,
                 it.material,
                 it.shading,
+                WorldTransform::default(),
+                Normals::default(),
+                VertexColors::default(),
+                Projected::default(),
             ));
         }
         for (order, it) in (0..).map(FileOrder).zip(&self.light) {

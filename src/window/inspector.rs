@@ -45,7 +45,7 @@ impl App {
             self.set_look(Inspector(next));
         }
         ui.separator();
-        let scroll = ScrollArea::both().auto_shrink(false).id_salt(tab.name());
+        let scroll = ScrollArea::both().auto_shrink(false).id_salt(tab);
         scroll.show(ui, |ui| match tab {
             Tab::Pixel => self.pixel_tab(ui),
             Tab::Scene => self.scene_tab(ui),

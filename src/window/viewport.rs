@@ -7,7 +7,7 @@ use super::desk::Grab;
 use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
-    Inspector, Limits, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
+    Inspector, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
 };
 
 /// How far a drag across the picture's shorter side turns, in degrees.
@@ -114,7 +114,7 @@ impl App {
 
     /// Steps towards the target, or away where negative.
     pub fn zoom(&mut self, steps: i32) {
-        let limits = Limits::of(&self.scene.world);
+        let limits = Orbit::limits(&self.scene.world);
         let way = if steps > 0 { "closer" } else { "further" };
         let limit = format!("the camera goes no {way}");
         self.change_orbit(&limit, |orbit| orbit.zoomed(steps, &limits));

@@ -51,7 +51,6 @@ fn scene_of(mut world: World, view: &View) -> Scene {
         name: "test".to_owned(),
         path: None,
         text: String::new(),
-        warning: None,
         world,
     }
 }

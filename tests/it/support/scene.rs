@@ -4,8 +4,8 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::{Entity, World};
 use shadetrade::components::{
-    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
-    View, Viewpoint, cuboid, ordered,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
+    ShadingMode, Transform, VertexColors, View, Viewpoint, WorldTransform, ordered,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference::{Truth, picture};
@@ -25,12 +25,18 @@ pub fn spawn_cuboid(
     material: Material,
 ) -> Entity {
     let order = world.query_mut::<&Mesh>().into_iter().count();
-    let (name, mesh, mode) = (
+    world.spawn((
         Name("cuboid".into()),
+        FileOrder(order as u32),
+        transform,
         Mesh::cuboid(size),
+        material,
         ShadingMode::Phong,
-    );
-    world.spawn(cuboid(order, name, transform, mesh, material, mode))
+        WorldTransform::default(),
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
+    ))
 }
 
 /// Adds a light of `levels` per channel.

@@ -3,8 +3,8 @@
 use glam::{DVec3, dvec3};
 use hecs::World;
 use shadetrade::components::{
-    Background, Camera, Lens, Limits, Orbit, Projection, ShadingMode, Spin, Tolerance, View,
-    active_camera, names, overwrite,
+    Background, Camera, Lens, Orbit, Projection, ShadingMode, Spin, Tolerance, View, active_camera,
+    names, overwrite,
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, Scene, SceneRecord};
 use shadetrade::systems::viewpoint;
@@ -128,7 +128,7 @@ fn a_view_has_the_components_of_the_viewer_and_its_mode_overrides_that_of_every_
 /// size.
 #[test]
 fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
-    let limits = Limits::of(&cameras().world);
+    let limits = Orbit::limits(&cameras().world);
     let own = Orbit::default();
     assert!((own.zoomed(2, &limits).zoom - 1.0 / 1.21).abs() < 1e-15);
     assert!((own.zoomed(-3, &limits).zoom - 1.331).abs() < 1e-15);
