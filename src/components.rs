@@ -38,5 +38,5 @@ pub use self::vector::{length, unit};
 pub use self::view::View;
 pub use self::viewer::{
     ActiveCamera, Background, Budget, Inspector, Probed, Show, Side, Spin, Tab, Tolerance,
-    ViewMode, active_camera, viewer,
+    ViewMode, active_camera, look, viewer,
 };

@@ -6,7 +6,7 @@ use std::thread::available_parallelism;
 use anyhow::Context;
 use fearless_simd::Level;
 
-use crate::components::{Budget, Name, ShadingMode, View, active_camera, get, viewer};
+use crate::components::{Budget, Name, ShadingMode, View, active_camera, get, look};
 use crate::frame::Workers;
 use crate::scene::Scene;
 
@@ -33,8 +33,7 @@ impl Drawing {
 
     /// The longest time of a frame, in milliseconds, where the method is chosen for that.
     pub fn budget(&self) -> Option<f64> {
-        let world = &self.scene.world;
-        get(world, viewer(world)).and_then(|Budget(budget)| budget)
+        look::<Budget>(&self.scene.world).0
     }
 
     /// The name of the active camera.

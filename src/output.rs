@@ -4,7 +4,6 @@
 //! it is on the disk. Devices and pipes are written directly. A symbolic link stays a link, and its target is replaced.
 //! It is no error if the reader of standard output closes it early.
 
-mod animation;
 mod png;
 
 use std::borrow::Cow;
@@ -16,8 +15,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use serde::Serialize;
 
-pub use animation::Animation;
-pub use png::encode_png;
+pub use png::{Animation, encode_png};
 
 /// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]

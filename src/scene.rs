@@ -47,14 +47,10 @@ pub const BUILT_IN: [(&str, &str); 4] = [
 /// The built-in scenes with numbers at the ends of their ranges, as name (`extremes/NAME`) and text, ordered by name.
 pub const EXTREMES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/extremes.rs"));
 
+/// The built-in scene of this name. Such a name wins over a file.
 fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
     let mut all = BUILT_IN.iter().chain(EXTREMES);
     all.find(|(name, _)| path.as_os_str() == *name)
-}
-
-/// Whether `path` is the name of a built-in scene. Such a name wins over a file.
-pub fn is_built_in(path: &Path) -> bool {
-    built_in(path).is_some()
 }
 
 /// A world and its source.

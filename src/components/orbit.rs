@@ -15,7 +15,7 @@ use super::mesh::Mesh;
 use super::range::{OrbitAngle, Zoom};
 use super::transform::Transform;
 use super::vector::{length, unit};
-use super::viewer::{Spin, active_camera, viewer};
+use super::viewer::{Spin, active_camera, look};
 
 /// The least distance of an orbit from a pole, in degrees, unless the camera's own place is closer.
 const POLE_DISTANCE: f64 = 1.0;
@@ -96,7 +96,7 @@ impl Orbit {
     /// The zooms of the active camera at which it is neither in a cuboid nor far from all.
     pub fn limits(world: &World) -> RangeInclusive<f64> {
         let from = Viewpoint::own(world, active_camera(world));
-        let spin: Spin = get(world, viewer(world)).unwrap_or_default();
+        let spin: Spin = look(world);
         let target = from.camera.target;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         // The distance from the target to the farthest corner of the cuboid around it; 0 if there is none.

@@ -5,7 +5,7 @@ use hecs::World;
 
 use super::camera::{Projection, Viewpoint};
 use super::surface::ShadingMode;
-use super::viewer::{Background, Spin, Tolerance, active_camera};
+use super::viewer::{Background, Spin, Tolerance, active_camera, look};
 
 /// The settings of one frame.
 #[derive(Clone, Debug)]
@@ -32,17 +32,14 @@ impl View {
     /// # Panics
     /// If there is no viewer or no camera.
     pub fn of(world: &World, size: [usize; 2]) -> View {
-        let mut viewers = world.query::<(&Projection, &Background, &Spin, &Tolerance)>();
-        let viewer = viewers.iter().next().expect("a scene has a viewer");
-        let (projection, background, spin, tolerance) = viewer;
         View {
             size,
             viewpoint: Viewpoint::of(world, active_camera(world)),
-            projection: *projection,
-            background: background.0,
-            turned: spin.degrees,
+            projection: look(world),
+            background: look::<Background>(world).0,
+            turned: look::<Spin>(world).degrees,
             shading: None,
-            tolerance: tolerance.0,
+            tolerance: look::<Tolerance>(world).0,
         }
     }
 

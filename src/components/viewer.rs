@@ -1,11 +1,11 @@
 //! The viewer: one entity with the settings of the picture and of the window.
 
 use glam::DVec3;
-use hecs::{Entity, World};
+use hecs::{Component, Entity, World};
 use serde::{Deserialize, Serialize};
 
 use super::camera::Camera;
-use super::entity::ordered;
+use super::entity::{get, ordered};
 use super::surface::ShadingMode;
 
 /// The camera of the picture.
@@ -179,6 +179,14 @@ pub fn viewer(world: &World) -> Entity {
         .next()
         .expect("a scene is spawned with a viewer");
     viewer
+}
+
+/// A component of the viewer.
+///
+/// # Panics
+/// If there is no viewer.
+pub fn look<C: Component + Clone + Default>(world: &World) -> C {
+    get(world, viewer(world)).unwrap_or_default()
 }
 
 /// The camera of the picture: that of the viewer, or the first one if that was removed.

@@ -7,7 +7,8 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use super::sheet::{Cell, Picture, half, sheet};
-use crate::components::{ShadingMode, View};
+use crate::components::ShadingMode::{self, Gouraud, Phong};
+use crate::components::View;
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
@@ -21,25 +22,40 @@ const SIZE: [usize; 2] = [960, 720];
 /// Bytes of all pictures and of the encoded file that are held at the same time.
 const MEMORY: usize = 30 << 20;
 
-/// The assignment's pictures in the order of the sheet, a row for each camera: file name, mode, camera and lights.
-const FIGURES: [(&str, ShadingMode, &str, &str); 6] = [
-    ("gouraud-camera-1", ShadingMode::Gouraud, "1", "all"),
-    ("phong-camera-1", ShadingMode::Phong, "1", "all"),
-    ("phong-white-camera-1", ShadingMode::Phong, "1", WHITE),
-    ("gouraud-camera-2", ShadingMode::Gouraud, "2", "all"),
-    ("phong-camera-2", ShadingMode::Phong, "2", "all"),
-    ("phong-white-camera-2", ShadingMode::Phong, "2", WHITE),
+/// A file name, empty if there is no file; mode, camera and lights; heading and remark of the cell, and the sign between it
+/// and the next one.
+type Figure = (
+    &'static str,
+    ShadingMode,
+    [&'static str; 2],
+    [&'static str; 3],
+);
+
+/// The assignment's pictures in the order of the sheet, a row for each camera.
+#[rustfmt::skip]
+const FIGURES: [Figure; 6] = [
+    ("gouraud-camera-1", Gouraud, ["1", "all"], ["Gouraud", "camera 1", ""]),
+    ("phong-camera-1", Phong, ["1", "all"], ["Phong", "camera 1", ""]),
+    ("phong-white-camera-1", Phong, ["1", "white,ambient"], ["Phong", "white and ambient, camera 1", ""]),
+    ("gouraud-camera-2", Gouraud, ["2", "all"], ["Gouraud", "camera 2", ""]),
+    ("phong-camera-2", Phong, ["2", "all"], ["Phong", "camera 2", ""]),
+    ("phong-white-camera-2", Phong, ["2", "white,ambient"], ["Phong", "white and ambient, camera 2", ""]),
 ];
 
-const WHITE: &str = "white,ambient";
+/// The terms of the model, and their sum.
+#[rustfmt::skip]
+const COMPONENTS: [Figure; 4] = [
+    ("", Phong, ["1", "ambient"], ["Ambient", "", "+"]),
+    ("", Phong, ["1", "white,red"], ["Diffuse", "white and red", "+"]),
+    ("", Phong, ["1", "specular"], ["Specular", "", "="]),
+    ("", Phong, ["1", "all"], ["Sum", "", ""]),
+];
 
-/// The terms of the model and their sum, under Phong from camera 1: lights, heading, remark, and the sign before the next
-/// picture.
-const COMPONENTS: [(&str, &str, &str, &str); 4] = [
-    ("ambient", "Ambient", "", "+"),
-    ("white,red", "Diffuse", "white and red", "+"),
-    ("specular", "Specular", "", "="),
-    ("all", "Sum", "", ""),
+/// File name, title, number of columns and cells of each sheet.
+#[rustfmt::skip]
+const SHEETS: [(&str, &str, usize, &[Figure]); 2] = [
+    ("sheet", "The lit cuboid, shaded two ways", 3, &FIGURES),
+    ("components", "The components of the light (Phong, camera 1)", 4, &COMPONENTS),
 ];
 
 /// Draws the assignment's figures into `folder`, which is created if absent, and reports each file on standard error.
@@ -53,72 +69,36 @@ pub fn figures(folder: &Path) -> Result<()> {
     let workers = Workers::new(all_cores(), fearless_simd::Level::new())
         .context("cannot start the threads that draw")?;
     let mut frame = Frame::new(Keep::Display, workers);
-    let write = |name: &str, picture: &Picture| {
-        let path = folder.join(name).with_extension("png");
-        Output::File(path.clone()).write_png(&picture.pixels, picture.size)?;
-        say(&format!(
-            "wrote {}: {}x{}",
-            path.display(),
-            picture.size[0],
-            picture.size[1]
-        ));
-        anyhow::Ok(())
-    };
-
-    let mut cells = Vec::new();
-    for (name, mode, camera, lights) in FIGURES {
-        let picture = draw(&mut scene, mode, camera, lights, &mut frame)?;
-        write(name, &picture)?;
-        let heading = match mode {
-            ShadingMode::Gouraud => "Gouraud",
-            _ => "Phong",
-        };
-        let remark = match lights {
-            WHITE => format!("white and ambient, camera {camera}"),
-            _ => format!("camera {camera}"),
-        };
-        cells.push(Cell {
-            picture: half(&picture),
-            heading,
-            remark,
-            joiner: "",
-        });
+    for (file, title, columns, figures) in SHEETS {
+        let mut cells = Vec::new();
+        for &(file, mode, [camera, lights], [heading, remark, joiner]) in figures {
+            scene.look_from(camera)?;
+            scene.switch_lights(lights)?;
+            let view = View::of(&scene.world, SIZE).shaded(mode);
+            systems::draw(&mut scene.world, &view.with_tolerance(0.0), &mut frame)?;
+            let picture = Picture {
+                size: SIZE,
+                pixels: frame.pixels().to_vec(),
+            };
+            if !file.is_empty() {
+                write(folder, file, &picture)?;
+            }
+            cells.push(Cell {
+                picture: half(&picture),
+                heading,
+                remark,
+                joiner,
+            });
+        }
+        write(folder, file, &sheet(title, columns, &cells))?;
     }
-    let mut terms = Vec::new();
-    for (lights, heading, remark, joiner) in COMPONENTS {
-        let picture = draw(&mut scene, ShadingMode::Phong, "1", lights, &mut frame)?;
-        terms.push(Cell {
-            picture: half(&picture),
-            heading,
-            remark: remark.to_owned(),
-            joiner,
-        });
-    }
-    write(
-        "components",
-        &sheet("The components of the light (Phong, camera 1)", 4, &terms),
-    )?;
-    write(
-        "sheet",
-        &sheet("The lit cuboid, shaded two ways", 3, &cells),
-    )
+    Ok(())
 }
 
-fn draw(
-    scene: &mut Scene,
-    mode: ShadingMode,
-    camera: &str,
-    lights: &str,
-    frame: &mut Frame,
-) -> Result<Picture> {
-    scene.look_from(camera)?;
-    scene.switch_lights(lights)?;
-    let view = View::of(&scene.world, SIZE)
-        .shaded(mode)
-        .with_tolerance(0.0);
-    systems::draw(&mut scene.world, &view, frame)?;
-    Ok(Picture {
-        size: SIZE,
-        pixels: frame.pixels().to_vec(),
-    })
+fn write(folder: &Path, name: &str, picture: &Picture) -> Result<()> {
+    let path = folder.join(name).with_extension("png");
+    let (name, [width, height]) = (path.display().to_string(), picture.size);
+    Output::File(path).write_png(&picture.pixels, picture.size)?;
+    say(&format!("wrote {name}: {width}x{height}"));
+    Ok(())
 }

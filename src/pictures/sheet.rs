@@ -49,7 +49,7 @@ pub struct Cell<'a> {
     /// The first words of the label.
     pub heading: &'a str,
     /// The rest of the label, in a dimmer colour.
-    pub remark: String,
+    pub remark: &'a str,
     /// A sign between this cell and the next; may be empty.
     pub joiner: &'a str,
 }
@@ -120,7 +120,7 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
             let label = picture.bottom() + LABEL_GAP as f32;
             let end = write(pos2(x, label), left, LABEL, BRIGHT, cell.heading);
             let remark = pos2(end + WORD_GAP, label);
-            write(remark, left, LABEL, DIM, &cell.remark);
+            write(remark, left, LABEL, DIM, cell.remark);
             let joiner = picture.right_center() + vec2(gap as f32 / 2.0, 0.0);
             write(joiner, center, TITLE, BRIGHT, cell.joiner);
         }
@@ -162,7 +162,7 @@ mod tests {
         let cells = colors.map(|color| Cell {
             picture: plain(color, [60, 40]),
             heading: "A",
-            remark: "b".to_owned(),
+            remark: "b",
             joiner: if color == 0x0030_0000 { "" } else { "+" },
         });
         let sheet = sheet("Title", 3, &cells);

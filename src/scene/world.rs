@@ -5,8 +5,8 @@ use hecs::World;
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 use crate::components::{
     ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, Material, Mesh, Name,
-    Normals, Orbit, Probed, Projected, Projection, ShadingMode, Show, Spin, Tolerance, Transform,
-    VertexColors, WorldTransform, active_camera, get, in_file_order, ordered,
+    Normals, Orbit, Probed, Projected, ShadingMode, Show, Spin, Tolerance, Transform, VertexColors,
+    WorldTransform, active_camera, get, in_file_order, look, ordered,
 };
 
 type CuboidParts<'a> = (
@@ -54,32 +54,26 @@ impl SceneRecord {
                 near: camera.near,
                 orbit: *orbit,
             });
-        let mut viewers = world.query::<(
-            (&Background, &Projection, &Tolerance, &Budget, &Spin),
-            (&Show, &Probed, &Inspector),
-        )>();
-        let viewer = viewers.iter().next().expect("a scene has a viewer");
-        let ((background, projection, tolerance, budget, spin), shown) = viewer;
-        let (show, probed, inspector) = shown;
         let active = active_camera(world);
         let is_first = ordered::<Camera>(world).first() == Some(&active);
         let name = get(world, active).map(|Name(name)| name);
+        let show: Show = look(world);
         SceneRecord {
-            background: background.0,
+            background: look::<Background>(world).0,
             cuboid,
             light,
             camera,
             view: ViewRecord {
                 camera: name.filter(|_| !is_first),
-                projection: *projection,
-                tolerance: tolerance.0,
-                budget: budget.0,
+                projection: look(world),
+                tolerance: look::<Tolerance>(world).0,
+                budget: look::<Budget>(world).0,
                 show: show.mode,
                 sides: show.sides,
                 divider: show.divider,
-                turned: spin.degrees,
-                pixel: probed.0,
-                inspector: inspector.0,
+                turned: look::<Spin>(world).degrees,
+                pixel: look::<Probed>(world).0,
+                inspector: look::<Inspector>(world).0,
             },
         }
     }

@@ -1,11 +1,10 @@
 //! Random events in windows of any size: nothing panics, everything can be undone, and saved files are read again.
 
-use std::path::Path;
 use std::time::Duration;
 
 use egui::{Key, Modifiers, pos2};
 use shadetrade::components::{Inspector, Tab, get, overwrite};
-use shadetrade::scene::{Scene, SceneRecord, is_built_in};
+use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::keys::{Command, keys};
 
 use super::Window;
@@ -98,9 +97,11 @@ impl Storm {
             self.fold_slow_answers();
         }
         let name = &self.window.app.scene.name;
-        let is_opened = *name != self.name && is_built_in(Path::new(name));
-        if is_opened {
-            self.first = SceneRecord::of(&Scene::load(Some(name)).expect("built in").world);
+        if *name != self.name
+            && let Ok(scene) = Scene::load(Some(name))
+            && scene.path.is_none()
+        {
+            self.first = SceneRecord::of(&scene.world);
         }
         self.name.clone_from(name);
         self.window.app.quits = false;
