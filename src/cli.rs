@@ -51,13 +51,13 @@ pub struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Opens a window on a scene; without a display, draws the figures if nothing else is asked for
+    /// Opens a window on a scene; without a display, draws the figures instead
     #[command(after_help = "\
 Examples:
   shadetrade view assignment --camera 2 --shading phong
   shadetrade view --record lesson.log")]
     View(ViewOptions),
-    /// Draws one picture into a PNG file, and says how many pixels are shaded and how long a frame takes
+    /// Draws one picture into a PNG file
     #[command(after_help = "\
 Examples:
   shadetrade render bench-close -o close.png --shading phong --size 1920x1080

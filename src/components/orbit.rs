@@ -117,12 +117,7 @@ impl Orbit {
         let distance = length(from.position - target);
         // A camera that starts closer than the farthest corner is stopped only by the near plane.
         let clearance = if distance > clearance { clearance } else { 0.0 };
-        let closest = clearance.max(size * CLOSEST);
-        let closest = match from.camera.near {
-            Some(near) => closest + near,
-            // The near plane is a thousandth of the distance away and follows it.
-            None => closest * (distance / (distance - from.near())),
-        };
+        let closest = clearance.max(size * CLOSEST) + from.near();
         closest / distance..=size * FARTHEST / distance.max(from.camera.height)
     }
 }

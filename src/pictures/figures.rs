@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use super::sheet::{Cell, Picture, half, sheet};
+use super::sheet::{Bitmap, Cell, half, sheet};
 use crate::components::ShadingMode::{self, Gouraud, Phong};
 use crate::components::View;
 use crate::drawing::all_cores;
@@ -76,7 +76,7 @@ pub fn figures(folder: &Path) -> Result<()> {
             scene.switch_lights(lights)?;
             let view = View::of(&scene.world, SIZE).shaded(mode);
             systems::draw(&mut scene.world, &view.with_tolerance(0.0), &mut frame)?;
-            let picture = Picture {
+            let picture = Bitmap {
                 size: SIZE,
                 pixels: frame.pixels().to_vec(),
             };
@@ -95,7 +95,7 @@ pub fn figures(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-fn write(folder: &Path, name: &str, picture: &Picture) -> Result<()> {
+fn write(folder: &Path, name: &str, picture: &Bitmap) -> Result<()> {
     let path = folder.join(name).with_extension("png");
     let (name, [width, height]) = (path.display().to_string(), picture.size);
     Output::File(path).write_png(&picture.pixels, picture.size)?;

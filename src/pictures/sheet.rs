@@ -35,7 +35,7 @@ const TITLE: FontId = FontId::proportional(28.0);
 const LABEL: FontId = FontId::proportional(19.0);
 
 /// Pixels, 0x00RRGGBB row by row from the top.
-pub struct Picture {
+pub struct Bitmap {
     /// Width and height, in pixels.
     pub size: [usize; 2],
     /// Width * height pixels.
@@ -45,7 +45,7 @@ pub struct Picture {
 /// One picture of a sheet.
 pub struct Cell<'a> {
     /// The picture.
-    pub picture: Picture,
+    pub picture: Bitmap,
     /// The first words of the label.
     pub heading: &'a str,
     /// The rest of the label, in a dimmer colour.
@@ -55,7 +55,7 @@ pub struct Cell<'a> {
 }
 
 /// `picture` at half its size. A pixel is the mean of four; an odd last row or column is dropped.
-pub fn half(picture: &Picture) -> Picture {
+pub fn half(picture: &Bitmap) -> Bitmap {
     let [width, height] = picture.size.map(|side| side / 2);
     let pixel = |x: usize, y: usize| picture.pixels[y * picture.size[0] + x];
     let pixels = (0..width * height).map(|index| {
@@ -72,14 +72,14 @@ pub fn half(picture: &Picture) -> Picture {
         };
         mean(16) | mean(8) | mean(0)
     });
-    Picture {
+    Bitmap {
         size: [width, height],
         pixels: pixels.collect(),
     }
 }
 
 /// The cells in rows of `columns` under a `title`.
-pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
+pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Bitmap {
     let [cell_width, cell_height] = cells.first().map_or([0, 0], |cell| cell.picture.size);
     let gap = if cells.iter().any(|cell| !cell.joiner.is_empty()) {
         JOINED_GAP
@@ -125,15 +125,15 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Picture {
             write(joiner, center, TITLE, BRIGHT, cell.joiner);
         }
     });
-    Picture { size, pixels }
+    Bitmap { size, pixels }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn plain(color: u32, size: [usize; 2]) -> Picture {
-        Picture {
+    fn plain(color: u32, size: [usize; 2]) -> Bitmap {
+        Bitmap {
             size,
             pixels: vec![color; size[0] * size[1]],
         }
@@ -141,7 +141,7 @@ mod tests {
 
     #[test]
     fn a_pixel_at_half_size_is_the_mean_of_four() {
-        let picture = Picture {
+        let picture = Bitmap {
             size: [4, 2],
             pixels: vec![0, 0, 0x00ff_0000, 0, 0, 0x0000_0004, 0, 0x00ff_0000],
         };

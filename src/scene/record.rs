@@ -134,19 +134,15 @@ pub struct ViewRecord {
 
 impl Default for ViewRecord {
     fn default() -> Self {
-        let Show {
-            mode,
-            sides,
-            divider,
-        } = Show::default();
+        let show = Show::default();
         ViewRecord {
             camera: None,
             projection: Projection::default(),
             tolerance: Tolerance::default().0,
             budget: None,
-            show: mode,
-            sides,
-            divider,
+            show: show.mode,
+            sides: show.sides,
+            divider: show.divider,
             turned: 0,
             pixel: None,
             inspector: None,

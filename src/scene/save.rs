@@ -156,9 +156,10 @@ fn written(value: &Json) -> Value {
     match value {
         Json::String(text) => text.into(),
         Json::Array(list) => list.iter().map(written).collect(),
-        other => other
-            .to_string()
-            .parse()
-            .expect("numbers and booleans are written as in JSON"),
+        other => {
+            let float = other.as_f64().filter(|_| other.is_f64());
+            let text = float.map_or_else(|| other.to_string(), |float| format!("{float:?}"));
+            text.parse().expect("a record holds finite numbers")
+        }
     }
 }
