@@ -93,7 +93,7 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
 
 #[test]
 fn the_table_has_a_row_for_every_part_with_the_largest_error_first() {
-    let output = run(folder().path(), "requires --size 48x36");
+    let output = run(folder().path(), "requires --size 24x18");
     assert!(output.stderr.is_empty() && !output.stdout.contains(&0x1b));
     let table = String::from_utf8(output.stdout).expect("text");
     let rows = [
@@ -116,7 +116,7 @@ fn the_least_scene_lists_the_parts_left_out_and_draws_the_same_picture() {
     let faint = "[[light]]\nname = \"faint \\u001b\\n\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 1.0\n";
     let hidden = "[[cuboid]]\nname = \"hidden\"\nsize = [1.0, 1.0, 1.0]\nshading = \"phong\"\n[cuboid.material]\nambient = [1.0, 1.0, 1.0]\ndiffuse = [0.0, 0.0, 0.0]\nspecular = [0.0, 0.0, 0.0]\nshininess = 1.0\n";
     put(folder, "full.toml", format!("{SCENE}\n{faint}\n{hidden}"));
-    let line = "requires full.toml --camera 2 --size 48x36 -o least.toml";
+    let line = "requires full.toml --camera 2 --size 24x18 -o least.toml";
     let said = assert_works(folder, line);
     assert!(!said.contains('\u{1b}') && said.contains("cuboid hidden"));
     assert_eq!(listing(folder), ["full.toml", "least.toml"]);
@@ -139,7 +139,7 @@ fn the_least_scene_lists_the_parts_left_out_and_draws_the_same_picture() {
     assert_eq!(names::<Camera>(&least.world), ["2"]);
 
     let [full, least] = ["full.toml --camera 2", "least.toml"].map(|scene| {
-        let line = format!("render {scene} --size 48x36 --tolerance 0 -o -");
+        let line = format!("render {scene} --size 24x18 --tolerance 0 -o -");
         decode(&run(folder, &line).stdout).2
     });
     let near = |(full, least): (&u8, &u8)| full.abs_diff(*least) <= 1;

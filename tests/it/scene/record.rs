@@ -5,8 +5,11 @@ use shadetrade::components::{Light, ShadingMode, Side, Spin, ordered, overwrite}
 use shadetrade::scene::{Scene, SceneRecord};
 
 use super::random;
+use crate::support::cases::cases;
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(cases(64) as u32))]
+
     #[test]
     fn a_record_equals_that_of_the_world_it_is_spawned_as(record in random::record()) {
         let mut world = record.spawn();

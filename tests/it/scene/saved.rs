@@ -5,6 +5,7 @@ use shadetrade::components::{LightKind, Projection, ShadingMode, Tab, ViewMode};
 use shadetrade::scene::{BUILT_IN, LightRecord, Scene, SceneRecord, updated};
 
 use super::{LEAST, MOST, random};
+use crate::support::cases::cases;
 use crate::support::random::Random;
 
 fn read(text: &str) -> SceneRecord {
@@ -93,6 +94,8 @@ fn change(record: &mut SceneRecord, random: &mut Random) {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(cases(64) as u32))]
+
     #[test]
     fn a_changed_record_is_read_again(text in 0..texts().len(), seed: u64) {
         let mut text = texts()[text].to_owned();
