@@ -77,8 +77,8 @@ Examples:
   shadetrade trade --quick
   shadetrade trade bench-close -o close --methods gouraud-0.5,phong-0.5
 
-Prints a verdict and a table. With -o it also writes trade.json, trade.md, trade.svg (error against
-time) and an error map of each method. Errors are in levels of 255, against Phong in f64.")]
+Errors are in levels of 255, against Phong in f64. With -o it also writes trade.json, trade.md,
+trade.svg (error against time) and an error map of each method.")]
     Trade(TradeOptions),
     /// Shows the evaluation of one pixel: position, vectors and each term, for Gouraud, Phong and the reference
     #[command(after_help = "\
@@ -93,9 +93,8 @@ Examples:
   shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
   shadetrade prove --shading phong --picture other.png -o judged.png
 
-Encloses the exact levels of every pixel by interval arithmetic and compares the drawn levels with
-them. The map shows proven pixels dim, undecided ones yellow and refuted ones red. Exit status 1 if a
-pixel is refuted.")]
+Encloses the exact levels of every pixel by interval arithmetic. The map shows proven pixels dim,
+undecided ones yellow and refuted ones red. Exit status 1 if a pixel is refuted.")]
     Prove(ProveOptions),
     /// Shows which parts of the shading model a scene requires, with the proven error of leaving each out and its cost
     #[command(after_help = "\
@@ -103,9 +102,8 @@ Examples:
   shadetrade requires bench-close --shading phong --tolerance 4
   shadetrade requires my.toml -o least.toml
 
-Leaves out one part at a time and encloses both pictures by interval arithmetic. A part is required
-unless its largest error is proven to be within the tolerance. Then it rounds one stage of the model at
-a time, and finds the fewest bits of significand that keep the tolerance. With -o it leaves out several
+A part is required unless the error of leaving it out is proven to be within the tolerance. Then it
+finds the fewest bits of significand that each stage of the model needs. With -o it leaves out several
 lights, cuboids and Phong of cuboids together, and writes the scene that is left.")]
     Requires(RequiresOptions),
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
@@ -124,8 +122,8 @@ Examples:
   shadetrade replay lesson.log
   shadetrade replay lesson.log -o lesson.apng --idle 5
 
-A frame is the window without the times, which differ between machines. A hash covers the picture in
-the window. It is the same at every SIMD level and with any number of threads.")]
+A hash covers the picture in the window. It is the same at every SIMD level and with any number of
+threads.")]
     Replay(ReplayOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "Example:\n  shadetrade completions bash > shadetrade.bash")]

@@ -110,14 +110,19 @@ impl TradeOptions {
     pub fn request(&self) -> Result<trade::Request, Failure> {
         let mut drawing = match self.batch {
             None => self.drawing.open(None)?,
-            Some(_) => self.drawing.apply_to(scene_from_stdin()?)?,
+            Some(_) => {
+                let text = io::read_to_string(io::stdin()).context("cannot read the scene")?;
+                let scene = Scene::parse("standard input", &text)?;
+                self.drawing.apply_to(scene)?
+            }
         };
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
-        let time = if self.quick {
+        let usual = if self.quick {
             Duration::ZERO
         } else {
-            self.seconds.unwrap_or(trade::USUAL_TIME)
+            trade::USUAL_TIME
         };
+        let time = self.seconds.unwrap_or(usual);
         let words = std::env::args_os().skip(1);
         let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
         let command = format!("shadetrade {}", words.join(" "));
@@ -129,11 +134,6 @@ impl TradeOptions {
         }
         Ok(request)
     }
-}
-
-fn scene_from_stdin() -> anyhow::Result<Scene> {
-    let text = io::read_to_string(io::stdin()).context("cannot read the scene")?;
-    Scene::parse("standard input", &text)
 }
 
 fn seconds(text: &str) -> Result<Duration, &'static str> {

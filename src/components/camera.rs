@@ -1,4 +1,4 @@
-//! A camera, how it projects, and the lens that one frame is seen through.
+//! A camera, its projection, and the lens of one frame.
 //!
 //! ```text
 //! Transform, Camera --Orbit--> Viewpoint --in a View--> Lens

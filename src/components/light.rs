@@ -1,4 +1,4 @@
-//! Lights, and what all of them send in one frame.
+//! Lights, and the sums over all of them in one frame.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};

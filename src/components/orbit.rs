@@ -68,8 +68,8 @@ impl Orbit {
         }
     }
 
-    /// This orbit this many steps closer, as far as the `limits` of its zoom allow. As many back undo them, exactly from
-    /// the camera's own distance.
+    /// This orbit moved closer by a number of steps, as far as the `limits` of its zoom allow. From the camera's own
+    /// distance, the same number of steps back restores it exactly.
     #[must_use]
     pub fn zoomed(mut self, steps: i32, limits: &RangeInclusive<f64>) -> Self {
         let mut place = -self.zoom.ln() / ZOOM_STEP.ln();
@@ -93,7 +93,7 @@ impl Orbit {
         self
     }
 
-    /// The zooms of the active camera at which it is neither in a cuboid nor far from all.
+    /// The zooms that keep the active camera outside of the cuboids and near the scene.
     pub fn limits(world: &World) -> RangeInclusive<f64> {
         let from = Viewpoint::own(world, active_camera(world));
         let spin: Spin = look(world);

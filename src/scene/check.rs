@@ -20,14 +20,15 @@ pub const MAX_SIDE: usize = 16_384;
 
 /// An illegal value, and its place: a key of a table, which is given by its kind and its index.
 #[derive(Debug, thiserror::Error)]
-#[error("`{kind}{}{key}`: {message}", if key.is_empty() { "" } else { "." })]
+#[error("`{kind}{}{}`: {}", if fault.0.is_empty() { "" } else { "." }, fault.0, fault.1)]
 pub struct Mistake {
     kind: &'static str,
     index: usize,
-    /// Its parts are separated by dots; empty is the whole table.
-    key: &'static str,
-    message: String,
+    fault: Fault,
 }
+
+/// A key of a table, and what is wrong with its value. Dots separate the parts of a key; the empty key is the whole table.
+type Fault = (&'static str, String);
 
 impl Mistake {
     /// The bytes of the value in the text, or those of its table if the key is missing.
@@ -35,18 +36,13 @@ impl Mistake {
         let span = toml_edit::Document::parse(text).ok().and_then(|document| {
             let all = document.get(self.kind)?;
             let table = all.get(self.index).unwrap_or(all);
-            let item = self
-                .key
-                .split('.')
-                .fold(table, |item, key| item.get(key).unwrap_or(item));
-            item.span()
+            let keys = self.fault.0.split('.');
+            keys.fold(table, |item, key| item.get(key).unwrap_or(item))
+                .span()
         });
         span.unwrap_or_default()
     }
 }
-
-/// A key of a table, and what is wrong with its value.
-type Fault = (&'static str, String);
 
 /// Refuses the value `found` at a key unless it is legal.
 fn require(
@@ -70,14 +66,7 @@ impl SceneRecord {
     /// # Errors
     /// The first mistake.
     pub fn check(&self) -> Result<(), Mistake> {
-        let at = |kind, index| {
-            move |(key, message)| Mistake {
-                kind,
-                index,
-                key,
-                message,
-            }
-        };
+        let at = |kind, index| move |fault| Mistake { kind, index, fault };
         let cuboids: Vec<&str> = self.cuboid.iter().map(|it| &*it.name).collect();
         let lights: Vec<&str> = self.light.iter().map(|it| &*it.name).collect();
         let cameras: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();

@@ -19,7 +19,7 @@ type CuboidParts<'a> = (
 type CameraParts<'a> = (&'a Name, &'a Transform, &'a Camera, &'a Orbit);
 
 impl SceneRecord {
-    /// The record of a world. Whether cuboids go on turning is not part of it.
+    /// The record of a world. It does not tell whether the cuboids keep turning.
     ///
     /// # Panics
     /// If the world has no viewer or no camera. A spawned scene has both.
