@@ -108,13 +108,12 @@ impl TradeOptions {
     /// # Errors
     /// [`Failure::Usage`] if the scene is wrong.
     pub fn request(&self) -> Result<trade::Request, Failure> {
-        let mut drawing = match self.batch {
-            None => self.drawing.open(None)?,
-            Some(_) => {
-                let text = io::read_to_string(io::stdin()).context("cannot read the scene")?;
-                let scene = Scene::parse("standard input", &text)?;
-                self.drawing.apply_to(scene)?
-            }
+        let mut drawing = if self.batch.is_some() {
+            let text = io::read_to_string(io::stdin()).context("cannot read the scene")?;
+            let scene = Scene::parse("standard input", &text)?;
+            self.drawing.apply_to(scene)?
+        } else {
+            self.drawing.open(None)?
         };
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
         let usual = if self.quick {

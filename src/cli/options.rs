@@ -195,6 +195,6 @@ fn size(text: &str) -> Result<[usize; 2], &'static str> {
 }
 
 /// Refuses an option that a command does not have.
-pub fn refuse<T>(_: &str) -> Result<T, &'static str> {
+pub(super) fn refuse<T>(_: &str) -> Result<T, &'static str> {
     Err("`trade` measures every shading at its own tolerance")
 }
