@@ -205,6 +205,8 @@ fn the_camera_named_in_the_view_follows_renaming_and_removal() {
         let after = edited(LOOKED_AT, change);
         let line = format!("camera = \"{name}\"  # the first");
         assert!(after.contains(&line), "{after}");
+        // A renamed table keeps its comments.
+        assert_eq!(after.contains("# close"), name != "side" || after.contains("front"));
     }
 }
 
