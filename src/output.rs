@@ -8,7 +8,7 @@ mod png;
 
 use std::borrow::Cow;
 use std::ffi::OsString;
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -181,8 +181,7 @@ fn write_file(
     }
     let folder = folder_of(&target);
     check_folder(folder)?;
-    let file = temporary_file(folder)?;
-    buffered(file.as_file(), content)?;
+    let file = temporary_file(folder, content)?;
     if let Some(permissions) = old {
         file.as_file().set_permissions(permissions)?;
     }
@@ -200,8 +199,7 @@ pub fn write_numbered(
     name: impl Fn(u32) -> String,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<PathBuf> {
-    let mut file = temporary_file(folder)?;
-    buffered(file.as_file(), content)?;
+    let mut file = temporary_file(folder, content)?;
     for number in 1..=9999 {
         let path = folder.join(name(number));
         // The system refuses an existing name, so two programs never get the same one.
@@ -217,15 +215,17 @@ pub fn write_numbered(
     ))
 }
 
-/// A hidden file that is deleted on drop, with the default permissions of a new file.
-fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
-    tempfile::Builder::new()
-        .prefix(".shadetrade-")
-        .suffix(".tmp")
-        // Opened here, because an error of the library would name the temporary file.
-        .make_in(folder, |path| {
-            OpenOptions::new().write(true).create_new(true).open(path)
-        })
+/// A hidden file with the content and the default permissions of a new file. It is deleted on drop.
+fn temporary_file(
+    folder: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<tempfile::NamedTempFile> {
+    let mut name = tempfile::Builder::new();
+    name.prefix(".shadetrade-").suffix(".tmp");
+    // Opened here, because an error of the library would name the temporary file.
+    let file = name.make_in(folder, |path| File::create_new(path))?;
+    buffered(file.as_file(), content)?;
+    Ok(file)
 }
 
 fn check_folder(folder: &Path) -> anyhow::Result<()> {

@@ -26,10 +26,7 @@ pub fn names<C: Component>(world: &World) -> Vec<String> {
 
 /// A copy of a component; `None` if the entity has no such component.
 pub fn get<C: Component + Clone>(world: &World, entity: Entity) -> Option<C> {
-    world
-        .get::<&C>(entity)
-        .ok()
-        .map(|component| (*component).clone())
+    world.get::<&C>(entity).ok().as_deref().cloned()
 }
 
 /// The name in the scene file: not empty, unique within its kind.

@@ -45,7 +45,7 @@ struct Tried {
 
 #[test]
 fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
-    let line = "requires --size 48x36 --shading phong --tolerance 4 --lights white,ambient --json";
+    let line = "requires --size 32x24 --shading phong --tolerance 4 --lights white,ambient --json";
     let (status, found) = json(folder().path(), line);
     assert_eq!(status, Some(0));
     let found: Found = serde_json::from_value(found).expect("the keys of the contract");

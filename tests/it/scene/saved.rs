@@ -206,7 +206,10 @@ fn the_camera_named_in_the_view_follows_renaming_and_removal() {
         let line = format!("camera = \"{name}\"  # the first");
         assert!(after.contains(&line), "{after}");
         // A renamed table keeps its comments.
-        assert_eq!(after.contains("# close"), name != "side" || after.contains("front"));
+        assert_eq!(
+            after.contains("# close"),
+            name != "side" || after.contains("front")
+        );
     }
 }
 
