@@ -161,8 +161,8 @@
 //!   itself; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
 //! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
 //!   where [`scene::SceneRecord`] spawns it and takes it from a world;
-//! - a number that can be edited: its key in a record of [`scene`], and a row of the scene's tab in
-//!   `window/inspector/scene.rs`;
+//! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in
+//!   `assets/scenes/cuboid.toml`, which is its tooltip;
 //! - a key: a [`window::keys::Command`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
 //!   `window/commands.rs` that writes components; help and tooltips show it by themselves;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`.

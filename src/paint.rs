@@ -1,4 +1,4 @@
-//! Painting of egui's shapes into a buffer of pixels: the panels of the window, and the text and lines of figures.
+//! Paints egui's shapes into a buffer of pixels: the widgets of the window, and the text and lines of figures.
 //!
 //! A pixel is `0x00RRGGBB`. Where egui has painted, its top byte is egui's alpha.
 

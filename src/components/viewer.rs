@@ -64,8 +64,6 @@ pub enum ViewMode {
     Wipe,
     /// The error against exact Phong.
     Error,
-    /// The amplified difference to exact Phong.
-    Difference,
     /// The picture; a tint shows how each tile was drawn.
     Tiles,
 }

@@ -77,12 +77,10 @@ impl App {
                 self.wipe(gouraud_phong(tolerance));
             }
             Command::View(mode) => {
-                let show: Show = self.look();
-                let mode = match (mode, show.mode) {
-                    (ViewMode::Error, ViewMode::Error) => ViewMode::Difference,
-                    _ => mode,
-                };
-                self.set_look(Show { mode, ..show });
+                self.set_look(Show {
+                    mode,
+                    ..self.look()
+                });
             }
             Command::WipeExact => self.wipe(EXACT_SIDES),
             Command::Side(index, steps) => self.step_side(index, steps),
@@ -118,7 +116,6 @@ impl App {
             Command::Help => self.desk.help ^= true,
             Command::Screenshot => self.screenshot(),
             Command::Close => self.close(),
-            Command::Quit if self.is_edited() => self.desk.asks_to_save = true,
             Command::Quit => self.quits = true,
         }
     }
@@ -243,9 +240,7 @@ impl App {
     /// Closes the uppermost thing that can be closed.
     fn close(&mut self) {
         let desk = &mut self.desk;
-        let is_closed = std::mem::take(&mut desk.asks_to_save)
-            || std::mem::take(&mut desk.help)
-            || desk.file_error.take().is_some();
+        let is_closed = std::mem::take(&mut desk.help) || desk.file_error.take().is_some();
         if is_closed {
             return;
         }

@@ -10,7 +10,7 @@ use crate::report::Monitor;
 use crate::systems;
 use crate::trade::accuracy::exact;
 use crate::trade::error_map::{self, Scale};
-use crate::trade::metrics::{self, Picture, displayed};
+use crate::trade::metrics::{self, Picture};
 
 /// A picture against the reference in f64.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,9 +20,6 @@ pub struct Comparison {
     /// The error against exact Phong in the colours of `scale`.
     pub error_map: Vec<u32>,
     pub scale: Scale,
-    /// The difference to exact Phong, times `amplification`, added to grey; 0x00RRGGBB.
-    pub difference: Vec<u32>,
-    pub amplification: f64,
     /// The largest error, in levels of 255; `None` where nothing can be compared.
     pub error: Option<f64>,
 }
@@ -41,7 +38,6 @@ impl Comparison {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
         let mut errors = memory::reserve_pixels(view.size)?;
-        let mut differences = memory::reserve_pixels(view.size)?;
         let mut largest: Option<f64> = None;
         monitor.in_bands("comparing", view.size[1], |rows| {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
@@ -52,33 +48,15 @@ impl Comparison {
                 largest = Some(largest.map_or(error.max, |largest| largest.max(error.max)));
             }
             errors.extend(error_map::compared(drawn, compared));
-            differences.extend((0..drawn.levels.len()).map(|pixel| {
-                if !drawn.shows_as(&compared, pixel) {
-                    return [0.0; 3];
-                }
-                let [drawn, exact] = [drawn.levels[pixel].map(f64::from), exact.levels[pixel]];
-                [0, 1, 2].map(|it| (displayed(drawn[it]) - displayed(exact[it])) as f32)
-            }));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
             Ok(())
         })?;
         let scale = Scale::holding(largest.unwrap_or(0.0));
-        let amplification = amplification(largest.unwrap_or(0.0));
-        let amplified = |difference: [f32; 3]| {
-            display_pixel(difference.map(|it| 128.0 + amplification * f64::from(it)))
-        };
         Ok(Comparison {
             exact: exact_pixels,
             error_map: errors.into_iter().map(|it| scale.color(it)).collect(),
             scale,
-            difference: differences.into_iter().map(amplified).collect(),
-            amplification,
             error: largest,
         })
     }
-}
-
-/// The power of two, 1 to 256, that makes an error as large as the way from grey to white at most.
-fn amplification(error: f64) -> f64 {
-    (127.0 / error).log2().floor().clamp(0.0, 8.0).exp2()
 }

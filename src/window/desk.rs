@@ -2,21 +2,8 @@
 
 use std::time::Duration;
 
-use glam::DVec3;
-
 /// An entity of the scene: the key of its kind in scene files, and its name.
 pub type Entity = (&'static str, String);
-
-/// The thing that a drag over the picture moves.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum Grab {
-    #[default]
-    Nothing,
-    Camera,
-    Divider,
-    /// A light, by its name and its place before that is rounded.
-    Light(String, DVec3),
-}
 
 /// A message in the status line.
 pub struct Message {
@@ -27,7 +14,6 @@ pub struct Message {
 
 /// The switches and choices of the user.
 #[derive(Default)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
@@ -35,12 +21,9 @@ pub struct Desk {
     pub has_both: bool,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
-    /// Asks whether to save before the program ends.
-    pub asks_to_save: bool,
     pub message: Option<Message>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
     /// The entity that the scene's tab shows.
     pub selected: Option<Entity>,
-    pub grab: Grab,
 }

@@ -1,4 +1,4 @@
-//! The inspector: one side with tabs for the probed pixel, the scene's numbers, the parts that are required, and the proof.
+//! The inspector: tabs for the probed pixel, the scene's numbers, the required parts of the model, and the proof.
 
 mod pixel;
 mod scene;
@@ -6,14 +6,13 @@ mod section;
 
 use std::iter;
 
-use egui::{Color32, Grid, ProgressBar, RichText, ScrollArea, Ui};
+use egui::{Grid, ProgressBar, ScrollArea, Ui};
 
 use super::app::App;
 use super::facts::Fact;
-use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::{ink, short};
 use crate::components::{Inspector, Tab, Tolerance};
-use crate::prove::Proof;
+use crate::requires::PartChange;
 use crate::requires::bits::StageBits;
 
 /// The tabs with their names and sentences.
@@ -54,50 +53,53 @@ impl App {
         });
     }
 
-    /// A row for each part of the model, the one that matters most first.
+    /// A row for each part of the model, the one with the largest error first.
     fn required_tab(&self, ui: &mut Ui) {
         let Tolerance(tolerance) = self.look();
         ui.label(format!(
             "The largest error of the picture without a part, in levels of 255, proven; and whether \
              tolerance {tolerance} requires the part."
         ));
-        self.wait(ui, &self.facts.required);
-        let ink = ink(&self.facts.required);
-        let parts = self.facts.required.value.iter().flatten();
-        Grid::new("required").striped(true).show(ui, |ui| {
-            for part in parts {
-                let is_kept = part.change.keeps(tolerance);
-                ui.colored_label(ink, if is_kept { "not required" } else { "required" });
-                ui.colored_label(ink, short(part.change.most()));
-                ui.label(&part.name);
-                ui.end_row();
-            }
-        });
+        let facts = &self.facts;
+        let part = |part: &PartChange| {
+            let is_kept = part.change.keeps(tolerance);
+            let verdict = if is_kept { "not required" } else { "required" };
+            let most = short(part.change.most());
+            vec![verdict.to_owned(), most, part.name.clone()]
+        };
+        let parts = facts.required.value.iter().flatten().map(part);
+        self.table(ui, "required", &facts.required, parts);
         ui.separator();
-        self.bits_section(ui);
-    }
-
-    /// A row for each stage of the model: the fewest bits, and the errors of three formats.
-    fn bits_section(&self, ui: &mut Ui) {
         ui.label(
             "The fewest bits of significand that each stage needs, with the largest error in levels of \
              255, proven; and whether f16, bf16 and f32 keep the tolerance. The other stages are in f64.",
         );
-        self.wait(ui, &self.facts.bits);
-        let ink = ink(&self.facts.bits);
-        let stages = self.facts.bits.value.iter().flatten().map(StageBits::cells);
         let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
-        Grid::new("bits").striped(true).show(ui, |ui| {
-            for cells in iter::once(head.to_vec()).chain(stages) {
-                for cell in cells {
-                    ui.colored_label(ink, cell);
+        let stages = facts.bits.value.iter().flatten().map(StageBits::cells);
+        let rows = iter::once(head.to_vec()).chain(stages);
+        self.table(ui, "bits", &facts.bits, rows);
+    }
+
+    /// Lays out a table about a fact.
+    fn table<T>(
+        &self,
+        ui: &mut Ui,
+        name: &str,
+        fact: &Fact<T>,
+        rows: impl Iterator<Item = Vec<String>>,
+    ) {
+        self.wait(ui, fact);
+        Grid::new(name).striped(true).show(ui, |ui| {
+            for row in rows {
+                for cell in row {
+                    ui.colored_label(ink(fact), cell);
                 }
                 ui.end_row();
             }
         });
     }
 
-    /// Tells how far the work in the background is, while a fact is not known.
+    /// Shows the progress of the work in the background until a fact is known.
     fn wait<T>(&self, ui: &mut Ui, fact: &Fact<T>) {
         match self.progress() {
             _ if fact.is_current => {}
@@ -110,35 +112,32 @@ impl App {
     }
 
     fn proof_tab(&self, ui: &mut Ui) {
-        let Fact { value, is_current } = &self.facts.proof;
-        self.wait(ui, &self.facts.proof);
-        Grid::new("proof").striped(true).show(ui, |ui| {
-            for (name, number, own_ink, says) in value.iter().flat_map(proof_rows) {
-                let ink = if *is_current { own_ink } else { STALE };
-                ui.label(name).on_hover_text(says);
-                ui.label(RichText::new(number).monospace().color(ink));
-                ui.end_row();
-            }
+        let fact = &self.facts.proof;
+        let rows = fact.value.iter().flat_map(|proof| {
+            [
+                (
+                    proof.proven.to_string(),
+                    "pixels proven within the tolerance",
+                ),
+                (proof.undecided.to_string(), "pixels undecided"),
+                (
+                    proof.refuted.to_string(),
+                    "pixels refuted: above the tolerance",
+                ),
+                (proof.outline.to_string(), "pixels within 0.01 of an edge"),
+                (proof.covered.to_string(), "pixels with a cuboid"),
+                (format!("{:.6}", proof.worst), "levels off at most"),
+                (
+                    format!("{:.1e}", proof.widest_enclosure),
+                    "levels, the widest enclosure",
+                ),
+                (
+                    format!("{:.1e}", proof.reference_error),
+                    "levels off at most in f64",
+                ),
+            ]
         });
-        for example in value.iter().flat_map(|proof| &proof.examples) {
-            ui.monospace(format!("{example:?}"));
-        }
+        let rows = rows.map(|(number, words)| vec![number, words.to_owned()]);
+        self.table(ui, "proof", fact, rows);
     }
-}
-
-type Row = (&'static str, String, Color32, &'static str);
-
-#[rustfmt::skip]
-fn proof_rows(proof: &Proof) -> [Row; 8] {
-    let bad = |count: u64| if count > 0 { BAD } else { INK };
-    [
-        ("proven", proof.proven.to_string(), GOOD, "Pixels whose error is within the tolerance for every value of their enclosure."),
-        ("undecided", proof.undecided.to_string(), bad(proof.undecided), "Pixels whose enclosure holds values on both sides of the tolerance."),
-        ("refuted", proof.refuted.to_string(), bad(proof.refuted), "Pixels whose error is above the tolerance for every value of their enclosure."),
-        ("on an outline", proof.outline.to_string(), INK, "Pixels within 0.01 pixel of an edge: they may show either side."),
-        ("with a cuboid", proof.covered.to_string(), INK, "Pixels that show a cuboid."),
-        ("largest error", format!("{:.6}", proof.worst), INK, "The largest error that the enclosures leave possible, in levels of 255."),
-        ("widest enclosure", format!("{:.1e}", proof.widest_enclosure), INK, "In levels of 255."),
-        ("error of f64", format!("{:.1e}", proof.reference_error), INK, "The largest error of the reference in f64 that the enclosures leave possible, in levels of 255."),
-    ]
 }

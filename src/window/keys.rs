@@ -118,7 +118,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         bind("picture", "The picture as it is shaded.", &[(NO, Key::F2, Command::View(ViewMode::Picture))]),
         bind("Gouraud | Phong", "Two methods, left and right of a divider that can be dragged.", &[(NO, Key::F3, Command::View(ViewMode::Wipe))]),
         bind("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Command::WipeExact)]),
-        bind("error map", "The error of each pixel against exact Phong; once more: the difference, amplified until it is seen.", &[(NO, Key::F5, Command::View(ViewMode::Error))]),
+        bind("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Command::View(ViewMode::Error))]),
         bind("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Command::View(ViewMode::Tiles))]),
         bind("blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Command::Blink)]),
         bind("left side", "The next method left of the divider; with Shift, the one before.", &[(NO, Key::Comma, Command::Side(0, 1)), (SHIFT, Key::Comma, Command::Side(0, -1))]),

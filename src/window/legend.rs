@@ -1,9 +1,9 @@
 //! The meaning of the colours of the error map and of tiles.
 
+use egui::color_picker::show_color;
 use egui::{Color32, Sense, Ui, vec2};
 
 use super::app::App;
-use super::keys::Command;
 use super::pictures::TINTS;
 use crate::components::{Show, Tolerance, ViewMode};
 use crate::paint::color;
@@ -12,24 +12,9 @@ use crate::trade::error_map::{EDGE, NOTHING, Scale};
 
 impl App {
     /// The meaning of the colours of the error map or of tiles.
-    pub fn legend(&mut self, ui: &mut Ui, show: &Show) {
-        match show.mode {
-            ViewMode::Error | ViewMode::Difference => {
-                let comparison = self.facts.comparison.current();
-                let words = comparison.map_or_else(
-                    || "difference".to_owned(),
-                    |it| format!("difference x{}", it.amplification),
-                );
-                let mut is_difference = show.mode == ViewMode::Difference;
-                let switch = ui.checkbox(&mut is_difference, words);
-                let says = "Grey is no difference to exact Phong (F5 once more).";
-                if switch.on_hover_text(says).clicked() {
-                    self.run(Command::View(ViewMode::Error));
-                }
-                if !is_difference {
-                    self.error_legend(ui);
-                }
-            }
+    pub fn legend(&self, ui: &mut Ui) {
+        match self.look::<Show>().mode {
+            ViewMode::Error => self.error_legend(ui),
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
                 for ((kind, tint), count) in TileKind::ALL.iter().zip(TINTS).zip(counts) {
@@ -67,9 +52,7 @@ impl App {
 
 fn swatch(ui: &mut Ui, pixel: u32, text: &str) {
     ui.horizontal(|ui| {
-        let (place, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
-        ui.painter()
-            .rect_filled(place.shrink(1.0), 2.0, color(pixel));
+        show_color(ui, color(pixel), vec2(14.0, 14.0));
         ui.label(text);
     });
 }

@@ -1,13 +1,13 @@
-//! The lights over the picture: discs that can be dragged, arrows to those out of sight, and the vectors at the probed pixel.
+//! The lights over the picture: discs that can be dragged, and the vectors at the probed pixel.
 
-use egui::{Align2, Color32, Pos2, Rect, Vec2, vec2};
+use egui::{Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 
 use super::app::App;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
-    Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, ordered,
+    Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, in_file_order,
 };
 use crate::frame::display_pixel;
 use crate::paint::color;
@@ -20,37 +20,22 @@ const UNIT: f32 = 110.0;
 const NORMAL: Color32 = Color32::WHITE;
 const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 
-/// The disc of a light, or an arrow at the border towards one out of sight.
-pub struct Marker {
+/// The disc of a light. That of a light out of sight is at the border of the picture.
+pub struct Disc {
     pub name: String,
-    /// The light's place, in world units.
-    pub position: DVec3,
-    /// The middle of its disc in the window.
+    /// Its middle in the window.
     pub at: Pos2,
-    /// The direction of a light out of sight.
-    way: Option<Vec2>,
     color: Color32,
     is_on: bool,
 }
 
-impl Marker {
-    /// Whether a press at `at` catches it.
-    pub fn is_caught(&self, at: Pos2) -> bool {
-        self.at.distance(at) < RADIUS + 2.0
-    }
-
+impl Disc {
     /// Draws it and its name inside of `area`.
-    pub fn draw(&self, painter: &egui::Painter, area: Rect) {
-        let dark = (1.5, Color32::from_gray(16));
-        let hollow = Color32::from_black_alpha(120);
-        match self.way {
-            Some(way) => {
-                let from = self.at - way * RADIUS;
-                painter.arrow(from, way * 2.0 * RADIUS, (3.0, self.color));
-            }
-            None if self.is_on => drop(painter.circle(self.at, RADIUS, self.color, dark)),
-            None => drop(painter.circle(self.at, RADIUS, hollow, (2.0, self.color))),
-        }
+    fn draw(&self, painter: &egui::Painter, area: Rect) {
+        let on = (self.color, (1.5, Color32::from_gray(16)));
+        let off = (Color32::from_black_alpha(120), (2.0, self.color));
+        let (fill, line) = if self.is_on { on } else { off };
+        painter.circle(self.at, RADIUS, fill, line);
         let (align, side) = if self.at.x > area.center().x {
             (Align2::RIGHT_CENTER, -1.0)
         } else {
@@ -63,84 +48,81 @@ impl Marker {
 }
 
 impl App {
-    /// The markers of all lights with a position. Markers of one position stand below one another.
-    pub fn markers(&self) -> Vec<Marker> {
-        let lens = Lens::new(&self.view());
-        let world = &self.scene.world;
-        let mut markers: Vec<Marker> = Vec::new();
-        for entity in ordered::<Light>(world) {
-            let mut query = world.query_one::<(&Name, &Transform, &Light)>(entity);
-            let found = query.get().ok();
-            let Some((name, transform, light)) =
-                found.filter(|it| it.2.kind != LightKind::Ambient && markers.len() < MOST)
-            else {
-                continue;
-            };
-            let (mut at, way) = self.place_of_light(transform.position, &lens);
-            while markers.iter().any(|other| other.at.distance(at) < RADIUS) {
-                at.y += 2.0 * RADIUS + 4.0;
+    /// Lays out the discs of the lights. A drag moves its light across the view, with Shift in depth; a click selects it.
+    pub fn discs(&mut self, ui: &Ui) {
+        let in_depth = ui.input(|input| input.modifiers.shift);
+        for light in self.lights() {
+            let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
+            let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
+            if disc.dragged() {
+                let by = disc.drag_delta() * self.scale();
+                self.drag_light(&light.name, by, in_depth);
             }
-            markers.push(Marker {
+            if disc.clicked() {
+                self.desk.selected = Some(("light", light.name.clone()));
+            }
+            light.draw(ui.painter(), self.place);
+        }
+    }
+
+    /// The discs of the lights with a position. Those at one place stand below one another.
+    pub fn lights(&self) -> Vec<Disc> {
+        type Parts<'a> = (&'a Name, &'a Transform, &'a Light);
+        let lens = Lens::new(&self.view());
+        let lights = in_file_order::<Parts, _>(&self.scene.world, |(name, transform, light)| {
+            (light.kind != LightKind::Ambient).then(|| Disc {
                 name: name.0.clone(),
-                position: transform.position,
-                at,
-                way,
+                at: self.place_of_light(transform.position, &lens),
                 color: brightest(light.color),
                 is_on: light.on,
-            });
+            })
+        });
+        let mut discs: Vec<Disc> = Vec::new();
+        for mut disc in lights.into_iter().flatten().take(MOST) {
+            let covers = |at: Pos2| move |other: &Disc| other.at.distance(at) < RADIUS;
+            while discs.iter().any(covers(disc.at)) {
+                disc.at.y += 2.0 * RADIUS + 4.0;
+            }
+            discs.push(disc);
         }
-        markers
+        discs
     }
 
-    /// The place of a light's marker, and the direction towards a light out of sight.
-    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Option<Vec2>) {
-        let seen = lens.seen(position);
+    /// The place of a light in the window, or the nearest one at the border of the picture.
+    fn place_of_light(&self, position: DVec3, lens: &Lens) -> Pos2 {
         let border = self.place.shrink(3.0 * RADIUS);
+        // A tiny picture has no room between its borders.
+        let within = |at: Pos2| at.max(border.min).min(border.max);
+        let seen = lens.seen(position);
         if seen.z > lens.near {
             let [x, y] = lens.pixel(lens.homogeneous(seen));
-            let at = self.place.min + vec2(x as f32, y as f32) / self.scale();
-            if border.contains(at) {
-                return (at, None);
-            }
+            return within(self.place.min + vec2(x as f32, y as f32) / self.scale());
         }
         let way = vec2(seen.x as f32, -seen.y as f32).normalized();
-        let half = border.size() / 2.0;
-        let share = (half.x / way.x.abs()).min(half.y / way.y.abs());
-        let share = if share.is_finite() { share } else { 0.0 };
-        (border.center() + way * share, Some(way))
+        within(border.center() + way * border.size().max_elem())
     }
 
-    /// Moves a light from a place by pixels of the picture, in depth where asked for, and returns where to. It stands at
-    /// that place rounded to what a pixel can mean.
-    pub fn drag_light(&mut self, name: &str, from: DVec3, by: Vec2, in_depth: bool) -> DVec3 {
+    /// Moves a light by pixels of the picture across the view, or in depth. A position beyond its range is refused.
+    pub fn drag_light(&mut self, name: &str, by: Vec2, in_depth: bool) {
         let lens = Lens::new(&self.view());
         let [right, up, forward] = lens.axes;
         let [across, down] = [by.x, by.y].map(f64::from);
-        let way = if in_depth {
-            forward * -down
-        } else {
-            right * across - up * down
-        };
-        let pixel = lens.pitch * lens.homogeneous(lens.seen(from)).z.abs();
-        let step = 10.0_f64.powf(pixel.log10().floor());
-        let moved = from + way * pixel;
-        let rounded = moved
-            .to_array()
-            .map(|it| (it / step).round() / step.recip());
-        if !rounded.iter().all(|it| Coordinate::RANGE.contains(it)) {
-            return from;
+        let aside = right * across - up * down;
+        let way = if in_depth { forward * -down } else { aside };
+        let lights = (self.scene.world).query_mut::<(&Name, &mut Transform, &Light)>();
+        for (_, Transform { position, .. }, _) in lights.into_iter().filter(|it| it.0.0 == name) {
+            let pixel = lens.pitch * lens.homogeneous(lens.seen(*position)).z.abs();
+            // Rounded to a tenth of a pixel or less, so that the numbers are short.
+            let step = 10.0_f64.powf(pixel.log10().floor() - 1.0);
+            let moved = ((*position + way * pixel) / step).round() / step.recip();
+            let is_legal = |it: &f64| Coordinate::RANGE.contains(it);
+            if moved.to_array().iter().all(is_legal) {
+                *position = moved;
+            }
         }
-        let lights = self
-            .scene
-            .world
-            .query_mut::<(&Name, &mut Transform, &Light)>();
-        for (_, transform, _) in lights.into_iter().filter(|(own, ..)| own.0 == name) {
-            transform.position = rounded.into();
-        }
-        moved
     }
 
-    /// Draws n, o, and l and r of each place with lights, from the probed pixel at `at`, as they lie across the view.
+    /// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view.
     pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
         let probed = self.probed().filter(|_| self.facts.section.is_current);
         let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) else {
@@ -174,7 +156,7 @@ impl App {
     }
 
     /// The colour of the light of this name.
-    pub fn light_color(&self, name: &str) -> Color32 {
+    fn light_color(&self, name: &str) -> Color32 {
         let mut lights = self.scene.world.query::<(&Name, &Light)>();
         let light = lights.iter().find(|(own, _)| own.0 == name);
         light.map_or(Color32::WHITE, |(_, light)| brightest(light.color))
@@ -182,12 +164,7 @@ impl App {
 }
 
 /// A light's colour with its largest channel at full strength.
-pub fn brightest(channels: DVec3) -> Color32 {
-    let largest = channels.max_element();
-    let levels = if largest > 0.0 {
-        channels / largest * 255.0
-    } else {
-        DVec3::splat(128.0)
-    };
-    color(display_pixel(levels.to_array()))
+fn brightest(channels: DVec3) -> Color32 {
+    let largest = channels.max_element().max(f64::MIN_POSITIVE);
+    color(display_pixel((channels / largest * 255.0).to_array()))
 }

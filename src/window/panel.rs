@@ -1,6 +1,6 @@
 //! The panel on the left: shading, lights, views, camera, scene.
 //!
-//! A panel is a query loop over the World: it reads components and writes them.
+//! It shows widgets for components of the World, and writes their new values.
 
 use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, Ui};
 use hecs::Entity;
@@ -101,7 +101,6 @@ impl App {
         let show: Show = self.look();
         let shown = match show.mode {
             ViewMode::Wipe if show.sides == EXACT_SIDES => Command::WipeExact,
-            ViewMode::Difference => Command::View(ViewMode::Error),
             mode => Command::View(mode),
         };
         for command in [
@@ -118,7 +117,7 @@ impl App {
         if is_held || ui.input(|input| input.pointer.any_released()) {
             self.blink_while(is_held);
         }
-        self.legend(ui, &show);
+        self.legend(ui);
     }
 
     fn camera_rows(&mut self, ui: &mut Ui) {

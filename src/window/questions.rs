@@ -33,7 +33,7 @@ impl App {
         let (show, Inspector(tab)): (Show, Inspector) = (self.look(), self.look());
         let (level, is_live) = (self.level, self.pools.is_some());
         let shows_exact = self.desk.blinks.is_some()
-            || matches!(show.mode, ViewMode::Error | ViewMode::Difference)
+            || show.mode == ViewMode::Error
             || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
         let [width, height] = self.pictures.size();
         let Probed(pixel) = self.look();

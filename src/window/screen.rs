@@ -91,7 +91,6 @@ impl App {
             (_, Some(0)) => or_dimmed(exact, frame),
             (ViewMode::Picture, _) | (_, Some(_)) => frame.into(),
             (ViewMode::Error, None) => or_dimmed(comparison.map(|it| &*it.error_map), frame),
-            (ViewMode::Difference, None) => or_dimmed(comparison.map(|it| &*it.difference), frame),
             (ViewMode::Tiles, None) => self.pictures.tiles().into(),
             (ViewMode::Wipe, None) => {
                 let width = self.pictures.size()[0];

@@ -4,20 +4,19 @@ use egui::{Color32, Context, TextStyle, Theme};
 
 use crate::components::ShadingMode;
 
-/// The ink of numbers about another picture.
+/// The colour of numbers about an earlier picture.
 pub const STALE: Color32 = Color32::from_gray(95);
-/// The ink of numbers about the picture on screen.
+/// The colour of numbers about the picture on screen.
 pub const INK: Color32 = Color32::from_gray(220);
 pub const GOOD: Color32 = Color32::from_rgb(0x3c, 0xb8, 0x7c);
 pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
-/// The curves of the three pictures that are compared.
+/// The curves and dots of Gouraud and Phong.
 pub const GOURAUD: Color32 = Color32::from_rgb(0xff, 0xb4, 0x54);
 pub const PHONG: Color32 = Color32::from_rgb(0x34, 0xd3, 0x99);
-pub const EXACT: Color32 = Color32::from_rgb(0xf0, 0xf0, 0xf0);
-/// The curve of the interpolated unit vectors.
-pub const SHORTCUT: Color32 = Color32::from_rgb(0xcc, 0x79, 0xa7);
+/// The dots of the interpolated unit vectors.
+const SHORTCUT: Color32 = Color32::from_rgb(0xcc, 0x79, 0xa7);
 
-/// The ink of a method's dots, bars and curves.
+/// The colour of a method's dot.
 pub fn mode_ink(mode: ShadingMode) -> Color32 {
     match mode {
         ShadingMode::Gouraud => GOURAUD,
@@ -26,7 +25,7 @@ pub fn mode_ink(mode: ShadingMode) -> Color32 {
     }
 }
 
-/// Sets the look of everything that a context lays out.
+/// Sets the look of all widgets.
 pub fn apply(context: &Context) {
     context.set_theme(Theme::Dark);
     context.all_styles_mut(|style| {

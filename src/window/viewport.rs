@@ -1,10 +1,8 @@
 //! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
-use egui::{Color32, Event, PointerButton, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Color32, Event, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2, vec2};
 
 use super::app::App;
-use super::desk::Grab;
-use super::lights::Marker;
 use super::pictures::divider_column;
 use crate::components::{
     Inspector, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
@@ -24,27 +22,17 @@ impl App {
         let free = ui.available_rect_before_wrap();
         let whole = |at: Pos2| (at * scale).round() / scale;
         self.place = Rect::from_min_max(whole(free.min), whole(free.max));
-        let response = ui.interact(self.place, ui.id().with("picture"), Sense::click_and_drag());
-        let markers = match self.look() {
-            Inspector(Some(Tab::Scene)) => self.markers(),
-            _ => Vec::new(),
-        };
-        let modifiers = ui.input(|input| input.modifiers);
-        if response.drag_started_by(PointerButton::Primary) {
-            let from = ui.input(|input| input.pointer.press_origin());
-            self.desk.grab = self.grab(from.unwrap_or_default(), &markers);
+        ui.set_clip_rect(self.place);
+        let picture = ui.interact(self.place, ui.id().with("picture"), Sense::click_and_drag());
+        if picture.dragged_by(PointerButton::Primary) {
+            let [width, height] = self.picture_size();
+            let degrees = DRAG_TURN / width.min(height) as f64;
+            // The cuboid follows the mouse, so the camera goes the other way.
+            let by = picture.drag_delta() * scale;
+            self.orbit(f64::from(-by.x) * degrees, f64::from(by.y) * degrees);
         }
-        if response.dragged_by(PointerButton::Primary) {
-            let pointer = response.interact_pointer_pos().unwrap_or_default();
-            self.drag(response.drag_delta(), pointer, modifiers.shift);
-        } else {
-            self.desk.grab = Grab::Nothing;
-        }
-        let pointer = response.interact_pointer_pos();
-        if let Some(at) = pointer.filter(|_| response.clicked()) {
-            self.click(at, &markers);
-        }
-        if response.hovered() {
+        self.take_click(&picture);
+        if picture.hovered() {
             let turned = |event: &Event| match event {
                 Event::MouseWheel { delta, .. } => delta.y,
                 _ => 0.0,
@@ -54,54 +42,28 @@ impl App {
                 self.zoom(turned.round() as i32);
             }
         }
-        self.draw_over(ui, &markers);
-        if self.divider().is_some() {
+        if self.look::<Show>().mode == ViewMode::Wipe {
+            if self.turn().is_none() {
+                self.divider(ui);
+            }
             self.tags(ui);
         }
-    }
-
-    /// The thing that a press at `at` catches.
-    fn grab(&self, at: Pos2, markers: &[Marker]) -> Grab {
-        let marker = markers.iter().find(|marker| marker.is_caught(at));
-        match marker {
-            Some(marker) => Grab::Light(marker.name.clone(), marker.position),
-            None if self.divider().is_some_and(|x| (x - at.x).abs() < REACH) => Grab::Divider,
-            None => Grab::Camera,
+        if let Probed(Some(pixel)) = self.look() {
+            let at = self.place_of(pixel);
+            self.draw_arrows(ui.painter(), at);
+            draw_cross(ui.painter(), at);
+        }
+        if self.look::<Inspector>().0 == Some(Tab::Scene) {
+            self.discs(ui);
         }
     }
 
-    fn drag(&mut self, by: Vec2, pointer: Pos2, in_depth: bool) {
-        let size = self.picture_size();
-        let pixels = by * self.scale();
-        match self.desk.grab.clone() {
-            Grab::Nothing => {}
-            Grab::Camera => {
-                let degrees = DRAG_TURN / size[0].min(size[1]) as f64;
-                // The cuboid follows the mouse, so the camera goes the other way.
-                let [left, down] = [f64::from(-pixels.x), f64::from(pixels.y)];
-                self.orbit(left * degrees, down * degrees);
-            }
-            Grab::Divider => {
-                let show: Show = self.look();
-                let share = self.pixel_at(pointer)[0] as f64 / size[0] as f64;
-                let divider = share.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
-                self.set_look(Show { divider, ..show });
-            }
-            Grab::Light(name, place) => {
-                let place = self.drag_light(&name, place, pixels, in_depth);
-                self.desk.grab = Grab::Light(name, place);
-            }
+    /// Probes the pixel that was clicked.
+    fn take_click(&mut self, response: &Response) {
+        let pointer = response.interact_pointer_pos();
+        if let Some(at) = pointer.filter(|_| response.clicked()) {
+            self.probe(self.pixel_at(at));
         }
-    }
-
-    fn click(&mut self, at: Pos2, markers: &[Marker]) {
-        if let Some(marker) = markers.iter().find(|marker| marker.is_caught(at)) {
-            self.desk.selected = Some(("light", marker.name.clone()));
-            return;
-        }
-        let (pixel, size) = (self.pixel_at(at), self.picture_size());
-        let pixel = [0, 1].map(|axis| pixel[axis].min(size[axis] - 1));
-        self.probe(self.worst_at(at).unwrap_or(pixel));
     }
 
     /// Moves the camera about its target, by degrees to the right and up.
@@ -112,7 +74,7 @@ impl App {
         self.change_orbit(limit, |orbit| orbit.moved(&own, azimuth, elevation));
     }
 
-    /// Steps towards the target, or away where negative.
+    /// Moves the camera by steps towards its target; away from it if negative.
     pub fn zoom(&mut self, steps: i32) {
         let limits = Orbit::limits(&self.scene.world);
         let way = if steps > 0 { "closer" } else { "further" };
@@ -120,7 +82,7 @@ impl App {
         self.change_orbit(&limit, |orbit| orbit.zoomed(steps, &limits));
     }
 
-    /// Changes the orbit of the active camera, or tells its limit where nothing changes.
+    /// Changes the orbit of the active camera. If nothing changes, shows the limit that was reached.
     pub fn change_orbit(&mut self, limit: &str, change: impl FnOnce(Orbit) -> Orbit) {
         let camera = active_camera(&self.scene.world);
         let orbit: Orbit = get(&self.scene.world, camera).unwrap_or_default();
@@ -128,14 +90,16 @@ impl App {
         if changed == orbit {
             return self.say(limit);
         }
-        // It was just found.
+        // The camera is in the World.
         let _ = self.scene.world.insert_one(camera, changed);
     }
 
-    /// The pixel of the picture at a place in the window.
+    /// The pixel of the picture at a place in the window, or the nearest one.
     fn pixel_at(&self, at: Pos2) -> [usize; 2] {
         let place = (at - self.place.min) * self.scale();
-        [place.x, place.y].map(|it| it.max(0.0) as usize)
+        let [width, height] = self.picture_size();
+        let pixel = |at: f32, side: usize| (at.max(0.0) as usize).min(side - 1);
+        [pixel(place.x, width), pixel(place.y, height)]
     }
 
     /// The place in the window of the middle of a pixel.
@@ -149,41 +113,28 @@ impl App {
         divider_column(divider, self.picture_size()[0])
     }
 
-    /// The divider's x in the window, where the view has one.
-    fn divider(&self) -> Option<f32> {
-        let show: Show = self.look();
+    /// Lays out the divider, which can be dragged.
+    fn divider(&mut self, ui: &Ui) {
         let x = self.place.min.x + self.divider_column() as f32 / self.scale();
-        (show.mode == ViewMode::Wipe).then_some(x)
-    }
-
-    /// Draws the divider, the probed pixel with its vectors, and the lights.
-    fn draw_over(&self, ui: &Ui, markers: &[Marker]) {
-        let painter = ui.painter_at(self.place);
-        if let Some(x) = self.divider().filter(|_| self.turn().is_none()) {
-            self.draw_divider(&painter, x);
-            self.draw_worst(&painter);
-        }
-        if let Some(pixel) = self.look::<Probed>().0 {
-            let at = self.place_of(pixel);
-            self.draw_arrows(&painter, at);
-            draw_cross(&painter, at);
-        }
-        for marker in markers.iter().rev() {
-            marker.draw(&painter, self.place);
-        }
-    }
-
-    fn draw_divider(&self, painter: &egui::Painter, x: f32) {
         let line = self.place.y_range();
+        let place = Rect::from_x_y_ranges(x - REACH..=x + REACH, line);
+        let handle = ui.interact(place, ui.id().with("divider"), Sense::click_and_drag());
+        self.take_click(&handle);
+        if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
+            let show: Show = self.look();
+            let share = f64::from((pointer.x - self.place.min.x) / self.place.width());
+            let divider = share.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
+            self.set_look(Show { divider, ..show });
+        }
+        let painter = ui.painter();
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
         painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
         let edge = (1.0, Color32::from_black_alpha(150));
-        let middle = pos2(x, self.place.center().y);
-        painter.circle(middle, 8.0, Color32::WHITE, edge);
+        painter.circle(place.center(), 8.0, Color32::WHITE, edge);
     }
 }
 
-/// Marks a pixel, and leaves it to be seen.
+/// Draws a cross around a pixel, which itself stays visible.
 fn draw_cross(painter: &egui::Painter, at: Pos2) {
     for way in [Vec2::RIGHT, Vec2::LEFT, Vec2::DOWN, Vec2::UP] {
         let line = [at + way * 3.5, at + way * 11.5];

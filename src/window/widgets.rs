@@ -11,12 +11,12 @@ use super::style::{INK, STALE};
 
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
-/// Three digits that matter, or fewer.
+/// Three significant digits, or fewer.
 pub fn short(value: f64) -> String {
     crate::report::words::short(Some(value))
 }
 
-/// Two digits that matter: the movement of a hand means no more.
+/// A number rounded to two significant digits, which is as fine as a hand moves a slider.
 pub fn two_digits(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
@@ -31,17 +31,17 @@ fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
     }
 }
 
-/// The ink of an answer: grey if it is that of an earlier picture.
+/// The colour of a fact: grey if it is about an earlier picture.
 pub fn ink<T>(fact: &Fact<T>) -> Color32 {
     if fact.current().is_some() { INK } else { STALE }
 }
 
-/// A number that is dragged, or clicked and typed. A drag changes it by a share of itself, to reach any magnitude.
+/// A number that is dragged, or clicked and typed. A drag changes it in proportion to its size.
 pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Response {
     let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
     let drag = DragValue::new(value).speed(speed).range(range);
     let response = ui.add(drag.custom_formatter(format_number));
-    // The widget writes back the digits that it shows, though it was only looked at.
+    // The widget rounds the number to the digits that it shows even if nobody edits it.
     if format_number(*value, 0..=0) == format_number(before, 0..=0) {
         *value = before;
     }
@@ -71,12 +71,11 @@ pub fn slider(
 /// A button with a colour whose click opens a picker; channels are shares of full strength.
 pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
     let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let bytes = channels.to_array().map(byte);
-    let mut picked = bytes;
-    let response = ui.color_edit_button_srgb(&mut picked);
-    response.on_hover_text("Colour; each channel is a share of full strength.");
-    if picked != bytes {
-        *channels = DVec3::from(picked.map(|it| f64::from(it) / 255.0));
+    let mut bytes = channels.to_array().map(byte);
+    let button = ui.color_edit_button_srgb(&mut bytes);
+    let says = "Colour; each channel is a share of full strength.";
+    if button.on_hover_text(says).changed() {
+        *channels = DVec3::from(bytes.map(|it| f64::from(it) / 255.0));
     }
 }
 

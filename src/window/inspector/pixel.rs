@@ -1,6 +1,7 @@
-//! The pixel's tab: drawn, exact and error, their cause, the section along the pixel's row, and every number.
+//! The pixel's tab: the drawn and the exact levels, the cause of their difference, the levels along the row, every number.
 
-use egui::{Grid, Label, RichText, Sense, Ui, vec2};
+use egui::color_picker::show_color;
+use egui::{Grid, Label, RichText, Ui, vec2};
 
 use crate::components::range::Shininess;
 use crate::components::{Material, Name, Probed};
@@ -30,7 +31,7 @@ impl App {
         let Some(probe) = self.probed() else {
             return;
         };
-        if self.facts.section.current().is_none() {
+        if !self.facts.section.is_current {
             ui.visuals_mut().override_text_color = Some(STALE);
         }
         let (Some(object), Some(surface)) = (&probe.object, &probe.surface) else {
@@ -43,32 +44,22 @@ impl App {
         for sentence in surface.cause(channel).into_iter().flatten() {
             ui.label(sentence);
         }
-        let column = self.section(ui, surface, channel);
-        {
-            let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
-            let mut cuboids = cuboids.iter();
-            if let Some((_, material)) = cuboids.find(|(name, _)| name.0 == *object) {
-                slider(
-                    ui,
-                    SHININESS,
-                    &mut material.shininess,
-                    Shininess::RANGE,
-                    0.1,
-                );
-            }
+        self.section(ui, x, surface, channel);
+        let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
+        let cuboid = cuboids.iter().find(|(name, _)| name.0 == *object);
+        if let Some((_, material)) = cuboid {
+            let range = Shininess::RANGE;
+            slider(ui, SHININESS, &mut material.shininess, range, 0.1);
         }
         ui.label(surface.drawn.cost());
         let text = probe.lines().join("\n");
         ui.collapsing("every number", |ui| {
             ui.add(Label::new(RichText::new(text).monospace()).extend());
         });
-        if let Some(column) = column {
-            self.set_look(Probed(Some([column, y])));
-        }
     }
 }
 
-/// Drawn, exact Phong, and the error between them, by channel, with both colours.
+/// The drawn levels, those of exact Phong, and the errors, by channel; and both colours.
 fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
     let drawn = surface.drawn.levels;
     let exact = surface.reference.phong.map(|it| it.levels);
@@ -93,9 +84,7 @@ fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
         }
         ui.label("");
         for levels in [Some(drawn), exact].into_iter().flatten() {
-            let (place, _) = ui.allocate_exact_size(vec2(52.0, 20.0), Sense::hover());
-            let ink = color(display_pixel(levels));
-            ui.painter().rect_filled(place, 2.0, ink);
+            show_color(ui, color(display_pixel(levels)), vec2(52.0, 20.0));
         }
         ui.end_row();
     });

@@ -117,7 +117,7 @@ fn side(random: &mut Random) -> Side {
 
 /// A view. Its camera is chosen where the cameras are known.
 pub fn view(random: &mut Random) -> ViewRecord {
-    use ViewMode::{Difference, Error, Picture, Tiles, Wipe};
+    use ViewMode::{Error, Picture, Tiles, Wipe};
     if random.below(4) == 0 {
         return ViewRecord::default();
     }
@@ -128,7 +128,7 @@ pub fn view(random: &mut Random) -> ViewRecord {
         projection: random.one_of(&Projection::ALL),
         tolerance: budget.map_or_else(|| tolerance(random), |_| Tolerance::default().0),
         budget,
-        show: random.one_of(&[Picture, Wipe, Error, Difference, Tiles]),
+        show: random.one_of(&[Picture, Wipe, Error, Tiles]),
         sides: [side(random), side(random)],
         divider: number(random, &Share::RANGE),
         turned: random.below(360) as u32,

@@ -4,7 +4,7 @@ use egui::{Key, Pos2, RawInput};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Budget, Show, Side, Tolerance, View, ViewMode};
+use shadetrade::components::{Budget, Show, Side, View, ViewMode};
 use shadetrade::drawing::Drawing;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
@@ -106,41 +106,6 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
         harness.run_ok();
         assert_eq!(harness.state().method(), Some(*method));
     }
-}
-
-#[test]
-fn a_drag_along_the_line_of_best_trades_chooses_the_tolerance_continuously() {
-    let dots = dots();
-    let mut window = open();
-    let (from, to) = (dots[3], dots[7]);
-    window.point_at(from);
-    window.button(from, true);
-    window.point_at(from + egui::vec2(-20.0, 20.0));
-    let (mut last, mut between) = (f64::INFINITY, 0);
-    for step in 1..=40 {
-        // Outside of the staircase.
-        let at = from + (to - from) * (step as f32 / 40.0) + egui::vec2(0.0, 3.0);
-        window.point_at(at);
-        let Tolerance(tolerance) = window.app.look();
-        assert!(tolerance <= last, "{tolerance} after {last}");
-        assert_eq!(window.app.shading(), Some(Phong));
-        between += i32::from(METHODS.iter().all(|it| it.tolerance != tolerance));
-        last = tolerance;
-    }
-    assert!(
-        between > 10 && (0.2..0.28).contains(&last),
-        "{between}, {last}"
-    );
-    window.point_at(dots[8]);
-    assert_eq!(window.app.method(), Some(Method::of(Phong, 0.0)));
-    window.point_at(dots[1]);
-    assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
-    window.button(dots[1], false);
-    window.point_at(window.app.place.center());
-    // A method between two dots is drawn like any other.
-    window.app.set_tolerance(0.7);
-    window.step(Vec::new());
-    assert!(window.app.pictures.frame() == window.drawn(|view| view.with_tolerance(0.7)));
 }
 
 #[test]

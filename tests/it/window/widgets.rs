@@ -24,7 +24,7 @@ fn record(harness: &Harness<App>) -> SceneRecord {
     SceneRecord::of(&harness.state().scene.world)
 }
 
-pub fn click_at(harness: &mut Harness<App>, at: Pos2) {
+fn click_at(harness: &mut Harness<App>, at: Pos2) {
     harness.hover_at(at);
     harness.run_ok();
     harness.drag_at(at);
@@ -185,7 +185,7 @@ fn the_required_tab_has_a_row_for_each_stage_with_the_errors_of_three_formats() 
 }
 
 #[test]
-fn entities_are_added_renamed_and_deleted() {
+fn entities_are_copied_renamed_and_deleted() {
     let mut harness = open();
     harness.key_press(Key::E);
     harness.run_ok();
@@ -195,15 +195,17 @@ fn entities_are_added_renamed_and_deleted() {
         now.check().expect("a legal scene");
         [now.cuboid.len(), now.light.len(), now.camera.len()]
     };
-    for (index, kind) in ["cuboid", "light", "camera"].into_iter().enumerate() {
+    let firsts = [("cuboid", "emerald"), ("light", "white"), ("camera", "1")];
+    for (index, (kind, first)) in firsts.into_iter().enumerate() {
         let mut expected = counts(&harness);
-        let add = format!("add {kind}");
-        for (label, change) in [(&*add, 1), (&add, 1), ("delete", -1)] {
+        harness.state_mut().desk.selected = Some((kind, first.to_owned()));
+        harness.run_ok();
+        for (label, change) in [("copy", 1), ("copy", 1), ("delete", -1)] {
             click(&mut harness, label);
             expected[index] = expected[index].saturating_add_signed(change);
             assert_eq!(counts(&harness), expected, "{kind}");
         }
-        harness.state_mut().desk.selected = Some((kind, kind.to_owned()));
+        harness.state_mut().desk.selected = Some((kind, format!("{kind} 2")));
         harness.run_ok();
         click(&mut harness, "delete");
         assert_eq!(record(&harness), start, "{kind}");
@@ -291,34 +293,6 @@ fn probed() -> (Window, Harness<'static, App>) {
 }
 
 #[test]
-fn the_point_on_the_section_is_dragged_along_the_row_of_one_face() {
-    for label in ["section", "factors"] {
-        let (mut window, harness) = probed();
-        let plot = places(&harness, label)[0];
-        let pixel = |window: &Window| window.record().view.pixel.expect("a pixel");
-        let face = |window: &Window| {
-            let probe = window.app.probed().expect("at once, of the same section");
-            assert!(window.app.facts.section.current().is_some());
-            probe.surface.as_ref().expect("a face").triangle / 2
-        };
-        let (start, own) = (pixel(&window), face(&window));
-        window.point_at(plot);
-        window.button(plot, true);
-        let mut last = 0;
-        for way in [-60.0, 0.0, 60.0, 1000.0] {
-            window.point_at(plot + vec2(way, 30.0));
-            let [x, y] = pixel(&window);
-            assert!(x > last && y == start[1], "{x} after {last}");
-            assert_eq!(face(&window), own);
-            last = x;
-        }
-        window.button(plot, false);
-        window.point_at(plot);
-        assert_eq!(pixel(&window)[0], last, "the button is up");
-    }
-}
-
-#[test]
 fn the_shininess_beside_the_section_is_the_cuboids_and_undone_like_any_edit() {
     let (mut window, harness) = probed();
     let before = window.record();
@@ -358,34 +332,6 @@ fn a_number_that_only_gets_the_focus_keeps_every_digit() {
         click_at(&mut harness, *at);
     }
     assert_eq!(record(&harness), start);
-}
-
-#[test]
-fn quitting_with_edits_saves_or_discards_them_or_is_cancelled() {
-    for (label, saved, quits) in [
-        ("save and quit", 1, true),
-        ("quit without saving", 0, true),
-        ("go on", 0, false),
-    ] {
-        let mut window = Window::open();
-        let lights = window.app.scene.world.query_mut::<&mut Light>();
-        lights.into_iter().for_each(|light| light.intensity = 3.0);
-        window.wait(PAUSE);
-        // It asks, and asks again.
-        for _ in 0..2 {
-            window.press(Key::Escape);
-            window.press(Key::Q);
-            assert!(window.app.desk.asks_to_save && !window.app.quits);
-        }
-        let Window { app, folder, .. } = window;
-        let mut harness = widgets(app, super::SIZE);
-        click(&mut harness, label);
-        let app = harness.state();
-        assert_eq!(app.quits, quits, "{label}");
-        let files = std::fs::read_dir(folder.path()).expect("listed");
-        assert_eq!(files.count(), saved, "{label}");
-        assert_eq!(app.is_edited(), label == "go on", "{label}");
-    }
 }
 
 #[test]
