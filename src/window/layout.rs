@@ -61,13 +61,12 @@ impl App {
             ui.label(RichText::new(error).monospace().color(BAD));
         }
         self.desk.message.take_if(|it| it.until <= self.now);
-        ui.horizontal(|ui| match &self.desk.message {
-            Some(message) => {
+        ui.horizontal(|ui| {
+            if let Some(message) = &self.desk.message {
                 let rest = message.until.saturating_sub(self.now);
                 ui.ctx().request_repaint_after(rest);
                 ui.add(Label::new(&message.text).truncate());
-            }
-            None => {
+            } else {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
                 self.facts_line(ui);
             }

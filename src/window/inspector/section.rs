@@ -60,7 +60,9 @@ impl App {
         let plot = still(Plot::new("section").height(150.0).include_y(0.0));
         let plot = plot.y_axis_min_width(28.0).show_axes([false, true]);
         plot.show_x(false).show(ui, |plot| {
-            lines.into_iter().for_each(|line| plot.line(line));
+            for line in lines {
+                plot.line(line);
+            }
             let here = VLine::new("pixel", column as f64).color(Color32::GRAY);
             plot.vline(here.style(LineStyle::dashed_dense()));
         });
