@@ -86,7 +86,7 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     }
     let (view, level) = (drawing.view(), drawing.level);
     let probe = probe::at(&mut drawing.scene, &view, [x, y], level).map_err(anyhow::Error::from)?;
-    Ok(output::print(&probe, options.json, || {
+    Ok(output::print(&probe.json(), options.json, || {
         probe.lines().join("\n")
     })?)
 }

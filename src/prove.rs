@@ -14,7 +14,6 @@
 pub mod command;
 mod png;
 
-use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
 use rayon::prelude::*;
@@ -24,7 +23,7 @@ use crate::components::View;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
 use crate::memory;
 use crate::reference::{Interval, Reference, Seen};
-use crate::report::{CANCELLED, Monitor};
+use crate::report::Monitor;
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::{difference, displayed, ends};
@@ -179,11 +178,6 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
 impl Proof {
     /// Adds the proof of the rows below.
     fn append(&mut self, below: Proof) {
-        self.proven += below.proven;
-        self.refuted += below.refuted;
-        self.undecided += below.undecided;
-        self.outline += below.outline;
-        self.covered += below.covered;
         self.worst = self.worst.max(below.worst);
         self.widest_enclosure = self.widest_enclosure.max(below.widest_enclosure);
         self.reference_error = self.reference_error.max(below.reference_error);
@@ -197,22 +191,12 @@ impl Proof {
     /// Adds one pixel.
     fn add(&mut self, pixel: [usize; 2], shown: Shown, seen: &[Seen<Interval>], limit: f64) {
         let (mark, error) = judge(shown, seen, limit);
-        match mark.verdict {
-            Verdict::Proven => {
-                self.proven += 1;
-                self.worst = self.worst.max(error);
-            }
-            Verdict::Undecided => self.undecided += 1,
-            Verdict::Refuted => self.refuted += 1,
-        }
-        self.outline += u64::from(mark.is_outline);
-        self.covered += u64::from(mark.is_covered);
-        let widths = seen
-            .iter()
-            .flat_map(|seen| ends(seen.levels))
-            .map(|[least, largest]| largest - least);
+        let enclosures = seen.iter().flat_map(|seen| ends(seen.levels));
+        let widths = enclosures.map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
-        if mark.verdict != Verdict::Proven {
+        if mark.verdict == Verdict::Proven {
+            self.worst = self.worst.max(error);
+        } else {
             let same = seen.iter().find(|seen| seen.face() == shown.face);
             let nearest = nearest(shown.face, shown.levels, seen);
             let of = same.unwrap_or(&seen[0]);
@@ -261,10 +245,10 @@ pub fn prove(
             systems::draw_rows(world, view, rows.clone(), &mut drawn)?;
             systems::draw_rows(world, view, rows.clone(), &mut displayed)?;
         }
-        let truth = reference.picture(rows.clone(), monitor.is_cancelled, &|_| ());
-        let truth = truth.context(CANCELLED)?;
         let prove_row = |y: usize| {
             monitor.check()?;
+            let mut exact = Vec::with_capacity(width);
+            reference.row(y, |_, seen| exact.push(seen[0]));
             let mut row = Proof::default();
             enclosures.row(y, |x, seen| {
                 let pixel = (y - rows.start) * width + x;
@@ -273,8 +257,7 @@ pub fn prove(
                     None => Shown::at(pixel, &drawn, &displayed),
                 };
                 row.add([x, y], shown, seen, limit);
-                let face = shown_face(truth.triangles[pixel]);
-                let error = nearest(face, truth.levels[pixel], seen);
+                let error = nearest(exact[x].face(), exact[x].levels, seen);
                 let most = error.map_or(255.0, |[_, most]| most);
                 row.reference_error = row.reference_error.max(most);
             });
@@ -286,5 +269,14 @@ pub fn prove(
         }
         Ok(())
     })?;
+    for mark in &proof.marks {
+        match mark.verdict {
+            Verdict::Proven => proof.proven += 1,
+            Verdict::Undecided => proof.undecided += 1,
+            Verdict::Refuted => proof.refuted += 1,
+        }
+        proof.outline += u64::from(mark.is_outline);
+        proof.covered += u64::from(mark.is_covered);
+    }
     Ok(proof)
 }

@@ -18,8 +18,6 @@
 
 pub mod bits;
 pub mod command;
-pub mod least;
-mod share;
 
 use serde::Serialize;
 
@@ -44,6 +42,13 @@ pub enum Part {
     /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. The reference subtracts positions
     /// first; a formula that does not may err more. The bounds of a cuboid on the screen are still computed in intervals.
     F64SetUp,
+}
+
+impl Part {
+    /// Whether a scene file can leave the part out, and the renderer draw without it.
+    pub fn is_in_file(self) -> bool {
+        !matches!(self, Part::Rule(_) | Part::F64SetUp)
+    }
 }
 
 /// Pictures that are evaluated together. Each takes memory for every cuboid.
@@ -142,7 +147,7 @@ pub fn changes(
         shading: None,
         ..*view
     };
-    let full = rows(Reference::<Interval>::new(&without(scene, &[]).world, view));
+    let full = rows(Reference::<Interval>::new(&scene.world, view));
     let limit = limit(view.tolerance);
     let height = view.size[1];
     let all = left_out.len().div_ceil(AT_ONCE) * height;
@@ -151,27 +156,31 @@ pub fn changes(
         let picture = |parts: &Vec<Part>| {
             let (world, rule) = (&without(scene, parts).world, rule(parts));
             if parts.contains(&Part::F64SetUp) {
-                (rows(Reference::<f32>::without(world, view, rule)), false)
+                rows(Reference::<f32>::without(world, view, rule))
             } else {
-                let picture = Reference::<Interval>::without(world, view, rule);
-                (rows(picture), true)
+                rows(Reference::<Interval>::without(world, view, rule))
             }
         };
-        let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
+        let pictures: Vec<PixelRows> = some.iter().map(picture).collect();
         let by_row = monitor.in_parallel("leaving out", first..first + height, all, |row| {
             let y = row - first;
             let full = full(y);
-            let change = |(picture, is_enclosed): &(PixelRows, bool)| {
+            let change = |(picture, parts): (&PixelRows, &Vec<Part>)| {
+                let is_enclosed = !parts.contains(&Part::F64SetUp);
                 let pixels = full.iter().zip(picture(y));
                 Change::sum(pixels.map(|(full, without)| {
-                    let largest_error = error(full, &without, *is_enclosed);
+                    let largest_error = error(full, &without, is_enclosed);
                     Change {
                         largest_error,
                         pixels: u64::from(largest_error[0] > limit),
                     }
                 }))
             };
-            Ok(pictures.iter().map(change).collect::<Vec<Change>>())
+            Ok(pictures
+                .iter()
+                .zip(some)
+                .map(change)
+                .collect::<Vec<Change>>())
         })?;
         let of_picture = |number: usize| Change::sum(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
@@ -214,6 +223,33 @@ pub fn ranked(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Ve
     let mut ranked = part_changes(scene, view, monitor)?;
     ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
     Ok(ranked)
+}
+
+/// Leaves out each candidate in turn if the picture then keeps its tolerance and a cuboid remains. Returns the parts left
+/// out and the change of the picture.
+///
+/// Errors of parts add up or cancel, so each candidate is tried together with the parts already left out.
+///
+/// # Errors
+/// If the work is cancelled.
+pub fn least(
+    scene: &Scene,
+    view: &View,
+    candidates: &[Part],
+    monitor: Monitor,
+) -> anyhow::Result<(Vec<Part>, Change)> {
+    let (mut left_out, mut change) = (Vec::new(), Change::default());
+    for part in candidates {
+        let tried = [&left_out[..], &[*part]].concat();
+        if ordered::<Mesh>(&without(scene, &tried).world).is_empty() {
+            continue;
+        }
+        let without_it = changes(scene, view, &[tried.clone()], monitor)?[0];
+        if without_it.keeps(view.tolerance) {
+            (left_out, change) = (tried, without_it);
+        }
+    }
+    Ok((left_out, change))
 }
 
 /// The first rule among the parts, if there is one.

@@ -1,9 +1,12 @@
-//! The evaluation of a pixel as text, for the command line, the window and the clipboard.
+//! The evaluation of a pixel as text, for the command line, the window and the clipboard, and as JSON.
 
 use glam::DVec3;
+use serde_json::{Map, Value, json};
 
-use super::{Probe, ProbedSurface, ReferenceLevels};
+use super::{Probe, ProbedSurface};
 use crate::components::LightKind;
+use crate::frame::display_step;
+use crate::reference::LightSample;
 
 /// Levels up to this are written as 0.
 const NEGLIGIBLE: f64 = 1e-6;
@@ -13,9 +16,11 @@ const ROUNDING: f64 = 1e-12;
 impl ProbedSurface {
     /// The number of the triangle, and that of the reference if it differs.
     pub fn triangle_label(&self) -> String {
-        let own = self.triangle;
-        match self.reference.triangle {
-            Some(other) if other != own => format!("triangle {own} (reference: {other})"),
+        let own = self.triangle as usize;
+        match &self.sample {
+            Some(sample) if sample.triangle != own => {
+                format!("triangle {own} (reference: {})", sample.triangle)
+            }
             _ => format!("triangle {own}"),
         }
     }
@@ -25,16 +30,19 @@ impl Probe {
     /// The evaluation as lines of text, at most 78 characters long if names are short.
     pub fn lines(&self) -> Vec<String> {
         let [x, y] = self.pixel;
-        let (Some(object), Some(surface)) = (&self.object, &self.surface) else {
+        let Some(surface) = &self.surface else {
             return vec![format!("pixel {x},{y}: background")];
         };
+        let (sample, lights) = (surface.sample.as_ref(), surface.lights());
+        let [normal, to_eye] = [sample.map(|it| it.normal), sample.map(|it| it.to_eye)];
+        let (object, triangle) = (&surface.object, surface.triangle_label());
         let mut lines = vec![
-            format!("pixel {x},{y}: {object}, {}", surface.triangle_label()),
-            format!("  position  {}", vector(surface.position)),
-            format!("  normal  n {}", vector(surface.normal)),
-            format!("  to eye  o {}", vector(surface.to_eye)),
+            format!("pixel {x},{y}: {object}, {triangle}"),
+            format!("  position  {}", vector(sample.map(|it| it.position))),
+            format!("  normal  n {}", vector(normal)),
+            format!("  to eye  o {}", vector(to_eye)),
         ];
-        for light in &surface.lights {
+        for light in lights {
             if light.kind != LightKind::Ambient {
                 lines.push(format!("  {} ({})", light.name, light.kind.name()));
                 lines.push(format!("    to light  l {}", vector(light.to_light)));
@@ -42,49 +50,80 @@ impl Probe {
             }
         }
 
-        let heading =
+        let row =
             |name: &str, left: &str, right: &str| format!("  {name:<12} {left:>29}  {right:>29}");
-        let row = |name: &str, cells: [[String; 3]; 2]| {
-            let [left, right] = cells.map(joined);
-            heading(name, &left, &right)
-        };
-        let factor = format!("n.l or (o.r)^{}", surface.shininess);
-        lines.push(heading("exact Phong", &factor, "times strength"));
-        let heads = [["n.l", "o.r", "factor"], ["r", "g", "b"]];
-        lines.push(row("", heads.map(|cells| cells.map(str::to_owned))));
-        for light in &surface.lights {
+        let power = format!("n.l or (o.r)^{}", surface.shininess);
+        let heads = [["n.l", "o.r", "factor"], ["r", "g", "b"]].map(joined);
+        lines.push(row("exact Phong", &power, "times strength"));
+        lines.push(row("", &heads[0], &heads[1]));
+        for light in lights {
             let is_specular = light.kind == LightKind::Specular;
-            let factors = [
-                cosine(surface.normal, light.to_light),
-                cosine(surface.to_eye, light.reflected.filter(|_| is_specular)),
+            let factors = joined([
+                cosine(normal, light.to_light),
+                cosine(to_eye, light.reflected.filter(|_| is_specular)),
                 format!("{:.5}", light.factor),
-            ];
-            lines.push(row(
-                &light.name,
-                [factors, levels(light.strength.to_array())],
-            ));
+            ]);
+            lines.push(row(&light.name, &factors, &levels(light.strength)));
         }
 
-        let modes = [&surface.gouraud, &surface.phong];
-        lines.push(heading("levels", "Gouraud", "Phong"));
-        for (index, light) in surface.lights.iter().enumerate() {
-            lines.push(row(
-                &light.name,
-                modes.map(|mode| levels(mode.terms[index].1)),
-            ));
+        let exact = |of: Option<DVec3>| of.map_or_else(|| joined(["-"; 3]), levels);
+        let mut pair = |name: &str, left: &str, right: &str| lines.push(row(name, left, right));
+        pair("levels", "Gouraud", "Phong");
+        for light in lights {
+            pair(&light.name, &levels(light.gouraud), &levels(light.phong));
         }
-        let exact = |it: Option<ReferenceLevels>| it.map_or_else(nothing, |it| levels(it.levels));
-        let references = [surface.reference.gouraud, surface.reference.phong];
-        lines.push(row("drawn", modes.map(|mode| levels(mode.levels))));
-        lines.push(row("reference", references.map(exact)));
-        let bytes = modes.map(|mode| mode.bytes.map(|byte| byte.to_string()));
-        lines.push(row("bytes", bytes));
+        pair("drawn", &levels(surface.gouraud), &levels(surface.phong));
+        let gouraud = exact(sample.map(|it| it.gouraud));
+        pair("reference", &gouraud, &exact(sample.map(|it| it.phong)));
+        let [gouraud, phong] = [surface.gouraud, surface.phong].map(|it| joined(bytes(it)));
+        pair("bytes", &gouraud, &phong);
         lines
+    }
+
+    /// The evaluation as JSON. A quantity that does not exist or is not finite is null.
+    pub fn json(&self) -> Value {
+        let Some(surface) = &self.surface else {
+            return json!({"pixel": self.pixel, "object": null});
+        };
+        let sample = surface.sample.as_ref();
+        let shaded = |levels: DVec3, term: fn(&LightSample) -> DVec3| {
+            let terms = surface.lights().iter();
+            let terms = terms.map(|light| (light.name.clone(), json!(term(light))));
+            json!({
+                "levels": levels,
+                "terms": terms.collect::<Map<_, _>>(),
+                "bytes": bytes(levels),
+            })
+        };
+        json!({
+            "pixel": self.pixel,
+            "object": surface.object,
+            "triangle": surface.triangle,
+            "position": sample.map(|it| it.position),
+            "normal": sample.map(|it| it.normal),
+            "to_eye": sample.map(|it| it.to_eye),
+            "lights": surface.lights(),
+            "gouraud": shaded(surface.gouraud, |light| light.gouraud),
+            "phong": shaded(surface.phong, |light| light.phong),
+            "reference": {
+                "triangle": sample.map(|it| it.triangle),
+                "gouraud": sample.map(|it| json!({"levels": it.gouraud})),
+                "phong": sample.map(|it| json!({"levels": it.phong})),
+            },
+        })
     }
 }
 
-fn joined(cells: [String; 3]) -> String {
-    cells.map(|cell| format!("{cell:>9}")).join(" ")
+/// The levels after the display step.
+fn bytes(levels: DVec3) -> [u8; 3] {
+    levels.to_array().map(display_step)
+}
+
+/// Three cells of a row.
+fn joined<T: ToString>(cells: [T; 3]) -> String {
+    cells
+        .map(|cell| format!("{:>9}", cell.to_string()))
+        .join(" ")
 }
 
 fn cosine(one: Option<DVec3>, other: Option<DVec3>) -> String {
@@ -93,25 +132,20 @@ fn cosine(one: Option<DVec3>, other: Option<DVec3>) -> String {
 }
 
 fn vector(vector: Option<DVec3>) -> String {
-    let cells = |it: DVec3| numbers(it.to_array(), ROUNDING * it.abs().max_element());
-    vector.map_or_else(|| "-".to_owned(), |it| joined(cells(it)))
+    let cells = |it: DVec3| numbers(it, ROUNDING * it.abs().max_element());
+    vector.map_or_else(|| "-".to_owned(), cells)
 }
 
-fn levels(levels: [f64; 3]) -> [String; 3] {
+fn levels(levels: DVec3) -> String {
     numbers(levels, NEGLIGIBLE)
-}
-
-/// The cells of a quantity that does not exist.
-fn nothing() -> [String; 3] {
-    ["-"; 3].map(str::to_owned)
 }
 
 /// Three decimals for 0.001 to 10000, else scientific notation, nine characters at most; 0 for magnitudes up to
 /// `negligible`.
-fn numbers(values: [f64; 3], negligible: f64) -> [String; 3] {
-    values.map(|value| match value.abs() {
+fn numbers(values: DVec3, negligible: f64) -> String {
+    joined(values.to_array().map(|value| match value.abs() {
         size if size <= negligible => "0".to_owned(),
         1e-3..1e4 => format!("{value:.3}"),
         _ => format!("{value:.1e}"),
-    })
+    }))
 }

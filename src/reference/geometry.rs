@@ -63,11 +63,13 @@ struct FaceEdges<R> {
 
 /// The faces of a cuboid that a line of sight may hit.
 #[derive(Clone, Copy)]
-pub struct Meeting {
+pub struct Meeting<R> {
     /// One bit per face; a single face unless an edge is near.
     faces: u8,
     /// Whether the line certainly hits one of them.
     pub is_certain: bool,
+    /// The depth of the intersection along the view direction, in world units.
+    pub depth: R,
 }
 
 /// The intersection of a line of sight with a face.
@@ -83,9 +85,9 @@ pub struct FacePoint<R> {
     pub is_on_first: Option<bool>,
 }
 
-impl Meeting {
+impl<R> Meeting<R> {
     /// Whether exactly one face is hit, for certain, so that no edge is near.
-    pub fn well_conditioned(self) -> bool {
+    pub fn well_conditioned(&self) -> bool {
         self.is_certain && self.faces.is_power_of_two()
     }
 
@@ -261,38 +263,35 @@ impl<R: Real> CuboidGeometry<R> {
     }
 
     /// The faces that the line may hit beyond the near plane; `None` if it certainly hits none.
-    pub fn meet(&self, line: &Line<R>) -> Option<Meeting> {
-        let mut faces = 0;
-        let mut is_certain = false;
+    pub fn meet(&self, line: &Line<R>) -> Option<Meeting<R>> {
+        let mut meeting: Option<Meeting<R>> = None;
         for (number, face) in self.faces() {
             let edges = face.edges.iter().chain([&face.near]);
             let inside = edge::inside(edges, line.pixel);
-            if inside != Some(false) {
-                faces |= 1 << number;
-                is_certain |= inside == Some(true);
+            if inside == Some(false) {
+                continue;
             }
+            let depth = self.depth(number, line);
+            meeting = Some(Meeting {
+                faces: meeting.map_or(0, |it| it.faces) | 1 << number,
+                is_certain: meeting.is_some_and(|it| it.is_certain) || inside == Some(true),
+                depth: meeting.map_or(depth, |it| it.depth.either(depth)),
+            });
         }
-        let mut meeting = Meeting { faces, is_certain };
-        if faces > 0 && !is_certain {
+        let mut meeting = meeting?;
+        if !meeting.is_certain {
             // Near a common edge of two faces one of them is hit if the line passes inside the outline of both.
             let outline = self.faces().flat_map(|(_, face)| {
                 let edges = face.edges.iter().zip(face.is_shared);
                 edges.filter_map(|(edge, is_shared)| (!is_shared).then_some(edge))
             });
-            let near = meeting
+            let near = self
                 .faces()
-                .filter_map(|number| self.faces[number].as_ref());
-            let edges = outline.chain(near.map(|face| &face.near));
-            let inside = edge::inside(edges, line.pixel);
-            meeting.is_certain = inside == Some(true);
+                .filter(|(number, _)| meeting.faces >> number & 1 == 1);
+            let edges = outline.chain(near.map(|(_, face)| &face.near));
+            meeting.is_certain = edge::inside(edges, line.pixel) == Some(true);
         }
-        (faces > 0).then_some(meeting)
-    }
-
-    /// The depth of the intersection along the view direction, in world units.
-    pub fn depth(&self, meeting: Meeting, line: &Line<R>) -> Option<R> {
-        let depths = meeting.faces().map(|face| self.depth_of_face(face, line));
-        depths.reduce(R::either)
+        Some(meeting)
     }
 
     /// The faces that may be front-facing, with their indices.
@@ -302,7 +301,7 @@ impl<R: Real> CuboidGeometry<R> {
     }
 
     /// The depth along the view direction at which the line hits the plane of a face: H / w.
-    fn depth_of_face(&self, face: usize, line: &Line<R>) -> R {
+    fn depth(&self, face: usize, line: &Line<R>) -> R {
         let (axis, outwards) = across(face);
         let height = self.height(face) + signed(outwards, line.offset.0[axis]);
         height / descent(face, line)
@@ -316,7 +315,7 @@ impl<R: Real> CuboidGeometry<R> {
     /// The intersection of the line with the plane of a face.
     pub fn place(&self, number: usize, line: &Line<R>) -> FacePoint<R> {
         let (axis, outwards) = across(number);
-        let mut point = line.offset + line.along * self.depth_of_face(number, line);
+        let mut point = line.offset + line.along * self.depth(number, line);
         point.0[axis] = self.end(axis, outwards);
         let face = self.faces[number].as_ref();
         FacePoint {
@@ -349,34 +348,43 @@ impl<R: Real> CuboidGeometry<R> {
         let (axis, outwards) = across(face);
         let [u, v] = along(axis).map(|axis| place.share.0[axis]);
         let half = R::of(0.5);
-        let (larger, smaller) = if is_first == (outwards > 0.0) {
-            (u, v)
-        } else {
-            (v, u)
-        };
+        let is_swapped = is_first != (outwards > 0.0);
+        let (larger, smaller) = if is_swapped { (v, u) } else { (u, v) };
         let [a, c, third] = [half - larger, half + smaller, larger - smaller];
         let corners = TRIANGLES[2 * face + usize::from(!is_first)].map(usize::from);
-        (
-            corners,
-            if is_first {
-                [a, third, c]
-            } else {
-                [a, c, third]
-            },
-        )
+        let weights = if is_first {
+            [a, third, c]
+        } else {
+            [a, c, third]
+        };
+        (corners, weights)
     }
 
-    /// The depths of corners along the view direction; `None` in orthographic projection, which does not use them.
-    pub fn depths(&self, corners: [usize; 3]) -> Option<[R; 3]> {
-        let place = |corner: usize| RealVector::exact(self.mesh.corners[corner]);
-        let depth = |corner| (place(corner) - self.eye).dot(self.forward);
-        (self.projection == Projection::Perspective).then(|| corners.map(depth))
+    /// Barycentric weights on the screen from those on the triangle: a za : b zb : c zc with the depths z of the corners.
+    ///
+    /// A weight is the area opposite its corner, which perspective divides by the depths of the other two corners.
+    pub fn weights_on_screen(&self, corners: [usize; 3], weights: [R; 3]) -> [R; 3] {
+        if self.projection == Projection::Orthographic {
+            return weights;
+        }
+        let depths = RealVector(corners.map(|corner| self.corner_depth(corner)));
+        let [a, b, c] = RealVector(weights).zip(depths, R::mul).0;
+        [a, b, c].map(|weight| weight / (a + b + c))
     }
 
-    /// Whether no depth is certainly nearer than the near plane.
-    pub fn are_beyond_near(&self, depths: &[R; 3]) -> bool {
-        let is_beyond = |depth: &R| (*depth - self.near).sign(0.0) != Some(Ordering::Less);
-        depths.iter().all(is_beyond)
+    /// The weights of unit vectors: those on the screen, where no corner is certainly nearer than the near plane.
+    pub fn shortcut_weights(&self, corners: [usize; 3], weights: [R; 3]) -> [R; 3] {
+        let is_near =
+            |corner| (self.corner_depth(corner) - self.near).sign(0.0) == Some(Ordering::Less);
+        if corners.into_iter().any(is_near) {
+            return weights;
+        }
+        self.weights_on_screen(corners, weights)
+    }
+
+    /// The depth of a corner along the view direction.
+    fn corner_depth(&self, corner: usize) -> R {
+        (RealVector::exact(self.mesh.corners[corner]) - self.eye).dot(self.forward)
     }
 }
 

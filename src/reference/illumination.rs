@@ -122,6 +122,10 @@ impl<R: Real> ReferenceSurface<R> {
         surface
     }
 
+    pub fn is_perspective_correct(&self) -> bool {
+        self.without != Some(Rule::PerspectiveCorrect)
+    }
+
     /// The factor of a light's levels in the model: 1, max(0, n.l) or the gated max(0, o.r)^rho. `to_light` is l; `tied`
     /// opens a tied gate.
     pub fn factor(

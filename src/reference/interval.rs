@@ -144,16 +144,12 @@ impl Real for Interval {
 
     fn power(self, exponent: f64) -> Self {
         if exponent == 0.0 {
-            return Interval::of(1.0);
-        }
-        let of = |base: maryada::Interval| (base.log() * exponent).exp();
-        let largest = Interval::of(self.largest).map(of).largest;
-        if self.least > 0.0 {
-            Interval::new(Interval::of(self.least).map(of).least, largest)
-        } else if self.largest > 0.0 {
-            Interval::new(0.0, largest)
-        } else {
+            Interval::of(1.0)
+        } else if self.largest <= 0.0 {
             Interval::of(0.0)
+        } else {
+            // The logarithm is that of the positive numbers; of 0 it is negative infinity, which gives 0.
+            self.map(|base| (base.log() * exponent).exp())
         }
     }
 

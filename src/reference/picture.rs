@@ -42,7 +42,6 @@ pub struct Reference<R> {
     pub(super) sight: Sight<R>,
     pub(super) cuboids: Vec<ReferenceCuboid<R>>,
     background: RealVector<R>,
-    width: usize,
 }
 
 /// The components of a cuboid.
@@ -61,7 +60,13 @@ pub struct ReferenceCuboid<R> {
     pub solid: CuboidGeometry<R>,
     pub surface: ReferenceSurface<R>,
     mode: ShadingMode,
-    is_perspective_correct: bool,
+}
+
+/// A cuboid that a line of sight may hit.
+pub struct Met<'a, R> {
+    pub cuboid: &'a ReferenceCuboid<R>,
+    pub line: Line<R>,
+    pub meeting: Meeting<R>,
 }
 
 /// A surface, or the background, that a pixel may show.
@@ -106,7 +111,6 @@ impl<R: Real> Reference<R> {
                     surface: ReferenceSurface::new(&solid, material, &lights, places, without),
                     solid,
                     mode: view.mode(*mode),
-                    is_perspective_correct: without != Some(Rule::PerspectiveCorrect),
                 }
             });
         Reference {
@@ -114,7 +118,6 @@ impl<R: Real> Reference<R> {
             sight,
             cuboids,
             background: RealVector::exact(view.background),
-            width: view.size[0],
         }
     }
 
@@ -124,7 +127,7 @@ impl<R: Real> Reference<R> {
         let here = |cuboid: &&ReferenceCuboid<R>| cuboid.solid.rows.contains(&y);
         let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
         let (mut met, mut seen) = (Vec::new(), Vec::new());
-        for x in 0..self.width {
+        for x in 0..self.sight.size[0] {
             self.meet([x, y], &cuboids, &mut met);
             self.see(&met, &mut seen);
             each(x, &seen);
@@ -145,18 +148,14 @@ impl<R: Real> Reference<R> {
     fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
         seen.clear();
         for met in met {
-            let Met {
-                cuboid,
-                line,
-                meeting,
-            } = met;
-            for face in meeting.faces() {
+            let solid = &met.cuboid.solid;
+            for face in met.meeting.faces() {
                 // Near an edge the pixel centre may lie outside the face.
-                if meeting.well_conditioned() {
-                    cuboid.see(face, &cuboid.solid.place(face, line), seen);
+                if met.meeting.well_conditioned() {
+                    met.cuboid.see(face, &solid.place(face, &met.line), seen);
                 } else {
-                    for place in cuboid.solid.beside(face, line) {
-                        cuboid.see(face, &place, seen);
+                    for place in solid.beside(face, &met.line) {
+                        met.cuboid.see(face, &place, seen);
                     }
                 }
             }
@@ -185,21 +184,12 @@ impl<R: Real> Reference<R> {
             let Some(meeting) = cuboid.solid.meet(&line) else {
                 continue;
             };
-            let new = Met {
-                cuboid,
-                line,
-                meeting,
-            };
-            if self.without == Some(Rule::DepthTest) {
-                met.retain(|_| !meeting.is_certain);
-                met.push(new);
-                continue;
-            }
-            let depth = new.depth();
             // The order of another depth to the new one; a tie counts as less, so that the earlier cuboid is visible.
             let order = |other: &Met<R>| {
-                let (other, new) = other.depth().zip(depth)?;
-                (other * R::of(1.0 - DEPTH_TIE) - new).sign(0.0)
+                if self.without == Some(Rule::DepthTest) {
+                    return Some(Ordering::Greater);
+                }
+                (other.meeting.depth * R::of(1.0 - DEPTH_TIE) - meeting.depth).sign(0.0)
             };
             let is_before = |other: &Met<R>| {
                 other.meeting.is_certain
@@ -210,23 +200,13 @@ impl<R: Real> Reference<R> {
                 met.retain(|other| order(other) != Some(Ordering::Greater));
             }
             if !is_hidden {
-                met.push(new);
+                met.push(Met {
+                    cuboid,
+                    line,
+                    meeting,
+                });
             }
         }
-    }
-}
-
-/// A cuboid that a line of sight may hit.
-pub struct Met<'a, R> {
-    pub cuboid: &'a ReferenceCuboid<R>,
-    pub line: Line<R>,
-    pub meeting: Meeting,
-}
-
-impl<R: Real> Met<'_, R> {
-    /// Along the view direction, in world units.
-    fn depth(&self) -> Option<R> {
-        self.cuboid.solid.depth(self.meeting, &self.line)
     }
 }
 
@@ -255,7 +235,7 @@ impl<R: Real> ReferenceCuboid<R> {
     /// perspective-correct Phong the triangles do not differ, and the first stands for both.
     fn triangles(&self, place: &FacePoint<R>) -> &'static [bool] {
         match place.is_on_first {
-            None if self.mode != ShadingMode::Phong || !self.is_perspective_correct => {
+            None if self.mode != ShadingMode::Phong || !self.surface.is_perspective_correct() => {
                 &[true, false]
             }
             Some(false) => &[false],
@@ -265,28 +245,21 @@ impl<R: Real> ReferenceCuboid<R> {
 
     /// The levels at a place on a triangle of a face, or on the triangle's plane beyond the diagonal.
     fn lit(&self, face: usize, is_first: bool, place: &FacePoint<R>, open: Open) -> Lit<R> {
-        if self.mode == ShadingMode::Phong && self.is_perspective_correct {
+        if self.mode == ShadingMode::Phong && self.surface.is_perspective_correct() {
             return self.surface.phong(place, open);
         }
-        let (corners, weights) = CuboidGeometry::weights(face, is_first, place);
+        let (corners, mut weights) = CuboidGeometry::weights(face, is_first, place);
         if self.mode == ShadingMode::UnitVectors {
-            let weights = self.shortcut_weights(corners, weights);
+            let weights = self.solid.shortcut_weights(corners, weights);
             return self.surface.unit_vectors(corners, weights);
         }
-        let depths = self.solid.depths(corners);
-        let depths = depths.filter(|_| !self.is_perspective_correct);
-        let weights = depths.map_or(weights, |depths| on_screen(weights, depths));
+        if !self.surface.is_perspective_correct() {
+            weights = self.solid.weights_on_screen(corners, weights);
+        }
         if self.mode == ShadingMode::Gouraud {
             return self.surface.gouraud(corners, weights, open);
         }
         self.surface.phong(&self.blended(corners, weights), open)
-    }
-
-    /// The weights of unit vectors: those on the screen, where all corners have a place there.
-    pub fn shortcut_weights(&self, corners: [usize; 3], weights: [R; 3]) -> [R; 3] {
-        let depths = self.solid.depths(corners);
-        let depths = depths.filter(|depths| self.solid.are_beyond_near(depths));
-        depths.map_or(weights, |depths| on_screen(weights, depths))
     }
 
     /// The place interpolated between the corners.
@@ -305,14 +278,6 @@ impl<R: Real> ReferenceCuboid<R> {
     }
 }
 
-/// Barycentric weights on the screen from those on the triangle: a za : b zb : c zc.
-///
-/// A weight is the area opposite its corner, which perspective divides by the depths of the other two corners.
-fn on_screen<R: Real>(weights: [R; 3], depths: [R; 3]) -> [R; 3] {
-    let [a, b, c] = RealVector(weights).zip(RealVector(depths), R::mul).0;
-    [a, b, c].map(|weight| weight / (a + b + c))
-}
-
 /// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used.
 ///
 /// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
@@ -325,44 +290,29 @@ pub fn picture(
     cancelled: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize) + Sync),
 ) -> Option<Truth> {
-    Reference::new(world, view).picture(rows, cancelled, progress)
-}
-
-impl Reference<f64> {
-    /// Evaluates rows of the picture: see [`picture`].
-    pub fn picture(
-        &self,
-        rows: Range<usize>,
-        cancelled: &(dyn Fn() -> bool + Sync),
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Option<Truth> {
-        let width = self.width;
-        let mut levels = vec![self.background.0; width * rows.len()];
-        let mut triangles = vec![NO_TRIANGLE; width * rows.len()];
-        let done = AtomicUsize::new(0);
-        levels
-            .par_chunks_mut(width)
-            .zip(triangles.par_chunks_mut(width))
-            .zip(rows)
-            .try_for_each(|((levels, triangles), y)| {
-                if cancelled() {
-                    return None;
-                }
-                self.row(y, |x, seen| {
-                    if let [first, ..] = seen
-                        && let Some(triangle) = first.triangle
-                    {
-                        levels[x] = first.levels;
-                        triangles[x] = triangle as u32;
-                    }
-                });
-                progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);
-                Some(())
-            })?;
-        Some(Truth {
-            width,
-            levels,
-            triangles,
-        })
-    }
+    let reference = Reference::<f64>::new(world, view);
+    let width = view.size[0];
+    let mut levels = vec![[0.0; 3]; width * rows.len()];
+    let mut triangles = vec![NO_TRIANGLE; width * rows.len()];
+    let done = AtomicUsize::new(0);
+    levels
+        .par_chunks_mut(width)
+        .zip(triangles.par_chunks_mut(width))
+        .zip(rows)
+        .try_for_each(|((levels, triangles), y)| {
+            if cancelled() {
+                return None;
+            }
+            reference.row(y, |x, seen| {
+                levels[x] = seen[0].levels;
+                triangles[x] = seen[0].triangle.map_or(NO_TRIANGLE, |it| it as u32);
+            });
+            progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);
+            Some(())
+        })?;
+    Some(Truth {
+        width,
+        levels,
+        triangles,
+    })
 }

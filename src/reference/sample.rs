@@ -118,7 +118,7 @@ impl Reference<f64> {
                 phong: (light.levels * factor).to_dvec3(),
             }
         });
-        let on_screen = met.cuboid.shortcut_weights(corners, weights);
+        let on_screen = solid.shortcut_weights(corners, weights);
         let normals =
             corners.map(|corner| RealVector::exact(solid.mesh.corners[corner].signum()).unit());
         Some(Sample {

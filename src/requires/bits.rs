@@ -16,17 +16,15 @@
 //! power                      2^(rho log2(o.r))
 //! sum                        sum of levels * factor          (Gouraud: and a I1 + b I2 + c I3)
 //! ```
-//! The error of a pixel is the upper bound of the distance from its enclosure. More bits do not always err less, so the
-//! search starts at 24 bits and ends at the first number that breaks the tolerance at any pixel.
+//! The error of a pixel is the upper bound of the distance from its enclosure. More bits do not always err less: the
+//! fewest bits are those from which on every number of bits up to 24 keeps the tolerance.
 
 use std::array::from_fn;
-use std::collections::HashMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::DVec3;
 use serde::Serialize;
 
-use super::{error, rows, without};
+use super::{error, rows};
 use crate::components::{
     FACES, LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View,
 };
@@ -81,9 +79,8 @@ impl Format {
             bits: trial as u32 - 1,
             exponent: 900,
         };
-        FORMATS
-            .get(trial)
-            .map_or_else(of_bits, |(_, format)| *format)
+        let named = FORMATS.get(trial);
+        named.map_or_else(of_bits, |(_, format)| *format)
     }
 
     /// Rounds to nearest, ties to even. A number beyond the largest becomes infinite. The result of an operation is rounded to
@@ -220,6 +217,29 @@ impl Trial {
         }
         levels
     }
+
+    /// The levels of a pixel. `corners` are the positions and the normals of the triangle's corners.
+    fn levels(
+        self,
+        scene: &SceneRecord,
+        view: &View,
+        sample: &Sample,
+        corners: [[DVec3; 2]; 3],
+    ) -> DVec3 {
+        use Stage::{Normals, Positions, Sum};
+        let weights = sample.weights;
+        if scene.cuboid[sample.object].shading == ShadingMode::Gouraud {
+            let lit = corners.map(|[point, normal]| {
+                let corner = [self.all(Positions, point), self.all(Normals, normal)];
+                self.lit(scene, view, sample, corner)
+            });
+            return self.blend(Sum, lit, weights);
+        }
+        let point = self.blend(Positions, corners.map(|[point, _]| point), weights);
+        let normal = self.blend(Normals, corners.map(|[_, normal]| normal), weights);
+        let normal = self.unit(Normals, normal);
+        self.lit(scene, view, sample, [point, normal])
+    }
 }
 
 /// The bits that each stage of the picture requires, computed on rayon's current threads.
@@ -242,58 +262,24 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
         Mesh::cuboid(cuboid.size).corners.map(corner)
     };
     let corners: Vec<_> = record.cuboid.iter().map(corners).collect();
-    let world = &without(scene, &[]).world;
-    let enclosures = rows(Reference::<Interval>::new(world, view));
-    let limit = limit(view.tolerance);
+    let enclosures = rows(Reference::<Interval>::new(&scene.world, view));
     let columns: Vec<usize> = (0..view.size[0]).collect();
-    // By stage: the trial of the fewest bits that no pixel has ruled out so far.
-    let fewest = STAGES.map(|_| AtomicUsize::new(FORMATS.len()));
+    // The largest error of a row, by stage and format.
     let row = |y: usize| {
         let mut errors = [[0.0_f64; TRIALS]; STAGES.len()];
-        let mut at_corners = HashMap::new();
-        for (full, sample) in enclosures(y).iter().zip(in_row(world, view, y, &columns)) {
+        let samples = in_row(&scene.world, view, y, &columns);
+        for (full, sample) in enclosures(y).iter().zip(samples) {
             let Some(sample) = sample else { continue };
-            let Sample {
-                object,
-                triangle,
-                weights,
-                ..
-            } = sample;
-            let is_gouraud = record.cuboid[object].shading == ShadingMode::Gouraud;
-            let vertices = TRIANGLES[triangle].map(usize::from);
-            let [points, normals] =
-                [0, 1].map(|part| vertices.map(|vertex| corners[object][vertex][part]));
-            for (number, (stage, _)) in STAGES.into_iter().enumerate() {
-                let mut breaks = |index: usize| {
+            let (object, triangle) = (sample.object, sample.triangle);
+            let vertices = TRIANGLES[triangle].map(|vertex| corners[object][usize::from(vertex)]);
+            let face = Some(object * FACES.len() + triangle / 2);
+            for (errors, (stage, _)) in errors.iter_mut().zip(STAGES) {
+                for (index, largest) in errors.iter_mut().enumerate() {
                     let format = Format::of_trial(index);
                     let trial = Trial { stage, format };
-                    let levels = if is_gouraud {
-                        let lit = from_fn(|i| {
-                            let lit = at_corners.entry([number, index, object, vertices[i]]);
-                            *lit.or_insert_with(|| {
-                                let point = trial.all(Stage::Positions, points[i]);
-                                let normal = trial.all(Stage::Normals, normals[i]);
-                                trial.lit(&record, view, &sample, [point, normal])
-                            })
-                        });
-                        trial.blend(Stage::Sum, lit, weights)
-                    } else {
-                        let point = trial.blend(Stage::Positions, points, weights);
-                        let normal = trial.blend(Stage::Normals, normals, weights);
-                        let normal = trial.unit(Stage::Normals, normal);
-                        trial.lit(&record, view, &sample, [point, normal])
-                    };
-                    let face = Some(object * FACES.len() + triangle / 2);
+                    let levels = trial.levels(&record, view, &sample, vertices);
                     let [_, error] = error(full, &[(face, ends(levels.to_array()))], false);
-                    errors[number][index] = errors[number][index].max(error);
-                    error > limit
-                };
-                for format in 0..FORMATS.len() {
-                    breaks(format);
-                }
-                let mut left = fewest[number].load(Ordering::Relaxed)..TRIALS;
-                if let Some(index) = left.rfind(|index| breaks(*index)) {
-                    fewest[number].fetch_max(index + 1, Ordering::Relaxed);
+                    *largest = largest.max(error);
                 }
             }
         }
@@ -301,22 +287,28 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     };
     let height = view.size[1];
     let by_row = monitor.in_parallel("rounding", 0..height, height, row)?;
-    let of_stage = |(number, fewest): (usize, AtomicUsize)| {
-        let largest = |index: usize| {
-            let errors = by_row.iter().map(|row| row[number][index]);
-            errors.fold(0.0, f64::max)
+    let limit = limit(view.tolerance);
+    let of_stage = |(number, (_, stage)): (usize, (Stage, &'static str))| {
+        let largest = |trial: usize| {
+            by_row
+                .iter()
+                .map(|row| row[number][trial])
+                .fold(0.0, f64::max)
         };
-        let fewest = fewest.into_inner();
+        let errors: [f64; TRIALS] = from_fn(largest);
+        let (named, by_bits) = errors.split_at(FORMATS.len());
+        let breaking = by_bits.iter().rposition(|error| *error > limit);
+        let fewest = breaking.map_or(0, |index| index + 1);
         StageBits {
-            stage: STAGES[number].1,
-            bits: (fewest < TRIALS).then(|| fewest - 1),
-            largest_error: largest(fewest.min(TRIALS - 1)),
+            stage,
+            bits: (fewest < by_bits.len()).then_some(fewest + 2),
+            largest_error: by_bits[fewest.min(by_bits.len() - 1)],
             formats: from_fn(|index| FormatError {
                 format: FORMATS[index].0,
-                largest_error: largest(index),
-                keeps: largest(index) <= limit,
+                largest_error: named[index],
+                keeps: named[index] <= limit,
             }),
         }
     };
-    Ok(fewest.into_iter().enumerate().map(of_stage).collect())
+    Ok(STAGES.into_iter().enumerate().map(of_stage).collect())
 }

@@ -2,20 +2,23 @@
 //!
 //! The reduced scene is a valid scene file. Its comments list the parts left out and their error.
 
+use std::time::Duration;
+
 use serde::Serialize;
 use serde_json::json;
 
 use super::bits::{StageBits, bits};
-use super::least::least;
-use super::share::time_share;
-use super::{Part, PartChange, part_changes, parts, without};
+use super::{Part, PartChange, least, part_changes, without};
 use crate::components::View;
 use crate::drawing::Drawing;
+use crate::frame::{Frame, Keep, Workers};
 use crate::output::{Output, print, say};
 use crate::report::progress::with_bar;
 use crate::report::tables::{aligned, wrapped};
 use crate::report::words::short;
 use crate::scene::{Scene, SceneRecord, updated};
+use crate::systems;
+use crate::trade::timing;
 
 /// A part in the table and in the output of `--json`.
 #[derive(Serialize)]
@@ -41,13 +44,16 @@ const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its 
     fewest bits of significand, 2 to 24, that keep the tolerance; largest error: with that number of bits, in levels of 255, \
     proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
 
+/// The time spent on the share of each part.
+const TIME: Duration = Duration::from_millis(250);
+
 /// Prints the parts and the bits that a picture requires, and writes a reduced scene to `least_scene`.
 ///
 /// # Errors
 /// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
-    let rows = rows(drawing, &view)?;
+    let mut rows = rows(drawing, &view)?;
     let stages = with_bar(|monitor| bits(&drawing.scene, &view, monitor))?;
     let record = json!({
         "scene": drawing.scene.name,
@@ -55,6 +61,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
         "parts": rows,
         "bits": stages,
     });
+    rows.sort_by(|one, other| other.most().total_cmp(&one.most()));
     print(&record, as_json, || {
         let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
         let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
@@ -70,29 +77,49 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
 
 /// A row for each part.
 fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartRow>> {
-    let scene = &drawing.scene;
-    let parts = parts(scene);
-    let time_shares: Vec<_> = with_bar(|monitor| {
-        let of_part = |(index, (part, _)): (usize, &(Part, _))| {
-            (monitor.progress)("timing", index as f64 / parts.len() as f64);
-            time_share(scene, view, *part, drawing.level)
+    let found = with_bar(|monitor| part_changes(&drawing.scene, view, monitor))?;
+    let all = found.len() as f64;
+    with_bar(|monitor| {
+        let row = |(index, found): (usize, PartChange)| {
+            (monitor.progress)("timing", index as f64 / all);
+            Ok(PartRow {
+                time_share: time_share(drawing, view, found.part)?,
+                required: !found.change.keeps(view.tolerance),
+                found,
+            })
         };
-        parts.iter().enumerate().map(of_part).collect()
-    })?;
-    let found = with_bar(|monitor| part_changes(scene, view, monitor))?;
-    let row = |(found, time_share): (PartChange, _)| PartRow {
-        required: !found.change.keeps(view.tolerance),
-        found,
-        time_share,
-    };
-    Ok(found.into_iter().zip(time_shares).map(row).collect())
+        found.into_iter().enumerate().map(row).collect()
+    })
 }
 
-/// The table, the largest error first.
+/// The share of a frame's time that a part costs: 1 - (time without the part) / (time with it), negative if a frame
+/// without the part takes longer. `None` if the renderer cannot draw without the part.
+///
+/// Frames with and without the part are timed in turns, in random order, on one thread. The shortest time of each
+/// counts, because other programs only add to a time.
+fn time_share(drawing: &Drawing, view: &View, part: Part) -> anyhow::Result<Option<f64>> {
+    if !part.is_in_file() {
+        return Ok(None);
+    }
+    let scene = &drawing.scene;
+    let batch = |number| {
+        let mut drawn = [scene.snapshot(), without(scene, &[part])].map(|scene| {
+            let frame = Frame::new(Keep::Display, Workers::alone(drawing.level));
+            (scene.world, frame)
+        });
+        timing::batch(number, 2, TIME, |which| {
+            let (world, frame) = &mut drawn[which];
+            Ok(systems::draw(world, view, frame)?)
+        })
+    };
+    let times = timing::of_batches(batch, |_| ())?;
+    let [with, without] = [&times[0], &times[1]];
+    Ok(Some(1.0 - without.min / with.min))
+}
+
+/// The table of these parts.
 fn table(rows: &[PartRow]) -> String {
-    let mut sorted: Vec<&PartRow> = rows.iter().collect();
-    sorted.sort_by(|one, other| other.most().total_cmp(&one.most()));
-    let cells = |row: &&PartRow| {
+    let cells = |row: &PartRow| {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         vec![
             row.found.name.clone(),
@@ -103,7 +130,7 @@ fn table(rows: &[PartRow]) -> String {
         ]
     };
     let head = ["part", "largest error", "pixels", "time", "required"];
-    aligned(&head, &sorted.iter().map(cells).collect::<Vec<_>>())
+    aligned(&head, &rows.iter().map(cells).collect::<Vec<_>>())
 }
 
 /// An interval as text: a single number if both ends read the same.
@@ -116,7 +143,8 @@ fn error(ends: [f64; 2]) -> String {
     }
 }
 
-/// Writes the scene without parts that it does not require together. Only parts that a scene file can leave out are tried.
+/// Writes the scene without parts that it does not require together. `rows` begins with the part of the largest error.
+/// Only parts that a scene file can leave out are tried.
 fn write_least(
     subject: &str,
     scene: &Scene,
@@ -124,22 +152,17 @@ fn write_least(
     mut rows: Vec<PartRow>,
     output: &Output,
 ) -> anyhow::Result<()> {
-    rows.retain(|row| {
-        let is_in_file = !matches!(row.found.part, Part::Rule(_) | Part::F64SetUp);
-        is_in_file && !row.required
-    });
-    rows.sort_by(|one, other| one.most().total_cmp(&other.most()));
+    rows.retain(|row| row.found.part.is_in_file() && !row.required);
+    rows.reverse();
     let candidates: Vec<Part> = rows.iter().map(|row| row.found.part).collect();
     let (left_out, change) = with_bar(|monitor| least(scene, view, &candidates, monitor))?;
     rows.retain(|row| left_out.contains(&row.found.part));
     let names: Vec<String> = rows.into_iter().map(|row| row.found.name).collect();
-    let most = (1e4 * change.most()).ceil() / 1e4;
-    let found = match &names[..] {
-        [] => "no part is proven to be unnecessary".to_owned(),
-        names => format!(
-            "left out: {}; errs at most {most} levels, proven",
-            names.join(", ")
-        ),
+    let found = if names.is_empty() {
+        "no part is proven to be unnecessary".to_owned()
+    } else {
+        let (names, most) = (names.join(", "), (1e4 * change.most()).ceil() / 1e4);
+        format!("left out: {names}; errs at most {most} levels, proven")
     };
     // A line break in a name would end the comment.
     let comments = format!("The least scene for {subject}: {found}.");

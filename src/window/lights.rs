@@ -142,7 +142,7 @@ impl App {
             tag(painter, Align2::CENTER_CENTER, end, name, ink);
         };
         let mut places: Vec<DVec3> = Vec::new();
-        for light in &surface.lights {
+        for light in surface.lights() {
             let Some(to_light) = light.to_light.filter(|it| !places.contains(it)) else {
                 continue;
             };
@@ -151,8 +151,9 @@ impl App {
             arrow("r", ink.gamma_multiply(0.7), light.reflected);
             arrow("l", ink, Some(to_light));
         }
-        arrow("o", TO_EYE, surface.to_eye);
-        arrow("n", NORMAL, surface.normal);
+        let sample = surface.sample.as_ref();
+        arrow("o", TO_EYE, sample.map(|it| it.to_eye));
+        arrow("n", NORMAL, sample.map(|it| it.normal));
     }
 
     /// The colour of the light of this name.

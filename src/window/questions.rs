@@ -157,7 +157,7 @@ impl App {
             self.facts.is_refined |= question == Question::Refine;
             if question == Question::Probe {
                 let first = self.facts.section.value.iter().flatten().next();
-                let object = first.and_then(|probe| probe.object.clone());
+                let object = first.and_then(|probe| Some(probe.surface.as_ref()?.object.clone()));
                 self.desk.selected = object
                     .map(|name| ("cuboid", name))
                     .or(self.desk.selected.take());

@@ -34,10 +34,11 @@ impl App {
         if !self.facts.section.is_current {
             ui.visuals_mut().override_text_color = Some(STALE);
         }
-        let (Some(object), Some(surface)) = (&probe.object, &probe.surface) else {
+        let Some(surface) = &probe.surface else {
             ui.label("Background: no cuboid is seen here.");
             return;
         };
+        let object = &surface.object;
         ui.label(format!("{object}, {}", surface.triangle_label()));
         verdict(ui, surface);
         let channel = self.channel();
@@ -62,7 +63,7 @@ impl App {
 /// The drawn levels, those of exact Phong, and the errors, by channel; and both colours.
 fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
     let drawn = surface.drawn.levels;
-    let exact = surface.reference.phong.map(|it| it.levels);
+    let exact = surface.sample.as_ref().map(|it| it.phong.to_array());
     Grid::new("verdict").striped(true).show(ui, |ui| {
         for head in ["", "drawn", "exact", "error"] {
             let says = "Levels of 255. Exact is exact Phong in f64.";

@@ -18,7 +18,7 @@ impl App {
         let section = self.facts.section.value.iter().flatten();
         section.filter_map(|probe| {
             let surface = probe.surface.as_ref()?;
-            surface.position?;
+            surface.sample.as_ref()?;
             Some((probe.pixel[0] as f64, surface))
         })
     }
@@ -71,7 +71,7 @@ impl App {
 
 /// The displayed levels of exact Gouraud and of exact Phong.
 fn exact(surface: &ProbedSurface, channel: usize) -> [f64; 2] {
-    let reference = &surface.reference;
-    [reference.gouraud, reference.phong]
-        .map(|it| it.map_or(0.0, |it| displayed(it.levels[channel])))
+    surface.sample.as_ref().map_or([0.0; 2], |sample| {
+        [sample.gouraud, sample.phong].map(|levels| displayed(levels[channel]))
+    })
 }

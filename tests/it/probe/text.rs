@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, ShadingMode};
+use shadetrade::frame::display_step;
 use shadetrade::probe::{DrawnPixel, Probe};
 use shadetrade::scene::SceneRecord;
 use shadetrade::shading::TileKind;
@@ -24,7 +25,7 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
         // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
         (HIGHLIGHT, 2, |_| (), "No vertex lies in the highlight"),
         // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
-        (HIGHLIGHT, 2, wide, "The highlight of specular rises"),
+        (HIGHLIGHT, 2, wide, "(o.r)^1 of specular rises"),
         // Ambient light is the same everywhere.
         (HIGHLIGHT, 1, ambient, "Light changes nearly linearly"),
         (HIGHLIGHT, 0, dark, "No light"),
@@ -40,7 +41,7 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
             let [sentence, evidence] = surface.cause(channel).expect("the reference sees the face");
             assert!(sentence.starts_with(beginning), "{sentence}");
             if beginning.starts_with("No vertex") {
-                let light = &surface.lights[2];
+                let light = &surface.lights()[2];
                 let level = format!("instead of {:.0}.", light.phong.z);
                 let factor = format!("{:.2} here", light.factor);
                 assert!(sentence.contains(&level) && evidence.contains(&factor));
@@ -55,7 +56,16 @@ fn unit_vectors_are_as_short_as_their_mean() {
     let surface = surface_of(ShadingMode::UnitVectors, [480, 360], |record| {
         record.camera[0].position = DVec3::new(0.0, 0.0, 8.0);
     });
-    assert!((surface.normal_length - 3.0_f64.sqrt().recip()).abs() < 1e-3);
+    assert!(
+        (surface
+            .sample
+            .as_ref()
+            .expect("the same face")
+            .normal_length
+            - 3.0_f64.sqrt().recip())
+        .abs()
+            < 1e-3
+    );
     let [sentence, evidence] = surface.cause(1).expect("the reference sees the face");
     assert!(sentence.contains("too short") && evidence.contains("0.58"));
 }
@@ -64,9 +74,9 @@ fn unit_vectors_are_as_short_as_their_mean() {
 fn the_cost_is_that_of_the_square() {
     use ShadingMode::{Gouraud, Phong, UnitVectors};
     for (mode, kind, words) in [
-        (Phong, TileKind::Quadratic, ["Nine", "instead of 256"]),
+        (Phong, TileKind::Quadratic, ["Nine", "all pixels"]),
         (Phong, TileKind::Exact, ["An evaluation", "every pixel"]),
-        (Gouraud, TileKind::Linear, ["No evaluation", "256 pixels"]),
+        (Gouraud, TileKind::Linear, ["No evaluation", "its square"]),
         (Gouraud, TileKind::Exact, ["No evaluation", "every pixel"]),
         (UnitVectors, TileKind::Double, ["An evaluation", "f64"]),
     ] {
@@ -75,7 +85,6 @@ fn the_cost_is_that_of_the_square() {
             tolerance: 0.5,
             levels: [0.0; 3],
             kind,
-            pixels: 256,
         };
         let cost = drawn.cost();
         assert!(words.iter().all(|word| cost.contains(word)), "{cost}");
@@ -107,11 +116,10 @@ fn the_text_shows_every_value_in_rows() {
     });
     let mut probe = Probe {
         pixel: [31, 7],
-        object: Some("cube".to_owned()),
         surface: Some(surface.clone()),
     };
     let lines = probe.lines();
-    let head = format!("pixel 31,7: cube, triangle {}", surface.triangle);
+    let head = format!("pixel 31,7: emerald, triangle {}", surface.triangle);
     assert_eq!(lines[0], head);
     assert!(lines.iter().all(|line| line.len() <= 78), "{lines:?}");
     let levels = lines.iter().position(|line| line.contains("levels"));
@@ -121,14 +129,17 @@ fn the_text_shows_every_value_in_rows() {
         let row = lines.iter().rfind(is_named).expect(name);
         row.split_whitespace().skip(1).map(str::to_owned).collect()
     };
-    let modes = [&surface.gouraud, &surface.phong];
+    let modes = [surface.gouraud, surface.phong].map(|it| it.to_array());
     let assert_row = |name: &str, values: [[f64; 3]; 2]| {
         for (cell, value) in cells(levels, name).iter().zip(values.concat()) {
             assert_shows(cell, value);
         }
     };
-    for (index, light) in surface.lights.iter().enumerate() {
-        assert_row(&light.name, modes.map(|mode| mode.terms[index].1));
+    for light in surface.lights() {
+        assert_row(
+            &light.name,
+            [light.gouraud, light.phong].map(|it| it.to_array()),
+        );
         let row = cells(products, &light.name);
         let factor: f64 = row[2].parse().expect("a number");
         assert!((factor - light.factor).abs() < 1e-5, "{row:?}");
@@ -137,25 +148,25 @@ fn the_text_shows_every_value_in_rows() {
         }
         assert_eq!(row[1] == "-", light.kind != LightKind::Specular, "{row:?}");
     }
-    assert_row("drawn", modes.map(|mode| mode.levels));
-    assert_row("bytes", modes.map(|mode| mode.bytes.map(f64::from)));
-    let exact = [surface.reference.gouraud, surface.reference.phong];
+    assert_row("drawn", modes);
     assert_row(
-        "reference",
-        exact.map(|it| it.expect("the same face").levels),
+        "bytes",
+        modes.map(|it| it.map(|level| f64::from(display_step(level)))),
     );
+    let exact = surface.sample.as_ref().expect("the same face");
+    let exact = [exact.gouraud, exact.phong].map(|it| it.to_array());
+    assert_row("reference", exact);
 
     // At an edge the reference may see another triangle, or another face.
     let surface = probe.surface.as_mut().expect("set above");
     let other = surface.triangle ^ 1;
-    surface.reference.triangle = Some(other);
+    surface.sample.as_mut().expect("the same face").triangle = other as usize;
     let label = format!("(reference: {other})");
     assert!(surface.triangle_label().ends_with(&label));
-    surface.reference.phong = None;
-    surface.normal = None;
+    surface.sample = None;
     let lines = probe.lines();
     assert!(lines[2].ends_with("n -"), "{lines:?}");
     assert!(cells(&lines, "reference").ends_with(&["-"; 3].map(str::to_owned)));
-    probe.object = None;
+    probe.surface = None;
     assert_eq!(probe.lines(), ["pixel 31,7: background"]);
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use shadetrade::components::{LightKind, Projection};
 use shadetrade::report::Monitor;
-use shadetrade::requires::{Part, changes, least::least, without};
+use shadetrade::requires::{Part, changes, least, without};
 
 use super::{cubes, from_z};
 use crate::support::scene::at;
