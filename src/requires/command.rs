@@ -143,8 +143,8 @@ fn error(ends: [f64; 2]) -> String {
     }
 }
 
-/// Writes the scene without parts that it does not require together. `rows` begins with the part of the largest error.
-/// Only parts that a scene file can leave out are tried.
+/// Writes the scene without parts that it does not require together. Only parts that a scene file can leave out are
+/// tried, that of the least error first.
 fn write_least(
     subject: &str,
     scene: &Scene,
@@ -153,7 +153,7 @@ fn write_least(
     output: &Output,
 ) -> anyhow::Result<()> {
     rows.retain(|row| row.found.part.is_in_file() && !row.required);
-    rows.reverse();
+    rows.sort_by(|one, other| one.most().total_cmp(&other.most()));
     let candidates: Vec<Part> = rows.iter().map(|row| row.found.part).collect();
     let (left_out, change) = with_bar(|monitor| least(scene, view, &candidates, monitor))?;
     rows.retain(|row| left_out.contains(&row.found.part));
