@@ -244,7 +244,7 @@ pub fn least(
         if ordered::<Mesh>(&without(scene, &tried).world).is_empty() {
             continue;
         }
-        let without_it = changes(scene, view, &[tried.clone()], monitor)?[0];
+        let without_it = changes(scene, view, std::slice::from_ref(&tried), monitor)?[0];
         if without_it.keeps(view.tolerance) {
             (left_out, change) = (tried, without_it);
         }
