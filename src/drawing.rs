@@ -5,6 +5,7 @@ use std::thread::available_parallelism;
 
 use anyhow::Context;
 use fearless_simd::Level;
+use hecs::World;
 
 use crate::components::{Budget, Name, ShadingMode, View, active_camera, get, look};
 use crate::frame::Workers;
@@ -36,12 +37,6 @@ impl Drawing {
         look::<Budget>(&self.scene.world).0
     }
 
-    /// The name of the active camera.
-    pub fn camera(&self) -> String {
-        let world = &self.scene.world;
-        get(world, active_camera(world)).map_or_else(String::new, |Name(name)| name)
-    }
-
     /// The shading mode of all cuboids, or `scene` if they differ.
     pub fn mode(&self) -> &'static str {
         let mut modes = self.scene.world.query::<&ShadingMode>();
@@ -60,7 +55,7 @@ impl Drawing {
         format!(
             "{}, camera {}, {}, {width}x{height}, {}, tolerance {}",
             self.scene.name,
-            self.camera(),
+            camera_name(&self.scene.world),
             view.projection.name(),
             self.mode(),
             view.tolerance
@@ -74,6 +69,11 @@ impl Drawing {
     pub fn workers(&self) -> anyhow::Result<Workers> {
         Workers::new(self.threads, self.level).context("cannot start the threads that draw")
     }
+}
+
+/// The name of the active camera.
+pub fn camera_name(world: &World) -> String {
+    get(world, active_camera(world)).map_or_else(String::new, |Name(name)| name)
 }
 
 /// The number of threads that the machine runs in parallel, at most [`MAX_THREADS`].

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::components::{Camera, Projection, ShadingMode, View, names};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::output::print;
-use crate::prove::{Proof, Verdict, prove};
+use crate::prove::{Example, Proof, Verdict, prove};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
 use crate::scene::{EXTREMES, Scene};
@@ -28,6 +28,9 @@ const FOLDER: &str = "extremes/";
 
 /// The least number of pixels that show a cuboid, in all pictures from one camera: fewer prove little.
 const MIN_COVERED: u64 = 100;
+
+/// Width and height of a picture where the index names none, in pixels.
+const SIZE: [usize; 2] = [96, 72];
 
 /// A scene and its expectations: those of the index, or the defaults.
 #[derive(Deserialize)]
@@ -47,7 +50,7 @@ impl Default for Extreme {
     fn default() -> Self {
         Extreme {
             name: "",
-            size: [96, 72],
+            size: SIZE,
             projections: Projection::ALL.to_vec(),
             modes: vec![ShadingMode::Gouraud, ShadingMode::Phong],
             fact: None,
@@ -69,6 +72,22 @@ enum Fact {
     Pixel { at: [usize; 2], levels: [f64; 3] },
 }
 
+impl Fact {
+    /// Whether a pixel may show this cuboid, or the background, with these levels, each within `limit`.
+    fn allows(self, pixel: [usize; 2], cuboid: Option<u32>, drawn: [f32; 3], limit: f64) -> bool {
+        let has = |levels: [f64; 3]| {
+            let mut channels = levels.iter().zip(drawn);
+            channels.all(|(level, drawn)| (level - f64::from(drawn)).abs() <= limit)
+        };
+        match self {
+            Fact::Background => cuboid.is_none(),
+            Fact::Cuboid(number) => cuboid.is_none_or(|it| it == number),
+            Fact::Everywhere(level) => cuboid.is_none() || has([level; 3]),
+            Fact::Pixel { at, levels } => at != pixel || has(levels),
+        }
+    }
+}
+
 /// The result of an extreme.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Outcome {
@@ -86,10 +105,12 @@ pub struct Outcome {
 pub fn table() -> Vec<Extreme> {
     let index = include_str!("../assets/extremes/index.toml");
     let mut index: BTreeMap<&str, Extreme> = toml::from_str(index).expect("the index is right");
-    let scenes = EXTREMES.iter().map(|(path, _)| {
-        let name = path.trim_start_matches(FOLDER);
-        let expected = index.remove(name).unwrap_or_default();
-        Extreme { name, ..expected }
+    let names = EXTREMES
+        .iter()
+        .map(|(path, _)| path.trim_start_matches(FOLDER));
+    let scenes = names.map(|name| Extreme {
+        name,
+        ..index.remove(name).unwrap_or_default()
     });
     let scenes = scenes.collect();
     assert!(index.is_empty(), "the index names scenes that do not exist");
@@ -102,21 +123,20 @@ pub fn table() -> Vec<Extreme> {
 /// If there is no extreme of a name.
 pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     let mut table = table();
-    let names: Vec<&str> = names
+    let names = names.iter().map(|it| it.trim_start_matches(FOLDER));
+    let names: Vec<&str> = names.collect();
+    let mut missing = names
         .iter()
-        .map(|it| it.trim_start_matches(FOLDER))
-        .collect();
-    let missing = names
-        .iter()
-        .find(|name| !table.iter().any(|it| it.name == **name));
-    if let Some(name) = missing {
+        .filter(|name| table.iter().all(|it| it.name != **name));
+    if let Some(name) = missing.next() {
         bail!("no extreme is named {name:?}; `shadetrade extremes` lists them");
     }
     table.retain(|extreme| names.is_empty() || names.contains(&extreme.name));
     Ok(table)
 }
 
-/// Proves the pictures of extremes on rayon's current threads: `all` of them, or every second one.
+/// Proves the pictures of extremes on rayon's current threads: `all` of them, or every second one of a quarter of the pixels
+/// where the index names no size.
 pub fn examine(extremes: &[Extreme], level: Level, all: bool, monitor: Monitor) -> Vec<Outcome> {
     let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
         (monitor.progress)("proving extremes", index as f64 / extremes.len() as f64);
@@ -151,17 +171,14 @@ pub fn all_pass(outcomes: &[Outcome]) -> anyhow::Result<()> {
 
 /// A line for each outcome, and the number of those that passed.
 pub fn text(outcomes: &[Outcome]) -> String {
-    let lines = outcomes.iter().map(|outcome| {
-        let verdict = if outcome.pass { "pass" } else { "FAIL" };
-        let Outcome {
-            name,
-            expected,
-            observed,
-            ..
-        } = outcome;
-        format!("{verdict}  {name:<36}  {expected}; {observed}\n")
-    });
-    let lines: String = lines.collect();
+    let line = |it: &Outcome| {
+        let verdict = if it.pass { "pass" } else { "FAIL" };
+        format!(
+            "{verdict}  {:<36}  {}; {}\n",
+            it.name, it.expected, it.observed
+        )
+    };
+    let lines: String = outcomes.iter().map(line).collect();
     let passed = outcomes.iter().filter(|outcome| outcome.pass).count();
     format!("{lines}\n{passed} of {} pass", outcomes.len())
 }
@@ -181,16 +198,15 @@ impl Extreme {
     /// Proves the pictures and checks the fact. Returns the largest proven errors in words.
     fn observe(&self, level: Level, all: bool) -> anyhow::Result<String> {
         let mut scene = Scene::load(Some(&format!("{FOLDER}{}", self.name)))?;
-        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         let (mut covered, mut pictures, mut worst) = (0, 0, [0.0_f64; 2]);
         for (number, camera) in names::<Camera>(&scene.world).iter().enumerate() {
             scene.look_from(camera)?;
             let mut seen = 0;
-            for (index, view) in self.views(&scene.world).iter().enumerate() {
+            for (index, view) in self.views(&scene.world, all).iter().enumerate() {
                 if !all && (index / 2 + number) % 2 == 1 {
                     continue;
                 }
-                let proof = self.check(&mut scene.world, view, &mut frame);
+                let proof = self.check(&mut scene.world, view, level);
                 let proof = proof.with_context(|| {
                     let mode = view.shading.map_or("", ShadingMode::name);
                     let (projection, tolerance) = (view.projection.name(), view.tolerance);
@@ -213,14 +229,21 @@ impl Extreme {
     }
 
     /// The views of the active camera, each at tolerance 0 and then at 0.5.
-    fn views(&self, world: &World) -> Vec<View> {
+    fn views(&self, world: &World, all: bool) -> Vec<View> {
+        let is_small = !all && self.size == SIZE;
+        let size = if is_small {
+            SIZE.map(|it| it / 2)
+        } else {
+            self.size
+        };
+        let view = View::of(world, size);
         let mut views = Vec::new();
         for &projection in &self.projections {
             for &mode in &self.modes {
                 views.extend([0.0, 0.5].map(|tolerance| View {
                     projection,
                     tolerance,
-                    ..View::of(world, self.size).shaded(mode)
+                    ..view.shaded(mode)
                 }));
             }
         }
@@ -228,8 +251,7 @@ impl Extreme {
     }
 
     /// Proves a picture and checks the fact.
-    fn check(&self, world: &mut World, view: &View, frame: &mut Frame) -> anyhow::Result<Proof> {
-        let level = frame.workers().level();
+    fn check(&self, world: &mut World, view: &View, level: Level) -> anyhow::Result<Proof> {
         // No monitor: the progress of one picture among many is not shown.
         let proof = prove(world, view, None, level, Monitor::NONE)?;
         // Intervals need not decide a pixel that is known on paper.
@@ -237,41 +259,29 @@ impl Extreme {
             Some(Fact::Pixel { at, .. }) => Some(at),
             _ => None,
         };
-        let wrong = |verdict, place| verdict == Verdict::Refuted || Some(place) != known;
         let mut examples = proof.examples.iter();
-        if let Some(example) = examples.find(|it| wrong(it.verdict, it.pixel)) {
-            let [x, y] = example.pixel;
-            bail!(
-                "pixel {x},{y} is {:?}: drawn {:.4?}, exact {:.4?}",
-                example.verdict,
-                example.drawn,
-                example.enclosure
-            );
+        let is_wrong = |it: &&Example| it.verdict == Verdict::Refuted || Some(it.pixel) != known;
+        if let Some(Example {
+            pixel: [x, y],
+            verdict,
+            drawn,
+            enclosure,
+            ..
+        }) = examples.find(is_wrong)
+        {
+            bail!("pixel {x},{y} is {verdict:?}: drawn {drawn:.4?}, exact {enclosure:.4?}");
         }
         let Some(fact) = self.fact else {
             return Ok(proof);
         };
-        systems::draw(world, view, frame)?;
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+        systems::draw(world, view, &mut frame)?;
         for (pixel, (id, drawn)) in frame.triangles().iter().zip(frame.levels()).enumerate() {
-            let is_background = *id == NO_TRIANGLE;
-            let has = |levels: [f64; 3]| {
-                let mut channels = levels.iter().zip(drawn);
-                channels.all(|(level, drawn)| {
-                    (level - f64::from(*drawn)).abs() <= limit(view.tolerance)
-                })
-            };
             let place = [pixel % view.size[0], pixel / view.size[0]];
-            let is_right = match fact {
-                Fact::Background => is_background,
-                Fact::Cuboid(number) => is_background || id / 12 == number,
-                Fact::Everywhere(level) => is_background || has([level; 3]),
-                Fact::Pixel { at, levels } => at != place || has(levels),
-            };
+            let cuboid = (*id != NO_TRIANGLE).then_some(id / 12);
             ensure!(
-                is_right,
-                "pixel {place:?} shows triangle {} of cuboid {}, levels {drawn:?}",
-                id % 12,
-                id / 12
+                fact.allows(place, cuboid, *drawn, limit(view.tolerance)),
+                "pixel {place:?} shows cuboid {cuboid:?}, levels {drawn:?}"
             );
         }
         Ok(proof)

@@ -14,7 +14,7 @@ use image::ImageFormat;
 
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
-use crate::output::{Output, quoted};
+use crate::output::Output;
 use crate::prove::{Picture, read_png};
 use crate::scene::Scene;
 use crate::shading::METHODS;
@@ -122,10 +122,7 @@ impl TradeOptions {
             trade::USUAL_TIME
         };
         let time = self.seconds.unwrap_or(usual);
-        let words = std::env::args_os().skip(1);
-        let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
-        let command = format!("shadetrade {}", words.join(" "));
-        let mut request = trade::Request::new(drawing, time, command);
+        let mut request = trade::Request::new(drawing, time, true);
         if let Some(ids) = &self.methods {
             request
                 .methods

@@ -28,40 +28,35 @@ use crate::scene::SceneRecord;
 use crate::systems;
 
 /// Width and height of a picture, in pixels.
-const SIZE: [usize; 2] = [64, 48];
+pub const SIZE: [usize; 2] = [64, 48];
 
-/// Sweeps numbers on rayon's current threads. Each has four curves, in the order of [`EVALUATIONS`].
+/// Sweeps all numbers on rayon's current threads. Each has four curves, in the order of [`EVALUATIONS`].
 ///
 /// # Errors
 /// If a value makes no valid scene, or a picture does not fit in memory.
-pub fn measure(
-    sweeps: &'static [Sweep],
-    level: Level,
-    monitor: Monitor,
-) -> anyhow::Result<Vec<Curve>> {
-    let values = |sweep: &'static Sweep| sweep.values().into_iter().map(move |it| (sweep, it));
-    let values: Vec<_> = sweeps.iter().flat_map(values).collect();
-    let errors = |index: usize| {
-        let (sweep, value) = values[index];
-        Ok((value, errors(&sweep.scene(value), level)?))
-    };
-    let all = values.len();
-    let mut errors = &monitor.in_parallel("sweeping numbers", 0..all, all, errors)?[..];
-    let mut curves = Vec::new();
-    for sweep in sweeps {
-        let (own, others) = errors.split_at(sweep.values().len());
-        errors = others;
+pub fn measure(size: [usize; 2], level: Level, monitor: Monitor) -> anyhow::Result<Vec<Curve>> {
+    let values: Vec<Vec<f64>> = SWEEPS.iter().map(Sweep::values).collect();
+    let all = values.iter().map(Vec::len).sum();
+    let (mut curves, mut done) = (Vec::new(), 0);
+    for (sweep, values) in SWEEPS.iter().zip(values) {
+        let errors = |index| {
+            let value: f64 = values[index - done];
+            Ok((value, errors(&sweep.scene(value), size, level)?))
+        };
+        let items = done..done + values.len();
+        let errors = monitor.in_parallel("sweeping numbers", items.clone(), all, errors)?;
         let evaluations = 0..EVALUATIONS.len();
-        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, own)));
+        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, &errors)));
+        done = items.end;
     }
     Ok(curves)
 }
 
 /// The errors of each evaluation in one picture.
-fn errors(record: &SceneRecord, level: Level) -> anyhow::Result<Errors> {
+fn errors(record: &SceneRecord, size: [usize; 2], level: Level) -> anyhow::Result<Errors> {
     record.check()?;
     let mut world = record.spawn();
-    let view = View::of(&world, SIZE).shaded(ShadingMode::Phong);
+    let view = View::of(&world, size).shaded(ShadingMode::Phong);
     let mut drawn = |tolerance| {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         systems::draw(&mut world, &view.with_tolerance(tolerance), &mut frame)?;
@@ -72,9 +67,9 @@ fn errors(record: &SceneRecord, level: Level) -> anyhow::Result<Errors> {
     let in_f64 = Reference::<f64>::new(&world, &view);
     let enclosures = Reference::<Interval>::new(&world, &view);
     let mut errors = Errors::default();
-    for y in 0..SIZE[1] {
+    for y in 0..size[1] {
         enclosures.row(y, |x, seen| {
-            let pixel = y * SIZE[0] + x;
+            let pixel = y * size[0] + x;
             let [exact, half] = frames.each_ref().map(|frame| {
                 let face = shown_face(frame.triangles()[pixel]);
                 (face, frame.levels()[pixel].map(f64::from))
@@ -111,7 +106,7 @@ pub fn run(level: Level, out: Option<&Path>, as_json: bool) -> anyhow::Result<()
     if let Some(folder) = out {
         output::make_folder(folder)?;
     }
-    let curves = with_bar(|monitor| measure(SWEEPS, level, monitor))?;
+    let curves = with_bar(|monitor| measure(SIZE, level, monitor))?;
     print(&curves, as_json, || table(&curves))?;
     if let Some(folder) = out {
         let files = [

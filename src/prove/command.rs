@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::png::Picture;
 use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, limit_of, prove};
 use crate::components::{Mesh, names};
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, camera_name};
 use crate::frame::{Frame, Keep};
 use crate::output::{Output, print};
 use crate::report::progress::with_bar;
@@ -64,7 +64,7 @@ pub fn run(
     }
     let record = Record {
         scene: &drawing.scene.name,
-        camera: drawing.camera(),
+        camera: camera_name(&drawing.scene.world),
         projection: view.projection.name(),
         size: view.size,
         mode: drawing.mode(),

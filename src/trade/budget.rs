@@ -10,7 +10,8 @@
 
 use std::time::Duration;
 
-use super::live;
+use super::batch::time_here;
+use super::measure::measure;
 use super::measurement::{Measurement, Request};
 use super::verdict::method_name;
 use crate::components::ShadingMode;
@@ -95,7 +96,7 @@ pub fn held(measured: &[Measurement], budget: f64) -> Option<(&Measurement, Stri
     let (method, cost) = (*methods.get(place)?, costs[place]);
     let chosen = measured.iter().find(|it| it.method == method)?;
     let name = capital(&method_name(method));
-    let [time, error] = [Some(cost), chosen.error].map(short);
+    let [time, error] = [Some(cost), chosen.largest_error()].map(short);
     let (over, nothing) = (over(cost, budget), "; nothing is faster");
     let nothing = if over.is_empty() { "" } else { nothing };
     let text = format!("{name}: {time} ms, off by {error} of 255{over}{nothing}");
@@ -120,7 +121,7 @@ pub fn choose(drawing: &Drawing, budget: f64) -> anyhow::Result<Option<(Method, 
         scene: drawing.scene.snapshot(),
         ..*drawing
     };
-    let request = Request::new(drawn, MEASURING_TIME, String::new());
-    let measured = with_bar(|monitor| live::measure(&request, &[], monitor))?;
+    let request = Request::new(drawn, MEASURING_TIME, false);
+    let measured = with_bar(|monitor| measure(&request, &[], time_here, monitor))?;
     Ok(held(&measured, budget).map(|(one, text)| (one.method, text)))
 }

@@ -6,8 +6,8 @@
 
 use egui::{Align2, Color32, FontId, Painter, Rect, StrokeKind, pos2, vec2};
 
-use super::metrics::{Picture, pixel_error};
-use crate::frame::{NO_TRIANGLE, display_pixel};
+use super::metrics::Pixel;
+use crate::frame::display_pixel;
 use crate::paint::{annotate, color};
 
 /// The colour of a pixel at which neither picture shows a cuboid, 0x00RRGGBB.
@@ -27,34 +27,6 @@ const MAGMA: [[f64; 7]; 3] = [
     [0.0014, 0.6091, -2.692, 10.3584, -20.0632, 21.5885, -8.8214],
     [0.0023, 2.207, 2.4994, -20.8892, 24.8291, -5.2793, -2.6193],
 ];
-
-/// The comparison of one pixel of two pictures.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pixel {
-    /// The error in levels, 0..=255.
-    Error(f32),
-    /// The pictures show different faces.
-    Edge,
-    /// Neither picture shows a cuboid.
-    Nothing,
-}
-
-/// Compares two pictures of one size, pixel by pixel.
-pub fn compared<T, U>(left: Picture<T>, right: Picture<U>) -> impl Iterator<Item = Pixel>
-where
-    T: Into<f64> + Copy,
-    U: Into<f64> + Copy,
-{
-    (0..left.levels.len()).map(move |pixel| {
-        if [left.triangles[pixel], right.triangles[pixel]] == [NO_TRIANGLE; 2] {
-            Pixel::Nothing
-        } else if left.shows_as(&right, pixel) {
-            Pixel::Error(pixel_error(left.levels[pixel], right.levels[pixel]) as f32)
-        } else {
-            Pixel::Edge
-        }
-    })
-}
 
 /// The colours of errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,7 +68,7 @@ impl Scale {
     /// The colour of a pixel, 0x00RRGGBB.
     pub fn color(self, pixel: Pixel) -> u32 {
         match pixel {
-            Pixel::Error(error) => color_at(self.position(f64::from(error))),
+            Pixel::Error(error) => color_at(self.position(error)),
             Pixel::Edge => EDGE,
             Pixel::Nothing => NOTHING,
         }
@@ -184,6 +156,8 @@ pub fn with_legend(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::frame::NO_TRIANGLE;
+    use crate::trade::metrics::{Picture, compared};
 
     #[test]
     fn the_colours_are_magma() {

@@ -16,7 +16,7 @@ const COLUMNS: [Column; 6] = [
         let [low, high] = one.timing.interval.map(|end| short(Some(end)));
         format!("{low} to {high}")
     }),
-    ("largest error", |one| short(one.error)),
+    ("largest error", |one| short(one.largest_error())),
     ("highlight kept", |one| percent(one.highlight_kept)),
     ("best trade", |one| {
         if one.on_front { "yes" } else { "" }.to_owned()

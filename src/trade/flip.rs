@@ -82,38 +82,35 @@ fn looks<T: Into<f64> + Copy + Sync>(picture: &Picture<T>, pixels_per_degree: f6
         opponent_from_srgb(bytes.map(|byte| (byte / 255.0) as f32))
     };
     let opponent: Vec<[f32; 3]> = picture.levels.par_iter().map(opponent).collect();
-    let planes = [0, 1, 2].map(|channel| Plane {
-        width: picture.width,
-        values: opponent.iter().map(|color| color[channel]).collect(),
-    });
+    let plane = |channel: usize| opponent.iter().map(|it| it[channel]).collect::<Vec<f32>>();
+    let planes = [0, 1, 2].map(plane);
+    let filtered = |plane, across: &Taps, down: &Taps| filtered(plane, picture.width, across, down);
     let blurred = [0, 1, 2].map(|channel| {
-        let gaussians = contrast(CONTRAST[channel], pixels_per_degree);
-        let parts = gaussians
-            .iter()
-            .map(|taps| planes[channel].filtered(taps, taps));
-        let add = |sums: Vec<f32>, part: Vec<f32>| {
-            sums.into_iter()
+        let mut sums = vec![0.0; opponent.len()];
+        for taps in contrast(CONTRAST[channel], pixels_per_degree) {
+            let part = filtered(&planes[channel], &taps, &taps);
+            sums.iter_mut()
                 .zip(part)
-                .map(|(sum, value)| sum + value)
-                .collect()
-        };
-        parts.reduce(add).unwrap_or_default()
+                .for_each(|(sum, value)| *sum += value);
+        }
+        sums
     });
     let [along, edge, point] = features(pixels_per_degree);
     let strengths = [edge, point].map(|derivative| {
-        let across = planes[0].filtered(&derivative, &along);
-        let down = planes[0].filtered(&along, &derivative);
-        let strengths = across.into_iter().zip(down);
-        strengths
-            .map(|(across, down)| across.hypot(down))
-            .collect::<Vec<f32>>()
+        let across = filtered(&planes[0], &derivative, &along);
+        let down = filtered(&planes[0], &along, &derivative);
+        let strengths = across
+            .iter()
+            .zip(down)
+            .map(|(across, down)| across.hypot(down));
+        strengths.collect::<Vec<f32>>()
     });
-    let look = |pixel: usize| Look {
-        color: hunt_lab(
-            linear_from_opponent(blurred.each_ref().map(|plane: &Vec<f32>| plane[pixel]))
-                .map(|linear| linear.clamp(0.0, 1.0)),
-        ),
-        features: strengths.each_ref().map(|plane| plane[pixel]),
+    let look = |pixel: usize| {
+        let linear = linear_from_opponent(blurred.each_ref().map(|plane| plane[pixel]));
+        Look {
+            color: hunt_lab(linear.map(|it| it.clamp(0.0, 1.0))),
+            features: strengths.each_ref().map(|plane| plane[pixel]),
+        }
     };
     (0..opponent.len()).into_par_iter().map(look).collect()
 }
@@ -148,10 +145,10 @@ fn contrast(gaussians: &[[f64; 2]], pixels_per_degree: f64) -> Vec<Taps> {
         weights(radius, |x| amplitude * gaussian(x))
     });
     let parts: Vec<Vec<f64>> = parts.collect();
-    let sums = parts.iter().map(|weights| weights.iter().sum::<f64>());
-    let whole = sums.map(|sum| sum * sum).sum::<f64>().sqrt();
-    let taps = |weights: &Vec<f64>| weights.iter().map(|it| (it / whole) as f32).collect();
-    parts.iter().map(taps).collect()
+    let square = |weights: &Vec<f64>| weights.iter().sum::<f64>().powi(2);
+    let whole = parts.iter().map(square).sum::<f64>().sqrt();
+    let taps = |weights: Vec<f64>| weights.into_iter().map(|it| (it / whole) as f32).collect();
+    parts.into_iter().map(taps).collect()
 }
 
 /// A Gaussian and its first and second derivative, which find edges and points: of values 0..=1 for a luminance of
@@ -174,10 +171,8 @@ fn weights(radius: f64, weight: impl Fn(f64) -> f64) -> Vec<f64> {
 
 /// The weights scaled so that the positive sum to `sum` and the negative to `-sum`.
 fn balanced(weights: &[f64], sum: f64) -> Taps {
-    let [positive, negative] = [1.0, -1.0].map(|sign| {
-        let parts = weights.iter().map(|weight| (sign * weight).max(0.0));
-        parts.sum::<f64>()
-    });
+    let whole = |sign: f64| weights.iter().map(|it| (sign * it).max(0.0)).sum::<f64>();
+    let [positive, negative] = [1.0, -1.0].map(whole);
     let scaled = |weight: &f64| {
         let whole = if *weight < 0.0 { negative } else { positive };
         (weight / whole * sum) as f32
@@ -185,38 +180,26 @@ fn balanced(weights: &[f64], sum: f64) -> Taps {
     weights.iter().map(scaled).collect()
 }
 
-/// Values row by row.
-struct Plane {
-    width: usize,
-    values: Vec<f32>,
+/// The values of a picture after a filter across the columns and one down the rows.
+fn filtered(values: &[f32], width: usize, across: &Taps, down: &Taps) -> Vec<f32> {
+    let height = values.len() / width;
+    transposed(&transposed(values, width, across), height, down)
 }
 
-impl Plane {
-    /// The values after a filter across the columns and one down the rows.
-    fn filtered(&self, across: &Taps, down: &Taps) -> Vec<f32> {
-        self.across(across).across(down).values
-    }
-
-    /// The transposed plane after a filter across the columns.
-    fn across(&self, taps: &Taps) -> Plane {
-        let reach = taps.len() / 2;
-        let filtered = |row: &[f32]| {
-            let place = |x: usize| row[x.saturating_sub(reach).min(row.len() - 1)];
-            let padded: Vec<f32> = (0..row.len() + 2 * reach).map(place).collect();
-            let mut sums = vec![0.0; row.len()];
-            for (shift, weight) in taps.iter().enumerate() {
-                for (sum, value) in sums.iter_mut().zip(&padded[shift..]) {
-                    *sum += weight * value;
-                }
-            }
-            sums
-        };
-        let rows = self.values.par_chunks_exact(self.width).map(filtered);
-        let rows: Vec<Vec<f32>> = rows.collect();
-        let columns = (0..self.width).flat_map(|x| rows.iter().map(move |row| row[x]));
-        Plane {
-            width: rows.len(),
-            values: columns.collect(),
+/// The values of a picture after a filter across the columns, column by column.
+fn transposed(values: &[f32], width: usize, taps: &Taps) -> Vec<f32> {
+    let reach = taps.len() / 2;
+    let filtered = |row: &[f32]| {
+        let place = |x: usize| row[x.saturating_sub(reach).min(width - 1)];
+        let padded: Vec<f32> = (0..width + 2 * reach).map(place).collect();
+        let mut sums = vec![0.0; width];
+        for (weight, shifted) in taps.iter().zip(padded.windows(width)) {
+            let sums = sums.iter_mut().zip(shifted);
+            sums.for_each(|(sum, value)| *sum += weight * value);
         }
-    }
+        sums
+    };
+    let rows: Vec<Vec<f32>> = values.par_chunks_exact(width).map(filtered).collect();
+    let column = |x: usize| rows.iter().map(move |row| row[x]);
+    (0..width).flat_map(column).collect()
 }

@@ -40,7 +40,7 @@ impl<'a> Point<'a> {
         Some(Point {
             measured,
             time: measured.ns_per_covered_pixel.filter(|time| *time > 0.0)?,
-            error: measured.error?.max(FLOOR),
+            error: measured.largest_error()?.max(FLOOR),
             color: match measured.method.mode {
                 ShadingMode::Gouraud => BLUE,
                 ShadingMode::Phong => ORANGE,

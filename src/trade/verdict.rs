@@ -48,7 +48,7 @@ fn gouraud(measured: &[Measurement]) -> Option<&Measurement> {
 fn of(measured: &[Measurement], shown: &Measurement) -> String {
     let is_phong = shown.method.mode == Phong;
     let [exact, half] = [0.0, UNSEEN].map(|tolerance| find(measured, Phong, tolerance));
-    let error = shown.error.unwrap_or_default();
+    let error = shown.largest_error().unwrap_or_default();
     let is_seen = error > UNSEEN;
     let rival = if is_phong && !is_seen {
         gouraud(measured)
@@ -58,7 +58,9 @@ fn of(measured: &[Measurement], shown: &Measurement) -> String {
         half.filter(worth).or(exact)
     };
     let rival = rival.filter(|rival| rival.method != shown.method);
-    let its_error = rival.and_then(|rival| rival.error).unwrap_or_default();
+    let its_error = rival
+        .and_then(Measurement::largest_error)
+        .unwrap_or_default();
     let errs = match times(its_error, error) {
         _ if is_seen || its_error <= UNSEEN => format!("off by {} of 255", short(Some(error))),
         Some(more) if error > ROUNDING => format!("{more} times more exact"),

@@ -38,7 +38,7 @@ fn logarithms(time: f64, error: f64) -> [f64; 2] {
 
 /// The place of a method's dot.
 fn place(one: &Measurement) -> [f64; 2] {
-    logarithms(one.timing.median, one.error.unwrap_or_default())
+    logarithms(one.timing.median, one.largest_error().unwrap_or_default())
 }
 
 impl App {
@@ -103,7 +103,7 @@ impl App {
             let line = (1.0, Color32::WHITE);
             ui.painter().circle_stroke(at, DOT + 2.0, line);
         }
-        let [time, error] = [one.timing.median, one.error.unwrap_or_default()].map(short);
+        let [time, error] = [one.timing.median, one.largest_error().unwrap_or_default()].map(short);
         let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));
         if response.on_hover_text(text).clicked() {
             self.choose_method(one.method);

@@ -9,7 +9,7 @@ use crate::memory;
 use crate::report::Monitor;
 use crate::systems;
 use crate::trade::accuracy::exact;
-use crate::trade::error_map::{self, Scale};
+use crate::trade::error_map::Scale;
 use crate::trade::metrics::{self, Picture};
 
 /// A picture against the reference in f64.
@@ -41,13 +41,17 @@ impl Comparison {
         let mut largest: Option<f64> = None;
         monitor.in_bands("comparing", view.size[1], |rows| {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
-            let exact = exact(world, view, ShadingMode::Phong, rows, monitor, |_| ())?;
+            let quiet = Monitor {
+                progress: &|_, _| (),
+                ..monitor
+            };
+            let exact = exact(world, view, ShadingMode::Phong, rows, quiet)?;
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
             let error = metrics::compare(drawn, compared).error;
             if let Some(error) = error {
                 largest = Some(largest.map_or(error.max, |largest| largest.max(error.max)));
             }
-            errors.extend(error_map::compared(drawn, compared));
+            errors.extend(metrics::compared(drawn, compared));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
             Ok(())
         })?;

@@ -18,7 +18,8 @@ use crate::report::Monitor;
 use crate::requires::{bits::bits, ranked};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
-use crate::trade::{Measurement, Request, live};
+use crate::trade::batch::time_here;
+use crate::trade::{Measurement, Request, measure};
 
 /// The time between two reports of progress: a layout takes time from the frames that are measured.
 const PROGRESS: Duration = Duration::from_millis(200);
@@ -96,16 +97,15 @@ impl App {
             |facts| &mut facts.trade,
             move |scene, view, monitor| {
                 let request = Request {
-                    camera: String::new(),
                     scene: scene.snapshot(),
                     view: view.clone(),
                     methods,
                     threads,
                     level,
                     time,
-                    command: String::new(),
+                    is_report: false,
                 };
-                live::measure(&request, &known, monitor)
+                measure(&request, &known, time_here, monitor)
             },
         );
     }

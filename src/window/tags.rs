@@ -88,7 +88,7 @@ impl App {
             let text = format!("highlight kept {:.0} %", 100.0 * kept);
             ui.colored_label(ink, text).on_hover_text(KEPT);
         }
-        let worst = price.error.map(|error| {
+        let worst = price.largest_error().map(|error| {
             let text = format!("worst pixel {} of 255", short(error));
             ui.link(RichText::new(text).color(ink))
         });
@@ -98,7 +98,7 @@ impl App {
 
     /// Probes the worst pixel of a side, and moves the divider where the other side hides it.
     fn explain(&mut self, index: usize) {
-        let Some([x, y]) = self.prices()[index].and_then(|it| it.worst) else {
+        let Some([x, y]) = self.prices()[index].and_then(Measurement::worst_pixel) else {
             return;
         };
         let show: Show = self.look();
@@ -114,10 +114,10 @@ impl App {
     /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
     pub fn explain_worst(&mut self) {
         let wipes = self.look::<Show>().mode == ViewMode::Wipe;
-        let errors = self.prices().map(|price| price?.error);
+        let errors = self.prices().map(|price| price?.largest_error());
         let picture = self
             .method()
-            .and_then(|method| self.measured(method)?.worst);
+            .and_then(|method| self.measured(method)?.worst_pixel());
         match picture {
             _ if self.facts.trade.current().is_none() => self.say("the errors are not known yet"),
             _ if wipes => self.explain(usize::from(errors[1] > errors[0])),

@@ -13,7 +13,7 @@ use shadetrade::report::Monitor;
 use shadetrade::scene::EXTREMES;
 use shadetrade::simd;
 
-fn is_full() -> bool {
+pub fn is_full() -> bool {
     std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full")
 }
 

@@ -44,15 +44,12 @@ impl Curve {
     /// The curve of the evaluation with this index.
     pub fn new(sweep: &Sweep, evaluation: usize, errors: &[(f64, Errors)]) -> Self {
         let (id, limit) = EVALUATIONS[evaluation];
-        let points = errors.iter().map(|(value, errors)| {
-            let error = errors[evaluation];
-            Point {
-                value: *value,
-                error,
-                verdict: Verdict::of(error, limit),
-            }
-        });
-        let points: Vec<Point> = points.collect();
+        let point = |(value, errors): &(f64, Errors)| Point {
+            value: *value,
+            error: errors[evaluation],
+            verdict: Verdict::of(errors[evaluation], limit),
+        };
+        let points: Vec<Point> = errors.iter().map(point).collect();
         let runs = points.split(|point| point.verdict != Verdict::Proven);
         let longest = runs.max_by_key(|run| run.len()).unwrap_or_default();
         Curve {
@@ -72,12 +69,12 @@ impl Curve {
 
     /// The range in which the limit is kept, as text.
     fn kept(&self) -> String {
-        let has = |verdict| self.points.iter().any(|point| point.verdict == verdict);
-        match self.keeps {
-            None => "none".to_owned(),
-            Some(ends) if has(Verdict::Refuted) => span(ends),
-            Some(ends) if has(Verdict::Undecided) => span(ends) + " ?",
-            Some(_) => "all".to_owned(),
+        let worst = self.points.iter().map(|point| point.verdict).max();
+        match (self.keeps, worst) {
+            (None, _) => "none".to_owned(),
+            (Some(ends), Some(Verdict::Refuted)) => span(ends),
+            (Some(ends), Some(Verdict::Undecided)) => span(ends) + " ?",
+            (Some(_), _) => "all".to_owned(),
         }
     }
 }
@@ -90,14 +87,12 @@ fn ends(points: &[Point]) -> Option<[f64; 2]> {
 pub fn table(curves: &[Curve]) -> String {
     let ids = EVALUATIONS.map(|(id, _)| id);
     let head = [&["number", "swept"][..], &ids].concat();
-    let rows = curves.chunks(EVALUATIONS.len()).map(|curves| {
+    let row = |curves: &[Curve]| {
         let start = [curves[0].number.to_owned(), span(curves[0].range())];
-        start
-            .into_iter()
-            .chain(curves.iter().map(Curve::kept))
-            .collect()
-    });
-    let rows: Vec<Vec<String>> = rows.collect();
+        let kept = curves.iter().map(Curve::kept);
+        start.into_iter().chain(kept).collect()
+    };
+    let rows: Vec<Vec<String>> = curves.chunks(EVALUATIONS.len()).map(row).collect();
     format!("{}\n\n{}", aligned(&head, &rows), wrapped(LEGEND))
 }
 

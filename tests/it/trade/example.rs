@@ -2,8 +2,10 @@
 
 use shadetrade::components::Projection;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use shadetrade::frame::Counts;
 use shadetrade::shading::Method;
 use shadetrade::trade::machine::Machine;
+use shadetrade::trade::metrics::Error;
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Measurement, Report};
 
@@ -21,11 +23,20 @@ pub fn timing(median: f64) -> Timing {
 /// A measurement of a method on the front.
 pub fn live(method: Method, median: f64, error: f64) -> Measurement {
     Measurement {
+        method,
+        threads: 1,
         timing: timing(median),
-        error: Some(error),
-        worst: Some([0, 0]),
+        ns_per_covered_pixel: None,
+        counts: Counts::default(),
+        error: Some(Error {
+            max: error,
+            ..Error::default()
+        }),
+        own_error: None,
+        edge_pixels: 0,
+        highlight_kept: None,
         on_front: true,
-        ..Measurement::new(method, 1)
+        map: Vec::new(),
     }
 }
 
@@ -67,7 +78,7 @@ pub fn empty_report() -> Report {
     let mut report = report();
     report.covered_pixels = 0;
     for one in &mut report.methods {
-        (one.error, one.worst, one.highlight_kept) = (None, None, None);
+        (one.error, one.highlight_kept) = (None, None);
         one.on_front = false;
     }
     report

@@ -4,10 +4,17 @@ use serde::Deserialize;
 use shadetrade::report::tables::WIDTH;
 use shadetrade::trade::error_map::with_legend;
 use shadetrade::trade::export::{markdown, table};
-use shadetrade::trade::measurement::Details;
+use shadetrade::trade::metrics::Error;
 use shadetrade::trade::{Report, plot, write_files};
 
 use super::example::{empty_report, report, timing};
+
+fn with_max(max: f64) -> Option<Error> {
+    Some(Error {
+        max,
+        ..Error::default()
+    })
+}
 
 #[test]
 fn the_table_and_the_markdown_have_the_figures_of_every_method() {
@@ -22,7 +29,7 @@ fn the_table_and_the_markdown_have_the_figures_of_every_method() {
         one.method.id = "phong-unit-vectors";
         one.timing = timing(time);
         one.timing.interval[1] *= 3.0;
-        one.error = Some(error);
+        one.error = with_max(error);
     }
     for (report, rows) in [
         (
@@ -78,10 +85,7 @@ fn every_method_has_its_error_map_with_a_legend() {
     let mut report = report();
     report.size = [2, 3];
     for (index, one) in (1..).zip(&mut report.methods) {
-        one.details = Some(Details {
-            map: vec![index; 6],
-            ..Details::default()
-        });
+        one.map = vec![index; 6];
     }
     write_files(&report, folder.path()).expect("it is written");
     assert_eq!(crate::cli::listing(folder.path()).len(), 3 + 4);
@@ -140,7 +144,7 @@ impl Svg {
 fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
     let mut report = report();
     report.scene = "<scene> & \"quotes\" \u{7} \u{fffe}".to_owned();
-    report.methods[2].error = Some(1e-30);
+    report.methods[2].error = with_max(1e-30);
     let plot = Svg::of(&report);
     for one in &report.methods {
         let is_label = |text: &&Element| text.text.trim() == one.method.id;

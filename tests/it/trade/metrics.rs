@@ -1,9 +1,10 @@
 //! Metrics: every figure against a value computed by hand or by another program.
 
 use shadetrade::frame::NO_TRIANGLE;
-use shadetrade::trade::error_map::{Pixel, compared};
 use shadetrade::trade::flip;
-use shadetrade::trade::metrics::{Difference, Error, Picture, compare, difference, pixel_error};
+use shadetrade::trade::metrics::{
+    Difference, Error, Picture, Pixel, compare, compared, difference, pixel_error,
+};
 
 const GRAY: [f64; 3] = [100.0; 3];
 
@@ -43,6 +44,7 @@ fn the_figures_of_four_pixels_are_those_computed_by_hand() {
         rmse: 6.5_f64.sqrt(),
         p999: 4.0,
         over_1_level: 0.5,
+        flip_mean: None,
     };
     assert_eq!(difference.error, Some(expected));
 }

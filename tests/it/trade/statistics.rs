@@ -3,8 +3,8 @@
 use shadetrade::components::ShadingMode;
 use shadetrade::shading::Method;
 use shadetrade::trade::Measurement;
-use shadetrade::trade::accuracy::{light_kept, share};
-use shadetrade::trade::measurement::mark_front;
+use shadetrade::trade::accuracy::share_kept;
+use shadetrade::trade::measure::mark_front;
 use shadetrade::trade::timing::{Timing, median};
 
 use super::example;
@@ -79,6 +79,6 @@ fn a_highlight_is_kept_by_the_share_that_is_in_its_place() {
         ([[0.0; 3], [255.0; 3]], whole, Some(0.0)),
         ([[100.0; 3]; 2], [[0.0; 3]; 2], None),
     ] {
-        assert_eq!(share(light_kept(&shown, &whole)), expected, "{shown:?}");
+        assert_eq!(share_kept(&shown, &whole), expected, "{shown:?}");
     }
 }

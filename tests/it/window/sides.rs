@@ -8,6 +8,7 @@ use fearless_simd::Level;
 use shadetrade::components::{Probed, ShadingMode, Show, Side};
 use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
+use shadetrade::trade::metrics::Error;
 use shadetrade::window::app::App;
 use shadetrade::window::keys::gouraud_phong;
 use shadetrade::window::pictures::side_view;
@@ -24,18 +25,18 @@ const WORST: [[usize; 2]; 2] = [[430, 400], [700, 330]];
 fn measured() -> App {
     let mut app = app(default_scene(), SIZE, Level::new());
     app.shows_times = true;
-    let methods = METHODS.iter().map(|method| Measurement {
-        worst: Some(WORST[usize::from(method.mode == ShadingMode::Gouraud)]),
-        highlight_kept: Some(0.1),
-        ..live(
-            *method,
-            0.25,
-            if method.mode == ShadingMode::Gouraud {
-                165.0
-            } else {
-                0.5
-            },
-        )
+    let methods = METHODS.iter().map(|method| {
+        let is_gouraud = method.mode == ShadingMode::Gouraud;
+        let error = Error {
+            max: if is_gouraud { 165.0 } else { 0.5 },
+            max_pixel: WORST[usize::from(is_gouraud)],
+            ..Error::default()
+        };
+        Measurement {
+            error: Some(error),
+            highlight_kept: Some(0.1),
+            ..live(*method, 0.25, error.max)
+        }
     });
     app.facts.trade.finish(Some(methods.collect()));
     app
