@@ -8,6 +8,7 @@
 //! Nothing here is timed. The figures do not depend on the number of threads.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::ops::Range;
 
 use anyhow::Context;
@@ -72,9 +73,8 @@ pub fn errors(
     let own_modes = methods.iter().filter(|_| request.is_report);
     let mut truths = HashMap::new();
     for mode in own_modes.map(|it| it.mode).chain([ShadingMode::Phong]) {
-        if !truths.contains_key(&mode) {
-            let truth = exact(&scene.world, view, mode, rows.clone(), monitor)?;
-            truths.insert(mode, truth);
+        if let Entry::Vacant(unknown) = truths.entry(mode) {
+            unknown.insert(exact(&scene.world, view, mode, rows.clone(), monitor)?);
         }
     }
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
