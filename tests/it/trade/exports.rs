@@ -9,11 +9,11 @@ use shadetrade::trade::{Report, plot, write_files};
 
 use super::example::{empty_report, report, timing};
 
-fn with_max(max: f64) -> Option<Error> {
-    Some(Error {
+fn with_max(max: f64) -> Error {
+    Error {
         max,
         ..Error::default()
-    })
+    }
 }
 
 #[test]
@@ -29,7 +29,7 @@ fn the_table_and_the_markdown_have_the_figures_of_every_method() {
         one.method.id = "phong-unit-vectors";
         one.timing = timing(time);
         one.timing.interval[1] *= 3.0;
-        one.error = with_max(error);
+        one.error = Some(with_max(error));
     }
     for (report, rows) in [
         (
@@ -144,7 +144,7 @@ impl Svg {
 fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
     let mut report = report();
     report.scene = "<scene> & \"quotes\" \u{7} \u{fffe}".to_owned();
-    report.methods[2].error = with_max(1e-30);
+    report.methods[2].error = Some(with_max(1e-30));
     let plot = Svg::of(&report);
     for one in &report.methods {
         let is_label = |text: &&Element| text.text.trim() == one.method.id;
