@@ -114,7 +114,8 @@ impl App {
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
             ui.heading("Keys");
             ui.weak("H or Esc closes this. A tooltip says what a thing is.");
-            ScrollArea::vertical().max_height(height).show(ui, |ui| {
+            let scroll = ScrollArea::vertical().max_height(height);
+            scroll.min_scrolled_height(height).show(ui, |ui| {
                 Grid::new("keys").show(ui, |ui| {
                     for (section, rows) in BINDINGS {
                         ui.strong(*section);
