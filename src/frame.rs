@@ -16,6 +16,8 @@ use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 use self::aligned::Aligned;
+use self::band::FARTHEST;
+pub use self::band::NO_TRIANGLE;
 pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::components::{Illumination, Lens};
@@ -72,17 +74,11 @@ pub enum Keep {
 /// Bit set in the kind of pixels on the upper or left edge of their square.
 pub const OUTLINE: u8 = 0x80;
 
-/// The triangle of a pixel that shows the background.
-pub const NO_TRIANGLE: u32 = u32::MAX;
-
 /// The face of a triangle: cuboid * 6 + face, the same for both triangles of a face. [`NO_TRIANGLE`] gives a number that
 /// no cuboid has.
 pub fn face(triangle: u32) -> u32 {
     triangle / 2
 }
-
-/// The nearness of the background: less than that of any surface.
-const FARTHEST: f64 = f64::MIN;
 
 /// Counts of the work for one frame. They are the same on every machine and for any number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -117,7 +113,7 @@ pub struct Frame {
     pub illumination: Illumination,
     keep: Keep,
     workers: Workers,
-    picture: Picture,
+    buffers: Buffers,
     list: DrawList,
     /// The memory and the counts of each thread.
     scratch: Vec<(Scratch, Counts)>,
@@ -126,7 +122,7 @@ pub struct Frame {
 
 /// The buffers of some rows of a picture. One that the frame does not keep is empty.
 #[derive(Default)]
-struct Picture {
+struct Buffers {
     size: [usize; 2],
     rows: Range<usize>,
     background: DVec3,
@@ -150,15 +146,10 @@ impl Frame {
                 .take(workers.threads())
                 .collect(),
             workers,
-            picture: Picture::default(),
+            buffers: Buffers::default(),
             list: DrawList::default(),
             counts: Counts::default(),
         }
-    }
-
-    /// The buffers that it keeps.
-    pub fn keep(&self) -> Keep {
-        self.keep
     }
 
     /// The threads and the SIMD level that draw it.
@@ -168,34 +159,34 @@ impl Frame {
 
     /// Width and height of the whole picture, in pixels.
     pub fn size(&self) -> [usize; 2] {
-        self.picture.size
+        self.buffers.size
     }
 
     /// The rows of the picture in the buffers: all of them, unless only a part was drawn.
     pub fn rows(&self) -> Range<usize> {
-        self.picture.rows.clone()
+        self.buffers.rows.clone()
     }
 
     /// Displayed pixels, 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
     pub fn pixels(&self) -> &[u32] {
-        self.picture.pixels.as_slice()
+        self.buffers.pixels.as_slice()
     }
 
     /// Unclamped levels of 255, row by row from the top; empty unless [`Keep::Levels`].
     pub fn levels(&self) -> &[[f32; 3]] {
-        self.picture.levels.as_slice()
+        self.buffers.levels.as_slice()
     }
 
     /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or
     /// a depth buffer is used. With [`Keep::Display`] it is the first triangle of the visible face.
     pub fn triangles(&self) -> &[u32] {
-        self.picture.triangles.as_slice()
+        self.buffers.triangles.as_slice()
     }
 
     /// The kind of each pixel's tile: its index in [`TileKind::ALL`], and [`OUTLINE`]. Undefined where no triangle is
     /// visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
-        self.picture.kinds.as_slice()
+        self.buffers.kinds.as_slice()
     }
 
     /// The counts of the last frame.
@@ -224,12 +215,12 @@ impl Frame {
         let pixels = size[0] * rows.len();
         let display = self.keep == Keep::Display;
         let wanted = |kept: bool| if kept { pixels } else { 0 };
-        let old = &self.picture;
+        let old = &self.buffers;
         if old.size == size && old.rows == rows && old.depths.len() == wanted(deep) {
             return Ok(());
         }
         // If the allocation fails, the old picture must not be taken for the new one.
-        self.picture = Picture::default();
+        self.buffers = Buffers::default();
         let needed = wanted(display) * size_of::<u32>()
             + wanted(!display) * (size_of::<[f32; 3]>() + size_of::<u8>())
             + wanted(deep || !display) * size_of::<u32>()
@@ -239,7 +230,7 @@ impl Frame {
             let mut drawn = Vec::new();
             drawn.try_reserve_exact(rows.len())?;
             drawn.resize(rows.len(), Drawn::anything(size[0]));
-            Ok(Picture {
+            Ok(Buffers {
                 size,
                 background: DVec3::ZERO,
                 pixels: Aligned::new(wanted(display), 0)?,
@@ -251,7 +242,7 @@ impl Frame {
                 rows,
             })
         };
-        self.picture = allocate().map_err(memory::refused(size, needed))?;
+        self.buffers = allocate().map_err(memory::refused(size, needed))?;
         Ok(())
     }
 
@@ -268,22 +259,22 @@ impl Frame {
         mut list: DrawList,
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
     ) {
-        let picture = &mut self.picture;
-        if picture.background != background {
-            picture.background = background;
-            picture.drawn.fill(Drawn::anything(picture.size[0]));
+        let buffers = &mut self.buffers;
+        if buffers.background != background {
+            buffers.background = background;
+            buffers.drawn.fill(Drawn::anything(buffers.size[0]));
         }
-        list.cut(&picture.rows, self.workers.pool.is_some());
+        list.cut(&buffers.rows, self.workers.pool.is_some());
         let band = Band {
-            width: picture.size[0],
-            rows: picture.rows.clone(),
+            width: buffers.size[0],
+            rows: buffers.rows.clone(),
             background,
-            pixels: picture.pixels.as_mut_slice(),
-            levels: picture.levels.as_mut_slice(),
-            triangles: picture.triangles.as_mut_slice(),
-            kinds: picture.kinds.as_mut_slice(),
-            depths: picture.depths.as_mut_slice(),
-            drawn: &mut picture.drawn,
+            pixels: buffers.pixels.as_mut_slice(),
+            levels: buffers.levels.as_mut_slice(),
+            triangles: buffers.triangles.as_mut_slice(),
+            kinds: buffers.kinds.as_mut_slice(),
+            depths: buffers.depths.as_mut_slice(),
+            drawn: &mut buffers.drawn,
         };
         let rest = Mutex::new((band, list.cuts.iter()));
         let next = || {

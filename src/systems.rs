@@ -1,4 +1,4 @@
-//! FRAME: the ordered table of stages, the one place that shows a frame in order.
+//! The stages of a frame, in the order in which they run: [`FRAME`].
 
 pub mod coverage;
 pub mod lighting;

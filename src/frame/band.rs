@@ -1,4 +1,4 @@
-//! A band: the rows of a frame that one thread draws.
+//! A band is a range of rows of a frame that one thread draws.
 //!
 //! Clearing touches only pixels that the last frame drew, and skips those that this frame certainly overwrites.
 
@@ -6,7 +6,13 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{FARTHEST, NO_TRIANGLE, display_pixel};
+use crate::shading::display::display_pixel;
+
+/// The triangle of a pixel that shows the background.
+pub const NO_TRIANGLE: u32 = u32::MAX;
+
+/// The nearness of the background: less than that of any surface.
+pub const FARTHEST: f64 = f64::MIN;
 
 /// The pixels that are drawn in one row, by the last frame and by the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,9 +81,8 @@ impl<'a> Band<'a> {
         above
     }
 
-    /// Restores the background of some rows of the picture where the last frame drew, except in one run of each row
-    /// that the next frame overwrites. For a convex body that run is its whole picture, because its faces meet without
-    /// gaps.
+    /// Restores the background of some rows where the last frame drew, except in one run of each row that the next frame
+    /// overwrites. The faces of a convex body meet without gaps, so that run is all of the body.
     #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>) {
         let pixel = display_pixel(self.background.to_array());
@@ -128,11 +133,6 @@ impl<'a> Band<'a> {
     /// The part of `rows` of the picture that lies in this band.
     pub fn held(&self, rows: Range<usize>) -> Range<usize> {
         rows.start.max(self.rows.start)..rows.end.min(self.rows.end)
-    }
-
-    /// Whether it has displayed pixels and no depth buffer.
-    pub fn is_plain(&self) -> bool {
-        self.depths.is_empty() && !self.pixels.is_empty()
     }
 
     /// The index in the buffers of pixel `x` in a row of the picture.

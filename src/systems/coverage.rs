@@ -1,13 +1,13 @@
-//! A snapped polygon in, the exact spans of pixels it covers out.
+//! Scan conversion: finds the span of pixels that a snapped polygon covers on each row.
 //!
 //! ```text
 //!   row 0   . . . . .      a pixel is covered if its centre is inside, or on a top or left edge
 //!   row 1   . # # . .      left edges give the first pixel, right edges the first one beyond
 //!   row 2   . # # # .
 //! ```
-//! Rule: all in integers, and exact. With coordinates below 2^30 in 1/256 pixel no product exceeds 2^62. An edge gives its
-//! two triangles the same boundary, since both compute it from its upper end; so nothing is missed and nothing drawn twice.
-//! A small triangle is tested at every pixel around it instead, sixteen at a time (Pineda 1988): no edge is divided.
+//! The arithmetic is in integers and exact: with coordinates below 2^30 in 1/256 pixel no product exceeds 2^62. Two triangles
+//! compute a shared edge from its upper end and get the same boundary, so each pixel along it is drawn once. A small triangle
+//! is tested at each pixel of a square around it instead, sixteen at a time (Pineda 1988), which needs no division.
 
 use std::ops::Range;
 
@@ -31,7 +31,7 @@ pub fn rows(polygons: &[Polygon], height: usize) -> Range<usize> {
     first..end
 }
 
-/// Appends the pixels from..to that a convex polygon covers of each of these rows of a picture: none where `to` is not larger.
+/// Appends the range from..to of the pixels that a convex polygon covers on each of these rows. It is empty if `to` <= `from`.
 pub fn scan(
     polygon: &Polygon,
     rows: &Range<usize>,
@@ -49,7 +49,7 @@ pub fn scan(
     let vertices = polygon.vertices();
     for (index, &vertex) in vertices.iter().enumerate() {
         let next = vertices[(index + 1) % vertices.len()];
-        // Edges go down on the left. A polygon that snapping turned over has its sides exchanged: its spans are empty.
+        // Edges on the left go down. If snapping reversed the polygon, left and right are exchanged and its spans are empty.
         if vertex[1] < next[1] {
             narrow([vertex, next], rows, width, &mut from[start..], i32::max);
         } else {
@@ -96,8 +96,8 @@ fn narrow(
 /// The side of the square of pixels round a small triangle.
 pub const SMALL: usize = 16;
 
-/// The pixels that a triangle covers of the [`SMALL`] columns and so many rows from `first` on, by row: a bit for each column.
-/// It must lie in that square. [`scan`] finds the same.
+/// The pixels that a triangle covers in [`SMALL`] columns and `rows` rows that start at pixel `first`: for each row a bit per
+/// column. The triangle must lie in that square. [`scan`] finds the same pixels.
 #[inline(always)]
 pub fn covered<S: Simd>(
     simd: S,

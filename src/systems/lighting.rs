@@ -1,7 +1,7 @@
-//! Lights that are on, and the model at the vertices: Gouraud's half of the work.
+//! Collects the lights that are on, and computes the vertex colours of Gouraud shading.
 //!
-//! Rule: a light that is off appears nowhere; lights at one position are summed, since they share l and r; vertex
-//! colours are computed for the cuboids that will interpolate them and for no others.
+//! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed only for cuboids
+//! with Gouraud shading.
 
 use std::cmp::Ordering::Equal;
 
@@ -44,9 +44,9 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
 
 /// Sums the lights that are on, by position; an ambient light counts as one at infinity, where no other can be.
 ///
-/// Sorting brings lights at one position together without a search among all the others for each. What would tell two
-/// of them apart is sorted too, so that the sums do not depend on how the sort treats equals.
-pub fn gather<'a>(
+/// Sorting brings lights at one position together without a search among all the others for each. Their levels
+/// are part of the sort key, so the sums do not depend on the order of the lights.
+fn gather<'a>(
     lights: impl Iterator<Item = (&'a Transform, &'a Light)>,
     illumination: &mut Illumination,
 ) {
@@ -82,7 +82,7 @@ pub fn gather<'a>(
 }
 
 /// The model at the corners, in levels, unclamped.
-pub fn vertex_colors(
+fn vertex_colors(
     surface: &Surface,
     place: &WorldTransform,
     mesh: &Mesh,

@@ -1,6 +1,4 @@
-//! Meshes and places in, unit vertex normals in world space out.
-//!
-//! Rule: a mesh's own normals, turned with its cuboid.
+//! Rotates the vertex normals of every mesh into world space.
 
 use hecs::World;
 

@@ -1,12 +1,12 @@
-//! Corners in world space in, convex screen polygons in 1/256 pixel out.
+//! Projects the faces of cuboids to convex polygons on the screen, in units of 1/256 pixel.
 //!
 //! ```text
 //!  corner - eye  --axes-->  (right, up, forward)  --near plane, guard band-->  polygon  --divide, viewport, snap--> 24.8
 //! ```
-//! Rules: the eye is subtracted in f64 before anything else, so a scene a billion units from the origin is as exact as
-//! one at it. A face is drawn where the eye is on its outer side. Clipping cuts polygons, never the values at vertices;
-//! it happens along the cuboid's own axes, where an edge of any length is cut as exactly as a short one, and cuts an edge
-//! the same way for both triangles that share it. Snapping decides coverage only.
+//! The eye is subtracted first, in f64, so a scene a billion units from the origin is as exact as one at the origin. A face
+//! is drawn if the eye is on its outer side. Clipping changes the polygon but not the values at vertices. It uses the cuboid's
+//! own axes, in which long edges are cut as exactly as short ones, and cuts an edge at the same point for both its triangles.
+//! Snapping affects coverage only.
 
 mod frustum;
 
@@ -34,7 +34,7 @@ pub fn project(place: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut
     });
     let eye_side = match lens.projection {
         Projection::Perspective => axes.transpose() * -centre,
-        // The eye is infinitely far against the view direction: no corner's own place matters.
+        // The eye is infinitely far away, opposite to the view direction.
         Projection::Orthographic => axes.transpose() * -lens.axes[2] * f64::INFINITY,
     };
     let frustum = Frustum::new(lens, axes, centre);

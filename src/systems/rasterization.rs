@@ -1,14 +1,14 @@
-//! Screen polygons in, shaded pixels out.
+//! Draws projected polygons: finds the pixels that they cover, compares depths and shades the visible pixels.
 //!
 //! ```text
 //!  polygons --scan conversion--> spans --quadtree of 32 and 16 pixels--> squares --shader--> rows of levels --display step--> frame
-//!                                  '-- of a face of at most 16 x 16 pixels: those that are seen, one by one --'
+//!                                  '-- of a face of at most 16 x 16 pixels: the visible ones, one by one --'
 //! ```
-//! Rules: a pixel is covered if its centre is inside the snapped polygon, or on its top or left edge; the arithmetic is in
-//! integers and exact, so pixels along a shared edge are drawn once. A depth buffer exists only while there is more than
-//! one cuboid, and then only faces and squares that are seen are shaded. Strips of the picture are cleared, compared in depth
-//! and shaded one after another, so that they stay in a cache. Faces and squares are set up from all they cover, so neither
-//! threads, strips nor parts of a picture change a bit.
+//! A pixel is covered if its centre is inside the snapped polygon, or on its top or left edge. The arithmetic is in integers
+//! and exact, so each pixel along a shared edge is drawn once. The depth buffer exists only if there is more than one cuboid,
+//! and then only visible faces and squares are shaded. The picture is cleared, compared in depth and shaded in strips, which
+//! stay in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of a picture do not depend on
+//! threads, strips or the part of the picture that is drawn.
 
 mod listing;
 mod quadtree;
@@ -27,12 +27,12 @@ use crate::shading::square::MAX_SIDE;
 use crate::simd::dispatch;
 
 /// Depths whose relative difference is smaller than this tie, and the cuboid earlier in the file wins. Without this rule
-/// rounding would make coplanar faces flicker. Each face is compared with what is nearest so far, in the
-/// order of the file; where one ties with two that do not tie with each other, that order decides which of the two is seen.
+/// rounding would make coplanar faces flicker. Each face is compared with the nearest one so far, in the
+/// order of the file. If a face ties with two others that do not tie with each other, that order decides which is visible.
 const DEPTH_TIE: f64 = 1e-11;
 
-/// Draws every cuboid into the frame: lists the pixels of its faces, sorts the faces into strips of the picture, and in each
-/// strip first compares depths, then shades.
+/// Draws every cuboid into the frame in four steps. Lists the faces and their pixels, and sorts them into strips of the
+/// picture. Then, in each strip, compares depths and shades.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     let (lens, illumination) = (frame.lens, std::mem::take(&mut frame.illumination));
     let context = Context {
@@ -51,7 +51,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
             dispatch!(level, _simd => compare(list, strip, &rows, band, &lens));
             for piece in list.strip(strip) {
-                // Drawn once all of it in this band is compared.
+                // A piece is drawn after its last strip in this band is compared.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
                     context.shade(level, list, piece, band, scratch, &mut counts);
                 }
@@ -62,7 +62,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     frame.illumination = illumination;
 }
 
-/// Clears the rows of a strip that are in a band, and writes the id of the piece seen at each pixel, if the band keeps ids.
+/// Clears the rows of a strip, and writes the id of the visible piece at each pixel if the band keeps ids.
 #[inline(always)]
 fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, lens: &Lens) {
     let deep = !band.depths.is_empty();
@@ -95,8 +95,8 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, 
     }
 }
 
-/// Enters a span of a piece into the depth buffer wherever it is nearest; `place` is its first pixel, from the picture's
-/// middle.
+/// Writes a span of a piece into the depth buffer where it is nearest; `place` is its first pixel, relative to the middle of
+/// the picture.
 #[inline(always)]
 fn see(piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
     let [least, most] = piece.range;
@@ -105,7 +105,7 @@ fn see(piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) 
     let mut x = left;
     for (old, id) in depths.iter_mut().zip(ids) {
         let new = start + dx * x;
-        // One instruction each; what is not a number becomes the least.
+        // One instruction each. NaN becomes `least`.
         let new = if new > least { new } else { least };
         let new = if new < most { new } else { most };
         if new - *old > DEPTH_TIE * old.abs() {

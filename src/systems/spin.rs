@@ -1,4 +1,4 @@
-//! Where every cuboid stands once all have turned. Its axes are made here and nowhere else, once a frame.
+//! Turns every cuboid by the angle of the view. Its axes are computed here, once per frame.
 
 use hecs::World;
 
@@ -12,7 +12,7 @@ pub fn run(world: &mut World, view: &View, _frame: &mut Frame) {
     }
 }
 
-/// Where a cuboid stands once it has turned by these degrees.
+/// The position and axes of a cuboid that has turned by this many degrees.
 pub fn world_transform(transform: &Transform, turned: u32) -> WorldTransform {
     let turned = transform.turned(turned);
     WorldTransform {

@@ -1,6 +1,4 @@
-//! A view in, the lens that every later stage sees through out.
-//!
-//! Rule: the camera's axes, near plane and scale are made here and nowhere else, once a frame.
+//! Computes the lens of a view: the camera's axes, near plane and scale, once per frame.
 
 use glam::DVec3;
 use hecs::World;
@@ -26,7 +24,7 @@ impl Lens {
         }
     }
 
-    /// Where a point of the world is from the eye, along right, up and forward.
+    /// A point of the world relative to the eye, along right, up and forward.
     pub fn seen(&self, point: DVec3) -> DVec3 {
         let offset = point - self.eye;
         self.axes.map(|axis| offset.dot(axis)).into()
@@ -41,7 +39,7 @@ impl Lens {
         }
     }
 
-    /// Where that point falls, in pixels from the top left corner; `w` must be positive.
+    /// The projection of such a homogeneous point, in pixels from the top left corner; `w` must be positive.
     pub fn pixel(&self, point: DVec3) -> [f64; 2] {
         [
             self.half[0] + point.x / point.z / self.pitch,

@@ -1,14 +1,14 @@
-//! A triangle of a cuboid in, the polygon that is in sight of it, on the screen and snapped, out.
+//! Clips a triangle of a cuboid to the view frustum, and projects and snaps the polygon that remains.
 //!
 //! ```text
-//!        c                     Each side is a line of the face, given by its middle and its direction. A plane meets it
-//!       / \   plane            where  plane(middle) + t plane(direction) = 0.  The coordinates are the cuboid's own, so the
-//!   ---*---*---------          middle of an edge is exact. From the eye, and from the point of the line that is nearest to
-//!     /     \                  it, a million units of edge on either side are no larger than what is asked for: the
-//!    a-------b                 point * itself, and how far it is from the near plane.
+//!        c                     An edge line is given by a point p and a direction d. A plane cuts it at p + t d where
+//!       / \   plane            plane(p) + t (normal . d) = 0. The coordinates are along the cuboid's axes, so the middle of
+//!   ---*---*---------          an edge is exact. The point p is the point of the line nearest to the eye. Then the rounding
+//!     /     \                  error of the cut * is relative to its distance from the eye, not to the length of
+//!    a-------b                 the edge.
 //! ```
 //!
-//! Rule: the two triangles of an edge cut it in the same point, bit for bit, and so do the two faces of it.
+//! The two triangles of an edge, and its two faces, get the same point bit for bit.
 
 use glam::{DMat3, DVec3};
 
@@ -18,11 +18,11 @@ use crate::components::{Lens, Polygon, Projection, length, unit};
 /// pictures of at most 16384 pixels a side, the edge functions of rasterization stay below 2^62.
 const GUARD_BAND: f64 = 2_097_152.0;
 
-/// How far rounding takes a place in sight aside, as a share of its depth: products and sums of three f64. Where the guard
-/// band is narrower than that, one of its sides could cut off what the opposite one left.
+/// The rounding error of the sideways position of a visible point, relative to its depth: products and sums of three f64. If the
+/// guard band is narrower than that, one of its sides could cut off all that the opposite side left.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// What is in sight of a lens, in the coordinates of one cuboid: along its axes, from the eye.
+/// The view frustum of a lens, in coordinates along the axes of one cuboid, relative to the eye.
 pub struct Frustum<'a> {
     lens: &'a Lens,
     /// From those coordinates to right, up and forward.
@@ -30,38 +30,39 @@ pub struct Frustum<'a> {
     /// The cuboid's centre.
     centre: DVec3,
     /// The near plane and the four sides of the guard band.
-    planes: [Plane; 5],
+    planes: [HalfSpace; 5],
 }
 
-/// Where `normal . place + offset` is not negative.
+/// The points where `normal . place + offset` is not negative.
 #[derive(Clone, Copy)]
-struct Plane {
+struct HalfSpace {
     normal: DVec3,
     offset: f64,
 }
 
-/// A straight line on a face, from about its point nearest to the eye.
+/// A line segment or a whole line on a face.
 #[derive(Clone, Copy)]
-struct Side {
+struct EdgeLine {
+    /// Its point nearest to the eye, up to rounding.
     nearest: DVec3,
     along: DVec3,
-    /// How many times `along` it begins and ends.
+    /// The multiples of `along` at which it starts and ends.
     ends: [f64; 2],
 }
 
-/// A vertex on its way through the clipper, and the side that leads to the next one.
+/// A vertex of a polygon that is clipped, and the line of the edge to the next vertex.
 #[derive(Clone, Copy)]
 struct Vertex {
     place: DVec3,
-    side: Side,
+    edge: EdgeLine,
 }
 
 impl<'a> Frustum<'a> {
-    /// For a cuboid with these axes whose centre is there from the eye.
+    /// For a cuboid with these axes and this centre relative to the eye.
     pub fn new(lens: &'a Lens, axes: DMat3, centre: DVec3) -> Self {
         let [right, up, forward] = lens.axes.map(|axis| axes.transpose() * axis);
         let reach = GUARD_BAND * lens.pitch;
-        let near = Plane {
+        let near = HalfSpace {
             normal: forward,
             offset: -lens.near,
         };
@@ -70,7 +71,7 @@ impl<'a> Frustum<'a> {
             Projection::Perspective => (reach, 0.0),
             Projection::Orthographic => (0.0, reach),
         };
-        let side = |aside: DVec3| Plane {
+        let side = |aside: DVec3| HalfSpace {
             normal: forward * (slope + ROUNDING) - aside,
             offset,
         };
@@ -82,19 +83,19 @@ impl<'a> Frustum<'a> {
         }
     }
 
-    /// Whether all of a cuboid with these half edges is in sight, so that nothing of it is cut: whether its corner farthest
-    /// behind each plane is.
+    /// Whether the whole cuboid with these half edges is visible, so that nothing of it is cut: tests the corner farthest
+    /// behind each plane.
     pub fn holds(&self, half: DVec3) -> bool {
         self.planes
             .iter()
             .all(|plane| plane.at(self.centre - half * plane.normal.signum()) >= 0.0)
     }
 
-    /// The part of a triangle on a face across `axis` that is in sight, snapped; each corner is given from the cuboid's centre.
+    /// The visible part of a triangle on a face perpendicular to `axis`, snapped. Corners are relative to the cuboid's centre.
     pub fn clip(&self, axis: usize, corners: [DVec3; 3]) -> Polygon {
         let first = [0, 1, 2].map(|index| Vertex {
             place: self.centre + corners[index],
-            side: Side::between(corners[index], corners[(index + 1) % 3], self.centre),
+            edge: EdgeLine::between(corners[index], corners[(index + 1) % 3], self.centre),
         });
         let mut vertices = [first[0]; Polygon::MAX_VERTICES];
         vertices[..3].copy_from_slice(&first);
@@ -105,7 +106,7 @@ impl<'a> Frustum<'a> {
                 (vertices, len) = cut(&vertices[..len], axis, plane);
             }
         }
-        // Rounding must not take a place before the near plane.
+        // Rounding must not move a point in front of the near plane.
         let seen = |place: DVec3| {
             let seen = self.to_camera * place;
             DVec3::new(seen.x, seen.y, seen.z.max(self.lens.near))
@@ -116,8 +117,8 @@ impl<'a> Frustum<'a> {
         }
     }
 
-    /// The snapped pixel of a place in sight. Where the numbers are so large that rounding takes a vertex out of the guard
-    /// band again, it is held to it, since rasterization counts on that.
+    /// The snapped pixel of a visible point. It is clamped to the guard band, which large numbers may leave by rounding and on
+    /// which rasterization relies.
     pub fn snapped(&self, seen: DVec3) -> [i32; 2] {
         let pixel = self.lens.pixel(self.lens.homogeneous(seen));
         [0, 1].map(|axis| {
@@ -128,7 +129,11 @@ impl<'a> Frustum<'a> {
 }
 
 /// Cuts a convex polygon on a face with one plane (Sutherland and Hodgman 1974); a vertex on the plane is inside.
-fn cut(polygon: &[Vertex], axis: usize, plane: &Plane) -> ([Vertex; Polygon::MAX_VERTICES], usize) {
+fn cut(
+    polygon: &[Vertex],
+    axis: usize,
+    plane: &HalfSpace,
+) -> ([Vertex; Polygon::MAX_VERTICES], usize) {
     let mut kept = [polygon[0]; Polygon::MAX_VERTICES];
     let mut len = 0;
     let mut keep = |vertex| {
@@ -145,30 +150,30 @@ fn cut(polygon: &[Vertex], axis: usize, plane: &Plane) -> ([Vertex; Polygon::MAX
             keep(vertex);
         }
         if here != there {
-            let place = vertex.side.meet(plane);
-            let side = if here {
+            let place = vertex.edge.meet(plane);
+            let edge = if here {
                 plane.on_face(axis, place[axis])
             } else {
-                vertex.side
+                vertex.edge
             };
-            keep(Vertex { place, side });
+            keep(Vertex { place, edge });
         }
     }
     (kept, if len < 3 { 0 } else { len })
 }
 
-impl Plane {
+impl HalfSpace {
     fn at(&self, place: DVec3) -> f64 {
         self.normal.dot(place) + self.offset
     }
 
-    /// The line in which it cuts the face at `at` across `axis`.
-    fn on_face(&self, axis: usize, at: f64) -> Side {
+    /// The line in which its plane cuts the face at `at` perpendicular to `axis`.
+    fn on_face(&self, axis: usize, at: f64) -> EdgeLine {
         let mut outwards = DVec3::ZERO;
         outwards[axis] = 1.0;
         let (face, along) = (outwards * at, outwards.cross(self.normal));
         let towards = along.cross(outwards);
-        Side {
+        EdgeLine {
             nearest: face - towards * (self.at(face) / towards.length_squared()),
             along,
             ends: [f64::NEG_INFINITY, f64::INFINITY],
@@ -176,25 +181,25 @@ impl Plane {
     }
 }
 
-impl Side {
-    /// From one corner of a triangle to another, given from the cuboid's centre. The middle of an edge is exact, so where a
-    /// plane meets it is found as exactly on a long edge as on a short one; and it is the same from either end.
+impl EdgeLine {
+    /// From one corner of a triangle to another, relative to the cuboid's centre. The middle of an edge is exact, so cuts of
+    /// long edges are as exact as those of short ones, and they are the same from either end.
     fn between(from: DVec3, to: DVec3, centre: DVec3) -> Self {
         let (middle, along) = (centre + (from + to) / 2.0, (to - from) / 2.0);
         let direction = unit(along);
         let times = middle.dot(direction) / length(along);
-        Side {
-            // What two vector products leave of the middle, for a difference along a long edge would round by its length.
+        EdgeLine {
+            // Two vector products instead of a difference along the edge, whose rounding error grows with the length of the edge.
             nearest: direction.cross(middle.cross(direction)),
             along,
             ends: [times - 1.0, times + 1.0],
         }
     }
 
-    /// Where it meets a plane that passes between its ends.
-    fn meet(&self, plane: &Plane) -> DVec3 {
+    /// Its intersection with a plane that passes between its ends.
+    fn meet(&self, plane: &HalfSpace) -> DVec3 {
         let times = -plane.at(self.nearest) / plane.normal.dot(self.along);
-        // Zero by zero is held to an end too.
+        // `max` and `min` also replace the NaN of 0 / 0.
         self.nearest + self.along * times.max(self.ends[0]).min(self.ends[1])
     }
 }

@@ -1,6 +1,4 @@
-//! A projected cuboid in; the spans that its faces cover, and their planes, out.
-//!
-//! Rule: all of it is made once a face and frame.
+//! Lists the visible faces of projected cuboids, with the spans of pixels that they cover. Each is listed once per frame.
 
 use std::ops::Range;
 
@@ -28,7 +26,7 @@ pub struct Context<'a> {
 }
 
 impl Context<'_> {
-    /// Lists the cuboids of which a face is seen, and these faces.
+    /// Lists the cuboids that have visible faces, and these faces.
     pub fn list(&self, level: Level, world: &mut World, list: &mut DrawList) {
         list.clear();
         for (order, place, mesh, material, own, normals, colors, projected) in world.query_mut::<(
@@ -71,7 +69,7 @@ impl Context<'_> {
         }
     }
 
-    /// Lists the faces of a cuboid that are seen; `id` is the number of its first triangle.
+    /// Lists the visible faces of a cuboid; `id` is the number of its first triangle.
     #[inline(always)]
     fn list_faces<S: Simd>(
         &self,
@@ -131,8 +129,8 @@ impl Context<'_> {
 /// The row of the picture of the first of some spans in the list, and the ranges of one or two pieces.
 type Covered = (usize, [Range<usize>; 2]);
 
-/// Lists the pixels that a face covers. The spans of its two triangles meet along the diagonal and are listed as one; where
-/// snapping has bent a sliver so that they do not, each triangle has its own.
+/// Lists the pixels that a face covers. The spans of its two triangles meet along the diagonal and are listed as one. If
+/// snapping has bent a sliver so that they do not meet, each triangle has its own spans.
 fn cover<S: Simd>(
     simd: S,
     list: &mut DrawList,
@@ -179,7 +177,7 @@ fn cover_small<S: Simd>(
         return None;
     };
     let [first, last] = [i32::min, i32::max].map(|end: fn(i32, i32) -> i32| {
-        // All six: where the near plane cut them, the triangles need not share corners.
+        // Triangles cut by the near plane need not share corners, so all six vertices count.
         let all = [b, c, d, e, f];
         [0, 1].map(|axis| all.iter().fold(a[axis], |edge, it| end(edge, it[axis])) >> 8)
     });
@@ -197,7 +195,7 @@ fn cover_small<S: Simd>(
     let start = list.from.len();
     for (one, other) in one.into_iter().zip(other).take(rows) {
         let row = one | other;
-        // One run of bits, or none: adding its lowest carries through all of it.
+        // If the bits are one run, adding the lowest bit carries through all of it and leaves none of its bits set.
         if row & row.wrapping_add(row & row.wrapping_neg()) != 0 {
             return None;
         }

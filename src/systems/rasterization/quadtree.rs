@@ -1,6 +1,7 @@
-//! A face in, its pixels drawn: a quadtree of squares, each by the cheapest evaluation that keeps the tolerance.
+//! Draws a face as a quadtree of squares, each by the cheapest evaluation that keeps the tolerance.
 //!
-//! Rule: squares are set up from all that the face covers of them, whatever part of that is seen or in the band.
+//! The evaluation is chosen from all pixels of a square that the face covers, including those that are hidden or in another
+//! band, so the choice does not depend on the number of threads.
 
 use fearless_simd::{Level, Simd};
 use glam::DVec3;
@@ -53,7 +54,7 @@ impl Context<'_> {
         let face = Face::new((piece.id % 12 / 2) as usize, &object.solid, self.rays);
         let mut lights = std::mem::take(&mut scratch.lights);
         let mut to_lights = std::mem::take(&mut scratch.to_lights);
-        let mut drawing = Drawing {
+        let mut painter = PiecePainter {
             shader: self.shader(list, object, &face, &mut lights, &mut to_lights),
             picture: self.lens.half,
             store,
@@ -61,10 +62,10 @@ impl Context<'_> {
             counts,
         };
         dispatch!(level, simd => match &small {
-            Some(_) => drawing.small(simd, strips),
-            None => drawing.draw(simd),
+            Some(_) => painter.small(simd, strips),
+            None => painter.draw(simd),
         });
-        drawing.counts.covered_pixels += drawing.store.drawn;
+        painter.counts.covered_pixels += painter.store.drawn;
         (scratch.lights, scratch.to_lights) = (lights, to_lights);
     }
 
@@ -100,8 +101,8 @@ impl Context<'_> {
     }
 }
 
-/// A piece being drawn.
-struct Drawing<'a, 'b> {
+/// Draws one piece with its shader.
+struct PiecePainter<'a, 'b> {
     shader: Shader<'a>,
     /// The picture's middle, in pixels from its corner.
     picture: [f64; 2],
@@ -110,7 +111,7 @@ struct Drawing<'a, 'b> {
     counts: &'a mut Counts,
 }
 
-impl Drawing<'_, '_> {
+impl PiecePainter<'_, '_> {
     /// Draws all of it that is in the band.
     fn draw<S: Simd>(&mut self, simd: S) {
         let rows = self.store.band.held(self.store.spans.rows());
@@ -132,8 +133,8 @@ impl Drawing<'_, '_> {
         }
     }
 
-    /// Draws four squares: interpolated where that keeps the tolerance, else as four squares each, or pixel by pixel where
-    /// they are small or their quarters promise no more.
+    /// Draws four squares. Each is interpolated if that keeps the tolerance. Otherwise it is cut into quarters, or drawn pixel
+    /// by pixel if it is small or its quarters are unlikely to be cheaper.
     fn squares<S: Simd>(&mut self, simd: S, squares: &[Square; 4]) {
         let seen = squares.each_ref().map(|square| self.store.is_seen(square));
         if !seen.contains(&true) {
@@ -161,7 +162,7 @@ impl Drawing<'_, '_> {
                 cut[index] = square.side > MIN_SIDE && promising || !self.listed(simd, index);
             }
         }
-        // Last, for the next squares overwrite all that is prepared.
+        // Last, because this overwrites what is prepared for the four squares.
         for (index, square) in squares.iter().enumerate() {
             if cut[index] {
                 self.squares(simd, &square.quarters(&self.store.spans));
@@ -169,7 +170,7 @@ impl Drawing<'_, '_> {
         }
     }
 
-    /// Draws the only square of a small piece, whose pixels are listed and lie in so many strips.
+    /// Draws the only square of a small piece, whose pixels are listed and lie in `strips` strips.
     fn small<S: Simd>(&mut self, simd: S, strips: u64) {
         let square = &self.store.square;
         let places = Places::single(simd, square.middle_from(self.picture), square.half());
@@ -177,10 +178,10 @@ impl Drawing<'_, '_> {
         self.evaluated(simd, 0, strips);
     }
 
-    /// Draws the square at `index` of those prepared pixel by pixel, by rows or from a list; returns false where that may be
-    /// cheaper on its quarters.
+    /// Draws one of the four prepared squares pixel by pixel, by rows or from a list. Returns false, and draws nothing, if that
+    /// may be cheaper for its quarters.
     fn listed<S: Simd>(&mut self, simd: S, index: usize) -> bool {
-        let Drawing {
+        let PiecePainter {
             shader,
             store,
             scratch,
@@ -198,8 +199,8 @@ impl Drawing<'_, '_> {
         self.evaluated(simd, index, strips)
     }
 
-    /// Draws the listed pixels of the square at `index` of those prepared, which counts as so many tiles; returns false where
-    /// that may be cheaper on its quarters.
+    /// Draws the listed pixels of one of the four prepared squares and counts it as `tiles` tiles. Returns false, and draws
+    /// nothing, if that may be cheaper for its quarters.
     fn evaluated<S: Simd>(&mut self, simd: S, index: usize, tiles: u64) -> bool {
         let store = &mut self.store;
         let evaluations =
@@ -212,7 +213,7 @@ impl Drawing<'_, '_> {
         true
     }
 
-    /// Counts the work on the square as so many tiles, and notes its kind if the frame keeps that.
+    /// Counts the work on the square as `tiles` tiles, and records its kind if the frame keeps that.
     fn finish(
         &mut self,
         Evaluations {

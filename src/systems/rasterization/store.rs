@@ -1,7 +1,6 @@
-//! Rows of a square in, pixels of a band out: the display step fused into the store, or the levels themselves.
+//! Writes the pixels of a square into a band, as displayed bytes or as levels.
 //!
-//! Rule: only covered pixels of rows that the band holds are written, and where there is a depth buffer only pixels that
-//! show this face.
+//! Only covered pixels in the rows of the band are written, and with a depth buffer only those that show this face.
 
 use std::ops::Range;
 
@@ -50,7 +49,10 @@ impl Store<'_, '_> {
 
     /// Whether all pixels of the square are drawn, as bytes.
     pub fn is_whole(&self) -> bool {
-        self.band.is_plain() && self.square.is_whole() && self.rows().len() == self.square.side
+        self.band.depths.is_empty()
+            && !self.band.pixels.is_empty()
+            && self.square.is_whole()
+            && self.rows().len() == self.square.side
     }
 
     /// Lists the pixels of the square in which the piece is seen; returns the number of strips in which these lie.
@@ -93,7 +95,8 @@ impl Store<'_, '_> {
         }
     }
 
-    /// Notes how the square was drawn, and which triangles are seen there. `picture` is its middle, in pixels from its corner.
+    /// Records how the square was drawn and which triangles are visible. `picture` is the middle of the picture, in pixels from its
+    /// corner.
     #[inline(never)]
     pub fn mark(&mut self, kind: TileKind, shown: &Face, picture: [f64; 2]) {
         let Square { place, columns, .. } = self.square;
@@ -112,7 +115,7 @@ impl Store<'_, '_> {
         }
     }
 
-    /// All pixels, where nothing hides them and the band takes bytes.
+    /// Writes all pixels of a square that nothing hides, as bytes.
     #[inline(always)]
     fn draw_whole<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
         let Square {
@@ -132,7 +135,7 @@ impl Store<'_, '_> {
         self.drawn += self.square.pixels as u64;
     }
 
-    /// Those of sixteen pixels from `first` in a row on that are covered by `span` and show this face: a bit for each.
+    /// A bit for each of the sixteen pixels from `first` in a row: whether `span` covers it and it shows this face.
     #[inline(always)]
     fn seen(&self, first: usize, row: usize, span: Range<usize>) -> u32 {
         let covered = (1 << (span.end - first)) - (1 << (span.start - first));
