@@ -1,25 +1,29 @@
-//! The levels of a face's pixels: the methods, the illumination model, and the evaluation of squares of pixels.
+//! Shading of a face: the methods, the illumination model, and the evaluation of squares of pixels within a tolerance.
+//!
+//! A face is drawn in squares of 32 x 32 pixels, each by the cheapest way whose error is proven to stay within the tolerance:
 //!
 //! ```text
 //! draw(square):
-//!     classify the lights: each is dark, lit or crossing (n.l changes its sign) on the square, and shows a highlight or none
-//!     if bounds on the interpolation errors of all lights add up to less than the tolerance:
-//!         evaluate the model at nine nodes; draw the biquadratic through them, by the cheapest rows that the rest allows
-//!     else if the square is larger than 16 x 16 pixels, and its quarters promise more or f32 does not suffice:
+//!     classify each light: is n.l > 0 all over the square, n.l <= 0 all over, or neither? is its highlight visible?
+//!     if bounds on the interpolation error of every light, and on all rounding errors, add up to less than the tolerance:
+//!         evaluate the model at nine nodes; draw the biquadratic polynomial through them, without terms that are negligible
+//!     else if the square is larger than 16 x 16 pixels, and the bounds may suffice on its quarters or f32 is too coarse:
 //!         draw each quarter
 //!     else:
-//!         evaluate the model at every pixel, in f32 where its rounding keeps the tolerance, in f64 elsewhere
-//!         evaluate pixels again, in f64, where a highlight may jump and f32 has no sign of n.l or s
+//!         evaluate the model at every pixel, in f32 where its rounding error keeps the tolerance, else in f64
+//!         evaluate pixels again in f64 if f32 has no sign of n.l or s there and a highlight may begin or end
 //! ```
-//! [`phong`] classifies the lights, [`kernel`] evaluates nodes and pixels, [`bound`] bounds interpolation and [`rounding`]
-//! rounding errors, [`interpolation`] chooses rows, [`rows`] fills them, and [`crate::systems::rasterization`] cuts squares.
+//! [`lights`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
+//! errors, [`interpolation`] makes the polynomial, [`rows`] evaluates it row by row, and [`crate::systems::rasterization`]
+//! cuts faces into squares.
 //!
-//! A terminator is a line in which n.l of a light is 0. Snapping moves a vertex by up to 1/512 pixel along each axis. On a
-//! sliver, a face that is not steady, a pixel's centre can then lie more than 1/128 of the face outside it; its place is
-//! clamped to the face.
+//! Terms: a *node* is one of the nine places on a square at which the model is sampled. A *terminator* is a line on which n.l
+//! of a light is 0. A *highlight* is the term of a light with s^rho, s = o.r. A *sliver* is a face so thin on the screen that
+//! snapping its vertices, by up to 1/512 pixel along each axis, can put the centre of a covered pixel more than 1/128 of the
+//! face outside it; such a pixel shows the nearest place on the face.
 //!
-//! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance;
-//! f64 stands behind everything. The tolerance holds for levels before they are rounded to bytes.
+//! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance.
+//! The tolerance holds for levels before they are rounded to bytes.
 
 pub mod affine;
 pub mod bound;
@@ -29,8 +33,8 @@ pub mod field;
 pub mod gloss;
 pub mod gouraud;
 pub mod interpolation;
-pub mod kernel;
 pub mod lanes;
+pub mod lights;
 mod method;
 pub mod phong;
 pub mod pixels;
@@ -59,7 +63,7 @@ pub(crate) fn limit(tolerance: f64) -> f64 {
     if tolerance > 0.0 { tolerance } else { EXACT }
 }
 
-/// How a square was drawn, from the simplest colour to the definition in f64.
+/// How a square was drawn, from the cheapest to the most expensive way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TileKind {
     /// One colour, certified.
@@ -68,11 +72,11 @@ pub enum TileKind {
     Linear,
     /// A biquadratic colour, certified.
     Quadratic,
-    /// The same, and n.l of one light that is cut off at zero at every pixel.
+    /// A biquadratic colour plus max(0, n.l) of one light, n.l being another biquadratic; certified.
     Terminator,
-    /// The definition at every pixel within the tolerance, in f32; in f64 where a sign is in doubt.
+    /// The model at every pixel, in f32; in f64 at pixels where f32 has no sign of n.l or s.
     Exact,
-    /// The definition at every pixel, in f64.
+    /// The model at every pixel, in f64.
     Double,
 }
 
@@ -87,7 +91,7 @@ impl TileKind {
         TileKind::Double,
     ];
 
-    /// The word panels and reports use.
+    /// Its name in panels and reports.
     pub const fn name(self) -> &'static str {
         match self {
             TileKind::Constant => "constant",

@@ -1,27 +1,31 @@
-//! Values that are affine in a pixel's place.
-//!
-//! Rule: x goes right and y down, in pixels from the middle of the picture or, where that is said, of a square.
+//! Affine functions of a place: of a pixel (x to the right and y down, in pixels from the middle of the picture) or of a
+//! point of a face (u and v).
 
 use std::ops::{Add, Mul};
 
 use glam::DVec3;
 
-/// A vector or a number that is affine in the pixel's place: `centre + dx * x + dy * y`.
+/// A vector or a number that is an affine function of the place: `centre + dx * x + dy * y`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Affine<T = DVec3> {
-    /// At the middle.
+    /// The value at the middle.
     pub centre: T,
-    /// Per pixel to the right.
+    /// The change per unit of x.
     pub dx: T,
-    /// Per pixel down.
+    /// The change per unit of y.
     pub dy: T,
 }
 
 impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Affine<T> {
-    /// The value `x` pixels right and `y` pixels down of the middle.
+    /// The value at a place.
     #[inline]
     pub fn at(&self, x: f64, y: f64) -> T {
         self.centre + self.dx * x + self.dy * y
+    }
+
+    /// The value at `x / w` and `y / w`, times w.
+    pub fn homogeneous(&self, x: f64, y: f64, w: f64) -> T {
+        self.centre * w + self.dx * x + self.dy * y
     }
 
     /// Applies a linear map.
@@ -36,7 +40,7 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Affine<T> {
 }
 
 impl Affine<f64> {
-    /// The value at the middle, and its changes per pixel to the right and down.
+    /// The value at the middle, and its changes per unit of x and of y.
     pub fn terms(&self) -> [f64; 3] {
         [self.centre, self.dx, self.dy]
     }

@@ -1,4 +1,4 @@
-//! How far the interpolant through nine samples may err: a closed form.
+//! A bound on the error of the interpolant through nine samples, in closed form.
 //!
 //! On a square of half extents h_x and h_y, a function f is sampled at the nine Chebyshev nodes x, y in {-r, 0, r},
 //! r = sqrt(3) / 2, in units of the half extents. The biquadratic through the samples errs by at most
@@ -48,8 +48,8 @@
 //!
 //! Coq proves the theorems above, and `proofs/README.md` lists the steps by hand: `proofs/theorems`.
 //!
-//! Rule: four squares are bounded side by side, each as it would be alone. A NaN means that there is no bound. min and
-//! max may drop a NaN; this is harmless where the other operand is a bound by itself, or the NaN is also in a sum.
+//! Four squares are bounded at a time, each independently of the others. NaN means that there is no bound. min and max may
+//! drop a NaN; this is harmless where the other operand is a bound by itself, or the NaN is also part of a sum.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -63,27 +63,24 @@ use crate::simd::{four, three, two};
 /// asin(x) <= this x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
 
-/// Bounds on the lengths of the first three derivatives of something of length at most one.
-pub type Derivatives<S> = [Lanes<S>; 3];
-
-/// Those of a unit vector.
+/// Bounds on the lengths of the first three derivatives of a unit vector.
 #[inline(always)]
-pub fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
+pub fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
     const HALF_SECOND: f64 = 0.577_350_269_189_625_8; // 1 / sqrt(3)
     let second = p.min(q * HALF_SECOND) * q * 2.0;
     let third = (p * 2.0).min(q) * q * q * 3.0;
     [p, second, third]
 }
 
-/// Those of the half-turn about a unit vector.
+/// Bounds on those of the half-turn about a unit vector.
 #[inline(always)]
-pub fn half_turn<S: Simd>([p, q]: [Lanes<S>; 2]) -> Derivatives<S> {
+pub fn half_turn<S: Simd>([p, q]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
     [p * 2.0, p * q * 4.0, p * q * q * 12.0]
 }
 
-/// Those of a product (Leibniz).
+/// Bounds on those of a product whose factors are at most one (Leibniz).
 #[inline(always)]
-pub fn product<S: Simd>(a: Derivatives<S>, b: Derivatives<S>) -> Derivatives<S> {
+pub fn product<S: Simd>(a: [Lanes<S>; 3], b: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
     [
         a[0] + b[0],
         a[1] + a[0] * b[0] * 2.0 + b[1],
@@ -107,8 +104,9 @@ pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Lanes<S> {
     )[2]))
 }
 
-/// Where n.l is: its value at the middle, and where it keeps its sign all over.
+/// The sign of n.l on four squares.
 pub struct Side<S: Simd> {
+    /// n.l at the middle.
     pub cosine: Lanes<S>,
     /// n.l > 0 all over.
     pub lit: mask64x4<S>,
@@ -176,7 +174,7 @@ pub fn reflection<S: Simd>(
     let reached = sine.simd_le(turn * (1.0 - turn2 * (1.0 / 6.0))) & s.simd_gt(0.0);
     let beyond = s - s * turn2 * 0.5 + sine * turn;
     let most = reached.select(one, beyond.min(one));
-    // A turn beyond a quarter says nothing.
+    // The inequalities do not hold for turns of more than pi / 2.
     let bounded =
         normal.is_direction_bounded() & light.is_direction_bounded() & eye.is_direction_bounded();
     let narrow = bounded & turn.simd_lt(std::f64::consts::FRAC_PI_2);
@@ -187,7 +185,7 @@ pub fn reflection<S: Simd>(
     }
 }
 
-/// The part of the bound of a highlight that is the same in every square.
+/// The constants of the bound on a highlight, which depend on the shininess alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Highlight {
     /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), without their signs.

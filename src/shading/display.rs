@@ -1,27 +1,30 @@
-//! Levels in, pixels out: the display step, done once and last.
+//! The display step: levels become bytes, once and last.
 //!
-//! Rule: `byte = floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0; no gamma, levels are display-referred.
+//! `byte = floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0. There is no gamma; levels are display-referred.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
 use crate::simd::three;
 
-/// The colours of a square, sixteen columns at a time.
+/// The colours of a square, evaluated in sixteen columns at a time.
 pub trait Rows<S: Simd> {
-    /// Goes to the columns from 16 `part` on, counted from the square's first.
+    /// Selects the sixteen columns that start at column `16 * part` of the square.
     fn go_to(&mut self, part: usize);
 
-    /// Their levels in a row, counted from the square's first; unclamped.
+    /// Their levels in a row of the square, unclamped.
     fn levels(&self, row: usize) -> [f32x16<S>; 3];
 
-    /// Their display step, 0x00RRGGBB.
-    fn pixels(&self, row: usize) -> u32x16<S>;
+    /// Their bytes in a row of the square, 0x00RRGGBB.
+    #[inline(always)]
+    fn pixels(&self, row: usize) -> u32x16<S> {
+        display(self.levels(row))
+    }
 }
 
-/// Takes the rows of a square.
+/// Draws the covered pixels of a square.
 pub trait Sink<S: Simd> {
-    /// Takes their covered pixels.
+    /// Draws them with the colours of these rows.
     fn draw(&mut self, rows: &mut impl Rows<S>);
 }
 

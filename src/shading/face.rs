@@ -10,13 +10,12 @@
 //! linear in u and v over the whole face; colours that were lit at the corners are linear over each of its triangles.
 //! Both triangles have the same N, L and O.
 //!
-//! All is set up in f64 relative to the eye, so a face is as exact on a cuboid of any size. Nothing depends on the ends of the
-//! face, so clipping changes no value.
+//! Everything is computed in f64 relative to the eye, so precision does not depend on the size of the cuboid. Nothing depends
+//! on where the face ends, so clipping changes no value.
 
 use glam::{DMat3, DVec3};
 
 use super::affine::Affine;
-use super::field::Moving;
 use crate::components::{FACES, Lens, Projection, length};
 
 /// A cuboid as lines of sight meet it.
@@ -33,12 +32,14 @@ pub struct Solid {
 /// The lines of sight of a frame, anchored at the picture's middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Rays {
+    /// The eye, in world units.
+    pub eye: DVec3,
     /// Their start from the eye, and their direction.
     start: Affine,
     direction: Affine,
     /// Towards the eye, of positive length.
-    pub to_eye: Moving,
-    projection: Projection,
+    pub to_eye: Affine,
+    pub projection: Projection,
 }
 
 impl Rays {
@@ -59,9 +60,10 @@ impl Rays {
             Projection::Orthographic => (moving, still),
         };
         Rays {
+            eye: lens.eye,
             start,
             direction,
-            to_eye: direction.map(|d| -d).into(),
+            to_eye: direction.map(|d| -d),
             projection: lens.projection,
         }
     }
@@ -107,8 +109,8 @@ impl Plane {
     }
 }
 
-/// Overshoot, as a share of the face, from which a point is clamped to the face: coverage is decided on vertices moved by up
-/// to 1/512 pixel along each axis, which is nothing to a face of some pixels and everything to a sliver.
+/// A point that may lie further outside its face than this, as a share of the face, is clamped to the face. Coverage is decided
+/// on vertices moved by up to 1/512 pixel along each axis, which matters only where a face is a sliver.
 pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// An upper bound of how far snapping moves an edge, in pixels.
@@ -136,15 +138,6 @@ pub struct Face<'a> {
     /// The places of its corners in the order of [`FACES`], and half that of the corner across the diagonal.
     corners: [[f64; 2]; 4],
     across: [f64; 2],
-}
-
-/// The point of a face at a pixel.
-#[derive(Clone, Copy, Debug)]
-pub struct Point {
-    /// Its place on the face: u, v.
-    pub place: [f64; 2],
-    /// The pixel, unless the place was clamped to the face.
-    pixel: Option<[f64; 2]>,
 }
 
 impl<'a> Face<'a> {
@@ -185,9 +178,10 @@ impl<'a> Face<'a> {
         face
     }
 
-    /// A value that is linear on triangle 0 or 1 of the face, from those at the cuboid's corners; the triangle's own three
-    /// alone, for the fourth may be so large that nothing of the others is left beside it.
-    pub fn linear(&self, values: &[DVec3; 8], triangle: usize) -> Linear {
+    /// The affine function of u and v with the given values at the corners of triangle 0 or 1; `values` are those of the
+    /// cuboid's eight corners. The face's fourth corner is not used: its value may be so large that the others would be
+    /// rounded away.
+    pub fn interpolate(&self, values: &[DVec3; 8], triangle: usize) -> Affine {
         let corners = [0, 1, 2].map(|corner| (2 * triangle + corner) % 4);
         let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.number][corner])]);
         let signs = corners.map(|corner| self.corners[corner]);
@@ -195,7 +189,11 @@ impl<'a> Face<'a> {
             let [from, middle, to] = signs.map(|signs| signs[axis]);
             (b - a) / 2.0 * ((middle - from) / 2.0) + (c - b) / 2.0 * ((to - middle) / 2.0)
         };
-        Linear([(a + c) / 2.0, half(0), half(1)])
+        Affine {
+            centre: (a + c) / 2.0,
+            dx: half(0),
+            dy: half(1),
+        }
     }
 
     /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
@@ -220,27 +218,27 @@ impl<'a> Face<'a> {
         along + w.map(|w| across * above * w)
     }
 
-    /// The least w from which a face is so large that no pixel's centre can overshoot it by much.
+    /// A face is steady, not a sliver, where w is larger than this: no pixel's centre lies further outside it than by
+    /// [`OVERSHOOT`].
     pub fn least_steady(&self) -> f64 {
         self.uv_gradient / (1024.0 * OVERSHOOT)
     }
 
-    /// Whether it is as large as that, w being at least `least`.
+    /// Whether it is steady where w is at least `least`.
     pub fn is_steady(&self, least: f64) -> bool {
         least > 0.0 && least > self.least_steady()
     }
 
-    /// The point at the pixel `x` right and `y` down of the picture's middle; clamped to the face where the face is a sliver.
-    pub fn point(&self, x: f64, y: f64) -> Point {
+    /// The place (u, v) that the pixel at `x`, `y` shows, and whether it was clamped to the face. Only places beside a sliver
+    /// are clamped.
+    pub fn place_at(&self, x: f64, y: f64) -> ([f64; 2], bool) {
         let DVec3 { x: u, y: v, z: w } = self.place.at(x, y);
         let place = [u / w, v / w];
         let is_on = w > 0.0 && place.iter().all(|u| u.abs() <= 1.0);
         if is_on || self.is_steady(w) {
-            let pixel = Some([x, y]);
-            Point { place, pixel }
+            (place, false)
         } else {
-            let place = self.clamp(x, y);
-            Point { place, pixel: None }
+            (self.clamp(x, y), true)
         }
     }
 
@@ -278,24 +276,6 @@ impl<'a> Face<'a> {
         [on(place.x * times), on(place.y * times)]
     }
 
-    /// The vector to a light, whose place is given as in [`Face::towards`], from a point; times a positive number.
-    pub fn to_light(&self, point: &Point, light: DVec3, from_centre: DVec3) -> DVec3 {
-        match point.pixel {
-            Some([x, y]) => self.towards(light, from_centre).at(x, y),
-            None => light - self.from_eye(point.place),
-        }
-    }
-
-    /// The vector to the eye from a point; times a positive number.
-    pub fn to_eye(&self, point: &Point) -> DVec3 {
-        let to_eye = &self.rays.to_eye.vector;
-        match (point.pixel, self.rays.projection) {
-            (Some([x, y]), _) => to_eye.at(x, y),
-            (None, Projection::Perspective) => -self.from_eye(point.place),
-            (None, Projection::Orthographic) => to_eye.centre,
-        }
-    }
-
     /// A place on the face, from the eye, in world units.
     pub fn from_eye(&self, [u, v]: [f64; 2]) -> DVec3 {
         self.middle + self.half_edges[0] * u + self.half_edges[1] * v
@@ -306,10 +286,10 @@ impl<'a> Face<'a> {
     ///
     /// N and L are combinations, with weights that are nowhere negative, of their values at the corners of a face that is
     /// larger by the overshoot of pixels, so N.L < 0 at every pixel.
-    pub fn is_behind(&self, light: DVec3, normals: &Linear) -> bool {
+    pub fn is_behind(&self, light: DVec3, normals: &Affine) -> bool {
         const END: f64 = 1.0 + 2.0 * OVERSHOOT;
         const CORNERS: [[f64; 2]; 4] = [[-END, -END], [END, -END], [-END, END], [END, END]];
-        let normals = CORNERS.map(|corner| normals.at(corner));
+        let normals = CORNERS.map(|[u, v]| normals.at(u, v));
         CORNERS.iter().all(|corner| {
             let to_light = light - self.from_eye(*corner);
             normals.iter().all(|normal| normal.dot(to_light) < 0.0)
@@ -326,20 +306,4 @@ impl<'a> Face<'a> {
 pub fn places(number: usize) -> [[f64; 2]; 4] {
     let along = [(number / 2 + 1) % 3, (number / 2 + 2) % 3];
     FACES[number].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
-}
-
-/// A value that is linear on a face: at its middle, and its changes with u and v.
-#[derive(Clone, Copy, Debug)]
-pub struct Linear([DVec3; 3]);
-
-impl Linear {
-    /// Its value at u, v.
-    pub fn at(&self, [u, v]: [f64; 2]) -> DVec3 {
-        self.scaled(DVec3::new(u, v, 1.0))
-    }
-
-    /// Its value times w, from u, v and 1 times w.
-    pub fn scaled(&self, place: DVec3) -> DVec3 {
-        self.0[0] * place.z + self.0[1] * place.x + self.0[2] * place.y
-    }
 }

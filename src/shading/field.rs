@@ -1,6 +1,7 @@
-//! Vectors that are affine in the pixel, on four squares side by side.
+//! Vectors that are affine in the pixel, on four squares at a time: how far they move, and how fast their directions turn.
 //!
-//! Rule: a length or a rate of something that is not a number is not a number, and bounds nothing.
+//! Where a vector is not finite, its lengths and rates are NaN or infinite. Comparisons with them are false, so they never
+//! serve as a bound.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
@@ -8,7 +9,6 @@ use fearless_simd::{Simd, f64x4, mask64x4};
 use super::affine::Affine;
 use super::lanes::{Squares, dot};
 use super::square::Square;
-use crate::components::length;
 use crate::simd::{four, inlined, three, two};
 
 /// A number of each of four squares.
@@ -71,54 +71,28 @@ pub struct Field<S: Simd> {
     pub middle: [Lanes<S>; 3],
     pub right: [Lanes<S>; 3],
     pub down: [Lanes<S>; 3],
-    /// Its largest distance from the middle.
+    /// How far it moves from its value at the middle, at most.
     pub radius: Lanes<S>,
     /// A lower bound of its length.
     pub shortest: Lanes<S>,
-    /// p and q along x and along y: see [`super::bound`].
+    /// The bounds p and q of [`super::bound`], along x and along y.
     pub rates: [[Lanes<S>; 2]; 2],
 }
 
-/// An affine vector, anchored at the picture's middle, and the lengths that a [`Field`] is bounded with.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Moving {
-    pub vector: Affine,
-    /// |V_x| and |V_y|, by pixel.
-    lengths: [f64; 2],
-    /// |V_x x V_y|.
-    area: f64,
-}
-
-impl From<Affine> for Moving {
-    /// No coordinate exceeds 1e100, so neither products nor lengths leave the range of f64.
-    fn from(vector: Affine) -> Self {
-        Moving {
-            lengths: [vector.dx, vector.dy].map(length),
-            area: length(vector.dx.cross(vector.dy)),
-            vector,
-        }
-    }
-}
-
 impl<S: Simd> Field<S> {
-    /// A vector on four squares.
+    /// A vector on four squares. No coordinate exceeds 1e100, so neither products nor lengths leave the range of f64.
     #[inline(always)]
-    pub fn new(moving: &Moving, places: &Places<S>) -> Self {
-        let Moving {
-            vector,
-            lengths,
-            area,
-        } = moving;
+    pub fn new(vector: &Affine, places: &Places<S>) -> Self {
         let [x, y] = places.middle;
         let middle = three!(|axis| x * vector.dx[axis] + y * vector.dy[axis] + vector.centre[axis]);
         let inverse = 1.0 / dot(&middle, &middle).sqrt();
         let steps = two!(|axis| places.half[axis] * inverse);
         let [right, down] = [vector.dx, vector.dy];
-        let [right_length, down_length] = two!(|axis| steps[axis] * lengths[axis]);
+        let [right_length, down_length] = two!(|axis| steps[axis] * [right, down][axis].length());
         let radius = right_length + down_length;
         // One over the least length of the vector.
         let most = 1.0 / (1.0 - radius);
-        let parallelogram = steps[0] * steps[1] * *area;
+        let parallelogram = steps[0] * steps[1] * right.cross(down).length();
         let middle = three!(|axis| middle[axis] * inverse);
         let [right, down] = [
             three!(|axis| steps[0] * right[axis]),
@@ -142,16 +116,14 @@ impl<S: Simd> Field<S> {
             rates: [rates(along[0], right_length), rates(along[1], down_length)],
         }
     }
-}
 
-impl<S: Simd> Field<S> {
     /// Whether its direction is bounded: the relative radius is below [`MAX_RADIUS`].
     #[inline(always)]
     pub fn is_direction_bounded(&self) -> mask64x4<S> {
         self.radius.simd_lt(MAX_RADIUS)
     }
 
-    /// The error of its direction in f32, in roundings: see [`super::rounding`].
+    /// The error of its direction in f32, in units of U; [`super::rounding`] derives it.
     #[inline(always)]
     pub fn rounding(&self) -> Lanes<S> {
         let infinite = Lanes::splat(self.radius.token(), f64::INFINITY);

@@ -1,4 +1,4 @@
-//! The highlights of a material: constants that are the same in every square.
+//! The constants of a material's highlights, which are the same in every square.
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
@@ -9,9 +9,9 @@ use super::limit;
 use super::surface::Surface;
 use crate::components::Material;
 
-/// The part of the tolerance that highlights too faint to be drawn may use up together. A larger part leaves out more of them
-/// and leaves less to all else: a tenth or a half changes the instructions of a frame by 1 to 2 % (default scene and bench-far,
-/// tolerance 0.5).
+/// The part of the tolerance that all highlights too faint to be drawn may use together. A larger part leaves out more
+/// highlights but leaves less of the tolerance to other errors. A tenth or a half changes the instructions of a frame by 1 to 2 % (default
+/// scene and bench-far, tolerance 0.5).
 const DROPPED: f64 = 0.25;
 
 /// The size of s below which a shininess below 1 makes an error of s too large for f32: its slope has no bound at s = 0.
@@ -21,8 +21,6 @@ const DOUBT: f64 = 1.0 / 256.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss {
     pub material: Material,
-    /// The tolerance it is made for, in levels.
-    pub tolerance: f64,
     /// Above 0 where the material's is: 0^0 = 1, and the power of a negative s is 0.
     pub shininess: f32,
     /// For the bound on interpolation errors.
@@ -57,7 +55,6 @@ impl Gloss {
         let is_steep = shininess > 0.0 && shininess < 1.0;
         Gloss {
             material: *surface.material,
-            tolerance,
             shininess: if shininess > 0.0 {
                 (shininess as f32).max(f32::MIN_POSITIVE)
             } else {

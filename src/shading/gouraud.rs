@@ -1,4 +1,4 @@
-//! Vertex colours, interpolated perspective-correctly (Gouraud 1971; Heckbert and Moreton 1991 for the division).
+//! Gouraud shading of a face: vertex colours, interpolated perspective-correctly (Gouraud 1971; Heckbert and Moreton 1991).
 //!
 //! The colour is w C / w, both affine in the pixel; C comes from the corners of the pixel's own triangle alone. The quotient is
 //! interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel elsewhere; nodes and pixels
@@ -10,20 +10,20 @@ use glam::DVec3;
 
 use super::affine::Affine;
 use super::bound;
-use super::face::{Face, Linear};
+use super::face::Face;
 use super::field::{Lanes, Places, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
 use super::lanes::{LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
-/// Draws levels that were lit at the vertices.
+/// A face with levels at its vertices.
 pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
-    /// Levels on the first and on the second triangle, and the same times w.
-    levels: [Linear; 2],
+    /// Levels on the first and on the second triangle: by u and v, and times w by pixel.
+    levels: [Affine; 2],
     colors: [Affine; 2],
 }
 
@@ -37,8 +37,8 @@ pub struct TileColors {
     colors: [[Squares; 3]; 2],
     /// The sets of squares, a bit each, that meet each triangle.
     meets: [u64; 2],
-    /// Bounds on the errors of levels that are evaluated in f32, in levels.
-    errors: [f64; 4],
+    /// The set of squares on which levels in f32 keep the tolerance.
+    pub in_f32: u64,
 }
 
 impl TileColors {
@@ -82,12 +82,12 @@ const ROUNDING: f64 = 80.0 * U;
 impl<'a> Gouraud<'a> {
     /// Draws levels that are given at a cuboid's corners.
     pub fn new(face: &'a Face, levels: &[DVec3; 8], tolerance: f64) -> Self {
-        let levels = [0, 1].map(|triangle| face.linear(levels, triangle));
+        let levels = [0, 1].map(|triangle| face.interpolate(levels, triangle));
         Gouraud {
             face,
             tolerance,
             levels,
-            colors: levels.map(|levels| face.place.map(|place| levels.scaled(place))),
+            colors: levels.map(|levels| face.place.map(|it| levels.homogeneous(it.x, it.y, it.z))),
         }
     }
 
@@ -99,7 +99,7 @@ impl<'a> Gouraud<'a> {
         places: &Places<S>,
         interpolate: bool,
         tile: &mut TileColors,
-    ) -> Option<Interpolant<S>> {
+    ) -> (Option<Interpolant<S>>, u64) {
         let number = inlined!(|number: f64| Lanes::splat(simd, number));
         let [middle, right, down] = places.number(self.face.plane.w.terms());
         let inverse = 1.0 / middle;
@@ -134,10 +134,10 @@ impl<'a> Gouraud<'a> {
             before: single(before),
             colors: two!(|triangle| three!(|channel| single(colors[triangle][channel]))),
             meets: [meets[0].to_bitmask(), meets[1].to_bitmask()],
-            errors: *bounded.select(rounding, number(f64::INFINITY)).as_array(),
+            in_f32: (bounded & rounding.simd_le(limit(self.tolerance))).to_bitmask(),
         };
         if !interpolate {
-            return None;
+            return (None, 0);
         }
         let mut error = zero;
         for channel in 0..3 {
@@ -158,19 +158,14 @@ impl<'a> Gouraud<'a> {
             }),
         );
         let none = mask64x4::splat(simd, false);
-        Some(Interpolant::new(terms, [zero; 3], none, budget))
-    }
-
-    /// The number of highlights evaluated at a pixel of one of four squares in f32, if f32 keeps the tolerance.
-    pub fn single(&self, tile: &TileColors, index: usize) -> Option<usize> {
-        // False for an error that is not a number.
-        (tile.errors[index] <= limit(self.tolerance)).then_some(0)
+        let interpolant = Interpolant::new(terms, [zero; 3], none, budget);
+        (Some(interpolant), 0b1111)
     }
 
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
-        let place = self.face.point(x, y).place;
-        self.levels[usize::from(self.face.across(place) < 0.0)].at(place)
+        let ([u, v], _) = self.face.place_at(x, y);
+        self.levels[usize::from(self.face.across([u, v]) < 0.0)].at(u, v)
     }
 }
 

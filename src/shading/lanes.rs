@@ -1,4 +1,4 @@
-//! Numbers of four squares in sixteen lanes of f32: as nodes of all four, or as pixels of one.
+//! Sixteen lanes of f32, which hold either nodes of four squares or pixels of one square.
 
 use std::ops::{Add, Mul};
 
@@ -13,16 +13,16 @@ pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) 
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// An affine number on four squares: its value at the middle, and its changes from there to the right and to the lower edge;
-/// by square. A vector is three of them; its length at the middle is one.
+/// An affine number on four squares: its values at their middles, and its changes from there to their right and to their lower
+/// edges. A vector is three such numbers; its length at the middle is one.
 pub type Squares = [[f32; 4]; 3];
 
-/// The squares that the sixteen lanes belong to.
+/// Which squares the sixteen lanes belong to.
 #[derive(Clone, Copy)]
 pub enum LaneLayout {
-    /// Each of the four in turn.
+    /// Lane i belongs to square i % 4.
     Nodes,
-    /// One of them.
+    /// All lanes belong to this square.
     Pixels(usize),
 }
 

@@ -1,28 +1,21 @@
-//! Position and normal interpolated, the model at every pixel (Phong 1975): the whole of it, certified square by square.
+//! Phong shading of a face (Phong 1975): position and normal are interpolated, the illumination model is evaluated at every
+//! pixel.
 //!
-//! A light behind the whole square is left out, and a highlight that stays below its share of the tolerance. All other light
-//! is interpolated through nine samples where [`super::bound`] shows that this keeps the tolerance, and evaluated at every
-//! pixel elsewhere.
-//!
-//! Rule: the error of every term, rounding included, is taken off the tolerance. At tolerance 0 every pixel is evaluated, and
-//! the tolerance is [`super::EXACT`].
-
-mod tile;
+//! This file holds the data of the face and its definition in f64. [`super::lights`] draws squares of it within the tolerance.
 
 use glam::DVec3;
 
-pub use self::tile::TileLights;
-use super::face::{Face, Linear};
-use super::field::Moving;
+use super::affine::Affine;
+use super::face::Face;
 use super::gloss::Gloss;
 use super::surface::Surface;
-use crate::components::{PointLight, unit};
+use crate::components::{PointLight, Projection, unit};
 
 /// A point light on a face.
 #[derive(Clone, Copy, Debug)]
 pub struct FaceLight {
     /// w (L - P).
-    pub towards: Moving,
+    pub towards: Affine,
     /// The factors of n.l and s^rho, in levels.
     pub diffuse: [f32; 3],
     pub specular: [f32; 3],
@@ -31,25 +24,17 @@ pub struct FaceLight {
 }
 
 impl FaceLight {
-    /// A light that lights a face at all; `eye` in world units.
-    fn new(
-        face: &Face,
-        normals: &Linear,
-        surface: &Surface,
-        light: &PointLight,
-        eye: DVec3,
-    ) -> Option<Self> {
+    /// A light on a face; None if it lights no pixel of it.
+    fn new(face: &Face, normals: &Affine, surface: &Surface, light: &PointLight) -> Option<Self> {
         let coefficients = surface.coefficients(light);
         let most = coefficients.map(DVec3::max_element);
-        let position = light.position - eye;
+        let position = light.position - face.rays.eye;
         if most == [0.0; 2] || face.is_behind(position, normals) {
             return None;
         }
         let [diffuse, specular] = coefficients.map(|levels| levels.as_vec3().to_array());
         Some(FaceLight {
-            towards: face
-                .towards(position, light.position - surface.centre)
-                .into(),
+            towards: face.towards(position, light.position - surface.centre),
             diffuse,
             specular,
             most,
@@ -57,12 +42,10 @@ impl FaceLight {
     }
 }
 
-/// The data of a face of a shaded object that all of its squares share.
+/// A face of an object, its lights and its normals.
 pub struct Phong<'a> {
     pub face: &'a Face<'a>,
     pub surface: Surface<'a>,
-    /// The eye, in world units.
-    pub eye: DVec3,
     pub gloss: &'a Gloss,
     /// The lights that reach it.
     pub lights: &'a [FaceLight],
@@ -70,54 +53,57 @@ pub struct Phong<'a> {
     pub tolerance: f64,
     /// The ambient term, in levels.
     pub ambient: [f32; 3],
-    /// The interpolated normal, and the same times w.
-    normals: Linear,
-    normal: Moving,
+    /// The interpolated normal by u and v, and times w by pixel.
+    normals: Affine,
+    pub normal: Affine,
 }
 
 impl<'a> Phong<'a> {
-    /// A face of an object, from its normals; `lights` is overwritten with those that reach it.
+    /// A face with these normals; `lights` is overwritten with the lights that reach it.
     pub fn new(
         face: &'a Face,
-        normals: Linear,
+        normals: Affine,
         surface: Surface<'a>,
-        eye: DVec3,
         gloss: &'a Gloss,
         lights: &'a mut Vec<FaceLight>,
         tolerance: f64,
     ) -> Self {
         lights.clear();
         let points = surface.illumination.points.iter();
-        lights.extend(
-            points.filter_map(|light| FaceLight::new(face, &normals, &surface, light, eye)),
-        );
+        lights.extend(points.filter_map(|light| FaceLight::new(face, &normals, &surface, light)));
         Phong {
             face,
             surface,
-            eye,
             gloss,
             lights,
             tolerance,
             ambient: surface.ambient().as_vec3().to_array(),
             normals,
-            normal: face.place.map(|place| normals.scaled(place)).into(),
+            normal: face.place.map(|it| normals.homogeneous(it.x, it.y, it.z)),
         }
-    }
-
-    /// The brightest channel of the ambient term, in levels.
-    fn brightest_ambient(&self) -> f64 {
-        self.surface.ambient().max_element()
     }
 
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
-        let point = self.face.point(x, y);
-        let normal = unit(self.normals.at(point.place));
-        let to_eye = unit(self.face.to_eye(&point));
-        self.surface.sum(normal, to_eye, |light| {
-            let [from_eye, from_centre] =
-                [self.eye, self.surface.centre].map(|origin| light.position - origin);
-            unit(self.face.to_light(&point, from_eye, from_centre))
+        let face = self.face;
+        let ([u, v], is_clamped) = face.place_at(x, y);
+        // A clamped place is not where the line of sight through the pixel meets the plane.
+        let point = face.from_eye([u, v]);
+        let is_turned = is_clamped && face.rays.projection == Projection::Perspective;
+        let to_eye = if is_turned {
+            -point
+        } else {
+            face.rays.to_eye.at(x, y)
+        };
+        let normal = unit(self.normals.at(u, v));
+        self.surface.sum(normal, unit(to_eye), |light| {
+            let from_eye = light.position - face.rays.eye;
+            unit(if is_clamped {
+                from_eye - point
+            } else {
+                let from_centre = light.position - self.surface.centre;
+                face.towards(from_eye, from_centre).at(x, y)
+            })
         })
     }
 }

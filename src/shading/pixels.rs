@@ -1,4 +1,4 @@
-//! The pixels of a square that are evaluated one by one: a list, so that any sixteen of them fill the lanes.
+//! A list of the pixels of a square that are evaluated one by one. Any sixteen pixels of it fill the lanes.
 
 use std::ops::Range;
 
@@ -21,8 +21,9 @@ pub struct Pixels {
     places: [[f32; MOST]; 2],
     /// The indices in the buffers of the band.
     indices: [u32; MOST],
+    /// A red level that is not a number marks a pixel that f32 does not suffice for.
     levels: [[f32; MOST]; 3],
-    /// Whether a level may be not a number, which marks a pixel that f32 does not suffice for.
+    /// Whether any pixel is marked.
     marked: bool,
 }
 
@@ -104,20 +105,19 @@ impl Pixels {
         self.marked = marked.any_true();
     }
 
-    /// Marks all pixels.
-    pub fn forget(&mut self) {
-        self.levels[0][..self.count].fill(f32::NAN);
-        self.marked = true;
-    }
-
-    /// Evaluates the marked pixels one by one; the arguments of `define` are places from the picture's middle, in pixels, and
-    /// the first argument is the place of the square's middle.
-    pub fn define(&mut self, [right, down]: [f64; 2], define: impl Fn(f64, f64) -> DVec3) {
-        if !self.marked {
+    /// Evaluates all pixels, or only those that are marked, in f64 one by one. The arguments of `define` are places from the
+    /// picture's middle, in pixels, and the first argument is the place of the square's middle.
+    pub fn define(
+        &mut self,
+        [right, down]: [f64; 2],
+        all: bool,
+        define: impl Fn(f64, f64) -> DVec3,
+    ) {
+        if !all && !self.marked {
             return;
         }
         for pixel in 0..self.count {
-            if self.levels[0][pixel].is_nan() {
+            if all || self.levels[0][pixel].is_nan() {
                 let [x, y] = two!(|axis| f64::from(self.places[axis][pixel]));
                 let levels = define(x + right, y + down).as_vec3();
                 for channel in 0..3 {

@@ -1,14 +1,13 @@
-//! The rounding errors of the illumination model in f32.
+//! A bound on the rounding errors of the illumination model in f32.
 //!
-//! Every rounding is counted once, per light and per term of the sum, in units of U.
+//! All roundings of every light and of the sum are counted, in units of U. Unit tests compare the counts with a running error
+//! analysis, and `proofs/` derives the constants.
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use super::U;
 use super::field::{Field, Lanes};
-use super::gloss::Gloss;
-use super::specular::POWER_ERROR;
 
 /// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`. Of a normal of any
 /// length it is 10.05: `proofs/cosine.g`.
@@ -77,25 +76,13 @@ impl<S: Simd> Rounding<S> {
 
     /// The error of |r - o|.
     #[inline(always)]
-    fn chord(&self, light: &Field<S>) -> Lanes<S> {
+    pub fn chord(&self, light: &Field<S>) -> Lanes<S> {
         self.normal * 2.0 + light.rounding() + self.eye + CHORD
     }
 
-    /// Adds a light's diffuse term of at most these levels.
+    /// Adds a term of at most these levels, whose factor of at most 1 has this error.
     #[inline(always)]
-    pub fn diffuse(&mut self, light: &Field<S>, levels: Lanes<S>) {
-        self.add(levels, self.cosine(light));
-    }
-
-    /// Adds a light's specular term of at most these levels.
-    #[inline(always)]
-    pub fn specular(&mut self, light: &Field<S>, levels: Lanes<S>, gloss: &Gloss) {
-        let error = gloss.propagated(self.chord(light)) + POWER_ERROR;
-        self.add(levels, error);
-    }
-
-    #[inline(always)]
-    fn add(&mut self, levels: Lanes<S>, error: Lanes<S>) {
+    pub fn add(&mut self, levels: Lanes<S>, error: Lanes<S>) {
         let zero = Lanes::splat(levels.token(), 0.0);
         let any = levels.simd_gt(zero);
         self.error += any.select(levels * error, zero);
@@ -118,6 +105,7 @@ mod tests {
     use super::super::affine::Affine;
     use super::super::field::{MAX_RADIUS, Places};
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
+    use super::super::specular::POWER_ERROR;
     use super::super::{bound, field, interpolation};
     use super::*;
     use crate::simd::{Baseline, token};
@@ -158,7 +146,7 @@ mod tests {
     fn field([centre, dx, dy]: &Moving) -> Field<Baseline> {
         let [centre, dx, dy] = [centre, dx, dy].map(|v| DVec3::from_array(*v));
         let places = Places::single(token(), [0.0; 2], [1.0; 2]);
-        Field::new(&Affine { centre, dx, dy }.into(), &places)
+        Field::new(&Affine { centre, dx, dy }, &places)
     }
 
     fn one(lanes: Lanes<Baseline>) -> f64 {
@@ -277,7 +265,7 @@ mod tests {
             let mut count = Rounding::new(&steady, &steady, ambient);
             let mut sum = Rounded::stored(ambient);
             for &levels in &terms {
-                count.diffuse(&steady, Lanes::splat(token(), levels));
+                count.add(Lanes::splat(token(), levels), count.cosine(&steady));
                 sum = sum + Rounded::stored(levels) * Rounded::exact(1.0);
             }
             let own = terms.iter().sum::<f64>() * one(count.cosine(&steady)) * U;

@@ -1,4 +1,4 @@
-//! Rows of levels, or of display bytes, of a colour that is interpolated or evaluated at every pixel.
+//! Colours of a square row by row, as levels or as bytes: a linear or biquadratic polynomial, or the model at every pixel.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
@@ -205,10 +205,5 @@ impl<S: Simd, F: Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> Rows<S> for Pointwise<S, 
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let y = (self.first[1] + row as i32 as f32) * self.scale[1];
         (self.evaluate)([self.x, f32x16::splat(self.x.token(), y)])
-    }
-
-    #[inline(always)]
-    fn pixels(&self, row: usize) -> u32x16<S> {
-        display(self.levels(row))
     }
 }

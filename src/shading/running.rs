@@ -1,12 +1,12 @@
-//! Running error analysis (Wilkinson 1963; Higham, "Accuracy and Stability of Numerical Algorithms", 3.3): a number in, the
-//! number and a bound on what rounding has left in it out.
+//! Running error analysis (Wilkinson 1963; Higham, "Accuracy and Stability of Numerical Algorithms", 3.3): numbers that carry
+//! a bound on their rounding error.
 //!
-//! Rule: every operation rounds once, whatever its operands are; errors of second order are left out. What a formula is said
-//! to cost must cover what this finds where the formula is worked out in the order in which the code does it.
+//! Every operation rounds once; errors of second order are neglected. Tests evaluate a formula with these numbers, in the
+//! order of the code, and compare the bound with the count of roundings in the code.
 
 use std::ops::{Add, Div, Mul, Sub};
 
-/// A number that was rounded, and by how much at most, in unit round-offs.
+/// A number, and a bound on its rounding error in unit round-offs.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounded {
     pub value: f64,
@@ -14,7 +14,7 @@ pub struct Rounded {
 }
 
 impl Rounded {
-    /// A number as it is.
+    /// A number without error.
     pub fn exact(value: f64) -> Self {
         Rounded { value, error: 0.0 }
     }
@@ -24,7 +24,7 @@ impl Rounded {
         Rounded::new(value, 0.0)
     }
 
-    /// The result of an operation whose operands have left so much.
+    /// The result of an operation: `error` comes from its operands, the result is rounded once.
     fn new(value: f64, error: f64) -> Self {
         let error = error + value.abs();
         Rounded { value, error }

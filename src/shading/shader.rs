@@ -1,6 +1,6 @@
-//! The shading methods behind one type: prepares squares of a face, and evaluates their pixels.
+//! One type for the three shading modes: it prepares squares of a face and evaluates their pixels.
 
-use fearless_simd::Simd;
+use fearless_simd::{Simd, f32x16};
 use glam::DVec3;
 
 use super::TileKind;
@@ -10,14 +10,15 @@ use super::field::Places;
 use super::gouraud::{Gouraud, TileColors};
 use super::interpolation::Interpolant;
 use super::lanes::LaneLayout;
-use super::phong::{FaceLight, Phong, TileLights};
+use super::lights::TileLights;
+use super::phong::{FaceLight, Phong};
 use super::pixels::Pixels;
 use super::rows::Pointwise;
 use super::square::{MIN_SIDE, Square};
 use super::unit_vectors::UnitVectors;
 use crate::simd::{inlined, outlined};
 
-/// Shades the squares of a face by one of the definitions.
+/// Shades a face in one of the modes.
 pub enum Shader<'a> {
     Gouraud(Gouraud<'a>),
     Phong(Phong<'a>),
@@ -25,8 +26,8 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for being evaluated. Returns an interpolant, or None if `interpolate` is false or the bounds leave
-    /// nothing of the tolerance; and a set of squares, a bit each, whose quarters are worth trying.
+    /// Prepares four squares for evaluation. Returns an interpolant, or None if `interpolate` is false or the bounds exceed the
+    /// tolerance on all of them; and the set of squares, a bit each, whose quarters are worth trying.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &self,
@@ -39,12 +40,10 @@ impl Shader<'_> {
         // Compiled apart without bounds and samples: 5 % of the instructions of a crowd of small faces.
         match self {
             Shader::Gouraud(gouraud) if interpolate && gouraud.tolerance > 0.0 => {
-                let interpolant = outlined!(simd, gouraud.prepare(simd, places, true, colors));
-                (interpolant, 0b1111)
+                outlined!(simd, gouraud.prepare(simd, places, true, colors))
             }
             Shader::Gouraud(gouraud) => {
-                outlined!(simd, gouraud.prepare(simd, places, false, colors));
-                (None, 0)
+                outlined!(simd, gouraud.prepare(simd, places, false, colors))
             }
             Shader::Phong(phong) if interpolate && phong.tolerance > 0.0 => {
                 outlined!(simd, phong.prepare(simd, places, true, tile))
@@ -54,8 +53,8 @@ impl Shader<'_> {
         }
     }
 
-    /// Evaluates the pixels in the scratch, of the square at `index` of those prepared last: in f32 where that keeps the
-    /// tolerance, else in f64; None where that may be cheaper on the quarters of the square.
+    /// Evaluates the pixels in the scratch, which are of the square at `index` of those prepared last: in f32 where that keeps
+    /// the tolerance, else in f64. Returns None where that may be cheaper on the quarters of the square.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
@@ -64,28 +63,17 @@ impl Shader<'_> {
         index: usize,
         scratch: &mut Scratch,
     ) -> Option<Evaluations> {
-        let single = self.single(index, scratch);
-        let Scratch {
-            pixels,
-            tile,
-            colors,
-            ..
-        } = scratch;
-        match self {
-            Shader::Gouraud(_) if single.is_some() => {
-                let levels =
-                    inlined!(|place| colors.levels(simd, LaneLayout::Pixels(index), place));
-                outlined!(simd, pixels.evaluate(simd, square.half(), levels));
-            }
-            Shader::Phong(phong) if single.is_some() => {
-                let levels = inlined!(|place| phong.pixel_levels(simd, tile, index, place));
-                outlined!(simd, pixels.evaluate(simd, square.half(), levels));
-            }
-            _ if square.side > MIN_SIDE => return None,
-            _ => pixels.forget(),
+        let highlights = self.highlights(index, scratch);
+        let (pixels, tile, colors) = (&mut scratch.pixels, &scratch.tile, &scratch.colors);
+        if highlights.is_some() {
+            let levels = inlined!(|place| self.levels(simd, (tile, colors), index, place));
+            outlined!(simd, pixels.evaluate(simd, square.half(), levels));
+        } else if square.side > MIN_SIDE {
+            return None;
         }
-        pixels.define(square.middle_from(picture), |x, y| self.define(x, y));
-        Some(self.evaluations(single, pixels.count()))
+        let middle = square.middle_from(picture);
+        pixels.define(middle, highlights.is_none(), |x, y| self.define(x, y));
+        Some(self.evaluations(highlights, pixels.count()))
     }
 
     /// Draws a square that is seen all over, as [`Self::evaluate`] does but by rows, if f32 suffices for all of its pixels.
@@ -98,47 +86,61 @@ impl Shader<'_> {
         scratch: &Scratch,
         sink: &mut impl Sink<S>,
     ) -> Option<Evaluations> {
-        let Scratch { tile, colors, .. } = scratch;
-        let highlights = self.single(index, scratch)?;
-        match self {
-            Shader::Gouraud(_) => {
-                let levels =
-                    inlined!(|place| colors.levels(simd, LaneLayout::Pixels(index), place));
-                outlined!(simd, sink.draw(&mut Pointwise::new(simd, square, levels)));
-            }
-            Shader::Phong(phong) if phong.has_signs(tile, index) => {
-                let levels = inlined!(|place| phong.pixel_levels(simd, tile, index, place));
-                outlined!(simd, sink.draw(&mut Pointwise::new(simd, square, levels)));
-            }
-            _ => return None,
+        let highlights = self.highlights(index, scratch)?;
+        let (tile, colors) = (&scratch.tile, &scratch.colors);
+        if let Shader::Phong(phong) = self
+            && !phong.has_signs(tile, index)
+        {
+            return None;
         }
+        let levels = inlined!(|place| self.levels(simd, (tile, colors), index, place));
+        outlined!(simd, sink.draw(&mut Pointwise::new(simd, square, levels)));
         Some(self.evaluations(Some(highlights), square.pixels))
     }
 
-    /// The number of highlights evaluated at a pixel of the square at `index`, if f32 keeps the tolerance there.
-    fn single(&self, index: usize, scratch: &Scratch) -> Option<usize> {
+    /// The levels in f32 at places on the square at `index`, x and y from -1 to 1.
+    #[inline(always)]
+    fn levels<S: Simd>(
+        &self,
+        simd: S,
+        (tile, colors): (&TileLights, &TileColors),
+        index: usize,
+        place: [f32x16<S>; 2],
+    ) -> [f32x16<S>; 3] {
+        let at = LaneLayout::Pixels(index);
         match self {
-            Shader::Gouraud(gouraud) => gouraud.single(&scratch.colors, index),
-            Shader::Phong(phong) => phong.single(&scratch.tile, index),
+            Shader::Phong(phong) => {
+                let [red, green, blue, _] = phong.levels(simd, tile, at, place);
+                [red, green, blue]
+            }
+            _ => colors.levels(simd, at, place),
+        }
+    }
+
+    /// The number of highlights evaluated at a pixel of the square at `index` in f32, if f32 keeps the tolerance there.
+    fn highlights(&self, index: usize, scratch: &Scratch) -> Option<usize> {
+        match self {
+            Shader::Gouraud(_) => (scratch.colors.in_f32 >> index & 1 == 1).then_some(0),
+            Shader::Phong(_) => scratch.tile.highlights(index),
             Shader::UnitVectors(_) => None,
         }
     }
 
-    /// The work of so many pixels with `single` highlights each in f32, or all of them in f64.
-    fn evaluations(&self, single: Option<usize>, pixels: usize) -> Evaluations {
+    /// The work of some pixels with so many highlights each in f32, or with all of them in f64 if that is None.
+    fn evaluations(&self, highlights: Option<usize>, pixels: usize) -> Evaluations {
         let (model, powers) = match self {
             Shader::Gouraud(_) => (0, 0),
             Shader::Phong(phong) => (1, phong.surface.powers()),
             Shader::UnitVectors(vectors) => (1, vectors.surface.powers()),
         };
         Evaluations {
-            kind: single.map_or(TileKind::Double, |_| TileKind::Exact),
+            kind: highlights.map_or(TileKind::Double, |_| TileKind::Exact),
             model: model * pixels as u64,
-            specular: (pixels * single.unwrap_or(powers)) as u64,
+            specular: (pixels * highlights.unwrap_or(powers)) as u64,
         }
     }
 
-    /// The definition, in f64, at the pixel `x` right and `y` down of the picture's middle, in levels.
+    /// The levels that the mode defines, in f64, `x` pixels right and `y` pixels down of the picture's middle.
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
         match self {
             Shader::Gouraud(gouraud) => gouraud.define(x, y),
@@ -179,11 +181,11 @@ impl Evaluations {
     }
 }
 
-/// Room for the lights of one face, for the pixels of one square, and for the lights that are evaluated there.
+/// The memory of one face and its squares, reused for the next.
 #[derive(Debug, Default)]
 pub struct Scratch {
     pub pixels: Pixels,
-    /// The lights that reach the face being drawn, and the unit vectors to all lights at its corners.
+    /// The lights that reach the face; and the unit vectors to all lights at its corners, for unit vectors.
     pub lights: Vec<FaceLight>,
     pub to_lights: Vec<[DVec3; 4]>,
     tile: TileLights,

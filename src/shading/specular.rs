@@ -1,7 +1,7 @@
 //! The specular power: s^rho from 1 - s.
 //!
-//! Rule: every function here takes one_minus_cos = 1 - s, formed without cancellation as |r - o|^2 / 2 (Lyon 1993: for unit
-//! vectors o.r = 1 - |r - o|^2 / 2), because near the highlight s itself has too few digits for a large rho.
+//! All functions take one_minus_cos = 1 - s, which is computed without cancellation as |r - o|^2 / 2 (Lyon 1993). Near the
+//! highlight s itself has too few digits for a large rho.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, i32x16};

@@ -1,7 +1,7 @@
 //! The spans of pixels that a face covers, and the squares of a quadtree over them.
 //!
-//! Rule: squares hang on the picture's own grid, or on the first pixel of a face that fits into one, so neither threads nor
-//! parts of a picture change a bit.
+//! Squares are cells of a grid that starts at the picture's corner; a face that fits into one square has its own, which starts
+//! at its first pixel. So squares, and all bits of a picture, depend neither on threads nor on the part that is drawn.
 
 use std::ops::Range;
 
@@ -20,7 +20,7 @@ pub struct Spans<'a> {
     pub first: usize,
     /// The first pixel of each row.
     pub from: &'a [i32],
-    /// One beyond the last; no more than the first where a row is not covered.
+    /// One beyond the last pixel; no larger than `from` where a row is not covered.
     pub to: &'a [i32],
 }
 
@@ -30,33 +30,27 @@ impl Spans<'_> {
         self.first..self.first + self.from.len()
     }
 
-    /// Of some rows of the picture: the pixels between which those that are covered lie, and those between which all are
-    /// covered on every row; both may be empty.
+    /// For some rows of the picture: the columns of which any pixel is covered, and the columns that are covered on every row.
+    /// Both may be empty.
     pub fn extents(&self, rows: Range<usize>) -> (Range<usize>, Range<usize>) {
-        let (mut outer, mut inner) = ([i32::MAX, 0], [0, i32::MAX]);
+        let outer = Square::bounded(self, rows.clone(), [0, i32::MAX]);
+        let outer = outer.columns[0]..outer.columns[1] + usize::from(outer.pixels > 0);
         let local = self.local(rows.clone());
-        if local.len() < rows.len() {
-            inner[1] = 0;
-        }
-        for (&from, &to) in self.from[local.clone()].iter().zip(&self.to[local]) {
-            if from < to {
-                outer = [outer[0].min(from), outer[1].max(to)];
+        let [from, to] = [self.from, self.to].map(|ends| ends[local.clone()].iter().copied());
+        let inner = match (from.max(), to.min()) {
+            (Some(from), Some(to)) if local.len() == rows.len() && from < to => {
+                from as usize..to as usize
             }
-            inner = [inner[0].max(from), inner[1].min(to)];
-        }
-        let range = |[from, to]: [i32; 2]| from.min(to) as usize..to as usize;
-        (range(outer), range(inner))
+            _ => 0..0,
+        };
+        (outer, inner)
     }
 
     /// Those of some rows of the picture that cover anything.
     pub fn within(&self, rows: &Range<usize>) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let local = self.local(rows.clone());
-        let first = self.first + local.start;
-        let spans = self.from[local.clone()].iter().zip(&self.to[local]);
-        (first..)
-            .zip(spans)
-            .filter(|(_, (from, to))| from < to)
-            .map(|(row, (&from, &to))| (row, from as usize..to as usize))
+        let rows = rows.start.max(self.first)..rows.end;
+        let spans = self.clipped(rows, [0, i32::MAX as usize - 1]);
+        spans.filter(|(_, span)| !span.is_empty())
     }
 
     /// Which of the spans are those of some rows of the picture.

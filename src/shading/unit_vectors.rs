@@ -8,7 +8,8 @@
 
 use glam::{DMat3, DVec3};
 
-use super::face::{Face, Linear, places};
+use super::affine::Affine;
+use super::face::{Face, places};
 use super::specular::power_exact;
 use super::surface::Surface;
 use crate::components::{Lens, Projection, unit};
@@ -33,7 +34,7 @@ impl<'a> UnitVectors<'a> {
     /// A face of an object with these normals; `to_lights` is overwritten.
     pub fn new(
         face: &'a Face,
-        normals: &Linear,
+        normals: &Affine,
         surface: Surface<'a>,
         lens: &Lens,
         to_lights: &'a mut Vec<[DVec3; 4]>,
@@ -68,7 +69,7 @@ impl<'a> UnitVectors<'a> {
         UnitVectors {
             face,
             surface,
-            normals: places.map(|place| normals.at(place)),
+            normals: places.map(|[u, v]| normals.at(u, v)),
             to_eye: corners.map(|corner| match lens.projection {
                 Projection::Perspective => unit(-corner),
                 Projection::Orthographic => -lens.axes[2],
@@ -80,9 +81,8 @@ impl<'a> UnitVectors<'a> {
 
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
-        let point = self.face.point(x, y);
-        let triangle = usize::from(self.face.across(point.place) < 0.0);
-        let [u, v] = point.place;
+        let ([u, v], _) = self.face.place_at(x, y);
+        let triangle = usize::from(self.face.across([u, v]) < 0.0);
         let weights = self.weights[triangle] * DVec3::new(u, v, 1.0);
         let total = weights.element_sum();
         let weights = if total > 0.0 && total.is_finite() {

@@ -123,7 +123,7 @@ fn the_cosine_strays_no_further_than_its_bound() {
     for _ in 0..4000 {
         let [normal, light, _] = scene(&mut random);
         let places = Places::single(token(), [0.0; 2], [1.0; 2]);
-        let [n, l] = [normal, light].map(|vector| Field::new(&vector.into(), &places));
+        let [n, l] = [normal, light].map(|vector| Field::new(&vector, &places));
         if one(n.radius.max(l.radius)) < MAX_RADIUS {
             let bound = one(cosine_error(&n, &l));
             let error = interpolation(|x, y| value(&normal, x, y).dot(value(&light, x, y)));
@@ -141,7 +141,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
         let [normal, light, eye] = scene(&mut random);
         let shininess = [0.0, 0.5, 1.0, 1.7, 2.0, 2.5, 3.0, 10.0, 76.8, 1000.0][index % 10];
         let places = Places::single(token(), [0.0; 2], [1.0; 2]);
-        let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector.into(), &places));
+        let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector, &places));
         if one(n.radius.max(l.radius).max(o.radius)) >= MAX_RADIUS {
             continue;
         }
@@ -240,7 +240,7 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
         centre: DVec3::Z,
         ..Affine::default()
     };
-    let resting = Field::new(&vector.into(), &places);
+    let resting = Field::new(&vector, &places);
     let mut moving = resting;
     moving.rates[0] = [number(0.1); 2];
     let range = Reflection {

@@ -87,13 +87,12 @@ impl Context<'_> {
         match object.mode {
             ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, corners, tolerance)),
             ShadingMode::Phong => {
-                let (normals, gloss) = (face.linear(corners, 0), &list.glosses[object.gloss]);
-                let eye = self.lens.eye;
-                let phong = Phong::new(face, normals, surface, eye, gloss, lights, tolerance);
+                let (normals, gloss) = (face.interpolate(corners, 0), &list.glosses[object.gloss]);
+                let phong = Phong::new(face, normals, surface, gloss, lights, tolerance);
                 Shader::Phong(phong)
             }
             ShadingMode::UnitVectors => {
-                let normals = face.linear(corners, 0);
+                let normals = face.interpolate(corners, 0);
                 let vectors = UnitVectors::new(face, &normals, surface, self.lens, to_lights);
                 Shader::UnitVectors(vectors)
             }

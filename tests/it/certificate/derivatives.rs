@@ -89,7 +89,7 @@ fn vectors(random: &mut Random) -> [Affine; 3] {
 /// The vector on the square, unless it moves too far for bounds.
 fn field(vector: &Affine) -> Option<Field<Baseline>> {
     let simd = baseline().expect("every machine has these lanes");
-    let field = Field::new(&(*vector).into(), &Places::single(simd, [0.0; 2], [1.0; 2]));
+    let field = Field::new(vector, &Places::single(simd, [0.0; 2], [1.0; 2]));
     (field.radius.as_array()[0] < MAX_RADIUS).then_some(field)
 }
 

@@ -22,7 +22,7 @@ fn frame(keep: Keep, threads: usize, level: Level) -> Frame {
 /// Asserts that a picture has the same bits and counts with any number of threads, and that at least this many pixels show
 /// a cuboid.
 fn assert_same_with_threads(world: &mut World, views: &[View], keep: Keep, least: u64) {
-    let mut together = [2, 3, 4, 7].map(|threads| frame(keep, threads, Level::new()));
+    let mut together = [2, 5].map(|threads| frame(keep, threads, Level::new()));
     for view in views {
         let alone = draw(world, view, keep);
         assert!(
@@ -48,7 +48,7 @@ fn assert_same_with_threads(world: &mut World, views: &[View], keep: Keep, least
 
 #[test]
 fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
-    let mut views: Vec<View> = views([400, 320]).into_iter().step_by(2).collect();
+    let mut views: Vec<View> = views([400, 320]).into_iter().step_by(4).collect();
     for view in &mut views {
         // So near that the frame is drawn on several threads.
         view.viewpoint.camera.fov = 10.0;
@@ -87,7 +87,7 @@ fn every_simd_level_of_this_machine_draws_the_same_bits() {
     for cuboids in [1, 3] {
         let mut world = still_life(cuboids);
         for keep in KEEPS {
-            for view in views([160, 120]) {
+            for view in views([96, 80]) {
                 let expected = Bits::of(&draw(&mut world, &view, keep));
                 for &level in &levels {
                     let mut frame = frame(keep, 1, level);
@@ -106,21 +106,12 @@ fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
         let mut world = still_life(cuboids);
         for keep in KEEPS {
             let mut part = frame(keep, 1, Level::new());
-            for view in views([160, 131]) {
+            for view in views([96, 131]) {
                 let whole = Bits::of(&draw(&mut world, &view, keep));
-                for rows in [
-                    0..1,
-                    3..17,
-                    15..16,
-                    16..48,
-                    31..97,
-                    60..61,
-                    33..131,
-                    130..131,
-                ] {
+                for rows in [0..1, 3..17, 15..16, 16..48, 31..97, 130..131] {
                     systems::draw_rows(&mut world, &view, rows.clone(), &mut part)
                         .expect("a small picture fits");
-                    let expected = whole.part(160 * rows.start..160 * rows.end);
+                    let expected = whole.part(96 * rows.start..96 * rows.end);
                     assert!(
                         Bits::of(&part) == expected,
                         "rows {rows:?} of {cuboids}, {view:?}"

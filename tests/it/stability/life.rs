@@ -59,8 +59,13 @@ pub fn views(size: [usize; 2]) -> Vec<View> {
             ShadingMode::Phong,
             ShadingMode::UnitVectors,
         ] {
+            // Unit vectors have no tolerance.
+            let tolerances: &[f64] = match mode {
+                ShadingMode::UnitVectors => &[0.0],
+                _ => &[0.0, 0.5, 4.0],
+            };
             let view = view.shaded(mode);
-            views.extend([0.0, 0.5, 4.0].map(|tolerance| view.with_tolerance(tolerance)));
+            views.extend(tolerances.iter().map(|it| view.with_tolerance(*it)));
         }
     }
     views
