@@ -288,3 +288,56 @@ impl Extreme {
         Ok(proof)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The outcome of an extreme with this fact instead of its own.
+    fn outcome(name: &str, fact: Option<Fact>) -> Outcome {
+        let mut extremes = named(&[name.to_owned()]).expect("it is built in");
+        extremes[0].fact = fact;
+        examine(&extremes, Level::new(), false, Monitor::NONE).remove(0)
+    }
+
+    #[test]
+    fn half_of_the_pictures_are_proven_by_default_at_both_tolerances() {
+        let found = outcome("assignment", None);
+        let is_half = found.observed.contains("in 8 pictures");
+        assert!(found.pass && is_half, "{found:?}");
+        let scene = Scene::load(None).expect("it is built in");
+        let views = Extreme::default().views(&scene.world, true);
+        assert!(
+            views
+                .chunks(2)
+                .all(|it| [it[0].tolerance, it[1].tolerance] == [0.0, 0.5])
+        );
+    }
+
+    #[test]
+    fn a_wrong_fact_fails() {
+        for (fact, expected) in [
+            (Fact::Cuboid(0), true),
+            (Fact::Cuboid(1), false),
+            (Fact::Background, false),
+            (Fact::Everywhere(1.0), false),
+        ] {
+            assert_eq!(outcome("assignment", Some(fact)).pass, expected);
+        }
+    }
+
+    #[test]
+    fn only_a_pixel_that_is_known_may_be_undecided() {
+        let pass = |fact| outcome("point-over-a-light-an-ulp-under-it", fact).pass;
+        let at = [7, 4];
+        assert!(pass(Some(Fact::Pixel {
+            at,
+            levels: [30.0; 3]
+        })));
+        assert!(!pass(Some(Fact::Pixel {
+            at,
+            levels: [31.0; 3]
+        })));
+        assert!(!pass(None));
+    }
+}

@@ -138,13 +138,17 @@ mod tests {
     #[test]
     fn a_frame_stores_the_rectangle_that_changed_and_its_time() {
         let mut bytes = Vec::new();
-        let mut animation = Animation::new(&mut bytes, [4, 3], 4).expect("a header");
+        let mut animation = Animation::new(&mut bytes, [4, 3], 6).expect("a header");
         let mut pixels = vec![0; 12];
         for (changed, milliseconds) in [(0, 40), (9, 1500), (6, 70_000), (6, 1)] {
             pixels[changed] += u32::from(milliseconds != 1);
             let time = Duration::from_millis(milliseconds);
             animation.add(&pixels, [4, 3], time).expect("a frame");
         }
+        // Black surrounds a smaller frame.
+        let time = Duration::from_millis(1);
+        animation.add(&[7; 2], [2, 1], time).expect("a frame");
+        animation.add(&[0; 12], [4, 3], time).expect("a frame");
         animation.finish().expect("an end");
         let mut reader = png::Decoder::new(Cursor::new(&bytes))
             .read_info()
@@ -154,6 +158,8 @@ mod tests {
             ([1, 2, 1, 1], 1500),
             ([2, 1, 1, 1], 60_000),
             ([0, 0, 1, 1], 1),
+            ([0, 0, 3, 3], 1),
+            ([0, 0, 2, 1], 1),
         ] {
             reader.next_frame(&mut [0; 36]).expect("a frame");
             let frame = reader.info().frame_control.expect("it is animated");

@@ -313,6 +313,8 @@ mod tests {
         assert_eq!((three * half + three - half).endpoints(), [4.0; 2]);
         assert_eq!((three / half).endpoints(), [6.0; 2]);
         assert_eq!((three - three).endpoints(), [0.0; 2]);
+        let zero = Interval::of(0.0);
+        assert_eq!([zero * half, half * zero, zero / half], [zero; 3]);
         assert_eq!(Interval::of(2.25).sqrt().endpoints(), [1.5; 2]);
         assert_eq!(Interval::of(0.0).power(76.8).endpoints(), [0.0; 2]);
         assert_eq!(Interval::of(0.0).power(0.0).endpoints(), [1.0; 2]);
@@ -322,7 +324,9 @@ mod tests {
     fn an_undefined_result_is_the_interval_of_all_numbers() {
         let (zero, one) = (Interval::of(0.0), Interval::of(1.0));
         assert_eq!(zero / zero, Interval::ALL);
-        assert_eq!(one / Interval::new(-1.0, 1.0), Interval::ALL);
+        for divisor in [[-1.0, 1.0], [0.0, 1.0], [-1.0, 0.0]] {
+            assert_eq!(one / Interval::new(divisor[0], divisor[1]), Interval::ALL);
+        }
         assert_eq!(zero * Interval::ALL, Interval::ALL);
         assert_eq!(Interval::ALL - Interval::ALL, Interval::ALL);
         assert_eq!(Interval::of(f64::NAN), Interval::ALL);

@@ -42,6 +42,19 @@ fn the_renderer_keeps_its_limit_wherever_f64_can_decide() {
     }
 }
 
+#[test]
+fn values_are_swept_in_even_steps_with_three_or_one_a_decade() {
+    for (number, count) in [
+        ("shininess", 28),
+        ("edge length", 195),
+        ("field of view", 35),
+    ] {
+        let mut sweeps = SWEEPS.iter();
+        let sweep = sweeps.find(|it| it.number == number).expect("it is swept");
+        assert_eq!(sweep.values().len(), count, "{number}");
+    }
+}
+
 /// f32 has 24 bits, and a range from 1e-45 to 3e38.
 #[test]
 fn f32_is_right_for_ordinary_numbers_and_fails_where_paper_predicts() {

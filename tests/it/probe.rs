@@ -224,3 +224,20 @@ fn a_section_is_every_pixel_of_the_row_on_one_face() {
         }
     }
 }
+
+#[test]
+fn a_section_of_a_scene_with_many_lights_has_fewer_pixels() {
+    let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
+    let faint = LightRecord::new("faint", LightKind::Ambient, 1e-3, DVec3::ZERO);
+    let section = |record: &SceneRecord| {
+        let mut scene = Scene::spawn("many".to_owned(), record);
+        let view = view_from(&scene, 0, [480, 36]);
+        let section = probe::section(&mut scene, &view, [240, 18], Level::new());
+        section.expect("a row fits").len()
+    };
+    let all = section(&record);
+    // Two lights for each term, so that there is a step of two.
+    record.light = vec![faint; 2 * 20_000_usize.div_ceil(all)];
+    let half = section(&record);
+    assert!((all / 2..=all / 2 + 2).contains(&half), "{half} of {all}");
+}

@@ -198,6 +198,17 @@ fn a_quotient_strays_no_further_than_its_bound() {
 }
 
 #[test]
+fn the_bound_of_a_quotient_is_the_one_on_paper() {
+    // The third derivative of (1 - t) / (1 + t / 2) is largest at t = -1: 6 (1 + 1/2) (1/2)^2 / (1/2)^4 = 36.
+    let [unit, half, zero, most] = [1.0, 0.5, 0.0, 36.0].map(|it| Number::splat(token(), it));
+    for [along, across] in [[unit, zero], [zero, unit]] {
+        let found = quotient_error([unit, -along, -across], [half * along, half * across]);
+        let expected = interpolation_error([most * along, most * across]);
+        assert_eq!(one(found), one(expected));
+    }
+}
+
+#[test]
 fn the_power_is_never_below_the_true_one() {
     for shininess in [0.0, 0.5, 1.0, 2.0, 76.8, 1e3, 1e6] {
         for step in 0..=1000 {

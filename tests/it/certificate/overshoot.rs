@@ -104,6 +104,15 @@ proptest! {
         let by_vertex = colors.in_f32 & 1 == 1;
         prop_assert!(!by_vertex || face.is_steady(least) && least >= w(0.0, 0.0) / 2.0);
 
+        let (w, (place, _)) = (w(0.0, 0.0), face.place_at(middle[0], middle[1]));
+        if !face.is_steady(w) {
+            prop_assert!(place.iter().all(|u| u.abs() <= 1.0), "a place on a sliver: {place:?}");
+            if orthographic && w > 0.0 {
+                let seen = face.place.at(middle[0], middle[1]) / w;
+                prop_assert_eq!(place, [seen.x, seen.y].map(|u| u.clamp(-1.0, 1.0)));
+            }
+        }
+
         let (material, illumination) = (white(1.0), Illumination::default());
         let surface = Surface { material: &material, illumination: &illumination, centre: solid.centre };
         let normals = face.interpolate(&[DVec3::Y; 8], 0);

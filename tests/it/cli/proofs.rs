@@ -43,6 +43,10 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
         }
         let map = image::open(folder.join("map.png")).expect("a PNG");
         assert_eq!([map.width(), map.height()], [96, 72]);
+        if !name.contains("grey") {
+            // A proven pixel of the background, (236, 238, 240), is darkened to a half less an eighth.
+            assert_eq!(map.to_rgb8().get_pixel(0, 0).0, [89, 90, 90]);
+        }
     }
     // The picture of Gouraud is not that of Phong; as text, too.
     let line = "prove --shading gouraud --picture drawn.png";

@@ -116,6 +116,10 @@ struct Element {
     center_x: f64,
     #[serde(rename = "@cy")]
     center_y: f64,
+    #[serde(rename = "@fill")]
+    fill: String,
+    #[serde(rename = "@x")]
+    x: f64,
     #[serde(rename = "@y")]
     y: f64,
     #[serde(rename = "@points")]
@@ -157,6 +161,15 @@ fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
             is_inside && (108.0..600.0).contains(&point.center_y),
             "{point:?}"
         );
+    }
+    // On the front a label is below its point, to the left, and the disc is filled; other labels are above, to the right.
+    let discs = plot.circle.iter().filter(|it| it.fill != "none");
+    for (one, disc) in report.methods.iter().zip(discs) {
+        let is_label = |text: &&Element| text.text.trim() == one.method.id;
+        let label = plot.text.iter().find(is_label).expect("it has a label");
+        assert_eq!(disc.fill != "#FFFFFF", one.on_front);
+        let [right, below] = [label.x > disc.center_x, label.y > disc.center_y];
+        assert_eq!([right, below], [!one.on_front, one.on_front], "{label:?}");
     }
     // A disc and a rim for each of four methods.
     assert_eq!(plot.circle.len(), 2 * 4);

@@ -25,6 +25,10 @@ fn the_figures_of_samples_are_those_computed_by_hand() {
         vec![11.0, 11.0, 11.0],
     ]);
     assert_eq!((timing.interval, timing.median), ([10.0, 12.0], 11.0));
+    for (least, expected) in [(12.0, false), (12.5, true)] {
+        let other = Timing::of(&[vec![least], vec![20.0]]);
+        assert_eq!(timing.is_measurably_less_than(&other), expected);
+    }
     assert_eq!(median(&[4.0, 1.0, 2.0, 7.0]), 3.0);
     assert_eq!(median(&[5.0]), 5.0);
 }

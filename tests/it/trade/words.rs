@@ -16,6 +16,7 @@ const ALIKE: Trade = [(0.2, 165.0), (0.201, 0.5), (1.0, 0.0)];
 const EXACT_IS_AS_FAST: Trade = [(0.2, 165.0), (0.46, 0.5), (0.461, 0.0)];
 const EXACT_IS_FASTER: Trade = [(0.2, 165.0), (0.46, 0.5), (0.3, 0.0)];
 const INVISIBLE: Trade = [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)];
+const NEARLY_AS_FAST: Trade = [(0.2, 165.0), (0.46, 0.5), (0.493, 0.0)];
 const TOO_SHORT: Trade = [(0.0, 165.0), (0.46, 0.5), (1.0, 0.0)];
 
 const NOTHING: &str = "nothing to trade";
@@ -38,6 +39,7 @@ as-fast 0: exact Phong|2.3 times -- half
 as-fast 1: about as fast|nothing to trade -- but
 as-fast 2: nothing to trade -- 2.2
 faster 1: 1.5 times faster|nothing to trade -- as fast
+nearly 2: 1.07 times -- 1.072
 invisible 0: 2.3 times faster|0.310 -- but
 invisible 1: 2.3 times slower|0.200 -- more exact
 too-short 0: faster -- times|inf|NaN";
@@ -49,6 +51,7 @@ fn the_sentence_states_only_measured_facts() {
         ("alike", ALIKE),
         ("as-fast", EXACT_IS_AS_FAST),
         ("faster", EXACT_IS_FASTER),
+        ("nearly", NEARLY_AS_FAST),
         ("invisible", INVISIBLE),
         ("too-short", TOO_SHORT),
     ];
