@@ -6,7 +6,7 @@
 //!                               |  spin -> viewpoint -> normals -> projection -> lighting -> rasterization
 //!                               |                                         |--> window            (view)
 //!                               |                                         |--> PNG               (render, figures)
-//!                               |--reference (f64)--> truth --metrics--> table, front, error map (trade, window)
+//!                               |--reference (f64)--> truth --metrics--> table, best trades, error map (trade, window)
 //!                               '--reference (intervals)--> enclosures --> a proof (prove, extremes, requires, window)
 //! ```
 //!
@@ -14,8 +14,8 @@
 //!
 //! **Entities, components, systems.** All that a user can change is in a [`hecs::World`]. Its entities are cuboids, lights,
 //! cameras and one viewer; what each is made of are plain [`components`]: a cuboid has a `Transform`, a `Mesh`, a
-//! `Material` and a `ShadingMode`, the viewer has the `ActiveCamera`, the `Projection`, the `Tolerance` and all else that
-//! says how the scene is looked at. Keys, the editor and the command line write components; [`systems`] query them and draw.
+//! `Material` and a `ShadingMode`, the viewer has the `ActiveCamera`, the `Projection`, the `Tolerance` and the other
+//! settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
 //!
 //! **A scene is data.** [`scene::SceneRecord`] is the world written down: [`scene::SceneRecord::spawn`] and
 //! [`scene::SceneRecord::of`] are inverse, serde reads it from a TOML file and writes it to JSON, and [`scene::updated`]
@@ -26,17 +26,17 @@
 //! **A frame is six stages**, named in order in [`systems::FRAME`]; each is a function of the world, the view and
 //! the frame. `tests/it/systems` tests each alone.
 //!
-//! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and how far all have turned.
+//! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and the common rotation angle.
 //! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`components::Viewpoint::of`] says where a
 //!    camera stands once its orbit has moved it.
-//! 3. [`systems::normals`]: the mesh's vertex normals, turned. One is the normalised sum of the unit normals of the faces
-//!    there (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's
+//! 3. [`systems::normals`]: the mesh's vertex normals, turned. A vertex normal is the normalised sum of the unit normals of
+//!    the adjacent faces (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's
 //!    own axes a corner has the normal (±1, ±1, ±1) / √3.
 //! 4. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
 //!    by depth and snapped to 1/256 pixel.
 //! 5. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud.
-//! 6. [`systems::rasterization`]: [`systems::coverage`] finds the pixels, each once, in integers, after the top-left rule;
-//!    squares of 32 x 32 of them go to a shader, and the display step comes once and last:
+//! 6. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
+//!    rule. Squares of 32 x 32 pixels go to a shader, and the display step comes once and last:
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
@@ -68,8 +68,8 @@
 //! r = 2 (n.l) n - l      l = unit(L - P)      o = unit(O - P)
 //! ```
 //!
-//! Each mode interpolates some quantities over a face. A quantity times w, one over the depth up to a factor, is affine in
-//! the pixel ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in the quantities:
+//! Each mode interpolates some quantities over a face. Let w be proportional to 1 / depth. The product of a quantity
+//! and w is affine in the pixel ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in the quantities:
 //!
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
@@ -94,17 +94,17 @@
 //!
 //! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
-//! derivatives and so the interpolation error. The rest of the tolerance decides which terms of the biquadratic are drawn
-//! ([`shading::interpolation`]). If nothing is left, the square is cut in four when its quarters promise more or f32 does
-//! not suffice. Otherwise, and at 16 x 16 pixels, each pixel is evaluated. [`shading::TileKind`] lists the ways, and the
+//! derivatives and so the interpolation error. Terms that fit into the rest of the tolerance are dropped
+//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut in four if the bounds
+//! of its quarters may suffice or f32 is too coarse. Otherwise each pixel is evaluated. [`shading::TileKind`] lists the ways, and the
 //! window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the
 //! vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
 //!
 //! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At
-//! tolerance 0 the model is evaluated at every pixel; only highlights that are certified to stay below an eightieth of a
-//! level are left out. 1 - o.r is computed as
+//! tolerance 0 the model is evaluated at every pixel; a highlight is left out only if it is proven to stay below 1/80
+//! level. 1 - o.r is computed as
 //! |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
 //!
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and shares
@@ -129,31 +129,31 @@
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
 //! # use shadetrade::{prove::prove, report::Monitor};
 //!
-//! // The same, proven: every pixel lies within half a level of every value of its enclosure.
+//! // The same, proven: each pixel differs by at most half a level from every value of its enclosure.
 //! let level = fearless_simd::Level::new();
 //! let proof = prove(&mut scene.world, &view, None, level, Monitor::NONE)?;
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), anyhow::Error>(())
 //! ```
 //!
-//! Enclosures of the picture with and without a part of the model bound the error of leaving it out. [`mod@requires`]
+//! [`mod@requires`] encloses two pictures, with and without a part of the model. Their difference bounds the error. It
 //! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn,
-//! and says which of them the tolerance requires. [`reference::Rule`] defines the pictures that no scene file can ask for.
+//! and says which of them the tolerance requires. [`reference::Rule`] lists the omissions that no scene file can express.
 //!
 //! # Extreme numbers
 //!
 //! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
 //! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`extremes`] proves every
-//! pixel of them, and compares the levels that are known on paper. Its charts ([`extremes::stability`]) sweep one number at
+//! pixel of them, and compares levels with those that are known on paper. Its charts ([`extremes::stability`]) sweep one number at
 //! a time and show where f32 and f64 exceed the tolerance.
 //!
 //! # What to touch to add ...
 //!
 //! - a method: a variant of [`components::ShadingMode`] and of [`shading::Shader`] (the compiler shows the matches), a file
-//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; the tests for one mode in
+//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; the conditions on the mode in
 //!   `systems/rasterization/listing.rs` and [`systems::lighting`];
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
-//!   [`systems::lighting::gather`], its term in [`shading::Surface::levels`] and, written anew, in the reference;
+//!   `gather` in `systems/lighting.rs`, its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`scene::SceneRecord::spawn`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
@@ -182,8 +182,8 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
-//! takes components and the number that stands for no triangle, never a formula of the renderer's; [`report`] imports no
-//! module of this crate; [`cli`] imports the types that options are converted to; minifb is named in [`window`] alone, and
+//! takes components and [`frame::NO_TRIANGLE`], never a formula of the renderer's; [`report`] imports no
+//! module of this crate; [`cli`] imports what options are converted and checked with; minifb is named in [`window`] alone, and
 //! egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map of [`trade`].
 //!
 //! # What is not modelled, and why

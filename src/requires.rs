@@ -9,10 +9,9 @@
 //! Both pictures are enclosed in intervals, so the error lies in an interval too. The largest error of the picture is
 //! at least the largest lower end and at most the largest upper end.
 //!
-//! A part is required unless the picture without it is proven to keep the tolerance. Near an edge a pixel may show one
-//! of several surfaces. Each of them is compared with the nearest possible colour of the same face in the other
-//! picture, or, if that picture cannot show the face there, with every colour that the
-//! pixel may have.
+//! A part is not required if the picture without it is proven to keep the tolerance. Near an edge a pixel may show one
+//! of several surfaces. If the other picture may show the same face there, its nearest colour is compared.
+//! Otherwise every colour that the pixel may have is compared.
 //!
 //! [`bits`] rounds one stage of the model at a time, and compares in the same way.
 
@@ -40,7 +39,7 @@ pub enum Part {
     /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
     /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. The reference subtracts positions
-    /// first; a formula that does not may err more. The bounds of a cuboid on the screen are still computed in intervals.
+    /// first. A formula that does not may have a larger error. The bounds of a cuboid on the screen are still computed in intervals.
     F64SetUp,
 }
 
@@ -131,7 +130,7 @@ impl Change {
     }
 }
 
-/// One change for each list of parts; all parts of a list are left out together. Computed on rayon's current threads.
+/// One change for each list of parts; all parts of a list, at most one of them a [`Part::Rule`], are left out together. Computed on rayon's current threads.
 ///
 /// Each cuboid keeps its own shading; that of the view is not used.
 ///
@@ -225,8 +224,8 @@ pub fn ranked(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Ve
     Ok(ranked)
 }
 
-/// Leaves out each candidate in turn if the picture then keeps its tolerance and a cuboid remains. Returns the parts left
-/// out and the change of the picture.
+/// Leaves out candidates in turn, each if the picture then still keeps its tolerance and a cuboid remains. Returns the parts
+/// left out and the change of the picture.
 ///
 /// Errors of parts add up or cancel, so each candidate is tried together with the parts already left out.
 ///

@@ -1,17 +1,18 @@
 //! Shading of a face: the methods, the illumination model, and the evaluation of squares of pixels within a tolerance.
 //!
-//! A face is drawn in squares of 32 x 32 pixels, each by the cheapest way whose error is proven to stay within the tolerance:
+//! A face is drawn in squares of 32 x 32 pixels, each by the cheapest way whose error is proven to stay within the tolerance.
+//! A face that fits into 16 x 16 pixels is evaluated at every pixel; so is every square at tolerance 0.
 //!
 //! ```text
 //! draw(square):
 //!     classify each light: is n.l > 0 all over the square, n.l <= 0 all over, or neither? is its highlight visible?
 //!     if bounds on the interpolation error of every light, and on all rounding errors, add up to less than the tolerance:
 //!         evaluate the model at nine nodes; draw the biquadratic polynomial through them, without terms that are negligible
-//!     else if the square is larger than 16 x 16 pixels, and the bounds may suffice on its quarters or f32 is too coarse:
+//!     else if the square is larger than 16 x 16 pixels, and either the bounds may suffice on its quarters or f32 is too coarse:
 //!         draw each quarter
 //!     else:
 //!         evaluate the model at every pixel, in f32 where its rounding error keeps the tolerance, else in f64
-//!         evaluate pixels again in f64 if f32 has no sign of n.l or s there and a highlight may begin or end
+//!         evaluate a pixel again in f64 if f32 cannot decide the sign of n.l, or if s < 1/256 and 0 < rho < 1
 //! ```
 //! [`lights`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
 //! errors, [`interpolation`] makes the polynomial, [`rows`] evaluates it row by row, and [`crate::systems::rasterization`]
@@ -19,8 +20,8 @@
 //!
 //! Terms: a *node* is one of the nine places on a square at which the model is sampled. A *terminator* is a line on which n.l
 //! of a light is 0. A *highlight* is the term of a light with s^rho, s = o.r. A *sliver* is a face so thin on the screen that
-//! snapping its vertices, by up to 1/512 pixel along each axis, can put the centre of a covered pixel more than 1/128 of the
-//! face outside it; such a pixel shows the nearest place on the face.
+//! the centre of a covered pixel may lie outside it by more than 1/128 of its size. The cause is snapping, which moves a vertex
+//! by up to 1/512 pixel along each axis. Such a pixel shows the nearest place on the face, or its far end.
 //!
 //! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance.
 //! The tolerance holds for levels before they are rounded to bytes.
@@ -74,7 +75,7 @@ pub enum TileKind {
     Quadratic,
     /// A biquadratic colour plus max(0, n.l) of one light, n.l being another biquadratic; certified.
     Terminator,
-    /// The model at every pixel, in f32; in f64 at pixels where f32 has no sign of n.l or s.
+    /// The model at every pixel, in f32; in f64 at pixels where f32 does not suffice.
     Exact,
     /// The model at every pixel, in f64.
     Double,

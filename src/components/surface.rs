@@ -47,7 +47,7 @@ impl ShadingMode {
     }
 }
 
-/// Unit vertex normals in world space, one per corner of the [`Mesh`].
+/// Unit vertex normals in world space, one per corner of the [`super::Mesh`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Normals(pub [DVec3; 8]);
 

@@ -5,8 +5,8 @@
 //!    |                                                                                                   +--> error
 //!    '----reference over intervals--> levels of each pixel ----------------------------------------------+
 //! ```
-//! The textbook's formula is evaluated in world space, as a shader does. One stage at a time is rounded: each number of
-//! the scene that it uses, and the result of each of its operations, to nearest. All other stages are computed in f64:
+//! The textbook's formula is evaluated in world space, as a shader does. One stage at a time is rounded to nearest:
+//! the numbers of the scene that it uses, and the result of each of its operations. All other stages are computed in f64:
 //!
 //! ```text
 //! positions                  P = a P1 + b P2 + c P3          (Gouraud: the corners)
@@ -16,8 +16,8 @@
 //! power                      2^(rho log2(o.r))
 //! sum                        sum of levels * factor          (Gouraud: and a I1 + b I2 + c I3)
 //! ```
-//! The error of a pixel is the upper bound of the distance from its enclosure. More bits do not always err less: the
-//! fewest bits are those from which on every number of bits up to 24 keeps the tolerance.
+//! The error of a pixel is the upper bound of the distance from its enclosure. More bits do not always have a smaller
+//! error. The fewest bits are the least b for which b, b + 1, ..., 24 bits all keep the tolerance.
 
 use std::array::from_fn;
 

@@ -6,23 +6,23 @@
 //! ```text
 //!   (M_x + M_y + 2/3 min(M_x, M_y)) / 24        M_x >= |d^3 f / dx^3| all over the square, x in units of h_x; M_y alike
 //! ```
-//! In one direction a quadratic through three Chebyshev nodes errs by M / (3! 2^2), and interpolating in the other
-//! direction enlarges an error by at most the Lebesgue constant 5/3 of three nodes (Trefethen, "Approximation Theory and
+//! In one direction a quadratic through three Chebyshev nodes errs by M / (3! 2^2), and interpolation in the
+//! other direction multiplies an error by at most 5/3, the Lebesgue constant of three nodes (Trefethen, "Approximation Theory and
 //! Approximation Practice", chapters 6 and 15). With I_x and I_y the interpolations in one direction, f - I_x I_y f = (f -
 //! I_x f) + I_x (f - I_y f), so the error is at most (M_x + 5/3 M_y) / 24; and as I_x I_y = I_y I_x, x and y may be
 //! exchanged.
 //!
-//! **Third derivatives.** N, L and O are affine up to a positive factor, which no direction depends on. Take any point.
-//! Along x such a vector stays in the plane of V and V_x. In that plane, read as complex numbers with V as the real axis,
-//! it is V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose derivatives at t = 0 are Im z, -Im z^2
-//! and 2 Im z^3. With p >= |Im z| and q >= |z|, the unit vector v = V / |V| has derivatives of length at most
+//! **Third derivatives.** w N, w L and w O are affine in x and y, w > 0, and have the directions of N, L and O. Let V be one
+//! of them at any point of the square. A step t along x gives V + t V_x, in the plane of V and V_x. With this plane as the
+//! complex plane and V on its real axis, V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose derivatives at t = 0 are Im(z), -Im(z^2)
+//! and 2 Im(z^3). With p >= |Im z| and q >= |z|, the unit vector v = V / |V| has derivatives of length at most
 //!
 //! ```text
-//!   |v'| = |Im z| <= p      |v''| <= min(2 p q, 2/sqrt(3) q^2)      |v'''| = 3 |Im z| sqrt(4 Re^4 + Im^4) <= min(6 p q^2, 3 q^3)
+//!   |v'| = |Im z| <= p      |v''| <= min(2 p q, 2/sqrt(3) q^2)      |v'''| = 3 |Im z| sqrt(4 Re(z)^4 + Im(z)^4) <= min(6 p q^2, 3 q^3)
 //! ```
 //! and the half-turn about n, R = 2 n n^T - 1, turns by twice the angle of n, so its derivatives are at most 2 |Im z|,
-//! 4 |Im z| |z| and 12 |Im z| |z|^2: 2 p, 4 p q and 12 p q^2. Of a product the derivatives are bounded by Leibniz' rule, each
-//! factor having length one: so n.l and r = R l.
+//! 4 |Im z| |z| and 12 |Im z| |z|^2: 2 p, 4 p q and 12 p q^2. Leibniz' rule bounds the
+//! derivatives of the products n.l and r = R l. Their factors have length one.
 //!
 //! **The highlight.** Let theta be the angle between o and r, s = cos(theta), and e = r - o, whose length is
 //! c = 2 sin(theta/2). Then s = 1 - |e|^2 / 2, and
@@ -31,25 +31,25 @@
 //!   s' = -e.e'      s'' = -|e'|^2 - e.e''      s''' = -3 e'.e'' - e.e'''
 //!   (s^rho)''' = rho s^(rho-1) s''' + 3 rho (rho-1) s^(rho-2) s' s'' + rho (rho-1) (rho-2) s^(rho-3) s'^3
 //! ```
-//! With E_k a bound on the k-th derivative of e, the sum of those of o and of r = R l, |s'| is at most E_1 sin(theta), for
-//! derivatives of unit vectors are perpendicular to these. s' |e'|^2 and s'^3 have the same sign, so from rho = 2 on
+//! Let E_k bound the k-th derivative of e: the bound for o plus the bound for r = R l. A unit vector is perpendicular to its
+//! derivative, so |s'| is at most E_1 sin(theta). s' |e'|^2 and s'^3 have the same sign, so from rho = 2 on
 //! they enter with opposite signs, and only the larger of the two counts:
 //!
 //! ```text
 //!   |(s^rho)'''| <= rho s^(rho-1) (3 E_1 E_2 + c E_3) + b c E_1 E_2 + max(b, d) E_1^3         for rho < 2: b + d
 //!   b = 3 rho |rho-1| s^(rho-2) sin(theta)      d = rho |rho-1| |rho-2| s^(rho-3) sin(theta)^3
 //! ```
-//! s^(rho-k) is bounded at the largest s if rho >= 3, else by s_max^rho / s_min^k. The sine moves no more than theta does,
-//! so it is at most the sine at the middle plus the turn; c is the sine over cos(theta/2). Each product of a power and a
+//! s^(rho-k) is bounded at the largest s if rho >= 3, else by s_max^rho / s_min^k. The sine is at most its value at the
+//! middle plus the turn of theta, because its slope is at most 1. c is the sine over cos(theta/2). Each product of a power and a
 //! sine is also bounded by its largest value at any angle.
 //!
-//! Where s <= 0 the highlight is zero, and so are its derivatives. From rho = 3 on its second derivative is Lipschitz at
-//! s = 0, which is all that the error of a quadratic asks for. Below that a square where s may reach 0 has no bound.
+//! Where s <= 0 the highlight is zero, and so are its derivatives. For rho >= 3 its second derivative is Lipschitz
+//! continuous at s = 0; the error of a quadratic needs no more. For smaller rho a square where s may reach 0 has no bound.
 //!
-//! Coq proves the theorems above, and `proofs/README.md` lists the steps by hand: `proofs/theorems`.
+//! `proofs/theorems` has Coq proofs of these theorems. `proofs/README.md` lists the steps that are done by hand.
 //!
-//! Four squares are bounded at a time, each independently of the others. NaN means that there is no bound. min and max may
-//! drop a NaN; this is harmless where the other operand is a bound by itself, or the NaN is also part of a sum.
+//! Four squares are bounded at a time, each independently of the others. NaN or infinity means that there is no bound. min
+//! and max may drop a NaN. They are used only where the other operand is a bound by itself, or the NaN also enters a sum.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -117,7 +117,7 @@ pub struct Side<S: Simd> {
 /// The error of the product of two unit vectors in f64: `proofs/side.g`.
 pub(super) const ROUNDING: f64 = 15.0 / (1_u64 << 53) as f64;
 
-/// n.l moves by no more than n and l do, and a unit vector by no more than the arc asin(radius).
+/// n.l changes by at most the angle that n turns plus the angle that l turns. Each angle is at most asin(radius).
 #[inline(always)]
 pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Side<S> {
     let cosine = dot(&normal.middle, &light.middle);
@@ -153,7 +153,7 @@ pub fn reflection<S: Simd>(
     let (n, l, o) = (&normal.middle, &light.middle, &eye.middle);
     let r = three!(|axis| n[axis] * cosine * 2.0 - l[axis]);
     let s = dot(o, &r);
-    // |o x r|: the sine, where s is so near 1 that 1 - s^2 would lose it.
+    // |o x r| is the sine of the angle. The root of 1 - s^2 would lose its digits where s is near 1.
     let cross = [
         o[1] * r[2] - o[2] * r[1],
         o[2] * r[0] - o[0] * r[2],
@@ -272,15 +272,14 @@ pub fn power<S: Simd>(shininess: f32, most: Lanes<S>) -> Lanes<S> {
     }
     let power = specular::power(shininess, f32x16::simd_from(simd, sixteen));
     let power = f64x4::simd_from(simd, four!(|square| f64::from(power[square])));
-    // A power that is not clamped has an exponent of two of at least -126 and so is relatively exact to 126 ln(2) times the
-    // 8 U of its logarithm, 5e-5; one that is clamped is below 2^-126.
+    // A power that is not clamped has an exponent of two of at least -126, so its relative error is at most 126 ln(2) times the
+    // 10.2 U of its logarithm (`proofs/power.v`), 5.3e-5; one that is clamped is below 2^-126.
     power * 1.001 + 1e-30
 }
 
 /// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.
 ///
-/// Let A be the numerator at any place. Along x the quotient is const + k / (w + e t) with k = (b w - A e) / e up to its
-/// sign, so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x.
+/// Let A be the numerator at any place. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|, so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x.
 /// Along y alike.
 #[inline(always)]
 pub fn quotient_error<S: Simd>([a, b, c]: [Lanes<S>; 3], [e, g]: [Lanes<S>; 2]) -> Lanes<S> {

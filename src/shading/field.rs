@@ -43,8 +43,8 @@ impl<S: Simd> Places<S> {
         }
     }
 
-    /// An affine number on the squares: its value at the middle, and its changes from there to the right and to the lower
-    /// edge.
+    /// An affine number on the squares: its value at the middle, and its changes from there to the outermost covered pixel
+    /// centres, right and down.
     #[inline(always)]
     pub fn number(&self, [centre, dx, dy]: [f64; 3]) -> [Lanes<S>; 3] {
         let [x, y] = self.middle;

@@ -14,7 +14,7 @@ use crate::components::Material;
 /// scene and bench-far, tolerance 0.5).
 const DROPPED: f64 = 0.25;
 
-/// The size of s below which a shininess below 1 makes an error of s too large for f32: its slope has no bound at s = 0.
+/// If 0 < rho < 1, a pixel with s below this is evaluated in f64, because the slope of s^rho is unbounded at s = 0.
 const DOUBT: f64 = 1.0 / 256.0;
 
 /// The constants of the highlights of one material.
@@ -70,7 +70,7 @@ impl Gloss {
 
     /// The error of s^rho, in roundings, caused by an error of |r - o| in roundings and by four roundings of 1 - s.
     ///
-    /// From a shininess of 1 on relative errors of 1 - s become no larger: rho (1 - s) s^(rho - 1) <= 1. For a shininess
+    /// If rho >= 1, a relative error e of 1 - s changes s^rho by at most e, because rho (1 - s) s^(rho - 1) <= 1. For a shininess
     /// below 1, pixels with s < `DOUBT` are evaluated in f64. In f32 s errs by less than `DOUBT` / 2, so the slope is at most
     /// that at s = `DOUBT` / 2.
     #[inline(always)]

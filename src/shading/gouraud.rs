@@ -71,10 +71,10 @@ impl TileColors {
 /// ```text
 ///   operation                        count   why
 ///   numerator                          6     a term: stored, 2 for its place, product, 2 sums
-///   w                              3 x 6     another, up to 1.5 times the middle's, over the smallest w
+///   w                              3 x 6     6 roundings of w, which is at most 1.5, over the smallest w, 1/2
 ///   division                           2     a reciprocal and a product
 ///   diagonal                       2 x 6     another: pixels on its wrong side, where colours differ by up to 2
-///   all that over the smallest w     x 2     half the middle's
+///   all that over the smallest w     x 2     1/2
 ///   display                            4     two at the size of a level; the byte may be that of the next float
 /// ```
 const ROUNDING: f64 = 80.0 * U;

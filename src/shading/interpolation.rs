@@ -3,11 +3,11 @@
 //! ```text
 //!   f at x, y in {-r, 0, r}, r = sqrt(3) / 2  -->  sum c[j][i] x^i y^j, i, j <= 2  -->  constant, linear or quadratic rows
 //! ```
-//! x and y run from -1 to 1 over the square. Terms are left out where the rest of the tolerance allows it. x^2 is then replaced
-//! by 1/2, the middle of its range, which errs by at most 1/2 (economization; Lanczos 1938).
+//! x and y run from -1 to 1 over the square. Quadratic terms are dropped if the rest of the tolerance allows it: x^2 is
+//! replaced by 1/2, the middle of its range, with an error of at most 1/2 (economization; Lanczos 1938).
 //!
-//! Where the tolerance has `FIXED` to spare and no channel leaves the display's range, values are formed in multiples of 1/256
-//! level: nothing is left to clamp, and bytes are cut out by masks. Without these rows a frame of bench-close takes 63 % more
+//! Values are multiples of 1/256 level if at least `FIXED` of the tolerance is left, no channel leaves 0 to 255 and no
+//! terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a frame of bench-close takes 63 % more
 //! time, and without linear rows 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
@@ -94,7 +94,7 @@ pub struct Interpolant<S: Simd> {
     terms: [Nine<S>; 4],
     /// The factors of that, in levels.
     crossing: [Lanes<S>; 3],
-    /// None where the budget does not suffice.
+    /// None where the budget does not suffice or a sample is not a number.
     pub forms: [Option<Form>; 4],
 }
 
@@ -127,7 +127,7 @@ impl<S: Simd> Interpolant<S> {
         }
         for channel in 0..3 {
             let c = &terms[channel];
-            // The sizes of the terms beyond linear ones: of all, and of the rest when x^2 and y^2 are replaced by 1/2.
+            // `beyond` is the sum of all nonlinear terms; `linear_error` is the error if x^2 and y^2 are replaced by 1/2.
             let [cubic, square] = [c[1][2].abs() + c[2][1].abs(), c[0][2].abs() + c[2][0].abs()];
             let quartic = c[2][2].abs();
             let beyond = square + c[1][1].abs() + cubic + quartic;

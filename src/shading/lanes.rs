@@ -13,8 +13,8 @@ pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) 
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// An affine number on four squares: its values at their middles, and its changes from there to their right and to their lower
-/// edges. A vector is three such numbers; its length at the middle is one.
+/// An affine number on four squares: its values at their middles, and its changes from there to the outermost covered pixel
+/// centres, right and down. A vector is three such numbers; its length at the middle is one.
 pub type Squares = [[f32; 4]; 3];
 
 /// Which squares the sixteen lanes belong to.

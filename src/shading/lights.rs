@@ -6,12 +6,12 @@
 //!   its highlight is             drawn, or so faint that it is left out
 //!   levels                       ambient + sum of diffuse n.l + specular s^rho, where 1 - s = |r - o|^2 / 2
 //! ```
-//! The lights are classified once. Where the bounds leave something of the tolerance the square is interpolated through nine
-//! samples; elsewhere the same lights are evaluated at its pixels. Samples and pixels are evaluated by the same lines, whose
+//! The lights are classified once. Where the bounds, and the rounding of rows, leave something of the tolerance the square is
+//! interpolated through nine samples; elsewhere the same lights are evaluated at its pixels. Samples and pixels are evaluated by the same lines, whose
 //! rounding errors [`super::rounding`] counts. |r - o|^2 / 2 equals 1 - s for unit vectors and cancels nothing (Lyon 1993).
 //!
-//! Where n.l or s is so near 0 that its sign is in doubt, a highlight may jump. The level is then not a number, and the pixel
-//! is evaluated in f64. Without these marks such squares were evaluated in f64 throughout.
+//! Where the sign of n.l is in doubt a highlight may jump, and where s < 1/256 and 0 < rho < 1 its slope is too steep for f32.
+//! The level is then not a number, and the pixel is evaluated in f64. Without these marks such squares were evaluated in f64 throughout.
 //!
 //! All decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
 
@@ -27,11 +27,11 @@ use super::specular::{self, POWER_ERROR};
 use super::{U, bound, limit};
 use crate::simd::{four, inlined, three};
 
-/// Quarters of a square are tried only if at most so many lights have no bound on it: with more of them, a quarter hardly ever
-/// has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
+/// The largest number of lights without a bound on a square whose quarters are still tried. With more of them, a quarter hardly
+/// ever has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
 const UNSURE: f64 = 1.0;
 
-/// A light that lights at least one of four squares. Sets are of these squares, a bit each.
+/// A light that may light at least one of four squares. Sets are of these squares, a bit each.
 #[derive(Clone, Copy, Debug)]
 pub struct TileLight {
     /// Its index among the face's lights.
@@ -40,7 +40,7 @@ pub struct TileLight {
     pub dark: u64,
     /// Where its highlight is drawn.
     pub shines: u64,
-    /// Where its terminator crosses and it has no highlight: an interpolated square may have one such light.
+    /// Where n.l may change its sign and its highlight is not drawn. An interpolated square may have one such light.
     pub crosses: u64,
     /// w (L - P).
     pub vector: [Squares; 3],

@@ -18,13 +18,13 @@ pub const CHORD: f64 = 50.0;
 /// The rounding errors of the levels at a pixel or node of four squares, in units of U. Rows of polynomials are counted in
 /// [`super::interpolation`].
 ///
-/// A vector V = x a + (y b + c), |V| = 1 at the middle, |x a| + |y b| <= r, errs by this over its least length, at least
-/// 1 - |V.a| - |V.b| with V at the middle:
+/// Let V = x a + (y b + c) with |c| = 1 and |x a| + |y b| <= r. The error of V is at most delta of the table. The error of its
+/// direction is at most delta / (1 - |c.a| - |c.b|), because |V| is at least that denominator.
 ///
 /// ```text
 ///   operation                   count       why
 ///   a, b, c stored              1 + r       once each, at their sizes
-///   x, y                        2 r         1 / half extent, and its product with whole pixels
+///   x, y                        2 r         1 / half extent, and its product with the distance in pixels
 ///   products                    r           once each
 ///   sums                        2 + 2 r     once each, at the size of the sum, at most 1 + r
 ///   delta                       3 + 6 r     in all; over the least length, the error of the direction of V
@@ -41,7 +41,7 @@ pub const CHORD: f64 = 50.0;
 ///   sum                         2 + terms   coefficient and product of each term, and each sum, at the largest sum
 ///   display                     3           stored in f32; the byte may be that of the next float
 /// ```
-/// The rounding of f64 in the vectors at the middle is not counted; the definition uses the same vectors. Very far from the
+/// The rounding of f64 in the vectors at the middle is not counted. Very far from the
 /// cuboid it can exceed the tolerance: with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes
 /// away on.
 pub struct Rounding<S: Simd> {

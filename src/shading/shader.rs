@@ -26,8 +26,8 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for evaluation. Returns an interpolant, or None if `interpolate` is false or the bounds exceed the
-    /// tolerance on all of them; and the set of squares, a bit each, whose quarters are worth trying.
+    /// Prepares four squares for evaluation. Returns an interpolant, or None if `interpolate` is false, the method is exact or
+    /// the bounds of Phong exceed the tolerance on all of them; and the set of squares, a bit each, whose quarters are worth trying.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &self,

@@ -1,7 +1,7 @@
 //! The spans of pixels that a face covers, and the squares of a quadtree over them.
 //!
-//! Squares are cells of a grid that starts at the picture's corner; a face that fits into one square has its own, which starts
-//! at its first pixel. So squares, and all bits of a picture, depend neither on threads nor on the part that is drawn.
+//! Squares are cells of a grid that starts at the picture's corner; a face that fits into 16 x 16 pixels is one square, which
+//! starts at its first pixel. So squares, and all bits of a picture, depend neither on threads nor on the part that is drawn.
 
 use std::ops::Range;
 
@@ -213,8 +213,8 @@ impl Square {
         [middle[0] - x, middle[1] - y]
     }
 
-    /// From the middle to the outermost covered pixel centres, in pixels right and down; half a pixel at least, so that
-    /// what is bounded at these places has bounded slopes too.
+    /// From the middle to the outermost covered pixel centres, in pixels right and down; at least half a pixel,
+    /// because a zero extent would bound values but not their slopes.
     #[inline(always)]
     pub fn half(&self) -> [f64; 2] {
         let ends = [self.columns, self.rows];

@@ -177,8 +177,8 @@ impl PiecePainter<'_, '_> {
         self.evaluated(simd, 0, strips);
     }
 
-    /// Draws one of the four prepared squares pixel by pixel, by rows or from a list. Returns false, and draws nothing, if that
-    /// may be cheaper for its quarters.
+    /// Draws one of the four prepared squares pixel by pixel, by rows or from a list. Returns false, and draws nothing, if the
+    /// square is to be cut into quarters.
     fn listed<S: Simd>(&mut self, simd: S, index: usize) -> bool {
         let PiecePainter {
             shader,

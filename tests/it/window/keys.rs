@@ -10,6 +10,9 @@ use shadetrade::window::keys::{self, Command, gouraud_phong};
 use super::{PAUSE, SIZE, Window};
 use crate::support::window::{default_scene, widgets};
 
+/// The smallest size that opens with the panel.
+const SMALL: [usize; 2] = [430, 100];
+
 /// Brings the window into a state in which the command has an effect.
 fn prepare(window: &mut Window, command: Command) {
     match command {
@@ -95,7 +98,7 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
 #[test]
 fn every_key_does_what_its_description_says() {
     for (modifiers, key, command) in keys::keys() {
-        let (command, mut window) = (*command, Window::open());
+        let (command, mut window) = (*command, Window::of(default_scene(), SMALL));
         prepare(&mut window, command);
         let before = window.record();
         window.modifiers = *modifiers;

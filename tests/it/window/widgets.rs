@@ -81,6 +81,8 @@ fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
 
 #[test]
 fn every_button_does_what_its_key_does() {
+    let size = [900, 700];
+    let open = || widgets(app(default_scene(), size, Level::new()), size);
     let mut count = 0;
     for binding in BINDINGS.iter().flat_map(|section| section.1) {
         let (modifiers, key, command) = binding.keys[0];
@@ -163,7 +165,7 @@ fn the_tolerance_is_typed_and_dragged() {
 
 #[test]
 fn the_required_tab_has_a_row_for_each_stage_with_the_errors_of_three_formats() {
-    let size = [1000, 300];
+    let size = [800, 200];
     let mut harness = widgets(app(default_scene(), size, Level::new()), size);
     harness.key_press(Key::N);
     harness.run_ok();
