@@ -85,8 +85,8 @@
 //! // The middle of the highlight. Gouraud misses it, because no vertex lies in it.
 //! let level = fearless_simd::Level::new();
 //! let found = probe::at(&mut scene, &view, [565, 327], level)?.surface.expect("a cuboid is there");
-//! assert_eq!(found.gouraud.bytes[2], 46);
-//! assert!(found.phong.bytes[2] > 190);
+//! assert_eq!(found.gouraud.z.round(), 46.0); // blue, in levels
+//! assert!(found.phong.z > 190.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -27,7 +27,7 @@ use crate::report::Monitor;
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::{difference, displayed, ends};
-pub use png::{Picture, read as read_png};
+pub use png::{PngPicture, read as read_png};
 
 /// The most pixels in the list of examples.
 const EXAMPLES: usize = 10;

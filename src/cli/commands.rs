@@ -15,7 +15,7 @@ use image::ImageFormat;
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::Output;
-use crate::prove::{Picture, read_png};
+use crate::prove::{PngPicture, read_png};
 use crate::scene::Scene;
 use crate::shading::METHODS;
 use crate::trade;
@@ -178,7 +178,7 @@ impl ProveOptions {
     ///
     /// # Errors
     /// [`Failure::Usage`] if it is no such PNG, or the map would replace it.
-    pub fn read_picture(&self) -> Result<Option<Picture>, Failure> {
+    pub fn read_picture(&self) -> Result<Option<PngPicture>, Failure> {
         let Some(path) = &self.picture else {
             return Ok(None);
         };

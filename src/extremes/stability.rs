@@ -15,7 +15,7 @@ use std::path::Path;
 
 use fearless_simd::Level;
 
-use self::curve::{Curve, EVALUATIONS, Errors, table};
+use self::curve::{EVALUATIONS, ErrorCurve, Errors, table};
 use self::sweeps::{SWEEPS, Sweep};
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers};
@@ -34,7 +34,11 @@ pub const SIZE: [usize; 2] = [64, 48];
 ///
 /// # Errors
 /// If a value makes no valid scene, or a picture does not fit in memory.
-pub fn measure(size: [usize; 2], level: Level, monitor: Monitor) -> anyhow::Result<Vec<Curve>> {
+pub fn measure(
+    size: [usize; 2],
+    level: Level,
+    monitor: Monitor,
+) -> anyhow::Result<Vec<ErrorCurve>> {
     let values: Vec<Vec<f64>> = SWEEPS.iter().map(Sweep::values).collect();
     let all = values.iter().map(Vec::len).sum();
     let (mut curves, mut done) = (Vec::new(), 0);
@@ -46,7 +50,7 @@ pub fn measure(size: [usize; 2], level: Level, monitor: Monitor) -> anyhow::Resu
         let items = done..done + values.len();
         let errors = monitor.in_parallel("sweeping numbers", items.clone(), all, errors)?;
         let evaluations = 0..EVALUATIONS.len();
-        curves.extend(evaluations.map(|evaluation| Curve::new(sweep, evaluation, &errors)));
+        curves.extend(evaluations.map(|evaluation| ErrorCurve::new(sweep, evaluation, &errors)));
         done = items.end;
     }
     Ok(curves)

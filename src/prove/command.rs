@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::bail;
 use serde::Serialize;
 
-use super::png::Picture;
+use super::png::PngPicture;
 use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, limit_of, prove};
 use crate::components::{Mesh, names};
 use crate::drawing::{Drawing, camera_name};
@@ -42,7 +42,7 @@ const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 /// If a pixel is refuted, the picture does not fit in memory, or the output cannot be written.
 pub fn run(
     drawing: &mut Drawing,
-    picture: Option<Picture>,
+    picture: Option<PngPicture>,
     map: Option<&Output>,
     as_json: bool,
 ) -> anyhow::Result<()> {

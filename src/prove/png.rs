@@ -12,13 +12,13 @@ use crate::memory;
 use crate::scene::MAX_SIDE;
 
 /// The pixels of a picture, 0x00RRGGBB row by row from the top, and its width and height.
-pub type Picture = (Vec<u32>, [usize; 2]);
+pub type PngPicture = (Vec<u32>, [usize; 2]);
 
 /// Reads a PNG with 8 bits a channel. A grey one has three equal channels.
 ///
 /// # Errors
 /// If there is no such file, it is no PNG, has 16 bits a channel or transparent pixels, or does not fit in memory.
-pub fn read(path: &Path) -> anyhow::Result<Picture> {
+pub fn read(path: &Path) -> anyhow::Result<PngPicture> {
     let name = path.display();
     let file = File::open(path).with_context(|| format!("cannot read {name}"))?;
     let is_file = file.metadata().is_ok_and(|found| found.is_file());

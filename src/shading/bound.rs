@@ -105,7 +105,7 @@ pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Lanes<S> {
 }
 
 /// The sign of n.l on four squares.
-pub struct Side<S: Simd> {
+pub struct LightSide<S: Simd> {
     /// n.l at the middle.
     pub cosine: Lanes<S>,
     /// n.l > 0 all over.
@@ -119,11 +119,11 @@ pub(super) const ROUNDING: f64 = 15.0 / (1_u64 << 53) as f64;
 
 /// n.l changes by at most the angle that n turns plus the angle that l turns. Each angle is at most asin(radius).
 #[inline(always)]
-pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Side<S> {
+pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> LightSide<S> {
     let cosine = dot(&normal.middle, &light.middle);
     let most = (normal.radius + light.radius) * ARC + ROUNDING;
     let bounded = normal.is_direction_bounded() & light.is_direction_bounded();
-    Side {
+    LightSide {
         cosine,
         lit: bounded & cosine.simd_gt(most),
         dark: bounded & cosine.simd_lt(-most),

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 use serde_json::json;
 
 use super::machine::Machine;
-use super::metrics::Error;
+use super::metrics::ErrorStatistics;
 use super::timing::Timing;
 use crate::components::{Projection, View};
 use crate::drawing::Drawing;
@@ -78,9 +78,9 @@ pub struct Measurement {
     #[serde(serialize_with = "evaluations")]
     pub counts: Counts,
     /// The error against exact Phong; `None` if no pixel can be compared.
-    pub error: Option<Error>,
+    pub error: Option<ErrorStatistics>,
     /// The error against the exact evaluation of the method's own mode; `None` if no pixel can be compared.
-    pub own_error: Option<Error>,
+    pub own_error: Option<ErrorStatistics>,
     /// Pixels at which the method and exact Phong show different faces.
     pub edge_pixels: u64,
     /// The share of the highlight that is in its place, 0..=1; `None` if exact Phong shows none.

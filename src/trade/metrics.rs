@@ -57,7 +57,7 @@ pub enum Pixel {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
     /// `None` if no pixel shows the same face in both.
-    pub error: Option<Error>,
+    pub error: Option<ErrorStatistics>,
     /// Pixels that show the same face in both.
     pub compared_pixels: u64,
     /// Pixels that show different faces, or a face in one picture and the background in the other.
@@ -66,7 +66,7 @@ pub struct Difference {
 
 /// Statistics of the errors of pixels, in levels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Error {
+pub struct ErrorStatistics {
     /// The largest.
     pub max: f64,
     /// Column and row of the first pixel that has it.
@@ -164,7 +164,7 @@ where
 }
 
 /// The statistics of the errors of these pixels. Changes the order of `errors`.
-fn statistics(errors: &mut [(f64, usize)], width: usize) -> Option<Error> {
+fn statistics(errors: &mut [(f64, usize)], width: usize) -> Option<ErrorStatistics> {
     let first_worst =
         |worst: (f64, usize), next: (f64, usize)| if next.0 > worst.0 { next } else { worst };
     let (max, pixel) = errors.iter().copied().reduce(first_worst)?;
@@ -175,7 +175,7 @@ fn statistics(errors: &mut [(f64, usize)], width: usize) -> Option<Error> {
     let rank = (errors.len() * 999).div_ceil(1000) - 1;
     let (_, (p999, _), _) =
         errors.select_nth_unstable_by(rank, |one, other| one.0.total_cmp(&other.0));
-    Some(Error {
+    Some(ErrorStatistics {
         max,
         max_pixel: [pixel % width, pixel / width],
         mean,

@@ -25,7 +25,7 @@ const ERRORS: Range<f64> = 5e-4..500.0;
 const SIZE: (u32, u32) = (960, 600);
 
 /// One method in the plot.
-struct Point<'a> {
+struct Dot<'a> {
     measured: &'a Measurement,
     /// ns per covered pixel.
     time: f64,
@@ -34,10 +34,10 @@ struct Point<'a> {
     color: RGBColor,
 }
 
-impl<'a> Point<'a> {
+impl<'a> Dot<'a> {
     /// `None` without an error or a time.
     fn of(measured: &'a Measurement) -> Option<Self> {
-        Some(Point {
+        Some(Dot {
             measured,
             time: measured.ns_per_covered_pixel.filter(|time| *time > 0.0)?,
             error: measured.largest_error()?.max(FLOOR),
@@ -55,7 +55,7 @@ impl<'a> Point<'a> {
 /// # Errors
 /// The plotting library gives none in practice.
 pub fn svg(report: &Report) -> anyhow::Result<String> {
-    let points: Vec<Point> = report.methods.iter().filter_map(Point::of).collect();
+    let points: Vec<Dot> = report.methods.iter().filter_map(Dot::of).collect();
     let key = if points.is_empty() {
         "No pixel of this view can be compared, so there is nothing to trade."
     } else {
@@ -73,7 +73,7 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
 }
 
 /// Draws axes, front, points and labels.
-fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
+fn draw(area: &Area, points: &[Dot]) -> anyhow::Result<()> {
     let times = points.iter().map(|point| point.time);
     let least = times.clone().fold(f64::INFINITY, f64::min);
     // Room for labels.
@@ -115,7 +115,7 @@ fn draw(area: &Area, points: &[Point]) -> anyhow::Result<()> {
 ///
 /// On the front a label is below its point, to the left: a point there would beat this one. Other labels are above their
 /// points, to the right. A label that would cover one of the `taken` places moves up.
-fn label(point: &Point, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32; 3]]) -> [i32; 3] {
+fn label(point: &Dot, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32; 3]]) -> [i32; 3] {
     // The letters of a monospaced font are 0.6 times as wide as high.
     let width = (0.6 * LABEL * point.measured.method.id.len() as f64).ceil() as i32 + 4;
     let height = (1.25 * LABEL) as i32;
@@ -141,8 +141,8 @@ fn label(point: &Point, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32;
 const LABEL: f64 = 12.0;
 
 /// The least error for each time, as a line of steps from the top to the right `end`.
-fn front(points: &[Point], end: f64) -> Vec<(f64, f64)> {
-    let mut best: Vec<&Point> = points
+fn front(points: &[Dot], end: f64) -> Vec<(f64, f64)> {
+    let mut best: Vec<&Dot> = points
         .iter()
         .filter(|point| point.measured.on_front)
         .collect();

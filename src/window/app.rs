@@ -84,7 +84,7 @@ pub struct App {
 }
 
 /// The part of a step that the window system carries out.
-pub struct Output {
+pub struct StepOutput {
     /// A text for the clipboard.
     pub copied: Option<String>,
     /// The time after which a step is wanted though nothing happens.
@@ -169,7 +169,7 @@ impl App {
         now: Duration,
         size: [usize; 2],
         mut input: egui::RawInput,
-    ) -> anyhow::Result<Output> {
+    ) -> anyhow::Result<StepOutput> {
         self.now = now;
         self.receive(now);
         let is_gesture = |begins: bool| {
@@ -221,7 +221,7 @@ impl App {
         ];
         let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
-        Ok(Output {
+        Ok(StepOutput {
             copied: commands
                 .into_iter()
                 .rev()

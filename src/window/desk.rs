@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 /// An entity of the scene: the key of its kind in scene files, and its name.
-pub type Entity = (&'static str, String);
+pub type EntityName = (&'static str, String);
 
 /// A message in the status line.
 pub struct Message {
@@ -25,5 +25,5 @@ pub struct Desk {
     /// The error in the scene's file.
     pub file_error: Option<String>,
     /// The entity that the scene's tab shows.
-    pub selected: Option<Entity>,
+    pub selected: Option<EntityName>,
 }

@@ -12,7 +12,7 @@ use egui::{Event, PointerButton, Pos2};
 use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
-use super::input::{Input, Report};
+use super::input::{Input, KeyReport};
 
 /// One notch of the wheel, as each window system reports it.
 const X11_NOTCH: f32 = 2.0;
@@ -29,7 +29,7 @@ pub struct NoDisplay {
 /// An open window.
 pub struct Display {
     window: minifb::Window,
-    reports: Rc<RefCell<Vec<Report>>>,
+    reports: Rc<RefCell<Vec<KeyReport>>>,
     /// Events that were not taken yet, in pixels of the window.
     pub input: Input,
     clipboard: Option<Clipboard>,
@@ -42,16 +42,16 @@ pub struct Display {
     wheel: f32,
 }
 
-struct Reporter(Rc<RefCell<Vec<Report>>>);
+struct Reporter(Rc<RefCell<Vec<KeyReport>>>);
 
 impl InputCallback for Reporter {
     fn add_char(&mut self, code: u32) {
-        let character = char::from_u32(code).map(Report::Character);
+        let character = char::from_u32(code).map(KeyReport::Character);
         self.0.borrow_mut().extend(character);
     }
 
     fn set_key_state(&mut self, key: Key, down: bool) {
-        let report = if down { Report::Down } else { Report::Up };
+        let report = if down { KeyReport::Down } else { KeyReport::Up };
         self.0.borrow_mut().push(report(key));
     }
 }
@@ -233,9 +233,9 @@ fn not_opened(error: minifb::Error) -> anyhow::Error {
 }
 
 /// Puts a key before its character, as X11 reports them; minifb has the other order on Wayland.
-fn key_first(reports: &mut [Report]) {
+fn key_first(reports: &mut [KeyReport]) {
     for start in 1..reports.len() {
-        if let [Report::Character(_), Report::Down(_)] = reports[start - 1..=start] {
+        if let [KeyReport::Character(_), KeyReport::Down(_)] = reports[start - 1..=start] {
             reports.swap(start - 1, start);
         }
     }

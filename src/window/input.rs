@@ -8,7 +8,7 @@ use minifb::Key as Reported;
 
 /// A report of minifb's callback.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Report {
+pub enum KeyReport {
     /// A key went down, or is held and reported again.
     Down(Reported),
     Up(Reported),
@@ -30,9 +30,9 @@ pub struct Input {
 
 impl Input {
     /// Turns a report into events; `clipboard` is read for `Ctrl V`.
-    pub fn report(&mut self, report: Report, clipboard: impl FnOnce() -> Option<String>) {
+    pub fn report(&mut self, report: KeyReport, clipboard: impl FnOnce() -> Option<String>) {
         match report {
-            Report::Down(key) => {
+            KeyReport::Down(key) => {
                 let repeat = self.held.contains(&key);
                 if !repeat {
                     self.held.push(key);
@@ -48,14 +48,14 @@ impl Input {
                 let press = self.pressed.map(|key| self.key(key, true, repeat));
                 self.events.extend(edit.or(press));
             }
-            Report::Up(key) => {
+            KeyReport::Up(key) => {
                 self.held.retain(|held| *held != key);
                 self.modifiers = self.held_modifiers();
                 self.unnamed = None;
                 let release = named(key).map(|key| self.key(key, false, false));
                 self.events.extend(release);
             }
-            Report::Character(character) => self.character(character),
+            KeyReport::Character(character) => self.character(character),
         }
     }
 
@@ -149,7 +149,7 @@ fn named(key: Reported) -> Option<Key> {
 mod tests {
     use super::*;
 
-    fn keys(reports: &[Report]) -> Vec<(Key, bool)> {
+    fn keys(reports: &[KeyReport]) -> Vec<(Key, bool)> {
         let mut input = Input::default();
         for report in reports {
             input.report(*report, || None);
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn each_press_is_one_key_however_often_it_is_reported() {
-        use Report::{Character, Down, Up};
+        use KeyReport::{Character, Down, Up};
         let w = [
             Down(Reported::W),
             Character('w'),

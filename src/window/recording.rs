@@ -127,7 +127,7 @@ pub struct NamedScene {
 }
 
 /// Everything that happens at one time.
-pub struct Frame {
+pub struct RecordedFrame {
     pub time: Duration,
     /// The time when it is played: pauses are cut.
     pub at: Duration,
@@ -137,7 +137,7 @@ pub struct Frame {
 /// A log that was read and is valid.
 pub struct Log {
     /// In the order of their times, and at least one.
-    pub frames: Vec<Frame>,
+    pub frames: Vec<RecordedFrame>,
     /// The number of the last line, if it was cut off.
     pub cut_off: Option<usize>,
     start: Box<NamedScene>,
@@ -151,7 +151,7 @@ impl Log {
     pub fn read(name: &str, bytes: &[u8], idle: Duration) -> anyhow::Result<Log> {
         let text = String::from_utf8_lossy(bytes);
         let (text, rest) = text.split_at(text.rfind('\n').map_or(0, |end| end + 1));
-        let (mut frames, mut start, mut state) = (Vec::<Frame>::new(), None, None);
+        let (mut frames, mut start, mut state) = (Vec::<RecordedFrame>::new(), None, None);
         for (number, line) in (1..).zip(text.lines()) {
             let last = frames.last().map_or(Duration::ZERO, |frame| frame.time);
             let (time, event) = read_line(line, last, &mut state)
@@ -163,7 +163,7 @@ impl Log {
                 Some(frame) if frame.time == time => frame.events.push(event),
                 last => {
                     let at = last.map(|last| last.at + idle.min(time.saturating_sub(last.time)));
-                    frames.push(Frame {
+                    frames.push(RecordedFrame {
                         time,
                         at: at.unwrap_or_default(),
                         events: vec![event],
@@ -180,7 +180,7 @@ impl Log {
 
     /// The first state, drawn by `threads` threads.
     pub fn drawing(&self, threads: usize, level: Level) -> Drawing {
-        let size = self.frames.first().and_then(Frame::size);
+        let size = self.frames.first().and_then(RecordedFrame::size);
         Drawing {
             scene: Scene::spawn(self.start.name.clone(), &self.start.scene),
             size: size.unwrap_or(USUAL_SIZE),
@@ -190,7 +190,7 @@ impl Log {
     }
 }
 
-impl Frame {
+impl RecordedFrame {
     /// The size that the window gets.
     pub fn size(&self) -> Option<[usize; 2]> {
         self.events.iter().rev().find_map(|event| match event {

@@ -9,7 +9,7 @@ use std::time::Duration;
 use egui::RawInput;
 
 use super::app::App;
-use super::recording::{Event, Frame, Log, patched};
+use super::recording::{Event, Log, RecordedFrame, patched};
 use crate::drawing::Drawing;
 use crate::memory;
 use crate::output::{Animation, Output, say};
@@ -27,7 +27,7 @@ const PIXEL: usize = 8;
 ///
 /// # Errors
 /// None of a valid log.
-pub fn play(app: &mut App, frame: &Frame) -> anyhow::Result<()> {
+pub fn play(app: &mut App, frame: &RecordedFrame) -> anyhow::Result<()> {
     for event in &frame.events {
         match event {
             Event::Scene(it) => app.open(Scene::spawn(it.name.clone(), &it.scene)),
@@ -49,7 +49,7 @@ pub fn play(app: &mut App, frame: &Frame) -> anyhow::Result<()> {
 pub fn draw(
     log: &Log,
     drawing: Drawing,
-    mut take: impl FnMut(&App, &Frame, [usize; 2]) -> anyhow::Result<()>,
+    mut take: impl FnMut(&App, &RecordedFrame, [usize; 2]) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let mut size = drawing.size;
     let mut app = App::new(drawing, false)?;
@@ -81,13 +81,13 @@ pub fn run(
 ) -> anyhow::Result<()> {
     let count = log.frames.len();
     let mut times = log.frames.iter().map(|frame| frame.at).skip(1);
-    let sizes = log.frames.iter().filter_map(Frame::size);
+    let sizes = log.frames.iter().filter_map(RecordedFrame::size);
     let canvas = sizes.fold(drawing.size, |[width, height], size| {
         [width.max(size[0]), height.max(size[1])]
     });
     let (mut hashes, mut done) = (String::new(), 0);
     with_bar(|monitor| {
-        let mut note = |app: &App, frame: &Frame| {
+        let mut note = |app: &App, frame: &RecordedFrame| {
             done += 1;
             (monitor.progress)("drawing", done as f64 / count as f64);
             let hash = hash(&app.shown());

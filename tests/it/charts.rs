@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 
 use fearless_simd::Level;
 use serde::Deserialize;
-use shadetrade::extremes::stability::curve::{Curve, EVALUATIONS, Point, table};
+use shadetrade::extremes::stability::curve::{CurvePoint, EVALUATIONS, ErrorCurve, table};
 use shadetrade::extremes::stability::{SIZE, measure, sweeps::SWEEPS};
 use shadetrade::output::json;
 use shadetrade::prove::Verdict::{self, Proven, Refuted};
@@ -14,7 +14,7 @@ use shadetrade::report::Monitor;
 
 use crate::extremes::is_full;
 
-static CURVES: LazyLock<Vec<Curve>> = LazyLock::new(|| {
+static CURVES: LazyLock<Vec<ErrorCurve>> = LazyLock::new(|| {
     let size = if is_full() { SIZE } else { [24, 18] };
     measure(size, Level::new(), Monitor::NONE).expect("every value makes a scene")
 });
@@ -22,9 +22,9 @@ static CURVES: LazyLock<Vec<Curve>> = LazyLock::new(|| {
 /// Asserts the verdict on an evaluation for all values of a number in this range.
 #[track_caller]
 fn assert_all(verdict: Verdict, evaluation: &str, number: &str, [from, to]: [f64; 2]) {
-    let is_chosen = |it: &&Curve| it.evaluation == evaluation && it.number == number;
+    let is_chosen = |it: &&ErrorCurve| it.evaluation == evaluation && it.number == number;
     let curve = CURVES.iter().find(is_chosen).expect("it is swept");
-    let within = |it: &&Point| (from..=to).contains(&it.value);
+    let within = |it: &&CurvePoint| (from..=to).contains(&it.value);
     let found: Vec<_> = curve.points.iter().filter(within).collect();
     let is_right = !found.is_empty() && found.iter().all(|it| it.verdict == verdict);
     assert!(is_right, "{evaluation}, {number}: {found:?}");

@@ -20,7 +20,7 @@ use fearless_simd::Level;
 use shadetrade::components::View;
 use shadetrade::frame::Keep;
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::window::app::{App, Output};
+use shadetrade::window::app::{App, StepOutput};
 use shadetrade::window::comparison::Comparison;
 use tempfile::TempDir;
 
@@ -40,7 +40,7 @@ struct Window {
     size: [usize; 2],
     now: Duration,
     modifiers: Modifiers,
-    output: Output,
+    output: StepOutput,
     folder: TempDir,
 }
 

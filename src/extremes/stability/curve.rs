@@ -17,19 +17,19 @@ pub const EVALUATIONS: [(&str, f64); 4] = [
 
 /// The errors of an evaluation over the range of a number.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Curve {
+pub struct ErrorCurve {
     pub number: &'static str,
     pub unit: &'static str,
     pub evaluation: &'static str,
     pub limit: f64,
     /// The ends of the longest run of points that are proven to keep the limit.
     pub keeps: Option<[f64; 2]>,
-    pub points: Vec<Point>,
+    pub points: Vec<CurvePoint>,
 }
 
 /// The error of an evaluation at one value.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Point {
+pub struct CurvePoint {
     pub value: f64,
     /// The lower and the upper bound of the largest error of a small picture, in levels.
     pub error: [f64; 2],
@@ -40,19 +40,19 @@ pub struct Point {
 /// The bounds of the largest error of one picture, by evaluation.
 pub type Errors = [[f64; 2]; EVALUATIONS.len()];
 
-impl Curve {
+impl ErrorCurve {
     /// The curve of the evaluation with this index.
     pub fn new(sweep: &Sweep, evaluation: usize, errors: &[(f64, Errors)]) -> Self {
         let (id, limit) = EVALUATIONS[evaluation];
-        let point = |(value, errors): &(f64, Errors)| Point {
+        let point = |(value, errors): &(f64, Errors)| CurvePoint {
             value: *value,
             error: errors[evaluation],
             verdict: Verdict::of(errors[evaluation], limit),
         };
-        let points: Vec<Point> = errors.iter().map(point).collect();
+        let points: Vec<CurvePoint> = errors.iter().map(point).collect();
         let runs = points.split(|point| point.verdict != Verdict::Proven);
         let longest = runs.max_by_key(|run| run.len()).unwrap_or_default();
-        Curve {
+        ErrorCurve {
             number: sweep.number,
             unit: sweep.unit,
             evaluation: id,
@@ -79,17 +79,17 @@ impl Curve {
     }
 }
 
-fn ends(points: &[Point]) -> Option<[f64; 2]> {
+fn ends(points: &[CurvePoint]) -> Option<[f64; 2]> {
     Some([points.first()?.value, points.last()?.value])
 }
 
 /// The table for a terminal: for each number, the range in which each evaluation keeps its limit.
-pub fn table(curves: &[Curve]) -> String {
+pub fn table(curves: &[ErrorCurve]) -> String {
     let ids = EVALUATIONS.map(|(id, _)| id);
     let head = [&["number", "swept"][..], &ids].concat();
-    let row = |curves: &[Curve]| {
+    let row = |curves: &[ErrorCurve]| {
         let start = [curves[0].number.to_owned(), span(curves[0].range())];
-        let kept = curves.iter().map(Curve::kept);
+        let kept = curves.iter().map(ErrorCurve::kept);
         start.into_iter().chain(kept).collect()
     };
     let rows: Vec<Vec<String>> = curves.chunks(EVALUATIONS.len()).map(row).collect();

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use super::curve::{Curve, EVALUATIONS, Point};
+use super::curve::{CurvePoint, EVALUATIONS, ErrorCurve};
 use crate::prove::Verdict;
 use crate::report::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
 
@@ -32,7 +32,7 @@ const ERRORS: Range<f64> = 1e-15..1e3;
 ///
 /// # Errors
 /// The plotting library gives none in practice.
-pub fn svg(curves: &[Curve]) -> anyhow::Result<String> {
+pub fn svg(curves: &[ErrorCurve]) -> anyhow::Result<String> {
     chart::svg(SIZE, |area| {
         let (header, panels) = area.split_vertically(HEADER);
         let title = "How far a picture errs at most, in levels of 255";
@@ -63,7 +63,7 @@ fn key(area: &Area) -> anyhow::Result<()> {
 const UNDECIDED: RGBColor = RGBColor(0xdd, 0xdf, 0xe2);
 
 /// Draws one panel: its number, the axes, the limits and the lines.
-fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
+fn draw(area: &Area, curves: &[ErrorCurve]) -> anyhow::Result<()> {
     area.draw_text(curves[0].number, &text_style(13.0, INK), (58, 8))?;
     let [from, to] = curves[0].range();
     let axes = [(curves[0].unit, from..to * 1.0001), ("levels", ERRORS)];
@@ -87,7 +87,7 @@ fn draw(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
     }
     // The reference is below the others.
     for (curve, color) in curves.iter().zip(COLORS).rev() {
-        let at = |point: &Point| (point.value, point.error[1].max(ERRORS.start));
+        let at = |point: &CurvePoint| (point.value, point.error[1].max(ERRORS.start));
         let line: Vec<(f64, f64)> = curve.points.iter().map(at).collect();
         chart.draw_series([PathElement::new(line, color.stroke_width(2))])?;
     }

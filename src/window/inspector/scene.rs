@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use crate::components::{Camera, Light, Mesh, names};
 use crate::scene::{BUILT_IN, SceneRecord};
 use crate::window::app::App;
-use crate::window::desk::Entity;
+use crate::window::desk::EntityName;
 use crate::window::widgets::{color_button, number};
 
 /// The keys that have a colour picker.
@@ -91,7 +91,7 @@ fn edited(scene: Value) -> anyhow::Result<SceneRecord> {
 }
 
 /// The entities of all kinds, in the order of the file.
-fn entities(world: &World) -> Vec<Entity> {
+fn entities(world: &World) -> Vec<EntityName> {
     let all = [
         ("cuboid", names::<Mesh>(world)),
         ("light", names::<Light>(world)),
@@ -125,7 +125,7 @@ fn place_light(light: &mut Value) {
     }
 }
 
-fn entity_list(ui: &mut Ui, entities: &[Entity], selected: &mut Entity) {
+fn entity_list(ui: &mut Ui, entities: &[EntityName], selected: &mut EntityName) {
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {

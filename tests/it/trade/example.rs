@@ -5,7 +5,7 @@ use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::frame::Counts;
 use shadetrade::shading::Method;
 use shadetrade::trade::machine::Machine;
-use shadetrade::trade::metrics::Error;
+use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Measurement, Report};
 
@@ -28,9 +28,9 @@ pub fn live(method: Method, median: f64, error: f64) -> Measurement {
         timing: timing(median),
         ns_per_covered_pixel: None,
         counts: Counts::default(),
-        error: Some(Error {
+        error: Some(ErrorStatistics {
             max: error,
-            ..Error::default()
+            ..ErrorStatistics::default()
         }),
         own_error: None,
         edge_pixels: 0,

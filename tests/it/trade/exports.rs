@@ -4,15 +4,15 @@ use serde::Deserialize;
 use shadetrade::report::tables::WIDTH;
 use shadetrade::trade::error_map::with_legend;
 use shadetrade::trade::export::{markdown, table};
-use shadetrade::trade::metrics::Error;
+use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::trade::{Report, plot, write_files};
 
 use super::example::{empty_report, report, timing};
 
-fn with_max(max: f64) -> Error {
-    Error {
+fn with_max(max: f64) -> ErrorStatistics {
+    ErrorStatistics {
         max,
-        ..Error::default()
+        ..ErrorStatistics::default()
     }
 }
 

@@ -12,7 +12,7 @@ use shadetrade::output::json;
 use shadetrade::report::{CANCELLED, Monitor};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::shading::{METHODS, Method};
-use shadetrade::trade::metrics::Error;
+use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::trade::timing::{MIN_SAMPLES, Timing};
 use shadetrade::trade::verdict::verdict;
 use shadetrade::trade::{
@@ -103,7 +103,7 @@ fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
     let seen = measure(&asked, &[], batch::time_here, monitor).expect("it is measured");
     for (one, seen) in report.methods.iter().zip(&seen) {
         assert_eq!(seen.method, one.method);
-        let levels = one.error.map(|error| Error {
+        let levels = one.error.map(|error| ErrorStatistics {
             flip_mean: None,
             ..error
         });
@@ -128,9 +128,9 @@ fn known_errors_and_the_timing_with_more_samples_are_kept() {
     let measure = |known: &[_], monitor| measure(&asked, known, batch::time_here, monitor);
     let mut known = measure(&[], Monitor::NONE).expect("it is measured");
     // Errors that no picture can have.
-    let error = Some(Error {
+    let error = Some(ErrorStatistics {
         max: 1e3,
-        ..Error::default()
+        ..ErrorStatistics::default()
     });
     for (index, samples) in [1_000_000, 1].into_iter().enumerate() {
         known[index].error = error;

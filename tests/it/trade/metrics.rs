@@ -3,7 +3,7 @@
 use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::trade::flip;
 use shadetrade::trade::metrics::{
-    Difference, Error, Picture, Pixel, compare, compared, difference, pixel_error,
+    Difference, ErrorStatistics, Picture, Pixel, compare, compared, difference, pixel_error,
 };
 
 const GRAY: [f64; 3] = [100.0; 3];
@@ -37,7 +37,7 @@ fn the_figures_of_four_pixels_are_those_computed_by_hand() {
     ];
     let difference = against_gray(&levels);
     assert_eq!((difference.compared_pixels, difference.edge_pixels), (4, 0));
-    let expected = Error {
+    let expected = ErrorStatistics {
         max: 4.0,
         max_pixel: [2, 0],
         mean: 2.0,

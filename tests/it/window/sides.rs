@@ -8,7 +8,7 @@ use fearless_simd::Level;
 use shadetrade::components::{Probed, ShadingMode, Show, Side};
 use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
-use shadetrade::trade::metrics::Error;
+use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::window::app::App;
 use shadetrade::window::keys::gouraud_phong;
 use shadetrade::window::pictures::side_view;
@@ -27,10 +27,10 @@ fn measured() -> App {
     app.shows_times = true;
     let methods = METHODS.iter().map(|method| {
         let is_gouraud = method.mode == ShadingMode::Gouraud;
-        let error = Error {
+        let error = ErrorStatistics {
             max: if is_gouraud { 165.0 } else { 0.5 },
             max_pixel: WORST[usize::from(is_gouraud)],
-            ..Error::default()
+            ..ErrorStatistics::default()
         };
         Measurement {
             error: Some(error),

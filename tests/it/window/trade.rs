@@ -197,7 +197,7 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
 }
 
 /// Steps until `is_done` returns true.
-fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app::Output {
+fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app::StepOutput {
     loop {
         let now = app.now + FRAME;
         let output = app.step(now, [300, 240], RawInput::default());
