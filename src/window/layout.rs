@@ -34,9 +34,11 @@ impl App {
         let has_panel = !self.desk.panel_folded && (self.desk.has_both || !has_inspector);
         let is_shared = has_panel && has_inspector;
         let most = width / if is_shared { 4.0 } else { 2.0 };
+        // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wide one.
+        let id = |name: &str| Id::new((name, most < USUAL));
         let side = |panel: Panel| panel.default_size(USUAL).size_range(LEAST.min(most)..=most);
         if has_panel {
-            side(Panel::left("panel")).show_inside(ui, |ui| {
+            side(Panel::left(id("panel"))).show_inside(ui, |ui| {
                 let scroll = ScrollArea::both().auto_shrink(false);
                 scroll.show(ui, |ui| self.panel(ui));
             });
@@ -45,7 +47,7 @@ impl App {
         }
         let folded = Panel::right("folded inspector");
         if has_inspector {
-            side(Panel::right("inspector")).show_inside(ui, |ui| self.inspector(ui));
+            side(Panel::right(id("inspector"))).show_inside(ui, |ui| self.inspector(ui));
         } else if is_opened(ui, folded, "⏴", "Opens the inspector.") {
             self.set_look(Inspector(Some(Tab::Pixel)));
         }

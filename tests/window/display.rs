@@ -138,32 +138,30 @@ fn no_tap_of_a_key_is_lost() {
 
 #[test]
 #[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
-fn q_asks_about_edits_and_closing_the_frame_rescues_them() {
-    let mut program = Program::open(&[], &[]);
-    let folder = program.folder.path().to_path_buf();
-    program.start_window_manager();
-    let start = picture(&program.picture());
-    program.press("e");
-    until("the editor", || picture(&program.picture()) != start);
-    // A new cuboid is an edit.
-    let harness = {
-        let mut app = app(default_scene(), SIZE, Level::new());
-        app.set_look(shadetrade::components::Inspector(Some(
-            shadetrade::components::Tab::Scene,
-        )));
-        widgets(app, SIZE)
-    };
-    let add = *places(&harness, "add cuboid").last().expect("a button");
-    program.click([add.x as i32, add.y as i32]);
-    until("a star", || program.title().contains('*'));
-    program.press("q");
-    sleep(Duration::from_millis(500));
-    assert!(program.is_running(), "it asks");
-    program.press("Escape");
-    program.press("alt+F4");
-    until("the program ends", || !program.is_running());
-    assert!(program.status().success());
-    assert!(folder.join("cuboid-unsaved.toml").exists());
+fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
+    for way in ["q", "alt+F4"] {
+        let mut program = Program::open(&[], &[]);
+        let folder = program.folder.path().to_path_buf();
+        program.start_window_manager();
+        let start = picture(&program.picture());
+        program.press("e");
+        until("the editor", || picture(&program.picture()) != start);
+        // A new cuboid is an edit.
+        let harness = {
+            let mut app = app(default_scene(), SIZE, Level::new());
+            app.set_look(shadetrade::components::Inspector(Some(
+                shadetrade::components::Tab::Scene,
+            )));
+            widgets(app, SIZE)
+        };
+        let copy = *places(&harness, "copy").last().expect("a button");
+        program.click([copy.x as i32, copy.y as i32]);
+        until("a star", || program.title().contains('*'));
+        program.press(way);
+        until("the program ends", || !program.is_running());
+        assert!(program.status().success(), "{way}");
+        assert!(folder.join("cuboid-unsaved.toml").exists(), "{way}");
+    }
 }
 
 #[test]
