@@ -9,6 +9,7 @@ use fearless_simd::{Simd, f64x4, mask64x4};
 use super::affine::Affine;
 use super::lanes::{Squares, dot};
 use super::square::Square;
+use crate::components::length;
 use crate::simd::{four, inlined, three, two};
 
 /// A number of each of four squares.
@@ -88,11 +89,11 @@ impl<S: Simd> Field<S> {
         let inverse = 1.0 / dot(&middle, &middle).sqrt();
         let steps = two!(|axis| places.half[axis] * inverse);
         let [right, down] = [vector.dx, vector.dy];
-        let [right_length, down_length] = two!(|axis| steps[axis] * [right, down][axis].length());
+        let [right_length, down_length] = two!(|axis| steps[axis] * length([right, down][axis]));
         let radius = right_length + down_length;
         // One over the least length of the vector.
         let most = 1.0 / (1.0 - radius);
-        let parallelogram = steps[0] * steps[1] * right.cross(down).length();
+        let parallelogram = steps[0] * steps[1] * length(right.cross(down));
         let middle = three!(|axis| middle[axis] * inverse);
         let [right, down] = [
             three!(|axis| steps[0] * right[axis]),
