@@ -117,17 +117,17 @@
 //! # use shadetrade::components::{ShadingMode, View};
 //! # use shadetrade::frame::{Frame, Keep, Workers};
 //! # use shadetrade::{scene::Scene, systems};
-//! use shadetrade::reference;
+//! use shadetrade::{reference, report::Monitor};
 //! use shadetrade::trade::metrics::{Picture, compare};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View::of(&scene.world, [320, 240]).shaded(ShadingMode::Phong);
 //! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
 //! # systems::draw(&mut scene.world, &view, &mut frame)?;
 //! // `view` as above: Phong within half a level; `frame` keeps its levels.
-//! let truth = reference::picture(&scene.world, &view, 0..240, &|| false, &|_| ()).expect("not cancelled");
+//! let truth = reference::picture(&scene.world, &view, 0..240, Monitor::NONE)?;
 //! let error = compare(Picture::from(&frame), Picture::from(&truth)).error.expect("a cuboid is there");
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
-//! # use shadetrade::{prove::prove, report::Monitor};
+//! # use shadetrade::prove::prove;
 //!
 //! // The same, proven: each pixel differs by at most half a level from every value of its enclosure.
 //! let level = fearless_simd::Level::new();
@@ -174,11 +174,10 @@
 //! cli          window       extremes
 //! prove        requires     pictures     probe
 //! trade
-//! report
 //! drawing      systems      reference
 //! frame
 //! shading      scene        output
-//! components   paint        memory       simd
+//! components   paint        memory       simd       report
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]

@@ -9,13 +9,10 @@ pub use figures::figures;
 
 use std::time::{Duration, Instant};
 
-use anyhow::Context;
-
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
 use crate::memory;
 use crate::output::{Output, say};
-use crate::report::CANCELLED;
 use crate::report::progress::with_bar;
 use crate::report::words::counted;
 use crate::trade::{budget, timing};
@@ -64,8 +61,7 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let world = &drawing.scene.world;
     with_bar(|monitor| {
         monitor.in_bands("drawing the reference", height, |rows| {
-            let truth = reference::picture(world, &view, rows, monitor.is_cancelled, &|_| ());
-            let truth = truth.context(CANCELLED)?;
+            let truth = reference::picture(world, &view, rows, monitor.quiet())?;
             let covered_here = truth.triangles.iter().filter(|it| **it != NO_TRIANGLE);
             covered += covered_here.count();
             pixels.extend(truth.levels.iter().copied().map(display_pixel));

@@ -16,7 +16,7 @@ use std::path::Path;
 use fearless_simd::Level;
 
 use self::curve::{EVALUATIONS, ErrorCurve, Errors, table};
-use self::sweeps::{SWEEPS, Sweep};
+use self::sweeps::SWEEPS;
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::{self, print, say};
@@ -39,19 +39,15 @@ pub fn measure(
     level: Level,
     monitor: Monitor,
 ) -> anyhow::Result<Vec<ErrorCurve>> {
-    let values: Vec<Vec<f64>> = SWEEPS.iter().map(Sweep::values).collect();
-    let all = values.iter().map(Vec::len).sum();
+    let all = SWEEPS.iter().map(|sweep| sweep.values().len()).sum();
     let (mut curves, mut done) = (Vec::new(), 0);
-    for (sweep, values) in SWEEPS.iter().zip(values) {
-        let errors = |index| {
-            let value: f64 = values[index - done];
-            Ok((value, errors(&sweep.scene(value), size, level)?))
-        };
-        let items = done..done + values.len();
-        let errors = monitor.in_parallel("sweeping numbers", items.clone(), all, errors)?;
+    for sweep in SWEEPS {
+        let values = sweep.values();
+        let errors = |value: &f64| Ok((*value, errors(&sweep.scene(*value)?, size, level)?));
+        let errors = monitor.in_parallel("sweeping numbers", &values, [done, all], errors)?;
         let evaluations = 0..EVALUATIONS.len();
         curves.extend(evaluations.map(|evaluation| ErrorCurve::new(sweep, evaluation, &errors)));
-        done = items.end;
+        done += values.len();
     }
     Ok(curves)
 }

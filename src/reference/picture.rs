@@ -2,7 +2,6 @@
 
 use std::cmp::Ordering;
 use std::ops::Range;
-use std::sync::atomic::{self, AtomicUsize};
 
 use glam::DVec3;
 use hecs::World;
@@ -19,6 +18,7 @@ use crate::components::{
     FileOrder, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View, in_file_order,
 };
 use crate::frame::NO_TRIANGLE;
+use crate::report::Monitor;
 
 /// Relative difference of depths below which two cuboids tie; the cuboid earlier in the file is then visible. Rounding
 /// in f64 separates two coplanar faces by far less, and a visible gap is far larger.
@@ -281,36 +281,37 @@ impl<R: Real> ReferenceCuboid<R> {
 /// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used.
 ///
 /// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
-/// `cancelled` is called before every row; the result is `None` once it returns true. `progress` receives the number of
-/// finished rows, from any thread.
+///
+/// # Errors
+/// If the work is cancelled.
 pub fn picture(
     world: &World,
     view: &View,
     rows: Range<usize>,
-    cancelled: &(dyn Fn() -> bool + Sync),
-    progress: &(dyn Fn(usize) + Sync),
-) -> Option<Truth> {
+    monitor: Monitor,
+) -> anyhow::Result<Truth> {
     let reference = Reference::<f64>::new(world, view);
     let width = view.size[0];
     let mut levels = vec![[0.0; 3]; width * rows.len()];
     let mut triangles = vec![NO_TRIANGLE; width * rows.len()];
-    let done = AtomicUsize::new(0);
-    levels
+    let all = rows.len();
+    let pixels = levels
         .par_chunks_mut(width)
-        .zip(triangles.par_chunks_mut(width))
-        .zip(rows)
-        .try_for_each(|((levels, triangles), y)| {
-            if cancelled() {
-                return None;
-            }
+        .zip(triangles.par_chunks_mut(width));
+    let rows = pixels.zip(rows);
+    monitor.in_parallel(
+        "drawing the reference",
+        rows,
+        [0, all],
+        |((levels, triangles), y)| {
             reference.row(y, |x, seen| {
                 levels[x] = seen[0].levels;
                 triangles[x] = seen[0].triangle.map_or(NO_TRIANGLE, |it| it as u32);
             });
-            progress(done.fetch_add(1, atomic::Ordering::Relaxed) + 1);
-            Some(())
-        })?;
-    Some(Truth {
+            Ok(())
+        },
+    )?;
+    Ok(Truth {
         width,
         levels,
         triangles,

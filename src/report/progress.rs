@@ -30,6 +30,15 @@ impl Monitor<'_> {
         progress: &|_, _| (),
     };
 
+    /// The same caller without progress, for work that is itself a part of a step.
+    #[must_use]
+    pub fn quiet(self) -> Self {
+        Monitor {
+            progress: &|_, _| (),
+            ..self
+        }
+    }
+
     /// # Errors
     /// If the work is cancelled.
     pub fn check(&self) -> anyhow::Result<()> {
@@ -56,23 +65,28 @@ impl Monitor<'_> {
         Ok(())
     }
 
-    /// Does `work` for these of `total` items on rayon's current threads. Returns the results in order.
+    /// Does `work` for each item on rayon's current threads. Returns the results in order.
+    ///
+    /// `done` of `all` items of the step are finished before.
     ///
     /// # Errors
     /// An error of `work`, or that the work is cancelled.
-    pub fn in_parallel<T: Send>(
+    pub fn in_parallel<T: Send, I: IntoParallelIterator>(
         &self,
         step: &'static str,
-        items: Range<usize>,
-        total: usize,
-        work: impl Fn(usize) -> anyhow::Result<T> + Sync,
-    ) -> anyhow::Result<Vec<T>> {
-        let done = AtomicUsize::new(items.start);
+        items: I,
+        [done, all]: [usize; 2],
+        work: impl Fn(I::Item) -> anyhow::Result<T> + Sync,
+    ) -> anyhow::Result<Vec<T>>
+    where
+        I::Iter: IndexedParallelIterator,
+    {
+        let done = AtomicUsize::new(done);
         let one = |item| {
             self.check()?;
             let found = work(item)?;
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            (self.progress)(step, done as f64 / total as f64);
+            (self.progress)(step, done as f64 / all as f64);
             Ok(found)
         };
         items.into_par_iter().map(one).collect()

@@ -70,17 +70,15 @@ pub const FORMATS: [(&str, Format); 3] = [
     ("f32", Format { bits: 24, exponent: 127 }),
 ];
 
-/// Formats that are tried: [`FORMATS`], then formats of 2 to 24 bits whose range holds every number of every scene.
-const TRIALS: usize = FORMATS.len() + 23;
-
 impl Format {
-    fn of_trial(trial: usize) -> Self {
-        let of_bits = || Format {
-            bits: trial as u32 - 1,
+    /// The formats that are tried: [`FORMATS`], then formats of 2 to 24 bits whose range holds every number of every scene.
+    fn tried() -> Vec<Format> {
+        let of_bits = (2..=24).map(|bits| Format {
+            bits,
             exponent: 900,
-        };
-        let named = FORMATS.get(trial);
-        named.map_or_else(of_bits, |(_, format)| *format)
+        });
+        let named = FORMATS.into_iter().map(|(_, format)| format);
+        named.chain(of_bits).collect()
     }
 
     /// Rounds to nearest, ties to even. A number beyond the largest becomes infinite. The result of an operation is rounded to
@@ -132,14 +130,18 @@ impl StageBits {
     }
 }
 
-/// The formula with one stage in a format.
+/// The formula at a pixel, with one stage in a format.
 #[derive(Clone, Copy)]
-struct Trial {
+struct Trial<'a> {
     stage: Stage,
     format: Format,
+    /// The lights that are on, and the cuboids.
+    scene: &'a SceneRecord,
+    view: &'a View,
+    sample: &'a Sample,
 }
 
-impl Trial {
+impl Trial<'_> {
     /// The result of an operation of a stage.
     fn one(self, stage: Stage, value: f64) -> f64 {
         if stage == self.stage {
@@ -171,31 +173,23 @@ impl Trial {
 
     /// The model at a point of the cuboid that a pixel shows. A light at the point itself has no
     /// direction; it adds nothing.
-    fn lit(
-        self,
-        scene: &SceneRecord,
-        view: &View,
-        sample: &Sample,
-        [point, normal]: [DVec3; 2],
-    ) -> DVec3 {
+    fn lit(self, [point, normal]: [DVec3; 2]) -> DVec3 {
         use Stage::{Power, Products, Sum, Vectors};
         let towards = |place: DVec3| {
             let way = self.all(Vectors, self.all(Vectors, place) - point);
             self.unit(Vectors, way)
         };
         let power = |base: f64| {
-            let shininess = scene.cuboid[sample.object].material.shininess;
+            let shininess = self.scene.cuboid[self.sample.object].material.shininess;
             let [log, rho] = [base.max(0.0).log2(), shininess].map(|it| self.one(Power, it));
             // 0^0 is 1.
-            let exponent = if rho == 0.0 {
-                0.0
-            } else {
-                self.one(Power, log * rho)
-            };
-            self.one(Power, exponent.exp2())
+            let exponent = if rho == 0.0 { 0.0 } else { log * rho };
+            self.one(Power, self.one(Power, exponent).exp2())
         };
         let mut levels = DVec3::ZERO;
-        for (light, LightSample { strength, .. }) in scene.light.iter().zip(&sample.lights) {
+        for (light, LightSample { strength, .. }) in
+            self.scene.light.iter().zip(&self.sample.lights)
+        {
             let to_light = towards(light.position.unwrap_or_default());
             let cosine = self.dot(Products, normal, to_light);
             let factor = match light.kind {
@@ -204,9 +198,9 @@ impl Trial {
                 LightKind::Specular if cosine > 0.0 => {
                     let along = self.all(Products, normal * (2.0 * cosine));
                     let reflected = self.all(Products, along - to_light);
-                    let to_eye = match view.projection {
-                        Projection::Perspective => towards(view.viewpoint.position),
-                        Projection::Orthographic => self.all(Vectors, sample.to_eye),
+                    let to_eye = match self.view.projection {
+                        Projection::Perspective => towards(self.view.viewpoint.position),
+                        Projection::Orthographic => self.all(Vectors, self.sample.to_eye),
                     };
                     power(self.dot(Products, to_eye, reflected))
                 }
@@ -219,26 +213,18 @@ impl Trial {
     }
 
     /// The levels of a pixel. `corners` are the positions and the normals of the triangle's corners.
-    fn levels(
-        self,
-        scene: &SceneRecord,
-        view: &View,
-        sample: &Sample,
-        corners: [[DVec3; 2]; 3],
-    ) -> DVec3 {
+    fn levels(self, corners: [[DVec3; 2]; 3]) -> DVec3 {
         use Stage::{Normals, Positions, Sum};
-        let weights = sample.weights;
-        if scene.cuboid[sample.object].shading == ShadingMode::Gouraud {
+        let weights = self.sample.weights;
+        if self.scene.cuboid[self.sample.object].shading == ShadingMode::Gouraud {
             let lit = corners.map(|[point, normal]| {
-                let corner = [self.all(Positions, point), self.all(Normals, normal)];
-                self.lit(scene, view, sample, corner)
+                self.lit([self.all(Positions, point), self.all(Normals, normal)])
             });
             return self.blend(Sum, lit, weights);
         }
         let point = self.blend(Positions, corners.map(|[point, _]| point), weights);
         let normal = self.blend(Normals, corners.map(|[_, normal]| normal), weights);
-        let normal = self.unit(Normals, normal);
-        self.lit(scene, view, sample, [point, normal])
+        self.lit([point, self.unit(Normals, normal)])
     }
 }
 
@@ -264,38 +250,40 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     let corners: Vec<_> = record.cuboid.iter().map(corners).collect();
     let enclosures = rows(Reference::<Interval>::new(&scene.world, view));
     let columns: Vec<usize> = (0..view.size[0]).collect();
-    // The largest error of a row, by stage and format.
+    let formats = Format::tried();
+    let of_stage = |(stage, _)| formats.iter().map(move |format| (stage, *format));
+    let trials: Vec<(Stage, Format)> = STAGES.into_iter().flat_map(of_stage).collect();
+    // The largest error of a row in each trial.
     let row = |y: usize| {
-        let mut errors = [[0.0_f64; TRIALS]; STAGES.len()];
+        let mut errors = vec![0.0_f64; trials.len()];
         let samples = in_row(&scene.world, view, y, &columns);
-        for (full, sample) in enclosures(y).iter().zip(samples) {
+        for (full, sample) in enclosures(y).iter().zip(&samples) {
             let Some(sample) = sample else { continue };
             let (object, triangle) = (sample.object, sample.triangle);
             let vertices = TRIANGLES[triangle].map(|vertex| corners[object][usize::from(vertex)]);
             let face = Some(object * FACES.len() + triangle / 2);
-            for (errors, (stage, _)) in errors.iter_mut().zip(STAGES) {
-                for (index, largest) in errors.iter_mut().enumerate() {
-                    let format = Format::of_trial(index);
-                    let trial = Trial { stage, format };
-                    let levels = trial.levels(&record, view, &sample, vertices);
-                    let [_, error] = error(full, &[(face, ends(levels.to_array()))], false);
-                    *largest = largest.max(error);
-                }
+            for (largest, &(stage, format)) in errors.iter_mut().zip(&trials) {
+                let scene = &record;
+                let trial = Trial {
+                    stage,
+                    format,
+                    scene,
+                    view,
+                    sample,
+                };
+                let levels = ends(trial.levels(vertices).to_array());
+                let [_, error] = error(full, &[(face, levels)], false);
+                *largest = largest.max(error);
             }
         }
         Ok(errors)
     };
     let height = view.size[1];
-    let by_row = monitor.in_parallel("rounding", 0..height, height, row)?;
+    let by_row = monitor.in_parallel("rounding", 0..height, [0, height], row)?;
+    let of_trial = |trial: usize| by_row.iter().map(|row| row[trial]).fold(0.0, f64::max);
+    let errors: Vec<f64> = (0..trials.len()).map(of_trial).collect();
     let limit = limit(view.tolerance);
-    let of_stage = |(number, (_, stage)): (usize, (Stage, &'static str))| {
-        let largest = |trial: usize| {
-            by_row
-                .iter()
-                .map(|row| row[number][trial])
-                .fold(0.0, f64::max)
-        };
-        let errors: [f64; TRIALS] = from_fn(largest);
+    let of_stage = |((_, stage), errors): ((Stage, &'static str), &[f64])| {
         let (named, by_bits) = errors.split_at(FORMATS.len());
         let breaking = by_bits.iter().rposition(|error| *error > limit);
         let fewest = breaking.map_or(0, |index| index + 1);
@@ -310,5 +298,6 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
             }),
         }
     };
-    Ok(STAGES.into_iter().enumerate().map(of_stage).collect())
+    let stages = STAGES.into_iter().zip(errors.chunks(formats.len()));
+    Ok(stages.map(of_stage).collect())
 }

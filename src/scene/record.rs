@@ -16,14 +16,6 @@ use crate::components::{
     table,
 };
 
-/// The material of the built-in default scene.
-const EMERALD: Material = Material {
-    ambient: DVec3::splat(0.3),
-    diffuse: DVec3::new(0.07568, 0.61424, 0.07568),
-    specular: DVec3::new(0.633, 0.72811, 0.66),
-    shininess: 76.8,
-};
-
 /// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -196,65 +188,5 @@ impl SceneRecord {
             record.view.camera = None;
         }
         Ok(record)
-    }
-}
-
-impl CuboidRecord {
-    /// An emerald of this size at this place, not rotated, with Phong shading.
-    pub fn new(
-        name: impl Into<String>,
-        size: impl Into<DVec3>,
-        position: impl Into<DVec3>,
-    ) -> CuboidRecord {
-        CuboidRecord {
-            name: name.into(),
-            size: size.into(),
-            position: position.into(),
-            rotation: DVec3::ZERO,
-            shading: ShadingMode::Phong,
-            material: EMERALD,
-        }
-    }
-}
-
-impl LightRecord {
-    /// A white light of these levels at `position`; an ambient light has no position.
-    pub fn new(
-        name: impl Into<String>,
-        kind: LightKind,
-        levels: f64,
-        position: impl Into<DVec3>,
-    ) -> LightRecord {
-        LightRecord {
-            name: name.into(),
-            kind,
-            color: DVec3::ONE,
-            intensity: levels,
-            gain: 1.0,
-            position: (kind != LightKind::Ambient).then(|| position.into()),
-            on: true,
-        }
-    }
-}
-
-impl CameraRecord {
-    /// A camera at `position` that looks at `target`, with +y up. It sees `fov` degrees in perspective, `height` units in
-    /// orthographic projection.
-    pub fn new(
-        name: impl Into<String>,
-        position: impl Into<DVec3>,
-        target: impl Into<DVec3>,
-        [fov, height]: [f64; 2],
-    ) -> CameraRecord {
-        CameraRecord {
-            name: name.into(),
-            position: position.into(),
-            target: target.into(),
-            up: DVec3::Y,
-            fov,
-            height,
-            near: None,
-            orbit: Orbit::default(),
-        }
     }
 }

@@ -4,9 +4,9 @@ use hecs::World;
 
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 use crate::components::{
-    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, Material, Mesh, Name,
-    Normals, Orbit, Probed, Projected, ShadingMode, Show, Spin, Tolerance, Transform, VertexColors,
-    WorldTransform, active_camera, get, in_file_order, look, ordered,
+    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, LightKind, Material,
+    Mesh, Name, Normals, Orbit, Probed, Projected, ShadingMode, Show, Spin, Tolerance, Transform,
+    VertexColors, WorldTransform, active_camera, get, in_file_order, look, ordered,
 };
 
 type CuboidParts<'a> = (
@@ -37,10 +37,13 @@ impl SceneRecord {
             });
         let light = in_file_order::<(&Name, &Transform, &Light), _>(world, |(name, at, light)| {
             LightRecord {
+                name: name.0.clone(),
+                kind: light.kind,
                 color: light.color,
+                intensity: light.intensity,
                 gain: light.gain,
+                position: (light.kind != LightKind::Ambient).then_some(at.position),
                 on: light.on,
-                ..LightRecord::new(&name.0, light.kind, light.intensity, at.position)
             }
         });
         let camera =

@@ -7,13 +7,10 @@
 //! ```
 //! Nothing here is timed. The figures do not depend on the number of threads.
 
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
-use std::ops::Range;
+use std::collections::{HashMap, HashSet};
 
 use anyhow::Context;
 use glam::DVec3;
-use hecs::World;
 
 use super::error_map::Scale;
 use super::flip;
@@ -24,32 +21,14 @@ use crate::components::{Light, LightKind, ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
 use crate::reference::{self, Truth};
-use crate::report::{CANCELLED, Monitor};
+use crate::report::Monitor;
 use crate::shading::{METHODS, Method};
 use crate::systems;
 
 /// The most bytes for a pixel: a reference picture, a frame with depths, and a list of errors.
-const BYTES: usize = 28 + 25 + 16;
+const BYTES: usize = 28 + 25 + 8;
 /// The bytes that a report adds: two reference pictures, a map for each method, and FLIP.
 const BYTES_OF_REPORT: usize = 2 * 28 + 4 * METHODS.len() + flip::BYTES_PER_PIXEL;
-
-/// Rows of the reference in `mode`.
-///
-/// # Errors
-/// If the work is cancelled.
-pub fn exact(
-    world: &World,
-    view: &View,
-    mode: ShadingMode,
-    rows: Range<usize>,
-    monitor: Monitor,
-) -> anyhow::Result<Truth> {
-    let all = rows.len() as f64;
-    let row_done = |done| (monitor.progress)("drawing the reference", done as f64 / all);
-    let view = view.shaded(mode);
-    let exact = reference::picture(world, &view, rows, monitor.is_cancelled, &row_done);
-    exact.context(CANCELLED)
-}
 
 /// The errors of `methods` in the view of `request`, without times.
 ///
@@ -70,13 +49,16 @@ pub fn errors(
     let mut frame = Frame::new(Keep::Levels, Workers::alone(request.level));
     let kept = highlights_kept(request, methods, &mut frame, monitor)?;
     let mut scene = request.scene.snapshot();
-    let own_modes = methods.iter().filter(|_| request.is_report);
-    let mut truths = HashMap::new();
-    for mode in own_modes.map(|it| it.mode).chain([ShadingMode::Phong]) {
-        if let Entry::Vacant(unknown) = truths.entry(mode) {
-            unknown.insert(exact(&scene.world, view, mode, rows.clone(), monitor)?);
-        }
-    }
+    let own_modes = methods.iter().map(|method| method.mode);
+    let own_modes = own_modes.filter(|_| request.is_report);
+    let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
+    let truth = |mode| {
+        let view = view.shaded(mode);
+        let truth = reference::picture(&scene.world, &view, rows.clone(), monitor)?;
+        Ok((mode, truth))
+    };
+    let truths = modes.into_iter().map(truth);
+    let truths = truths.collect::<anyhow::Result<HashMap<ShadingMode, Truth>>>()?;
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
     let mut measured = Vec::new();
     for (method, highlight_kept) in methods.iter().zip(kept) {
@@ -124,10 +106,9 @@ fn highlights_kept(
     }
     let view = View {
         background: DVec3::ZERO,
-        ..request.view.clone()
+        ..request.view.shaded(ShadingMode::Phong)
     };
-    let rows = 0..view.size[1];
-    let whole = exact(&scene.world, &view, ShadingMode::Phong, rows, monitor)?;
+    let whole = reference::picture(&scene.world, &view, 0..view.size[1], monitor)?;
     let kept = methods.iter().map(|method| {
         monitor.check()?;
         systems::draw(&mut scene.world, &method.view(&view), frame)?;

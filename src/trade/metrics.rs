@@ -149,39 +149,42 @@ where
     U: Into<f64> + Copy,
 {
     let (mut errors, mut edge_pixels) = (Vec::new(), 0);
+    let (mut max, mut max_pixel) = (-1.0, 0);
     for (index, pixel) in compared(left, right).enumerate() {
         match pixel {
-            Pixel::Error(error) => errors.push((error, index)),
+            Pixel::Error(error) => {
+                if error > max {
+                    (max, max_pixel) = (error, index);
+                }
+                errors.push(error);
+            }
             Pixel::Edge => edge_pixels += 1,
             Pixel::Nothing => {}
         }
     }
+    let max_pixel = [max_pixel % left.width, max_pixel / left.width];
     Difference {
-        error: statistics(&mut errors, left.width),
+        error: (!errors.is_empty()).then(|| statistics(&mut errors, max_pixel)),
         compared_pixels: errors.len() as u64,
         edge_pixels,
     }
 }
 
-/// The statistics of the errors of these pixels. Changes the order of `errors`.
-fn statistics(errors: &mut [(f64, usize)], width: usize) -> Option<ErrorStatistics> {
-    let first_worst =
-        |worst: (f64, usize), next: (f64, usize)| if next.0 > worst.0 { next } else { worst };
-    let (max, pixel) = errors.iter().copied().reduce(first_worst)?;
+/// The statistics of these errors, one or more, of which the largest is at `max_pixel`. Changes their order.
+fn statistics(errors: &mut [f64], max_pixel: [usize; 2]) -> ErrorStatistics {
     let count = errors.len() as f64;
-    let over_1_level = errors.iter().filter(|(error, _)| *error > 1.0).count();
-    let mean = errors.iter().map(|(error, _)| error).sum::<f64>() / count;
-    let mean_square = errors.iter().map(|(error, _)| error * error).sum::<f64>() / count;
+    let over_1_level = errors.iter().filter(|error| **error > 1.0).count();
+    let mean = errors.iter().sum::<f64>() / count;
+    let mean_square = errors.iter().map(|error| error * error).sum::<f64>() / count;
     let rank = (errors.len() * 999).div_ceil(1000) - 1;
-    let (_, (p999, _), _) =
-        errors.select_nth_unstable_by(rank, |one, other| one.0.total_cmp(&other.0));
-    Some(ErrorStatistics {
-        max,
-        max_pixel: [pixel % width, pixel / width],
+    let (_, p999, above) = errors.select_nth_unstable_by(rank, f64::total_cmp);
+    ErrorStatistics {
+        max: above.iter().copied().fold(*p999, f64::max),
+        max_pixel,
         mean,
         rmse: mean_square.sqrt(),
         p999: *p999,
         over_1_level: over_1_level as f64 / count,
         flip_mean: None,
-    })
+    }
 }

@@ -6,9 +6,9 @@ use hecs::World;
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_pixel};
 use crate::memory;
+use crate::reference;
 use crate::report::Monitor;
 use crate::systems;
-use crate::trade::accuracy::exact;
 use crate::trade::error_map::Scale;
 use crate::trade::metrics::{self, Picture};
 
@@ -41,11 +41,8 @@ impl Comparison {
         let mut largest: Option<f64> = None;
         monitor.in_bands("comparing", view.size[1], |rows| {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
-            let quiet = Monitor {
-                progress: &|_, _| (),
-                ..monitor
-            };
-            let exact = exact(world, view, ShadingMode::Phong, rows, quiet)?;
+            let phong = view.shaded(ShadingMode::Phong);
+            let exact = reference::picture(world, &phong, rows, monitor.quiet())?;
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
             let error = metrics::compare(drawn, compared).error;
             if let Some(error) = error {

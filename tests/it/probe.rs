@@ -10,11 +10,13 @@ use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::probe::{self, Probe, ProbedSurface};
 use shadetrade::reference;
-use shadetrade::scene::{LightRecord, Scene, SceneRecord};
+use shadetrade::report::Monitor;
+use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
 
 use crate::cli::keys;
+use crate::support::records;
 use crate::support::scene::view_from;
 
 /// The JSON of the command.
@@ -128,7 +130,7 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
             tolerance: 0.5,
             ..view_from(&scene, 0, [480, 360]).shaded(ShadingMode::Phong)
         };
-        let truth = reference::picture(&scene.world, &view, 0..360, &|| false, &|_| ())
+        let truth = reference::picture(&scene.world, &view, 0..360, Monitor::NONE)
             .expect("it is not cancelled");
         let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
@@ -174,7 +176,7 @@ fn levels_beyond_f32_are_those_of_the_reference() {
     // 1e20 of an intensity of 1e20 is 1e40 in the first channel, beyond the largest f32 of 3e38; 1e-20 of it is 1.
     let surface = surface_of(ShadingMode::Phong, [480, 300], |record| {
         record.cuboid[0].material.ambient = DVec3::new(1e20, 1e-20, 0.0);
-        record.light = vec![LightRecord::new("sky", LightKind::Ambient, 1e20, [0.0; 3])];
+        record.light = vec![records::light("sky", LightKind::Ambient, 1e20, [0.0; 3])];
     });
     for levels in [surface.gouraud, surface.phong] {
         let [red, green, blue] = levels.to_array();
@@ -228,7 +230,7 @@ fn a_section_is_every_pixel_of_the_row_on_one_face() {
 #[test]
 fn a_section_of_a_scene_with_many_lights_has_fewer_pixels() {
     let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
-    let faint = LightRecord::new("faint", LightKind::Ambient, 1e-3, DVec3::ZERO);
+    let faint = records::light("faint", LightKind::Ambient, 1e-3, DVec3::ZERO);
     let section = |record: &SceneRecord| {
         let mut scene = Scene::spawn("many".to_owned(), record);
         let view = view_from(&scene, 0, [480, 36]);

@@ -8,6 +8,7 @@ use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::reference::{at_pixel, picture};
+use shadetrade::report::Monitor;
 
 use crate::support::scene::{at, empty, shine, spawn_cuboid, truth, view};
 
@@ -255,13 +256,26 @@ fn some_rows_equal_those_of_the_picture_and_each_is_reported_unless_it_is_cancel
     let (world, view) = mixed_scene(0.0, 1.0, Projection::Perspective);
     let whole = truth(&world, &view);
     let told = Mutex::new(Vec::new());
-    let tell = |done| told.lock().expect("no thread has panicked").push(done);
-    let part = picture(&world, &view, 7..19, &|| false, &tell).expect("it is not cancelled");
+    let tell = |_, share: f64| told.lock().expect("no thread panics").push(12.0 * share);
+    let monitor = Monitor {
+        progress: &tell,
+        ..Monitor::NONE
+    };
+    let part = picture(&world, &view, 7..19, monitor).expect("it is not cancelled");
     assert_eq!(part.width, 40);
     assert_eq!(part.levels, whole.levels[7 * 40..19 * 40]);
     assert_eq!(part.triangles, whole.triangles[7 * 40..19 * 40]);
     let mut told = told.into_inner().expect("no thread has panicked");
-    told.sort_unstable();
-    assert_eq!(told, (1..=12).collect::<Vec<_>>());
-    assert_eq!(picture(&world, &view, 0..30, &|| true, &|_| ()), None);
+    told.sort_unstable_by(f64::total_cmp);
+    assert!(
+        told.iter()
+            .zip(1..)
+            .all(|(told, row)| (told - f64::from(row)).abs() < 1e-9)
+    );
+    assert_eq!(told.len(), 12);
+    let cancelled = Monitor {
+        is_cancelled: &|| true,
+        ..Monitor::NONE
+    };
+    assert!(picture(&world, &view, 0..30, cancelled).is_err());
 }

@@ -4,6 +4,7 @@ pub mod cases;
 pub mod extreme;
 pub mod random;
 pub mod random_scene;
+pub mod records;
 pub mod scene;
 #[cfg(unix)]
 pub mod signal;

@@ -38,7 +38,7 @@ pub fn svg(curves: &[ErrorCurve]) -> anyhow::Result<String> {
         let title = "How far a picture errs at most, in levels of 255";
         chart::heading(&header, title, &[ABOUT])?;
         key(&header)?;
-        let panels = panels.split_evenly((3, 3)).into_iter();
+        let panels = panels.split_evenly((2, 2)).into_iter();
         let mut panels = panels.zip(curves.chunks(EVALUATIONS.len()));
         panels.try_for_each(|(panel, curves)| draw(&panel, curves))
     })

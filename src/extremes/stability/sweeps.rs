@@ -4,8 +4,7 @@
 
 use glam::DVec3;
 
-use crate::components::LightKind;
-use crate::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
+use crate::scene::{LightRecord, Scene, SceneRecord};
 
 /// A range of more decades has one value for each of them instead of three.
 const MANY_DECADES: f64 = 24.0;
@@ -19,34 +18,33 @@ pub struct Sweep {
     set: fn(&mut SceneRecord, f64),
 }
 
-const fn sweep(
-    number: &'static str,
-    unit: &'static str,
-    range: [f64; 2],
-    set: fn(&mut SceneRecord, f64),
-) -> Sweep {
-    Sweep {
-        number,
-        unit,
-        range,
-        set,
-    }
-}
-
-/// Every number that is swept.
+/// The numbers that f32 or f64 cannot represent over their whole range.
 pub const SWEEPS: &[Sweep] = &[
-    sweep("shininess", "", [1e-3, 1e6], set_shininess),
-    sweep("edge length", "units", [1e-97, 1e97], set_edge),
-    sweep(ASPECT, "times as long as wide", [1.0, 1e100], set_aspect),
-    sweep(FROM_ORIGIN, "units", [1.0, 1e15], move_from_origin),
-    sweep("distance of the eye", "units", [1e-9, 1e15], move_eye),
-    sweep(OVER_A_FACE, "units", [f64::EPSILON, 1e6], set_light),
-    sweep("field of view", "degrees", [1e-9, 179.0], set_lens),
-    sweep("intensity", "levels", [1e-30, 1e30], set_intensity),
+    Sweep {
+        number: "shininess",
+        unit: "",
+        range: [1e-3, 1e6],
+        set: set_shininess,
+    },
+    Sweep {
+        number: "edge length",
+        unit: "units",
+        range: [1e-97, 1e97],
+        set: set_edge,
+    },
+    Sweep {
+        number: "distance from the origin",
+        unit: "units",
+        range: [1.0, 1e15],
+        set: move_from_origin,
+    },
+    Sweep {
+        number: "distance of the eye",
+        unit: "units",
+        range: [1e-9, 1e15],
+        set: move_eye,
+    },
 ];
-const ASPECT: &str = "aspect of a face";
-const FROM_ORIGIN: &str = "distance from the origin";
-const OVER_A_FACE: &str = "height of a light over a face";
 
 impl Sweep {
     /// The values from one end to the other, in even steps of the logarithm. The ends are exact.
@@ -62,27 +60,16 @@ impl Sweep {
         [first].into_iter().chain(between).chain([last]).collect()
     }
 
-    /// A cuboid under a white light of each kind, with the number set.
-    pub fn scene(&self, value: f64) -> SceneRecord {
-        let camera = CameraRecord::new("camera", [7.0, 5.0, 8.0], DVec3::ZERO, [30.0, 6.3]);
-        let mut scene = SceneRecord {
-            cuboid: vec![CuboidRecord::new("cuboid", [4.0, 3.0, 2.0], DVec3::ZERO)],
-            light: lights_at(DVec3::splat(10.0)),
-            camera: vec![camera],
-            ..SceneRecord::default()
-        };
+    /// The swept scene with this value of the number.
+    ///
+    /// # Errors
+    /// If the scene, which is built in, is wrong.
+    pub fn scene(&self, value: f64) -> anyhow::Result<SceneRecord> {
+        let text = include_str!("../../../assets/stability/scene.toml");
+        let mut scene = SceneRecord::of(&Scene::parse("the swept scene", text)?.world);
         (self.set)(&mut scene, value);
-        scene
+        Ok(scene)
     }
-}
-
-/// A light of every kind at one place, the ambient one last.
-fn lights_at(place: DVec3) -> Vec<LightRecord> {
-    vec![
-        LightRecord::new("diffuse", LightKind::Diffuse, 170.0, place),
-        LightRecord::new("specular", LightKind::Specular, 255.0, place),
-        LightRecord::new("ambient", LightKind::Ambient, 100.0, place),
-    ]
 }
 
 /// Moves the cuboid, the lights and the camera.
@@ -107,8 +94,12 @@ fn set_shininess(scene: &mut SceneRecord, shininess: f64) {
     let normal = (point / DVec3::new(2.0, 1.5, 1.0)).normalize();
     let to_eye = (camera.position - point).normalize();
     let place = point + 9.0 * (2.0 * normal.dot(to_eye) * normal - to_eye);
-    let light = LightRecord::new("mirrored", LightKind::Specular, 255.0, place);
-    scene.light.push(light);
+    let specular = scene.light[1].clone();
+    scene.light.push(LightRecord {
+        name: "mirrored".to_owned(),
+        position: Some(place),
+        ..specular
+    });
     camera.target = point;
     camera.fov /= shininess.sqrt().max(1.0);
 }
@@ -118,10 +109,6 @@ fn set_edge(scene: &mut SceneRecord, edge: f64) {
     scene.cuboid[0].size *= edge / 4.0;
     scene.camera[0].height *= edge / 4.0;
     change_places(scene, |place| place * (edge / 4.0));
-}
-
-fn set_aspect(scene: &mut SceneRecord, aspect: f64) {
-    scene.cuboid[0].size = DVec3::new(aspect, 1.0, 1.0);
 }
 
 fn move_from_origin(scene: &mut SceneRecord, far: f64) {
@@ -135,25 +122,4 @@ fn move_eye(scene: &mut SceneRecord, distance: f64) {
     camera.target = DVec3::new(0.1, 0.2, 1.0);
     camera.position = camera.target + DVec3::new(0.48, 0.36, 0.8) * distance;
     camera.fov = 2.0 * (3.0 / distance).atan().to_degrees().min(30.0);
-}
-
-/// The eye is near the face.
-fn set_light(scene: &mut SceneRecord, height: f64) {
-    let target = DVec3::new(0.3, 0.4, 1.0);
-    scene.camera[0].target = target;
-    scene.camera[0].position = target + DVec3::new(1.0, 0.9, 2.0);
-    scene.light = lights_at(target + DVec3::Z * height);
-}
-
-fn set_lens(scene: &mut SceneRecord, degrees: f64) {
-    let camera = &mut scene.camera[0];
-    camera.position = DVec3::new(0.1, 0.2, 1.01);
-    camera.target = DVec3::new(0.4, 0.3, 0.0);
-    camera.fov = degrees;
-}
-
-fn set_intensity(scene: &mut SceneRecord, intensity: f64) {
-    for light in &mut scene.light[..2] {
-        light.intensity = intensity;
-    }
 }

@@ -14,6 +14,7 @@ use shadetrade::scene::range::{
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
 use crate::support::random::Random;
+use crate::support::records;
 
 /// A number as often near 0 as far from it, and sometimes an end of its range.
 fn number(random: &mut Random, range: &RangeInclusive<f64>) -> f64 {
@@ -55,7 +56,7 @@ pub fn cuboid(random: &mut Random) -> CuboidRecord {
             specular,
             shininess: number(random, &Shininess::RANGE),
         },
-        ..CuboidRecord::new(
+        ..records::cuboid(
             name(random),
             three(random, &Length::RANGE),
             three(random, &Coordinate::RANGE),
@@ -70,7 +71,7 @@ pub fn light(random: &mut Random) -> LightRecord {
         color: three(random, &Strength::RANGE),
         gain,
         on: random.below(2) == 0,
-        ..LightRecord::new(
+        ..records::light(
             name(random),
             kind,
             intensity,
@@ -94,7 +95,7 @@ pub fn camera(random: &mut Random) -> CameraRecord {
         up,
         near: maybe(random, |random| number(random, &Length::RANGE)),
         orbit: orbit.unwrap_or_default(),
-        ..CameraRecord::new(name(random), position, target, sees)
+        ..records::camera(name(random), position, target, sees)
     }
 }
 

@@ -12,6 +12,7 @@ use shadetrade::scene::{
 };
 
 use super::{LEAST, MOST};
+use crate::support::records;
 
 fn scene(text: &str) -> Scene {
     Scene::parse("test", text).unwrap_or_else(|error| panic!("{error}"))
@@ -59,13 +60,13 @@ fn a_missing_key_has_the_documented_default() {
             [1.0, 4.0, 7.0].map(|x| [x, x + 1.0, x + 2.0].map(|x| x / 10.0)),
             76.8,
         ),
-        ..CuboidRecord::new("box", [4.0, 3.0, 2.0], [0.0; 3])
+        ..records::cuboid("box", [4.0, 3.0, 2.0], [0.0; 3])
     };
     let light = LightRecord {
         color: DVec3::new(1.0, 0.5, 0.0),
-        ..LightRecord::new("white", LightKind::Diffuse, 10.0, [10.0, 11.0, 12.0])
+        ..records::light("white", LightKind::Diffuse, 10.0, [10.0, 11.0, 12.0])
     };
-    let camera = CameraRecord::new("1", [7.0, 5.0, 8.0], [0.0; 3], [30.0, 6.3]);
+    let camera = records::camera("1", [7.0, 5.0, 8.0], [0.0; 3], [30.0, 6.3]);
     let expected = SceneRecord {
         background: DVec3::ZERO,
         cuboid: vec![cuboid],
@@ -85,18 +86,18 @@ fn every_key_is_read_and_integers_are_numbers() {
     let cuboid = CuboidRecord {
         rotation: DVec3::new(10.0, 20.0, -720.0),
         material: material([1.0, 4.0, 7.0].map(|x| [x, x + 1.0, x + 2.0]), 0.0),
-        ..CuboidRecord::new("é", [1.0, 2.0, 4.0], [-1.0, 2.0, 300.0])
+        ..records::cuboid("é", [1.0, 2.0, 4.0], [-1.0, 2.0, 300.0])
     };
     let light = LightRecord {
         color: DVec3::new(16.0, 15.0, 3.0),
         gain: 1e18,
         on: false,
-        ..LightRecord::new("l", LightKind::Specular, 1000.0, [1.0, 2.0, 3.0])
+        ..records::light("l", LightKind::Specular, 1000.0, [1.0, 2.0, 3.0])
     };
     let camera = CameraRecord {
         up: DVec3::X,
         near: Some(3.0),
-        ..CameraRecord::new("c", [0.0, 0.0, 9.0], [0.0, 0.0, 1.0], [179.0, 2.0])
+        ..records::camera("c", [0.0, 0.0, 9.0], [0.0, 0.0, 1.0], [179.0, 2.0])
     };
     let expected = SceneRecord {
         background: DVec3::new(0.0, 255.0, 1.5),

@@ -2,11 +2,12 @@
 
 use proptest::prelude::*;
 use shadetrade::components::{LightKind, Projection, ShadingMode, Tab, ViewMode};
-use shadetrade::scene::{BUILT_IN, LightRecord, Scene, SceneRecord, updated};
+use shadetrade::scene::{BUILT_IN, Scene, SceneRecord, updated};
 
 use super::{LEAST, MOST, random};
 use crate::support::cases::cases;
 use crate::support::random::Random;
+use crate::support::records;
 
 fn read(text: &str) -> SceneRecord {
     let scene = Scene::parse("text", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
@@ -217,7 +218,7 @@ fn the_camera_named_in_the_view_follows_renaming_and_removal() {
 fn added_tables_come_last_of_their_kind_and_removed_ones_take_their_comments_along() {
     let (_, text) = BUILT_IN[0];
     let added = edited(text, |record| {
-        let light = LightRecord::new("new", LightKind::Ambient, 5.0, [0.0; 3]);
+        let light = records::light("new", LightKind::Ambient, 5.0, [0.0; 3]);
         record.light.push(light);
     });
     let words = ["name = \"ambient\"", "name = \"new\"", "\n[[camera]]"];

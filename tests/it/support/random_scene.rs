@@ -7,6 +7,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Trans
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
 
 use super::random::Random;
+use super::records;
 
 /// A scene, given by its seed.
 #[derive(Clone, Debug)]
@@ -71,7 +72,7 @@ impl Case {
         let camera = CameraRecord {
             up,
             near: Some(random.between(1e-3, 1.0) * radius),
-            ..CameraRecord::new("random", eye, target, sees)
+            ..records::camera("random", eye, target, sees)
         };
         SceneRecord {
             background: DVec3::new(20.0, 20.0, 24.0),
@@ -98,7 +99,7 @@ impl Case {
                 specular: DVec3::new(0.3, 0.7, 1.0),
                 shininess: random.one_of(&[0.0, sharp, smooth, smooth, smooth, smooth]),
             },
-            ..CuboidRecord::new(index.to_string(), size, position)
+            ..records::cuboid(index.to_string(), size, position)
         }
     }
 }
@@ -135,6 +136,6 @@ fn light(
     LightRecord {
         color: DVec3::ZERO.map(|_| random.within(0.0, 1.0)),
         on: random.below(6) > 0,
-        ..LightRecord::new(index.to_string(), kind, levels, position)
+        ..records::light(index.to_string(), kind, levels, position)
     }
 }

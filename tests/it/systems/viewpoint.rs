@@ -6,10 +6,11 @@ use shadetrade::components::{
     Background, Camera, Lens, Orbit, Projection, ShadingMode, Spin, Tolerance, View, active_camera,
     names, overwrite,
 };
-use shadetrade::scene::{CameraRecord, CuboidRecord, Scene, SceneRecord};
+use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::viewpoint;
 
 use super::{PROJECTIONS, ahead, empty_frame};
+use crate::support::records;
 
 fn run(view: &View) -> Lens {
     let mut frame = empty_frame();
@@ -21,10 +22,10 @@ fn run(view: &View) -> Lens {
 fn cameras() -> Scene {
     let sees = [90.0, 20.0];
     let record = SceneRecord {
-        cuboid: vec![CuboidRecord::new("cube", DVec3::ONE, DVec3::ZERO)],
+        cuboid: vec![records::cuboid("cube", DVec3::ONE, DVec3::ZERO)],
         camera: vec![
-            CameraRecord::new("front", DVec3::Z * 10.0, DVec3::ZERO, sees),
-            CameraRecord::new("right", DVec3::X * 10.0, DVec3::ZERO, sees),
+            records::camera("front", DVec3::Z * 10.0, DVec3::ZERO, sees),
+            records::camera("right", DVec3::X * 10.0, DVec3::ZERO, sees),
         ],
         ..SceneRecord::default()
     };

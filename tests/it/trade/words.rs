@@ -19,8 +19,6 @@ const INVISIBLE: Trade = [(0.2, 0.31), (0.46, 0.2), (1.0, 0.0)];
 const NEARLY_AS_FAST: Trade = [(0.2, 165.0), (0.46, 0.5), (0.493, 0.0)];
 const TOO_SHORT: Trade = [(0.0, 165.0), (0.46, 0.5), (1.0, 0.0)];
 
-const NOTHING: &str = "nothing to trade";
-
 fn measured(trade: Trade) -> Vec<Measurement> {
     let methods = [(Gouraud, 0.5), (Phong, 0.5), (Phong, 0.0)];
     let measurement = |((mode, tolerance), (time, error))| {
@@ -31,17 +29,16 @@ fn measured(trade: Trade) -> Vec<Measurement> {
 
 /// For each trade and method (0 is Gouraud, 1 half a level, 2 exact): parts of the sentence, and parts that are not in it.
 const SENTENCES: &str = "\
-usual 0: 2.3 times faster|half a level|but off by 165 -- about as fast
-usual 1: 2.3 times slower|330 times more exact -- but|nothing to trade
-usual 2: 5 times slower|rounding|2.2 times faster -- nothing to trade
-alike 0: about as fast|and off by 165 -- times|but
-as-fast 0: exact Phong|2.3 times -- half
-as-fast 1: about as fast|nothing to trade -- but
-as-fast 2: nothing to trade -- 2.2
-faster 1: 1.5 times faster|nothing to trade -- as fast
+usual 0: 2.3 times faster|half a level|off by 165 -- about as fast
+usual 1: 2.2 times faster|exact Phong|off by 0.500 -- slower
+usual 2: 2.2 times slower|half a level|off by 0 -- faster
+alike 0: about as fast|half a level|off by 165 -- times
+as-fast 0: 2.3 times faster than exact Phong -- half
+as-fast 1: about as fast|exact Phong -- times
+as-fast 2: about as fast|half a level -- 2.2
+faster 1: 1.5 times slower|exact Phong -- as fast
 nearly 2: 1.07 times -- 1.072
-invisible 0: 2.3 times faster|0.310 -- but
-invisible 1: 2.3 times slower|0.200 -- more exact
+invisible 0: 2.3 times faster|0.310 -- slower
 too-short 0: faster -- times|inf|NaN";
 
 #[test]
@@ -71,15 +68,13 @@ fn the_sentence_states_only_measured_facts() {
     }
     assert_eq!(sentence(&measured(USUAL), Method::of(Phong, 0.7)), None);
     // Intervals that are so wide that they overlap allow no verdict.
-    for (trade, says) in [(USUAL, "not measurably"), (EXACT_IS_AS_FAST, "")] {
-        let mut noisy = measured(trade);
-        for one in &mut noisy {
-            one.timing.interval = [0.1, 2.0];
-        }
-        for one in &noisy {
-            let text = sentence(&noisy, one.method).expect("it is measured");
-            assert!(text.contains(says) && !text.contains(NOTHING), "{text}");
-        }
+    let mut noisy = measured(USUAL);
+    for one in &mut noisy {
+        one.timing.interval = [0.1, 2.0];
+    }
+    for one in &noisy {
+        let text = sentence(&noisy, one.method).expect("it is measured");
+        assert!(text.contains("not measurably"), "{text}");
     }
 }
 

@@ -8,6 +8,7 @@ use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
 
 use super::{PAUSE, Window};
+use crate::support::records;
 use crate::support::window::default_scene;
 
 /// A size so small that everything is computed at once.
@@ -134,11 +135,9 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 fn different_modes_are_mixed_until_a_key_makes_them_equal() {
     let mut scene = default_scene();
     let mut record = shadetrade::scene::SceneRecord::of(&scene.world);
-    record.cuboid.push(shadetrade::scene::CuboidRecord::new(
-        "other",
-        [1.0; 3],
-        [3.0, 0.0, 0.0],
-    ));
+    record
+        .cuboid
+        .push(records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]));
     record.cuboid[0].shading = ShadingMode::Gouraud;
     scene = Scene::spawn(scene.name, &record);
     let mut window = Window::of(scene, SMALL);

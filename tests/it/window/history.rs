@@ -6,10 +6,11 @@ use std::time::Duration;
 use egui::{Event, Key, Modifiers};
 use shadetrade::components::LightKind;
 use shadetrade::components::Spin;
-use shadetrade::scene::{LightRecord, SceneRecord};
+use shadetrade::scene::SceneRecord;
 use shadetrade::window::history::History;
 
 use super::{PAUSE, Window};
+use crate::support::records;
 use crate::support::window::default_scene;
 
 const CHANGES: [Key; 9] = [
@@ -136,7 +137,7 @@ fn ten_thousand_edits_keep_no_more_states_than_the_memory_limit_allows() {
     assert!((400..=500).contains(&steps), "{steps}");
     // 64 MiB in states of 512 bytes per entity.
     let mut large = record;
-    let light = LightRecord::new("light", LightKind::Diffuse, 1.0, [0.0; 3]);
+    let light = records::light("light", LightKind::Diffuse, 1.0, [0.0; 3]);
     large.light = vec![light; 10_000];
     let steps = steps_after(40, &large);
     assert!((8..=13).contains(&steps), "{steps}");

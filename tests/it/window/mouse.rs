@@ -4,15 +4,16 @@ use egui::{Key, Pos2, vec2};
 use shadetrade::components::LightKind;
 use shadetrade::components::{Inspector, Light, Probed, ShadingMode, Show, Spin, Tab, Transform};
 use shadetrade::frame::display_step;
-use shadetrade::scene::{LightRecord, Scene, SceneRecord};
+use shadetrade::scene::{Scene, SceneRecord};
 
 use super::{PAUSE, SIZE, Window};
+use crate::support::records;
 use crate::support::window::default_scene;
 
 /// A window on the default scene with a visible light beside the cuboid.
 fn with_light_in_sight() -> Window {
     let mut record = SceneRecord::of(&default_scene().world);
-    let light = LightRecord::new("near", LightKind::Diffuse, 50.0, [0.0, 2.0, 1.0]);
+    let light = records::light("near", LightKind::Diffuse, 50.0, [0.0, 2.0, 1.0]);
     record.light.push(light);
     Window::of(Scene::spawn("lit".to_owned(), &record), SIZE)
 }
