@@ -6,8 +6,7 @@
 //!          ShadingMode
 //! light    Name FileOrder Transform Light
 //! camera   Name FileOrder Transform Camera Orbit
-//! viewer   ActiveCamera Projection Background Tolerance
-//!          Budget Spin Show Probed Inspector
+//! viewer   Viewer Background
 //! ```
 //! A scene has one viewer. Keys and widgets write components. [`View::of`] alone reads those of the viewer and of its
 //! camera for a picture. [`Lens`] and [`Illumination`] are derived once a frame, for all cuboids.
@@ -37,6 +36,5 @@ pub use self::transform::{Transform, WorldTransform};
 pub use self::vector::{length, unit};
 pub use self::view::View;
 pub use self::viewer::{
-    ActiveCamera, Background, Budget, Inspector, Probed, Show, Side, Spin, Tab, Tolerance,
-    ViewMode, active_camera, look, viewer,
+    Background, Side, Tab, ViewMode, Viewer, active_camera, background, viewer, viewer_mut,
 };

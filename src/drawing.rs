@@ -7,7 +7,7 @@ use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
 
-use crate::components::{Budget, Name, ShadingMode, View, active_camera, get, look};
+use crate::components::{Name, ShadingMode, View, active_camera, get, viewer};
 use crate::frame::Workers;
 use crate::scene::Scene;
 
@@ -34,7 +34,7 @@ impl Drawing {
 
     /// The longest time of a frame, in milliseconds, where the method is chosen for that.
     pub fn budget(&self) -> Option<f64> {
-        look::<Budget>(&self.scene.world).0
+        viewer(&self.scene.world).budget
     }
 
     /// The shading mode of all cuboids, or `scene` if they differ.

@@ -14,8 +14,8 @@
 //!
 //! **Entities, components, systems.** All that a user can change is in a [`hecs::World`]. Its entities are cuboids, lights,
 //! cameras and one viewer; what each is made of are plain [`components`]: a cuboid has a `Transform`, a `Mesh`, a
-//! `Material` and a `ShadingMode`, the viewer has the `ActiveCamera`, the `Projection`, the `Tolerance` and the other
-//! settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
+//! `Material` and a `ShadingMode`; the viewer has a `Viewer` with the active camera, the projection, the tolerance and the
+//! other settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
 //!
 //! **A scene is data.** [`scene::SceneRecord`] is the world written down: [`scene::SceneRecord::spawn`] and
 //! [`scene::SceneRecord::of`] are inverse, serde reads it from a TOML file and writes it to JSON, and [`scene::updated`]
@@ -40,13 +40,13 @@
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
-//! use shadetrade::components::{ShadingMode, Tolerance, View, overwrite};
+//! use shadetrade::components::{ShadingMode, View, overwrite, viewer_mut};
 //! use shadetrade::frame::{Frame, Keep, Workers};
 //! use shadetrade::{scene::Scene, systems};
 //!
 //! let mut scene = Scene::load(None)?; // the built-in cuboid
 //! overwrite(&mut scene.world, &ShadingMode::Phong); // of every cuboid
-//! overwrite(&mut scene.world, &Tolerance(0.5)); // levels of 255, of the viewer
+//! viewer_mut(&mut scene.world).tolerance = 0.5; // levels of 255
 //! let view = View::of(&scene.world, [320, 240]);
 //! let mut frame = Frame::new(Keep::Display, Workers::new(1, fearless_simd::Level::new())?);
 //! systems::draw(&mut scene.world, &view, &mut frame)?;

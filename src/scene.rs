@@ -22,10 +22,10 @@ use anyhow::anyhow;
 use hecs::World;
 
 pub use self::check::{MAX_SIDE, Mistake};
-pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
+pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 pub use self::save::updated;
 pub use crate::components::range;
-use crate::components::{ActiveCamera, Camera, Light, Name, names, ordered, overwrite};
+use crate::components::{Camera, Light, Name, names, viewer_mut};
 
 /// In bytes: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most. Reading an endless device stops here.
 const LARGEST: u64 = 16 << 20;
@@ -168,11 +168,10 @@ impl Scene {
     /// If there is no such camera.
     pub fn look_from(&mut self, name: &str) -> anyhow::Result<()> {
         let cameras = names::<Camera>(&self.world);
-        let Some(place) = cameras.iter().position(|camera| camera == name) else {
+        if !cameras.iter().any(|camera| camera == name) {
             return Err(unknown("camera", name, &cameras));
-        };
-        let camera = ordered::<Camera>(&self.world)[place];
-        overwrite(&mut self.world, &ActiveCamera(camera));
+        }
+        viewer_mut(&mut self.world).camera = Some(name.to_owned());
         Ok(())
     }
 }

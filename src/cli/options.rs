@@ -12,7 +12,7 @@ use serde::de::DeserializeOwned;
 
 use super::failure::Failure;
 use crate::components::range::Milliseconds;
-use crate::components::{Budget, Projection, ShadingMode, Tolerance, overwrite};
+use crate::components::{Projection, ShadingMode, Viewer, overwrite, viewer_mut};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::Output;
 use crate::scene::{BUILT_IN, MAX_SIDE, Scene};
@@ -93,11 +93,11 @@ impl DrawingOptions {
             overwrite(&mut scene.world, &mode);
         }
         if let Some(projection) = self.projection {
-            overwrite(&mut scene.world, &projection);
+            viewer_mut(&mut scene.world).projection = projection;
         }
         if let Some(levels) = self.tolerance {
-            overwrite(&mut scene.world, &Tolerance(levels));
-            overwrite(&mut scene.world, &Budget(None));
+            let mut viewer = viewer_mut(&mut scene.world);
+            (viewer.tolerance, viewer.budget) = (levels, None);
         }
         Ok(Drawing {
             scene,
@@ -120,8 +120,8 @@ impl BudgetOption {
     /// Sets the budget in place of the tolerance, if one is given.
     pub fn apply_to(&self, drawing: &mut Drawing) {
         if self.budget.is_some() {
-            overwrite(&mut drawing.scene.world, &Tolerance::default());
-            overwrite(&mut drawing.scene.world, &Budget(self.budget));
+            let mut viewer = viewer_mut(&mut drawing.scene.world);
+            (viewer.tolerance, viewer.budget) = (Viewer::TOLERANCE, self.budget);
         }
     }
 }
@@ -180,7 +180,7 @@ pub fn pair(text: &str, separator: char) -> Option<[usize; 2]> {
 
 fn tolerance(text: &str) -> Result<f64, &'static str> {
     let message = "it is 0 (exact) or a number of levels from 0.0001 to 255";
-    number(text, Tolerance::is_legal, message)
+    number(text, Viewer::may_have, message)
 }
 
 fn budget(text: &str) -> Result<f64, &'static str> {

@@ -15,7 +15,7 @@ use super::mesh::Mesh;
 use super::range::{OrbitAngle, Zoom};
 use super::transform::Transform;
 use super::vector::{length, unit};
-use super::viewer::{Spin, active_camera, look};
+use super::viewer::{active_camera, viewer};
 
 /// The least distance of an orbit from a pole, in degrees, unless the camera's own place is closer.
 const POLE_DISTANCE: f64 = 1.0;
@@ -96,13 +96,13 @@ impl Orbit {
     /// The zooms that keep the active camera outside of the cuboids and near the scene.
     pub fn limits(world: &World) -> RangeInclusive<f64> {
         let from = Viewpoint::own(world, active_camera(world));
-        let spin: Spin = look(world);
+        let turned = viewer(world).turned;
         let target = from.camera.target;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         // The distance from the target to the farthest corner of the cuboid around it; 0 if there is none.
         let mut clearance: f64 = 0.0;
         for (mesh, transform) in world.query::<(&Mesh, &Transform)>().iter() {
-            let axes = transform.turned(spin.degrees).axes();
+            let axes = transform.turned(turned).axes();
             let inside = (axes.transpose() * (target - transform.position)).abs();
             let is_inside = inside.cmple(mesh.corners[7]).all();
             for corner in mesh.corners {

@@ -42,7 +42,7 @@ impl Transform {
     }
 }
 
-/// The place of a cuboid in one frame: its [`Transform`] turned by the viewer's [`Spin`](super::Spin).
+/// The place of a cuboid in one frame: its [`Transform`] turned as the [`Viewer`](super::Viewer) says.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WorldTransform {
     /// The centre, in world units.

@@ -5,7 +5,7 @@ use hecs::World;
 
 use super::camera::{Projection, Viewpoint};
 use super::surface::ShadingMode;
-use super::viewer::{Background, Spin, Tolerance, active_camera, look};
+use super::viewer::{active_camera, background, viewer};
 
 /// The settings of one frame.
 #[derive(Clone, Debug)]
@@ -32,14 +32,15 @@ impl View {
     /// # Panics
     /// If there is no viewer or no camera.
     pub fn of(world: &World, size: [usize; 2]) -> View {
+        let viewer = viewer(world);
         View {
             size,
             viewpoint: Viewpoint::of(world, active_camera(world)),
-            projection: look(world),
-            background: look::<Background>(world).0,
-            turned: look::<Spin>(world).degrees,
+            projection: viewer.projection,
+            background: background(world),
+            turned: viewer.turned,
             shading: None,
-            tolerance: look::<Tolerance>(world).0,
+            tolerance: viewer.tolerance,
         }
     }
 

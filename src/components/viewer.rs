@@ -1,57 +1,93 @@
 //! The viewer: one entity with the settings of the picture and of the window.
 
 use glam::DVec3;
-use hecs::{Component, Entity, World};
-use serde::{Deserialize, Serialize};
+use hecs::{Entity, Ref, RefMut, World};
+use serde::{Deserialize, Deserializer, Serialize};
 
-use super::camera::Camera;
-use super::entity::{get, ordered};
+use super::camera::{Camera, Projection};
+use super::entity::{names, ordered};
+use super::range::{Milliseconds, Share, array};
 use super::surface::ShadingMode;
 
-/// The camera of the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ActiveCamera(pub Entity);
+/// The viewer, a component of one entity: the table `[view]` of a scene file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Viewer {
+    /// The name of the active camera; `None` is the first one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub camera: Option<String>,
+    pub projection: Projection,
+    /// The largest error of a shaded pixel against the exact evaluation of its mode, in levels.
+    pub tolerance: f64,
+    /// The longest time of a frame, in milliseconds, in place of the tolerance. The most exact method within it draws;
+    /// before times are measured it is the default tolerance.
+    #[serde(
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "Milliseconds::some"
+    )]
+    pub budget: Option<f64>,
+    pub show: ViewMode,
+    /// Left and right of the divider of a wipe.
+    #[serde(deserialize_with = "array")]
+    pub sides: [Side; 2],
+    /// The place of the divider, as a share of the picture's width.
+    #[serde(deserialize_with = "Share::one")]
+    pub divider: f64,
+    /// Degrees that all cuboids have turned about their own x axes, 0..360. Whole degrees from the scene's own angle: a full
+    /// turn ends where it began, bit for bit.
+    pub turned: u32,
+    /// The pixel that the inspector explains.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
+    pub pixel: Option<[usize; 2]>,
+    /// The open tab of the window's inspector; `None` is folded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inspector: Option<Tab>,
+    /// Whether the cuboids keep turning. It is not part of a scene.
+    #[serde(skip)]
+    pub turns: bool,
+}
 
-/// The colour of pixels without a cuboid, in levels.
+impl Viewer {
+    /// The default tolerance, in levels. It changes a byte by at most one.
+    pub const TOLERANCE: f64 = 0.5;
+    /// The least tolerance above 0, in levels. Levels are f32, which near 255 are 1.5e-5 apart.
+    pub const LEAST_TOLERANCE: f64 = 1e-4;
+
+    /// Whether a tolerance is 0 or in range.
+    pub fn may_have(tolerance: f64) -> bool {
+        tolerance == 0.0 || (Viewer::LEAST_TOLERANCE..=255.0).contains(&tolerance)
+    }
+}
+
+impl Default for Viewer {
+    fn default() -> Self {
+        let side = |mode| Side::Method {
+            mode,
+            tolerance: Viewer::TOLERANCE,
+        };
+        Viewer {
+            camera: None,
+            projection: Projection::default(),
+            tolerance: Viewer::TOLERANCE,
+            budget: None,
+            show: ViewMode::Picture,
+            sides: [ShadingMode::Gouraud, ShadingMode::Phong].map(side),
+            divider: 0.5,
+            turned: 0,
+            pixel: None,
+            inspector: None,
+            turns: false,
+        }
+    }
+}
+
+fn pixel<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[usize; 2]>, D::Error> {
+    array(from).map(Some)
+}
+
+/// The colour of pixels without a cuboid, in levels; a component of the viewer's entity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Background(pub DVec3);
-
-/// The largest error of a shaded pixel against the exact evaluation of its mode, in levels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerance(pub f64);
-
-impl Tolerance {
-    /// The least tolerance above 0, in levels. Levels are f32, which near 255 are 1.5e-5 apart.
-    pub const LEAST: f64 = 1e-4;
-
-    /// Whether the tolerance is 0 or in range.
-    pub fn is_legal(levels: f64) -> bool {
-        levels == 0.0 || (Tolerance::LEAST..=255.0).contains(&levels)
-    }
-}
-
-impl Default for Tolerance {
-    /// It changes a byte by at most one.
-    fn default() -> Self {
-        Tolerance(0.5)
-    }
-}
-
-/// The longest time of a frame, in milliseconds. The most exact method within it draws; before times are measured it is
-/// the default tolerance. `None` keeps the tolerance.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Budget(pub Option<f64>);
-
-/// The rotation of all cuboids about their own x axes since the scene was loaded.
-///
-/// It counts whole degrees from the scene's own angle, so a full turn ends where it began, bit for bit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Spin {
-    /// 0..360.
-    pub degrees: u32,
-    /// Whether the cuboids keep turning.
-    pub on: bool,
-}
 
 /// The view in the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -100,7 +136,7 @@ impl TryFrom<String> for Side {
     fn try_from(text: String) -> Result<Self, String> {
         let method = |mode, levels: &str| {
             let tolerance = levels.parse().ok();
-            let tolerance = tolerance.filter(|it| Tolerance::is_legal(*it))?;
+            let tolerance = tolerance.filter(|it| Viewer::may_have(*it))?;
             Some(Side::Method { mode, tolerance })
         };
         let side = match text.split_once('-') {
@@ -120,38 +156,6 @@ impl TryFrom<String> for Side {
     }
 }
 
-/// The view in the window, and its wipe.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Show {
-    pub mode: ViewMode,
-    /// Left and right of the divider.
-    pub sides: [Side; 2],
-    /// The place of the divider, as a share of the picture's width, 0..=1.
-    pub divider: f64,
-}
-
-impl Default for Show {
-    fn default() -> Self {
-        let side = |mode| Side::Method {
-            mode,
-            tolerance: 0.5,
-        };
-        Show {
-            mode: ViewMode::Picture,
-            sides: [ShadingMode::Gouraud, ShadingMode::Phong].map(side),
-            divider: 0.5,
-        }
-    }
-}
-
-/// The pixel that the inspector explains.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Probed(pub Option<[usize; 2]>);
-
-/// The open tab of the window's inspector; `None` is folded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Inspector(pub Option<Tab>);
-
 /// A page of the window's inspector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -166,36 +170,45 @@ pub enum Tab {
     Proof,
 }
 
+fn viewer_entity(world: &World) -> Entity {
+    let mut viewers = world.query::<(Entity, &Viewer)>();
+    let found = viewers.iter().next().map(|(entity, _)| entity);
+    found.expect("a scene is spawned with a viewer")
+}
+
 /// The viewer.
 ///
 /// # Panics
 /// If there is none; a spawned scene has one.
-pub fn viewer(world: &World) -> Entity {
-    let mut viewers = world.query::<(Entity, &ActiveCamera)>();
-    let (viewer, _) = viewers
-        .iter()
-        .next()
-        .expect("a scene is spawned with a viewer");
-    viewer
+pub fn viewer(world: &World) -> Ref<'_, Viewer> {
+    let viewer = world.get::<&Viewer>(viewer_entity(world));
+    viewer.expect("it was just found")
 }
 
-/// A component of the viewer.
+/// The viewer, to be changed.
 ///
 /// # Panics
-/// If there is no viewer.
-pub fn look<C: Component + Clone + Default>(world: &World) -> C {
-    get(world, viewer(world)).unwrap_or_default()
+/// As [`viewer`].
+pub fn viewer_mut(world: &mut World) -> RefMut<'_, Viewer> {
+    let viewer = world.get::<&mut Viewer>(viewer_entity(world));
+    viewer.expect("it was just found")
 }
 
-/// The camera of the picture: that of the viewer, or the first one if that was removed.
+/// The colour of pixels without a cuboid, in levels; black if there is no viewer.
+pub fn background(world: &World) -> DVec3 {
+    let mut backgrounds = world.query::<&Background>();
+    backgrounds.iter().next().copied().unwrap_or_default().0
+}
+
+/// The active camera of the viewer, or the first one if there is no camera of its name.
 ///
 /// # Panics
 /// If there is no camera.
 pub fn active_camera(world: &World) -> Entity {
-    let mut cameras = world.query::<&ActiveCamera>();
-    let active = cameras.iter().next().map(|active| active.0);
-    active
-        .filter(|camera| world.satisfies::<&Camera>(*camera))
-        .or_else(|| ordered::<Camera>(world).first().copied())
+    let name = viewer(world).camera.clone();
+    let index = name.and_then(|name| names::<Camera>(world).iter().position(|it| *it == name));
+    let cameras = ordered::<Camera>(world);
+    *cameras
+        .get(index.unwrap_or(0))
         .expect("a scene is spawned with a camera")
 }

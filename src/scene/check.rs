@@ -8,9 +8,9 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::record::{CameraRecord, LightRecord, SceneRecord, ViewRecord};
+use super::record::{CameraRecord, LightRecord, SceneRecord};
 use crate::components::range::Length;
-use crate::components::{LightKind, Tolerance, length, unit};
+use crate::components::{LightKind, Viewer, length, unit};
 
 /// `up` and the view are parallel if the sine of their angle is smaller.
 const PARALLEL: f64 = 1e-9;
@@ -91,7 +91,7 @@ impl SceneRecord {
         for (index, camera) in self.camera.iter().enumerate() {
             camera.check().map_err(at("camera", index))?;
         }
-        self.view.check(&cameras).map_err(at("view", 0))
+        check_viewer(&self.view, &cameras).map_err(at("view", 0))
     }
 }
 
@@ -139,24 +139,23 @@ impl CameraRecord {
     }
 }
 
-impl ViewRecord {
-    fn check(&self, cameras: &[&str]) -> Result<(), Fault> {
-        let tolerance = self.tolerance;
-        let expected = "0 or a number from 0.0001 to 255";
-        let is_legal = Tolerance::is_legal(tolerance);
-        require(is_legal, "tolerance", tolerance, expected)?;
-        let budget = self.budget.unwrap_or_default();
-        let is_alone = self.budget.is_none() || tolerance == Tolerance::default().0;
-        require(is_alone, "budget", budget, "either a budget or a tolerance")?;
-        let expected = "a whole number of degrees from 0 to 359";
-        require(self.turned < 360, "turned", self.turned, expected)?;
-        let pixel = self.pixel.unwrap_or_default();
-        let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
-        let expected = "two whole numbers from 0 to 16383";
-        require(is_pixel, "pixel", pixel, expected)?;
-        let camera = self.camera.as_deref();
-        let is_known = camera.is_none_or(|name| cameras.contains(&name));
-        let expected = format!("the name of a camera: {}", cameras.join(", "));
-        require(is_known, "camera", camera.unwrap_or_default(), &expected)
-    }
+/// Checks the viewer against the names of the cameras.
+fn check_viewer(view: &Viewer, cameras: &[&str]) -> Result<(), Fault> {
+    let tolerance = view.tolerance;
+    let expected = "0 or a number from 0.0001 to 255";
+    let is_legal = Viewer::may_have(tolerance);
+    require(is_legal, "tolerance", tolerance, expected)?;
+    let budget = view.budget.unwrap_or_default();
+    let is_alone = view.budget.is_none() || tolerance == Viewer::TOLERANCE;
+    require(is_alone, "budget", budget, "either a budget or a tolerance")?;
+    let expected = "a whole number of degrees from 0 to 359";
+    require(view.turned < 360, "turned", view.turned, expected)?;
+    let pixel = view.pixel.unwrap_or_default();
+    let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
+    let expected = "two whole numbers from 0 to 16383";
+    require(is_pixel, "pixel", pixel, expected)?;
+    let camera = view.camera.as_deref();
+    let is_known = camera.is_none_or(|name| cameras.contains(&name));
+    let expected = format!("the name of a camera: {}", cameras.join(", "));
+    require(is_known, "camera", camera.unwrap_or_default(), &expected)
 }

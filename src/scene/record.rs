@@ -6,15 +6,10 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
-use crate::components::range::{
-    Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, Share, Strength, array,
-};
-use crate::components::{
-    LightKind, Material, Orbit, Projection, ShadingMode, Show, Side, Tab, Tolerance, ViewMode,
-    table,
-};
+use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
+use crate::components::{LightKind, Material, Orbit, ShadingMode, Viewer, table};
 
 /// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -31,7 +26,7 @@ pub struct SceneRecord {
     #[serde(deserialize_with = "table::all")]
     pub camera: Vec<CameraRecord>,
     #[serde(default, deserialize_with = "table::one")]
-    pub view: ViewRecord,
+    pub view: Viewer,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -96,52 +91,6 @@ pub struct CameraRecord {
     pub orbit: Orbit,
 }
 
-/// The state of the viewer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct ViewRecord {
-    /// `None` is the first camera.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub camera: Option<String>,
-    pub projection: Projection,
-    pub tolerance: f64,
-    /// In place of the tolerance, in milliseconds a frame.
-    #[serde(
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "Milliseconds::some"
-    )]
-    pub budget: Option<f64>,
-    pub show: ViewMode,
-    #[serde(deserialize_with = "array")]
-    pub sides: [Side; 2],
-    #[serde(deserialize_with = "Share::one")]
-    pub divider: f64,
-    /// Degrees that all cuboids have turned, 0..360.
-    pub turned: u32,
-    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
-    pub pixel: Option<[usize; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub inspector: Option<Tab>,
-}
-
-impl Default for ViewRecord {
-    fn default() -> Self {
-        let show = Show::default();
-        ViewRecord {
-            camera: None,
-            projection: Projection::default(),
-            tolerance: Tolerance::default().0,
-            budget: None,
-            show: show.mode,
-            sides: show.sides,
-            divider: show.divider,
-            turned: 0,
-            pixel: None,
-            inspector: None,
-        }
-    }
-}
-
 fn one() -> f64 {
     1.0
 }
@@ -152,10 +101,6 @@ fn yes() -> bool {
 
 fn y() -> DVec3 {
     DVec3::Y
-}
-
-fn pixel<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[usize; 2]>, D::Error> {
-    array(from).map(Some)
 }
 
 impl SceneRecord {

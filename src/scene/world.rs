@@ -2,11 +2,11 @@
 
 use hecs::World;
 
-use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
+use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 use crate::components::{
-    ActiveCamera, Background, Budget, Camera, FileOrder, Inspector, Light, LightKind, Material,
-    Mesh, Name, Normals, Orbit, Probed, Projected, ShadingMode, Show, Spin, Tolerance, Transform,
-    VertexColors, WorldTransform, active_camera, get, in_file_order, look, ordered,
+    Background, Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Normals, Orbit,
+    Projected, ShadingMode, Transform, VertexColors, Viewer, WorldTransform, background,
+    in_file_order, viewer,
 };
 
 type CuboidParts<'a> = (
@@ -57,34 +57,22 @@ impl SceneRecord {
                 near: camera.near,
                 orbit: *orbit,
             });
-        let active = active_camera(world);
-        let is_first = ordered::<Camera>(world).first() == Some(&active);
-        let name = get(world, active).map(|Name(name)| name);
-        let show: Show = look(world);
+        let mut view = Viewer::clone(&viewer(world));
+        view.turns = false;
+        // A camera that is gone, or the first one, has no name here.
+        view.camera = view
+            .camera
+            .filter(|name| camera.iter().skip(1).any(|it| it.name == *name));
         SceneRecord {
-            background: look::<Background>(world).0,
+            background: background(world),
             cuboid,
             light,
             camera,
-            view: ViewRecord {
-                camera: name.filter(|_| !is_first),
-                projection: look(world),
-                tolerance: look::<Tolerance>(world).0,
-                budget: look::<Budget>(world).0,
-                show: show.mode,
-                sides: show.sides,
-                divider: show.divider,
-                turned: look::<Spin>(world).degrees,
-                pixel: look::<Probed>(world).0,
-                inspector: look::<Inspector>(world).0,
-            },
+            view,
         }
     }
 
     /// The world of this record.
-    ///
-    /// # Panics
-    /// If there is no camera.
     pub fn spawn(&self) -> World {
         let mut world = World::new();
         for (order, it) in (0..).map(FileOrder).zip(&self.cuboid) {
@@ -117,7 +105,6 @@ impl SceneRecord {
             let place = Transform::at(it.position.unwrap_or_default());
             world.spawn((Name(it.name.clone()), order, place, light));
         }
-        let mut cameras = Vec::with_capacity(self.camera.len());
         for (order, it) in (0..).map(FileOrder).zip(&self.camera) {
             let camera = Camera {
                 target: it.target,
@@ -127,27 +114,9 @@ impl SceneRecord {
                 near: it.near,
             };
             let (name, place) = (Name(it.name.clone()), Transform::at(it.position));
-            cameras.push(world.spawn((name, order, place, camera, it.orbit)));
+            world.spawn((name, order, place, camera, it.orbit));
         }
-        let view = &self.view;
-        world.spawn((
-            ActiveCamera(cameras[self.active_camera().unwrap_or(0)]),
-            Background(self.background),
-            view.projection,
-            Tolerance(view.tolerance),
-            Budget(view.budget),
-            Spin {
-                degrees: view.turned,
-                on: false,
-            },
-            Show {
-                mode: view.show,
-                sides: view.sides,
-                divider: view.divider,
-            },
-            Probed(view.pixel),
-            Inspector(view.inspector),
-        ));
+        world.spawn((self.view.clone(), Background(self.background)));
         world
     }
 }

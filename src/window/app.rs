@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use egui::{Event, OutputCommand, Rect, ViewportId};
 use fearless_simd::Level;
-use hecs::Component;
+use hecs::{Ref, RefMut};
 use rayon::ThreadPool;
 
 use super::changes::{is_another_method, is_another_view, shown};
@@ -24,7 +24,7 @@ use super::file::{INTERVAL, SceneFile};
 use super::history::History;
 use super::pictures::Pictures;
 use super::recording::Recorder;
-use crate::components::{Spin, ViewMode, get, viewer};
+use crate::components::{ViewMode, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
 use crate::scene::{Scene, SceneRecord};
@@ -137,17 +137,14 @@ impl App {
         })
     }
 
-    /// A component of the viewer.
-    pub fn look<C: Component + Clone + Default>(&self) -> C {
-        let world = &self.scene.world;
-        get(world, viewer(world)).unwrap_or_default()
+    /// The viewer of the scene.
+    pub fn viewer(&self) -> Ref<'_, Viewer> {
+        viewer(&self.scene.world)
     }
 
-    /// Overwrites a component of the viewer.
-    pub fn set_look<C: Component>(&mut self, component: C) {
-        let viewer = viewer(&self.scene.world);
-        // A scene's viewer is never despawned.
-        let _ = self.scene.world.insert_one(viewer, component);
+    /// The viewer of the scene, to be changed.
+    pub fn viewer_mut(&mut self) -> RefMut<'_, Viewer> {
+        viewer_mut(&mut self.scene.world)
     }
 
     /// Pixels of the window in a point of egui.
@@ -211,12 +208,13 @@ impl App {
         self.copy_picture(size);
         let commands = std::mem::take(&mut output.platform_output.commands);
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
-        let spin = self.look::<Spin>().on;
         let waits = [
             viewport.map(|it| it.repaint_delay),
             self.moved.map(|_| REST),
             self.desk.blinks.map(|_| TURN / 10),
-            spin.then(|| self.next_degree.saturating_sub(now)),
+            self.viewer()
+                .turns
+                .then(|| self.next_degree.saturating_sub(now)),
             self.file.path.as_ref().map(|_| INTERVAL),
         ];
         let repaint_after = waits.into_iter().flatten().min();
@@ -242,9 +240,9 @@ impl App {
 
     /// Puts the World into another state.
     pub fn restore(&mut self, record: &SceneRecord) {
-        let on = self.look::<Spin>().on;
+        let turns = self.viewer().turns;
         self.scene.world = record.spawn();
-        self.set_look(Spin { on, ..self.look() });
+        self.viewer_mut().turns = turns;
     }
 
     /// Notes the difference that keys and widgets made.
@@ -300,23 +298,19 @@ impl App {
     }
 
     fn spin_on(&mut self) {
-        let mut spin: Spin = self.look();
-        let Some(late) = self.now.checked_sub(self.next_degree).filter(|_| spin.on) else {
+        let late = self.now.checked_sub(self.next_degree);
+        let Some(late) = late.filter(|_| self.viewer().turns) else {
             return;
         };
         let degrees = 1 + (late.as_millis() / DEGREE.as_millis()) as u32;
         self.next_degree += DEGREE * degrees;
-        spin.degrees = (spin.degrees + degrees) % 360;
-        self.set_look(spin);
+        let turned = self.viewer().turned + degrees;
+        self.viewer_mut().turned = turned % 360;
     }
 
     /// Starts and stops the rotation.
     pub fn rotate(&mut self) {
-        let spin: Spin = self.look();
         self.next_degree = self.now + DEGREE;
-        self.set_look(Spin {
-            on: !spin.on,
-            ..spin
-        });
+        self.viewer_mut().turns ^= true;
     }
 }

@@ -8,7 +8,7 @@ use super::app::App;
 use super::keys::Command;
 use super::widgets::{short, slider, two_digits};
 use crate::components::range::Milliseconds;
-use crate::components::{Budget, ShadingMode, Tolerance};
+use crate::components::{ShadingMode, Viewer};
 use crate::report::words::capital;
 use crate::trade::budget::{Hold, fitting, held, ladder, over};
 use crate::trade::verdict::method_name;
@@ -27,7 +27,7 @@ impl App {
     /// Chooses the method of the next picture where there is a budget. It is the most exact one that was measured to fit;
     /// where the view is another one since, the last frame decides. Where nothing was measured the tolerance is drawn.
     pub fn hold_time(&mut self) {
-        let Budget(budget) = self.look();
+        let budget = self.viewer().budget;
         let measured = self.facts.trade.value.as_deref().unwrap_or_default();
         let (methods, costs) = ladder(measured);
         let held = budget.filter(|_| !methods.is_empty()).map(|budget| {
@@ -57,11 +57,11 @@ impl App {
     pub fn set_budget(&mut self, budget: Option<f64>) {
         match (budget, self.held) {
             (None, Some(method)) => self.choose_method(method),
-            (None, None) => self.set_look(Budget(None)),
+            (None, None) => self.viewer_mut().budget = None,
             (Some(budget), _) => {
                 let (least, most) = Milliseconds::RANGE.into_inner();
-                self.set_tolerance(Tolerance::default().0);
-                self.set_look(Budget(Some(two_digits(budget.clamp(least, most)))));
+                self.set_tolerance(Viewer::TOLERANCE);
+                self.viewer_mut().budget = Some(two_digits(budget.clamp(least, most)));
             }
         }
     }
@@ -71,7 +71,7 @@ impl App {
         let time = self.milliseconds();
         let time = time.filter(|_| self.facts.trade.is_current);
         let next = time.map_or(FIRST, |time| 1.1 * time);
-        let Budget(budget) = self.look();
+        let budget = self.viewer().budget;
         self.set_budget(budget.is_none().then_some(next));
     }
 
@@ -82,7 +82,7 @@ impl App {
 
     /// The switch between error and time, and the budget's slider and outcome.
     pub fn budget_rows(&mut self, ui: &mut Ui) {
-        let Budget(budget) = self.look();
+        let budget = self.viewer().budget;
         ui.horizontal_wrapped(|ui| {
             let error = ui.selectable_label(budget.is_none(), "hold the error");
             let says = "Every picture is drawn within the tolerance, however long it takes.";

@@ -6,9 +6,9 @@ use super::app::App;
 use super::keys::{self, Command, EXACT_SIDES, TOLERANCES, gouraud_phong};
 use super::tags::choices;
 use crate::components::{
-    ActiveCamera, Budget, Camera, Inspector, Light, Orbit, Probed, Projection, ShadingMode, Show,
-    Side, Spin, Tolerance, ViewMode, active_camera, names, ordered,
+    Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered,
 };
+use crate::drawing::camera_name;
 use crate::scene::SceneRecord;
 
 impl App {
@@ -62,26 +62,27 @@ impl App {
                 }
             }
             Command::Shading(mode) => self.shade(mode),
-            Command::Tolerance(steps) => match self.look() {
-                Budget(Some(budget)) => self.step_budget(budget, steps),
-                Budget(None) => self.step_tolerance(steps),
-            },
+            Command::Tolerance(steps) => {
+                let budget = self.viewer().budget;
+                match budget {
+                    Some(budget) => self.step_budget(budget, steps),
+                    None => self.step_tolerance(steps),
+                }
+            }
             Command::HoldTime => self.switch_budget(),
-            Command::NextProjection => self.set_look(match self.look() {
-                Projection::Perspective => Projection::Orthographic,
-                Projection::Orthographic => Projection::Perspective,
-            }),
+            Command::NextProjection => {
+                let mut viewer = self.viewer_mut();
+                viewer.projection = match viewer.projection {
+                    Projection::Perspective => Projection::Orthographic,
+                    Projection::Orthographic => Projection::Perspective,
+                };
+            }
             Command::NextCamera => self.next_camera(),
             Command::View(ViewMode::Wipe) => {
-                let Tolerance(tolerance) = self.look();
+                let tolerance = self.viewer().tolerance;
                 self.wipe(gouraud_phong(tolerance));
             }
-            Command::View(mode) => {
-                self.set_look(Show {
-                    mode,
-                    ..self.look()
-                });
-            }
+            Command::View(mode) => self.viewer_mut().show = mode,
             Command::WipeExact => self.wipe(EXACT_SIDES),
             Command::Side(index, steps) => self.step_side(index, steps),
             Command::Worst => self.explain_worst(),
@@ -91,16 +92,14 @@ impl App {
             Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
             Command::Zoom(steps) => self.zoom(steps),
             Command::ResetView => {
-                self.set_look(Spin {
-                    degrees: 0,
-                    ..self.look()
-                });
+                self.viewer_mut().turned = 0;
                 self.change_orbit("the view is reset", |_| Orbit::default());
             }
             Command::Rotate => self.rotate(),
             Command::Tab(tab) => {
-                let is_open = self.look::<Inspector>().0 == Some(tab);
-                self.set_look(Inspector((!is_open).then_some(tab)));
+                let mut viewer = self.viewer_mut();
+                let is_open = viewer.inspector == Some(tab);
+                viewer.inspector = (!is_open).then_some(tab);
             }
             Command::Undo => {
                 let before = self.history.undo(&self.state);
@@ -128,7 +127,7 @@ impl App {
 
     /// Shades every cuboid in this mode, whatever time that takes.
     pub(super) fn shade(&mut self, mode: ShadingMode) {
-        self.set_look(Budget(None));
+        self.viewer_mut().budget = None;
         for own in self.scene.world.query_mut::<&mut ShadingMode>() {
             *own = mode;
         }
@@ -144,7 +143,7 @@ impl App {
 
     /// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.
     fn step_tolerance(&mut self, steps: i32) {
-        let Tolerance(present) = self.look();
+        let present = self.viewer().tolerance;
         let mut tolerances = TOLERANCES.into_iter();
         let next = if steps > 0 {
             tolerances.find(|next| *next > present)
@@ -160,9 +159,9 @@ impl App {
 
     /// Draws within this many levels. The sides of a wipe that had the tolerance before follow.
     pub fn set_tolerance(&mut self, levels: f64) {
-        let Tolerance(before) = self.look();
-        let mut show: Show = self.look();
-        for side in &mut show.sides {
+        let mut viewer = self.viewer_mut();
+        let before = viewer.tolerance;
+        for side in viewer.sides.iter_mut() {
             if let Side::Method { mode, tolerance } = side
                 && *tolerance == before
                 && *mode != ShadingMode::UnitVectors
@@ -170,35 +169,29 @@ impl App {
                 *tolerance = levels;
             }
         }
-        self.set_look(show);
-        self.set_look(Tolerance(levels));
-        self.set_look(Budget(None));
+        (viewer.tolerance, viewer.budget) = (levels, None);
     }
 
     fn next_camera(&mut self) {
-        let cameras = ordered::<Camera>(&self.scene.world);
+        let cameras = names::<Camera>(&self.scene.world);
         if cameras.len() == 1 {
             return self.say("there is one camera");
         }
-        let active = active_camera(&self.scene.world);
+        let active = camera_name(&self.scene.world);
         let place = cameras.iter().position(|camera| *camera == active);
         let next = (place.unwrap_or_default() + 1) % cameras.len();
-        self.set_look(ActiveCamera(cameras[next]));
+        self.viewer_mut().camera = Some(cameras[next].clone());
     }
 
     /// Shows a wipe between these sides.
     pub fn wipe(&mut self, sides: [Side; 2]) {
-        let show: Show = self.look();
-        self.set_look(Show {
-            mode: ViewMode::Wipe,
-            sides,
-            ..show
-        });
+        let mut viewer = self.viewer_mut();
+        (viewer.show, viewer.sides) = (ViewMode::Wipe, sides);
     }
 
     /// Shows the wipe with another of the choices on one side.
     fn step_side(&mut self, index: usize, steps: i32) {
-        let Show { mut sides, .. } = self.look();
+        let mut sides = self.viewer().sides;
         let choices = choices();
         let present = choices.iter().position(|choice| *choice == sides[index]);
         let next = present.map_or(0, |place| place as i32 + steps);
@@ -209,7 +202,7 @@ impl App {
     /// Moves the probed pixel within the picture; the first one is in the middle.
     fn step_probed(&mut self, steps: [i32; 2]) {
         let size = self.picture_size();
-        let Probed(before) = self.look();
+        let before = self.viewer().pixel;
         let moved = |pixel: [usize; 2], axis: usize| {
             let moved = pixel[axis].saturating_add_signed(steps[axis] as isize);
             moved.min(size[axis] - 1)
@@ -229,10 +222,9 @@ impl App {
 
     /// Folds the panel, or opens it in the place of the inspector that hides it.
     pub(super) fn fold_panel(&mut self) {
-        let Inspector(tab) = self.look();
-        let is_hidden = !self.desk.has_both && tab.is_some();
+        let is_hidden = !self.desk.has_both && self.viewer().inspector.is_some();
         if is_hidden {
-            self.set_look(Inspector(None));
+            self.viewer_mut().inspector = None;
         }
         self.desk.panel_folded = !is_hidden && !self.desk.panel_folded;
     }
@@ -244,12 +236,10 @@ impl App {
         if is_closed {
             return;
         }
-        let (Probed(pixel), Inspector(tab)) = (self.look(), self.look());
-        if pixel.is_some() {
-            self.set_look(Probed(None));
-        } else if tab.is_some() {
-            self.set_look(Inspector(None));
-        } else {
+        let mut viewer = self.viewer_mut();
+        let is_closed = viewer.pixel.take().is_some() || viewer.inspector.take().is_some();
+        drop(viewer);
+        if !is_closed {
             self.say("Q quits");
         }
     }

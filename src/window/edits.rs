@@ -9,8 +9,9 @@ use super::changes::has_edits;
 use super::facts::Facts;
 use super::file::SceneFile;
 use super::history::History;
+use crate::components::Viewer;
 use crate::output::quoted;
-use crate::scene::{CameraRecord, Scene, SceneRecord, ViewRecord};
+use crate::scene::{CameraRecord, Scene, SceneRecord};
 
 impl App {
     /// Whether the scene was edited since it was saved.
@@ -78,7 +79,7 @@ impl App {
             let view = self.state.view.clone();
             let is_there = |name: &String| find(&record.camera, name).is_some();
             let camera = view.camera.clone().filter(is_there).or(own);
-            record.view = ViewRecord { camera, ..view };
+            record.view = Viewer { camera, ..view };
         }
         for camera in &mut record.camera {
             if find(&saved.camera, &camera.name) == Some(camera.orbit) {

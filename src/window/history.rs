@@ -3,7 +3,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::scene::{SceneRecord, ViewRecord};
+use crate::components::Viewer;
+use crate::scene::SceneRecord;
 
 /// The memory that all states together may take, and that of an entity in a state, in bytes.
 const MEMORY: usize = 64 << 20;
@@ -77,7 +78,7 @@ impl History {
 fn seen_as(record: &SceneRecord, present: &SceneRecord) -> SceneRecord {
     let place = &present.view;
     SceneRecord {
-        view: ViewRecord {
+        view: Viewer {
             turned: place.turned,
             pixel: place.pixel,
             inspector: place.inspector,

@@ -11,7 +11,7 @@ use egui::{Grid, ProgressBar, ScrollArea, Ui};
 use super::app::App;
 use super::facts::Fact;
 use super::widgets::{ink, short};
-use crate::components::{Inspector, Tab, Tolerance};
+use crate::components::Tab;
 use crate::requires::PartChange;
 use crate::requires::bits::StageBits;
 
@@ -27,7 +27,7 @@ const TABS: [(Tab, &str, &str); 4] = [
 impl App {
     /// Lays out the tabs and the one that is open.
     pub fn inspector(&mut self, ui: &mut Ui) {
-        let Inspector(open) = self.look();
+        let open = self.viewer().inspector;
         let mut tab = open.unwrap_or(Tab::Pixel);
         ui.add_space(4.0);
         let mut is_folded = false;
@@ -41,7 +41,7 @@ impl App {
         });
         let next = (!is_folded).then_some(tab);
         if next != open {
-            self.set_look(Inspector(next));
+            self.viewer_mut().inspector = next;
         }
         ui.separator();
         let scroll = ScrollArea::both().auto_shrink(false).id_salt(tab);
@@ -55,7 +55,7 @@ impl App {
 
     /// A row for each part of the model, the one with the largest error first.
     fn required_tab(&self, ui: &mut Ui) {
-        let Tolerance(tolerance) = self.look();
+        let tolerance = self.viewer().tolerance;
         ui.label(format!(
             "The largest error of the picture without a part, in levels of 255, proven; and whether \
              tolerance {tolerance} requires the part."

@@ -9,7 +9,7 @@ use super::facts::Facts;
 use super::keys::{BINDINGS, caption_of};
 use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::short;
-use crate::components::{Inspector, Show, Side, Tab, ViewMode};
+use crate::components::{Side, Tab, ViewMode};
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
@@ -30,7 +30,7 @@ impl App {
         self.desk.has_both = width >= 4.0 * LEAST;
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
-        let has_inspector = self.look::<Inspector>().0.is_some();
+        let has_inspector = self.viewer().inspector.is_some();
         let has_panel = !self.desk.panel_folded && (self.desk.has_both || !has_inspector);
         let is_shared = has_panel && has_inspector;
         let most = width / if is_shared { 4.0 } else { 2.0 };
@@ -49,7 +49,7 @@ impl App {
         if has_inspector {
             side(Panel::right(id("inspector"))).show_inside(ui, |ui| self.inspector(ui));
         } else if is_opened(ui, folded, "⏴", "Opens the inspector.") {
-            self.set_look(Inspector(Some(Tab::Pixel)));
+            self.viewer_mut().inspector = Some(Tab::Pixel);
         }
         self.viewport(ui);
         if self.desk.help {
@@ -77,10 +77,9 @@ impl App {
 
     /// The facts about the picture. Facts about another picture are grey.
     fn facts_line(&self, ui: &mut Ui) {
-        let show: Show = self.look();
-        let is_wipe = show.mode == ViewMode::Wipe;
+        let is_wipe = self.viewer().show == ViewMode::Wipe;
         let (name, is_shown) = match self.turn() {
-            Some(turn) if is_wipe => (self.side_name(&show.sides[turn]), false),
+            Some(turn) if is_wipe => (self.side_name(&self.viewer().sides[turn]), false),
             Some(0) => (self.side_name(&Side::Reference), false),
             None if is_wipe => ("Two pictures".to_owned(), false),
             _ => (self.side_name(&Side::Picture), true),

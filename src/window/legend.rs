@@ -5,7 +5,7 @@ use egui::{Color32, Sense, Ui, vec2};
 
 use super::app::App;
 use super::pictures::TINTS;
-use crate::components::{Show, Tolerance, ViewMode};
+use crate::components::ViewMode;
 use crate::paint::color;
 use crate::shading::TileKind;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
@@ -13,7 +13,7 @@ use crate::trade::error_map::{EDGE, NOTHING, Scale};
 impl App {
     /// The meaning of the colours of the error map or of tiles.
     pub fn legend(&self, ui: &mut Ui) {
-        match self.look::<Show>().mode {
+        match self.viewer().show {
             ViewMode::Error => self.error_legend(ui),
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
@@ -38,7 +38,7 @@ impl App {
         let painter = ui.painter_at(place);
         scale.draw(&painter, place, Color32::GRAY);
         let largest = comparison.and_then(|it| it.error);
-        let marks = [Some(self.look::<Tolerance>().0), largest];
+        let marks = [Some(self.viewer().tolerance), largest];
         for mark in marks.into_iter().flatten() {
             // The scale leaves room for its last label.
             let share = scale.position(mark) as f32;

@@ -10,9 +10,9 @@ use super::keys::{Command, EXACT_SIDES, binding, caption};
 use super::widgets::{color_button, number, slider};
 use crate::components::range::Strength;
 use crate::components::{
-    ActiveCamera, Budget, Camera, Light, LightKind, Name, Projection, ShadingMode, Show, Spin, Tab,
-    Tolerance, ViewMode, active_camera, get, names, ordered,
+    Camera, Light, LightKind, Name, Projection, ShadingMode, Tab, ViewMode, Viewer, names, ordered,
 };
+use crate::drawing::camera_name;
 use crate::scene::{BUILT_IN, EXTREMES, Scene};
 
 const TOLERANCE: [&str; 3] = [
@@ -47,12 +47,12 @@ impl App {
             }
         });
         self.budget_rows(ui);
-        if self.look::<Budget>().0.is_some() {
+        if self.viewer().budget.is_some() {
             return;
         }
-        let Tolerance(before) = self.look();
+        let before = self.viewer().tolerance;
         let mut tolerance = before;
-        let least = Tolerance::LEAST;
+        let least = Viewer::LEAST_TOLERANCE;
         slider(ui, TOLERANCE, &mut tolerance, 0.0..=255.0, least);
         if tolerance != before {
             self.set_tolerance(if tolerance < least { 0.0 } else { tolerance });
@@ -98,9 +98,8 @@ impl App {
     }
 
     fn view_rows(&mut self, ui: &mut Ui) {
-        let show: Show = self.look();
-        let shown = match show.mode {
-            ViewMode::Wipe if show.sides == EXACT_SIDES => Command::WipeExact,
+        let shown = match self.viewer().show {
+            ViewMode::Wipe if self.viewer().sides == EXACT_SIDES => Command::WipeExact,
             mode => Command::View(mode),
         };
         for command in [
@@ -122,32 +121,31 @@ impl App {
 
     fn camera_rows(&mut self, ui: &mut Ui) {
         let world = &self.scene.world;
-        let mut active = active_camera(world);
-        let cameras = ordered::<Camera>(world).into_iter();
-        let cameras = cameras.zip(names::<Camera>(world));
-        let name = get(world, active).map_or_else(String::new, |Name(name)| name);
+        let cameras = names::<Camera>(world);
+        let mut active = camera_name(world);
         ui.horizontal(|ui| {
             let says = "The camera that is looked through.";
             ui.label("camera").on_hover_text(says);
-            let choices = ComboBox::from_id_salt("camera").selected_text(name);
+            let choices = ComboBox::from_id_salt("camera").selected_text(&active);
             choices.show_ui(ui, |ui| {
-                for (camera, name) in cameras {
-                    ui.selectable_value(&mut active, camera, name);
+                for name in cameras {
+                    ui.selectable_value(&mut active, name.clone(), name);
                 }
             });
             ui.weak(caption(Command::NextCamera));
         });
-        self.set_look(ActiveCamera(active));
-        let mut projection: Projection = self.look();
+        self.viewer_mut().camera = Some(active);
+        let mut projection = self.viewer().projection;
         ui.horizontal_wrapped(|ui| {
             for each in Projection::ALL {
                 ui.selectable_value(&mut projection, each, each.name());
             }
             ui.weak(caption(Command::NextProjection));
         });
-        self.set_look(projection);
+        self.viewer_mut().projection = projection;
+        let turns = self.viewer().turns;
         ui.horizontal_wrapped(|ui| {
-            self.offer(ui, Command::Rotate, self.look::<Spin>().on);
+            self.offer(ui, Command::Rotate, turns);
             self.offer(ui, Command::ResetView, false);
         });
     }

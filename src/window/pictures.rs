@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use hecs::World;
 
-use crate::components::{ShadingMode, Show, Side, View, ViewMode};
+use crate::components::{ShadingMode, Side, View, ViewMode, Viewer};
 use crate::frame::{Counts, Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
 use crate::memory::OutOfMemory;
 use crate::shading::TileKind;
@@ -65,22 +65,27 @@ impl Pictures {
         self.frame.pixels()
     }
 
-    /// Draws all pictures that `show` needs.
+    /// Draws all pictures that `viewer` shows.
     ///
     /// # Errors
     /// When they do not fit in memory.
-    pub fn draw(&mut self, world: &mut World, show: &Show, view: &View) -> Result<(), OutOfMemory> {
+    pub fn draw(
+        &mut self,
+        world: &mut World,
+        viewer: &Viewer,
+        view: &View,
+    ) -> Result<(), OutOfMemory> {
         self.time = None;
-        if show.mode != ViewMode::Wipe {
+        if viewer.show != ViewMode::Wipe {
             let start = Instant::now();
             systems::draw(world, view, &mut self.frame)?;
             self.time = Some(start.elapsed());
         }
-        if show.mode == ViewMode::Tiles {
+        if viewer.show == ViewMode::Tiles {
             systems::draw(world, view, &mut self.levels)?;
         }
-        if show.mode == ViewMode::Wipe {
-            for (side, pixels) in show.sides.iter().zip(&mut self.sides) {
+        if viewer.show == ViewMode::Wipe {
+            for (side, pixels) in viewer.sides.iter().zip(&mut self.sides) {
                 if let Some(view) = side_view(side, view) {
                     systems::draw(world, &view, &mut self.frame)?;
                     pixels.clear();
@@ -109,12 +114,12 @@ pub fn side_view(side: &Side, view: &View) -> Option<View> {
 }
 
 /// The view of the picture that is shown in a column; the reference's is exact Phong.
-pub fn view_at(show: &Show, view: &View, column: usize) -> View {
-    if show.mode != ViewMode::Wipe {
+pub fn view_at(viewer: &Viewer, view: &View, column: usize) -> View {
+    if viewer.show != ViewMode::Wipe {
         return view.clone();
     }
-    let is_right = column >= divider_column(show.divider, view.size[0]);
-    let side = show.sides[usize::from(is_right)];
+    let is_right = column >= divider_column(viewer.divider, view.size[0]);
+    let side = viewer.sides[usize::from(is_right)];
     let exact = || view.shaded(ShadingMode::Phong).with_tolerance(0.0);
     side_view(&side, view).unwrap_or_else(exact)
 }

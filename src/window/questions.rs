@@ -9,9 +9,7 @@ use super::app::App;
 use super::comparison::Comparison;
 use super::facts::{Fact, Facts, Question, Work};
 use super::pictures::view_at;
-use crate::components::{
-    Inspector, Probed, ShadingMode, Show, Side, Tab, Tolerance, View, ViewMode,
-};
+use crate::components::{ShadingMode, Side, Tab, View, ViewMode, Viewer};
 use crate::probe::{self, Probe};
 use crate::prove::prove;
 use crate::report::Monitor;
@@ -31,19 +29,19 @@ impl App {
     /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there is
     /// no background.
     pub fn ask(&mut self) {
-        let (show, Inspector(tab)): (Show, Inspector) = (self.look(), self.look());
+        let viewer = Viewer::clone(&self.viewer());
+        let tab = viewer.inspector;
         let (level, is_live) = (self.level, self.pools.is_some());
         let shows_exact = self.desk.blinks.is_some()
-            || show.mode == ViewMode::Error
-            || show.mode == ViewMode::Wipe && show.sides.contains(&Side::Reference);
+            || viewer.show == ViewMode::Error
+            || viewer.show == ViewMode::Wipe && viewer.sides.contains(&Side::Reference);
         let [width, height] = self.pictures.size();
-        let Probed(pixel) = self.look();
-        if let Some(pixel) = pixel.filter(|[x, y]| *x < width && *y < height) {
+        if let Some(pixel) = viewer.pixel.filter(|[x, y]| *x < width && *y < height) {
             self.find(
                 Question::Probe,
                 |facts| &mut facts.section,
                 move |scene, view, _| {
-                    let view = view_at(&show, view, pixel[0]);
+                    let view = view_at(&viewer, view, pixel[0]);
                     Ok(probe::section(scene, &view, pixel, level)?)
                 },
             );
@@ -176,7 +174,7 @@ impl App {
 
     /// The answer about the probed pixel, possibly of an earlier picture.
     pub fn probed(&self) -> Option<&Probe> {
-        let Probed(pixel) = self.look();
+        let pixel = self.viewer().pixel;
         let mut section = self.facts.section.value.iter().flatten();
         section.find(|probe| Some(probe.pixel) == pixel)
     }
@@ -189,7 +187,7 @@ impl App {
 
     /// The method on screen; `None` where the cuboids have different modes.
     pub fn method(&self) -> Option<Method> {
-        let Tolerance(tolerance) = self.look();
+        let tolerance = self.viewer().tolerance;
         let own = || Some(Method::of(self.shading()?, tolerance));
         self.held.or_else(own)
     }
@@ -204,8 +202,11 @@ impl App {
 
     /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
     fn wanted_methods(&self) -> Vec<Method> {
-        let show: Show = self.look();
-        let sides = show.sides.iter().filter(|_| show.mode == ViewMode::Wipe);
+        let viewer = self.viewer();
+        let sides = viewer
+            .sides
+            .iter()
+            .filter(|_| viewer.show == ViewMode::Wipe);
         let sides = sides.filter_map(|side| self.side_method(side));
         // The assignment's shortcut is no way to save time, and its frames take so long that they would delay a key.
         let mut methods = METHODS.to_vec();

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::app::{App, REST, TURN};
 use super::pictures::{divider_column, or_dimmed};
-use crate::components::{Probed, Show, Side, View, ViewMode};
+use crate::components::{Side, View, ViewMode, Viewer};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
 
@@ -31,14 +31,15 @@ impl App {
 
     /// Draws the pictures if the state or their size is another one.
     pub(super) fn draw(&mut self) -> Result<(), OutOfMemory> {
-        let (show, view): (Show, _) = (self.look(), self.view());
+        let view = self.view();
         let size = view.size;
         let present = (Arc::clone(&self.state), size, self.held);
         let before = self.drawn.take();
         if before.as_ref() == Some(&present) {
             self.moved.take_if(|moved| self.now >= *moved + REST);
         } else {
-            self.pictures.draw(&mut self.scene.world, &show, &view)?;
+            let viewer = Viewer::clone(&self.viewer());
+            self.pictures.draw(&mut self.scene.world, &viewer, &view)?;
             self.moved = Some(self.now);
             if let Some((_, before, _)) = before.filter(|(_, before, _)| *before != size) {
                 self.keep_pixel(before, size);
@@ -51,7 +52,7 @@ impl App {
 
     /// Keeps the probed pixel where it lies in the scene when the picture gets another size.
     fn keep_pixel(&mut self, before: [usize; 2], size: [usize; 2]) {
-        let Probed(Some(pixel)) = self.look() else {
+        let Some(pixel) = self.viewer().pixel else {
             return;
         };
         // The field of view is vertical, and the middle of the picture stays.
@@ -60,7 +61,7 @@ impl App {
             let from_middle = pixel[axis] as f64 + 0.5 - before[axis] as f64 / 2.0;
             (from_middle * scale + size[axis] as f64 / 2.0).max(0.0) as usize
         });
-        self.set_look(Probed(Some(pixel)));
+        self.viewer_mut().pixel = Some(pixel);
     }
 
     /// The place of the picture that has its turn while two of them blink: the sides of a wipe, else exact Phong and the
@@ -72,7 +73,7 @@ impl App {
 
     /// The picture of a side of a wipe, left (0) or right (1), 0x00RRGGBB.
     pub fn side(&self, index: usize) -> Cow<'_, [u32]> {
-        let Show { sides, .. } = self.look();
+        let sides = self.viewer().sides;
         let exact = self.facts.comparison.current().map(|it| &*it.exact);
         match sides[index] {
             Side::Reference => or_dimmed(exact, self.pictures.frame()),
@@ -82,11 +83,11 @@ impl App {
 
     /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
-        let show: Show = self.look();
+        let viewer = self.viewer();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
         let frame = self.pictures.frame();
-        match (show.mode, self.turn()) {
+        match (viewer.show, self.turn()) {
             (ViewMode::Wipe, Some(turn)) => self.side(turn),
             (_, Some(0)) => or_dimmed(exact, frame),
             (ViewMode::Picture, _) | (_, Some(_)) => frame.into(),
@@ -94,7 +95,7 @@ impl App {
             (ViewMode::Tiles, None) => self.pictures.tiles().into(),
             (ViewMode::Wipe, None) => {
                 let width = self.pictures.size()[0];
-                let divider = divider_column(show.divider, width);
+                let divider = divider_column(viewer.divider, width);
                 let (mut pixels, right) = (self.side(0).into_owned(), self.side(1));
                 let lines = pixels.chunks_exact_mut(width);
                 for (left, right) in lines.zip(right.chunks_exact(width)) {

@@ -5,7 +5,7 @@ use egui::{Align, Color32, Frame, Layout, RichText, TextWrapMode, Ui, UiBuilder}
 use super::app::App;
 use super::viewport::DIVIDER_MARGIN;
 use super::widgets::{ink, short};
-use crate::components::{Inspector, Probed, Show, Side, Tab, ViewMode};
+use crate::components::{Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
@@ -45,13 +45,13 @@ impl App {
 
     /// The measurements of both sides.
     fn prices(&self) -> [Option<&Measurement>; 2] {
-        let Show { sides, .. } = self.look();
+        let sides = self.viewer().sides;
         sides.map(|side| self.measured(self.side_method(&side)?))
     }
 
     /// Lays out the tag of each side in the corner of its half; while the sides take turns, that of the side on screen.
     pub fn tags(&mut self, ui: &mut Ui) {
-        let Show { sides, .. } = self.look();
+        let sides = self.viewer().sides;
         let area = self.place.shrink(GAP);
         let (left, right) = area.split_left_right_at_fraction(0.5);
         let halves = [(left, Align::Min), (right, Align::Max)];
@@ -101,19 +101,18 @@ impl App {
         let Some([x, y]) = self.prices()[index].and_then(Measurement::worst_pixel) else {
             return;
         };
-        let show: Show = self.look();
         if usize::from(x >= self.divider_column()) != index {
             // A tenth of the width beside it, so that its surroundings are seen.
             let beside = [0.1, -0.1][index] + x as f64 / self.picture_size()[0] as f64;
             let divider = beside.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
-            self.set_look(Show { divider, ..show });
+            self.viewer_mut().divider = divider;
         }
         self.probe([x, y]);
     }
 
     /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
     pub fn explain_worst(&mut self) {
-        let wipes = self.look::<Show>().mode == ViewMode::Wipe;
+        let wipes = self.viewer().show == ViewMode::Wipe;
         let errors = self.prices().map(|price| price?.largest_error());
         let picture = self
             .method()
@@ -128,10 +127,10 @@ impl App {
 
     /// Probes a pixel, and opens the tab for it if there is room.
     pub fn probe(&mut self, pixel: [usize; 2]) {
-        self.set_look(Probed(Some(pixel)));
+        self.viewer_mut().pixel = Some(pixel);
         // The scene's tab stays open: a click selects the cuboid there.
-        if self.desk.has_both && self.look::<Inspector>().0 != Some(Tab::Scene) {
-            self.set_look(Inspector(Some(Tab::Pixel)));
+        if self.desk.has_both && self.viewer().inspector != Some(Tab::Scene) {
+            self.viewer_mut().inspector = Some(Tab::Pixel);
         }
     }
 }

@@ -4,9 +4,7 @@ use egui::{Color32, Event, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2,
 
 use super::app::App;
 use super::pictures::divider_column;
-use crate::components::{
-    Inspector, Orbit, Probed, Show, Tab, ViewMode, Viewpoint, active_camera, get,
-};
+use crate::components::{Orbit, Tab, ViewMode, Viewpoint, active_camera, get};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
@@ -42,18 +40,19 @@ impl App {
                 self.zoom(turned.round() as i32);
             }
         }
-        if self.look::<Show>().mode == ViewMode::Wipe {
+        if self.viewer().show == ViewMode::Wipe {
             if self.turn().is_none() {
                 self.divider(ui);
             }
             self.tags(ui);
         }
-        if let Probed(Some(pixel)) = self.look() {
+        let pixel = self.viewer().pixel;
+        if let Some(pixel) = pixel {
             let at = self.place_of(pixel);
             self.draw_arrows(ui.painter(), at);
             draw_cross(ui.painter(), at);
         }
-        if self.look::<Inspector>().0 == Some(Tab::Scene) {
+        if self.viewer().inspector == Some(Tab::Scene) {
             self.discs(ui);
         }
     }
@@ -109,8 +108,7 @@ impl App {
 
     /// The first column right of the divider.
     pub fn divider_column(&self) -> usize {
-        let Show { divider, .. } = self.look();
-        divider_column(divider, self.picture_size()[0])
+        divider_column(self.viewer().divider, self.picture_size()[0])
     }
 
     /// Lays out the divider, which can be dragged.
@@ -121,10 +119,9 @@ impl App {
         let handle = ui.interact(place, ui.id().with("divider"), Sense::click_and_drag());
         self.take_click(&handle);
         if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
-            let show: Show = self.look();
             let share = f64::from((pointer.x - self.place.min.x) / self.place.width());
             let divider = share.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
-            self.set_look(Show { divider, ..show });
+            self.viewer_mut().divider = divider;
         }
         let painter = ui.painter();
         painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));

@@ -9,8 +9,7 @@ mod sixteen;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    ActiveCamera, Background, Budget, FileOrder, Inspector, LightKind, Material, Name, Orbit,
-    Probed, Projection, Show, Spin, Tolerance, Transform, View,
+    Background, FileOrder, LightKind, Material, Name, Orbit, Projection, Transform, View, Viewer,
 };
 use shadetrade::report::Monitor;
 use shadetrade::requires::{Change, Part, changes, parts};
@@ -35,18 +34,13 @@ fn scene_of(mut world: World, view: &View) -> Scene {
         view.viewpoint.camera,
         Orbit::default(),
     );
-    let camera = world.spawn(camera);
-    world.spawn((
-        ActiveCamera(camera),
-        view.projection,
-        Background(view.background),
-        Tolerance(view.tolerance),
-        Budget::default(),
-        Spin::default(),
-        Show::default(),
-        Probed::default(),
-        Inspector::default(),
-    ));
+    world.spawn(camera);
+    let viewer = Viewer {
+        projection: view.projection,
+        tolerance: view.tolerance,
+        ..Viewer::default()
+    };
+    world.spawn((viewer, Background(view.background)));
     Scene {
         name: "test".to_owned(),
         path: None,

@@ -149,9 +149,7 @@ fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
         // A new cuboid is an edit.
         let harness = {
             let mut app = app(default_scene(), SIZE, Level::new());
-            app.set_look(shadetrade::components::Inspector(Some(
-                shadetrade::components::Tab::Scene,
-            )));
+            app.viewer_mut().inspector = Some(shadetrade::components::Tab::Scene);
             widgets(app, SIZE)
         };
         let copy = *places(&harness, "copy").last().expect("a button");

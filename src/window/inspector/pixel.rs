@@ -4,7 +4,7 @@ use egui::color_picker::show_color;
 use egui::{Grid, Label, RichText, Ui, vec2};
 
 use crate::components::range::Shininess;
-use crate::components::{Material, Name, Probed};
+use crate::components::{Material, Name};
 use crate::frame::display_pixel;
 use crate::paint::color;
 use crate::probe::ProbedSurface;
@@ -17,14 +17,14 @@ const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0
 
 impl App {
     pub fn pixel_tab(&mut self, ui: &mut Ui) {
-        let Probed(Some([x, y])) = self.look() else {
+        let Some([x, y]) = self.viewer().pixel else {
             ui.label("Click a pixel of the picture to see what is computed there.");
             return;
         };
         ui.horizontal(|ui| {
             ui.strong(format!("pixel {x}, {y}"));
             if ui.small_button("close").clicked() {
-                self.set_look(Probed(None));
+                self.viewer_mut().pixel = None;
             }
         });
         self.wait(ui, &self.facts.section);

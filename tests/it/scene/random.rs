@@ -5,13 +5,13 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 use proptest::prelude::*;
 use shadetrade::components::{
-    LightKind, Material, Orbit, Projection, ShadingMode, Side, Tab, Tolerance, ViewMode,
+    LightKind, Material, Orbit, Projection, ShadingMode, Side, Tab, ViewMode, Viewer,
 };
 use shadetrade::scene::range::{
     Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, OrbitAngle, Share,
     Shininess, Strength, Zoom,
 };
-use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
+use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
 use crate::support::random::Random;
 use crate::support::records;
@@ -117,17 +117,17 @@ fn side(random: &mut Random) -> Side {
 }
 
 /// A view. Its camera is chosen where the cameras are known.
-pub fn view(random: &mut Random) -> ViewRecord {
+pub fn view(random: &mut Random) -> Viewer {
     use ViewMode::{Error, Picture, Tiles, Wipe};
     if random.below(4) == 0 {
-        return ViewRecord::default();
+        return Viewer::default();
     }
     let pixel = |random: &mut Random| [random.below(16_384), random.below(16_384)];
     let budget = maybe(random, |random| number(random, &Milliseconds::RANGE));
-    ViewRecord {
+    Viewer {
         camera: None,
         projection: random.one_of(&Projection::ALL),
-        tolerance: budget.map_or_else(|| tolerance(random), |_| Tolerance::default().0),
+        tolerance: budget.map_or_else(|| tolerance(random), |_| Viewer::TOLERANCE),
         budget,
         show: random.one_of(&[Picture, Wipe, Error, Tiles]),
         sides: [side(random), side(random)],
@@ -137,6 +137,7 @@ pub fn view(random: &mut Random) -> ViewRecord {
         inspector: maybe(random, |random| {
             random.one_of(&[Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof])
         }),
+        turns: false,
     }
 }
 

@@ -4,12 +4,10 @@ use std::io::Write as _;
 
 use glam::DVec3;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, View, Viewpoint, names,
-    ordered,
+    Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, View, Viewer, Viewpoint,
+    names, ordered,
 };
-use shadetrade::scene::{
-    BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord, ViewRecord,
-};
+use shadetrade::scene::{BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord};
 
 use super::{LEAST, MOST};
 use crate::support::records;
@@ -72,7 +70,7 @@ fn a_missing_key_has_the_documented_default() {
         cuboid: vec![cuboid],
         light: vec![light],
         camera: vec![camera],
-        view: ViewRecord::default(),
+        view: Viewer::default(),
     };
     let scene = scene(LEAST);
     assert_eq!(record(&scene), expected);
@@ -104,7 +102,7 @@ fn every_key_is_read_and_integers_are_numbers() {
         cuboid: vec![cuboid],
         light: vec![light],
         camera: vec![camera],
-        view: ViewRecord::default(),
+        view: Viewer::default(),
     };
     let scene = scene(MOST);
     assert_eq!(record(&scene), expected);

@@ -3,8 +3,10 @@
 use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
-use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord, ViewRecord};
+use shadetrade::components::{
+    LightKind, Material, Projection, ShadingMode, Transform, View, Viewer,
+};
+use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
 use super::random::Random;
 use super::records;
@@ -79,10 +81,10 @@ impl Case {
             cuboid: cuboids,
             light: lights,
             camera: vec![camera],
-            view: ViewRecord {
+            view: Viewer {
                 projection,
                 tolerance,
-                ..ViewRecord::default()
+                ..Viewer::default()
             },
         }
     }

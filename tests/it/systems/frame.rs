@@ -1,6 +1,6 @@
 //! All stages together.
 
-use shadetrade::components::{Light, Orbit, ShadingMode, Spin, View, overwrite};
+use shadetrade::components::{Light, Orbit, ShadingMode, View, overwrite, viewer_mut};
 use shadetrade::frame::Keep;
 use shadetrade::scene::Scene;
 use shadetrade::systems;
@@ -12,16 +12,12 @@ use crate::support::scene::{draw, truth};
 #[test]
 fn renderer_and_reference_draw_a_spun_and_orbited_scene_like_its_snapshot() {
     let mut scene = Scene::load(None).expect("the built-in scene is valid");
-    let spin = Spin {
-        degrees: 77,
-        on: true,
-    };
     let orbit = Orbit {
         azimuth: 30.0,
         zoom: 0.8,
         ..Orbit::default()
     };
-    overwrite(&mut scene.world, &spin);
+    viewer_mut(&mut scene.world).turned = 77;
     overwrite(&mut scene.world, &orbit);
     overwrite(&mut scene.world, &ShadingMode::Phong);
     let drawn = |scene: &mut Scene| {

@@ -3,8 +3,8 @@
 use glam::{DVec3, dvec3};
 use hecs::World;
 use shadetrade::components::{
-    Background, Camera, Lens, Orbit, Projection, ShadingMode, Spin, Tolerance, View, active_camera,
-    names, overwrite,
+    Background, Camera, Lens, Orbit, Projection, ShadingMode, View, Viewer, active_camera, names,
+    overwrite,
 };
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::viewpoint;
@@ -99,16 +99,17 @@ fn without_its_active_camera_a_scene_uses_the_first() {
 }
 
 #[test]
-fn a_view_has_the_components_of_the_viewer_and_its_mode_overrides_that_of_every_cuboid() {
+fn a_view_has_the_settings_of_the_viewer_and_its_mode_overrides_that_of_every_cuboid() {
     let mut scene = cameras();
-    let spin = Spin {
-        degrees: 7,
-        on: true,
-    };
     let world = &mut scene.world;
-    overwrite(world, &Projection::Orthographic);
-    overwrite(world, &Tolerance(0.25));
-    overwrite(world, &spin);
+    let viewer = Viewer {
+        projection: Projection::Orthographic,
+        tolerance: 0.25,
+        turned: 7,
+        turns: true,
+        ..Viewer::default()
+    };
+    overwrite(world, &viewer);
     overwrite(world, &Background(DVec3::ONE));
     let view = View::of(world, [30, 20]);
     assert_eq!(

@@ -2,7 +2,7 @@
 
 use egui::{Key, Pos2};
 use fearless_simd::Level;
-use shadetrade::components::{Inspector, ShadingMode, Tab, View};
+use shadetrade::components::{ShadingMode, Tab, View};
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
@@ -71,7 +71,7 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
         );
     }
     // Nothing asks for them again.
-    window.app.set_look(Inspector(None));
+    window.app.viewer_mut().inspector = None;
     window.press(Key::F2);
     window.press(Key::OpenBracket);
     assert_eq!(are_current(&window)[1..], [false; 2]);
@@ -119,7 +119,7 @@ fn the_part_that_matters_most_comes_first() {
 #[test]
 fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
     let mut window = Window::of(default_scene(), [1000, 120]);
-    window.app.set_look(Inspector(Some(Tab::Proof)));
+    window.app.viewer_mut().inspector = Some(Tab::Proof);
     window.wait(PAUSE);
     window.wait(PAUSE);
     let proof = window.app.facts.proof.current().expect("an answer");

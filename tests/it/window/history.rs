@@ -5,7 +5,6 @@ use std::time::Duration;
 
 use egui::{Event, Key, Modifiers};
 use shadetrade::components::LightKind;
-use shadetrade::components::Spin;
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::history::History;
 
@@ -108,7 +107,7 @@ fn undo_does_not_change_rotation_and_tab() {
     assert!(after.light[0].on && !before.light[0].on);
     assert!(after.view.turned >= before.view.turned);
     assert_eq!(after.view.inspector, before.view.inspector);
-    assert!(window.app.look::<Spin>().on);
+    assert!(window.app.viewer().turns);
 }
 
 /// The number of steps that can be undone after this many edits of a scene, two seconds apart.

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{Inspector, Orbit, Projection, ShadingMode, Side, Spin, ViewMode};
+use shadetrade::components::{Orbit, Projection, ShadingMode, Side, ViewMode};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::keys::{self, Command, gouraud_phong};
 
@@ -111,7 +111,7 @@ fn every_key_does_what_its_description_says() {
             (blinks, Command::Blink),
             (desk.help, Command::Help),
             (desk.panel_folded, Command::Panel),
-            (window.app.look::<Spin>().on, Command::Rotate),
+            (window.app.viewer().turns, Command::Rotate),
             (window.app.quits, Command::Quit),
         ] {
             assert_eq!(is_on, command == own, "{key:?}");
@@ -192,7 +192,7 @@ fn escape_closes_one_visible_thing_at_a_time() {
             assert!(window.app.pixels() != before, "{size:?}");
         }
         assert_eq!(window.message(), "Q quits", "{size:?}");
-        assert_eq!(window.app.look::<Inspector>(), Inspector(None));
+        assert_eq!(window.app.viewer().inspector, None);
     }
 }
 
@@ -212,7 +212,7 @@ fn in_a_narrow_window_panel_and_inspector_take_turns() {
     ] {
         window.press(key);
         assert_eq!(window.app.pixels() == folded, is_folded, "{key:?}");
-        let Inspector(tab) = window.app.look();
+        let tab = window.app.viewer().inspector;
         assert_eq!(tab.is_some(), has_inspector, "{key:?}");
         assert!(window.app.picture_size()[0] > 100, "a side takes the rest");
     }

@@ -2,7 +2,7 @@
 
 use egui::{Key, Pos2, vec2};
 use shadetrade::components::LightKind;
-use shadetrade::components::{Inspector, Light, Probed, ShadingMode, Show, Spin, Tab, Transform};
+use shadetrade::components::{Light, ShadingMode, Tab, Transform};
 use shadetrade::frame::display_step;
 use shadetrade::scene::{Scene, SceneRecord};
 
@@ -60,7 +60,7 @@ fn a_click_selects_in_the_scenes_tab() {
     assert_eq!(selected(&window), Some(("light", "near".to_owned())));
     window.click(window.app.place.center());
     assert_eq!(selected(&window), Some(("cuboid", "emerald".to_owned())));
-    assert_eq!(window.app.look::<Inspector>(), Inspector(Some(Tab::Scene)));
+    assert_eq!(window.app.viewer().inspector, Some(Tab::Scene));
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
         let orbit = window.record().camera[0].orbit;
         window.drag(Pos2::new(x, y), Pos2::new(to, y), 3);
         assert_eq!(window.record().camera[0].orbit, orbit, "the camera rests");
-        let divider = window.app.look::<Show>().divider;
+        let divider = window.app.viewer().divider;
         let wanted = f64::from(share.clamp(0.02, 0.98));
         assert!((divider - wanted).abs() < 0.01, "{divider}");
         let column = (divider * width as f64).round() as usize;
@@ -171,9 +171,9 @@ fn the_rotation_follows_the_clock_and_stops_where_it_is_switched_off() {
     let still = window.seen();
     window.press(Key::Space);
     for _ in 0..10 {
-        let (before, spin) = (window.now, window.app.look::<Spin>());
+        let (before, spin) = (window.now, window.app.viewer().turned);
         window.wait(PAUSE / 20);
-        let degrees = window.app.look::<Spin>().degrees - spin.degrees;
+        let degrees = window.app.viewer().turned - spin;
         let expected = window.now.saturating_sub(before).as_millis() / 30;
         assert!(u128::from(degrees).abs_diff(expected) <= 1, "{degrees}");
         assert!(window.output.repaint_after.as_millis() <= 30);
@@ -225,8 +225,8 @@ fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there()
         let at = place.center() + vec2(share * place.width(), 10.0);
         window.click(at);
         let [x, y] = [at.x - place.min.x, at.y - place.min.y].map(|it| it as usize);
-        assert_eq!(window.app.look::<Probed>(), Probed(Some([x, y])));
-        assert_eq!(window.app.look::<Inspector>(), Inspector(Some(Tab::Pixel)));
+        assert_eq!(window.app.viewer().pixel, Some([x, y]));
+        assert_eq!(window.app.viewer().inspector, Some(Tab::Pixel));
         assert_eq!(mode(&window), Some(shown));
         let surface = window.app.probed().and_then(|it| it.surface.clone());
         let [width, _] = window.app.picture_size();

@@ -5,7 +5,7 @@ use std::time::Duration;
 use egui::Key;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
-use shadetrade::components::{Probed, ShadingMode, Show, Side};
+use shadetrade::components::{ShadingMode, Side};
 use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::metrics::ErrorStatistics;
@@ -99,7 +99,7 @@ fn two_pictures_take_turns_while_a_key_is_held() {
 
 #[test]
 fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
-    let probed = |window: &Window| window.app.look::<Probed>().0;
+    let probed = |window: &Window| window.app.viewer().pixel;
     // Gouraud's lies right of the divider, which moves off it.
     let mut window = open();
     let mut harness = widgets(measured(), SIZE);
@@ -107,7 +107,7 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     harness.run_ok();
     let tag = harness.get_by_label("worst pixel 165 of 255").rect();
     window.click(tag.center());
-    let divider = window.app.look::<Show>().divider;
+    let divider = window.app.viewer().divider;
     let [width, _] = window.app.picture_size();
     // The inspector opens beside the picture, whose columns move.
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use egui::{Key, Modifiers, pos2};
-use shadetrade::components::{Inspector, Tab, get, overwrite};
+use shadetrade::components::{Tab, viewer_mut};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::keys::{Command, keys};
 
@@ -129,10 +129,8 @@ impl Storm {
     /// Closes the tabs with proofs, which take long for large pictures.
     fn fold_slow_answers(&mut self) {
         let world = &mut self.window.app.scene.world;
-        let viewer = shadetrade::components::viewer(world);
-        if let Some(Inspector(Some(Tab::Required | Tab::Proof))) = get(world, viewer) {
-            overwrite(world, &Inspector(None));
-        }
+        let open = &mut viewer_mut(world).inspector;
+        open.take_if(|tab| matches!(tab, Tab::Required | Tab::Proof));
     }
 }
 

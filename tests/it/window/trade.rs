@@ -4,7 +4,7 @@ use egui::{Key, Pos2, RawInput};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Budget, Show, Side, View, ViewMode};
+use shadetrade::components::{Side, View, ViewMode};
 use shadetrade::drawing::Drawing;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
@@ -82,13 +82,13 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
         let mut window = open();
         window.click(at);
         if method.mode == UnitVectors {
-            let show: Show = window.app.look();
-            assert_eq!(show.mode, ViewMode::Wipe);
+            let viewer = window.app.viewer();
+            assert_eq!(viewer.show, ViewMode::Wipe);
             let side = Side::Method {
                 mode: UnitVectors,
                 tolerance: 0.0,
             };
-            assert!(show.sides.contains(&side), "no scene asks for it");
+            assert!(viewer.sides.contains(&side), "no scene asks for it");
         } else {
             assert_eq!(window.app.method(), Some(*method));
         }
@@ -136,7 +136,7 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     let start = window.record();
     // As much time as Gouraud takes.
     window.press(Key::M);
-    let Budget(budget) = window.app.look();
+    let budget = window.app.viewer().budget;
     assert!(
         budget.is_some_and(|budget| (0.2..0.25).contains(&budget)),
         "{budget:?}"
@@ -165,11 +165,11 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     assert_eq!(window.app.method(), Some(Method::of(Phong, 1.0)));
     // A method is chosen: the error is held again.
     window.press(Key::M);
-    assert_eq!(window.app.look::<Budget>(), Budget(None));
+    assert_eq!(window.app.viewer().budget, None);
     assert_eq!(window.app.method(), Some(Method::of(Phong, 1.0)));
     window.press(Key::M);
     window.press(Key::G);
-    assert_eq!(window.app.look::<Budget>(), Budget(None));
+    assert_eq!(window.app.viewer().budget, None);
     assert_eq!(window.app.shading(), Some(Gouraud));
 }
 

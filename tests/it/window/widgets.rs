@@ -5,8 +5,8 @@ use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
-use shadetrade::components::{Light, Projection, Spin, Tab, Tolerance, names};
-use shadetrade::scene::{SceneRecord, ViewRecord};
+use shadetrade::components::{Light, Projection, Tab, Viewer, names};
+use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
 use shadetrade::window::keys::{BINDINGS, Command};
 
@@ -98,7 +98,7 @@ fn every_button_does_what_its_key_does() {
         pressed.run_ok();
         let look = |harness: &Harness<App>| {
             let app = harness.state();
-            (record(harness), app.look::<Spin>(), app.desk.help)
+            (record(harness), app.viewer().turns, app.desk.help)
         };
         assert_eq!(look(&clicked), look(&pressed), "{}", binding.name);
         count += 1;
@@ -116,7 +116,7 @@ fn every_button_does_what_its_key_does() {
 
 #[test]
 fn lists_of_choices_change_the_record() {
-    type Change = fn(&mut ViewRecord);
+    type Change = fn(&mut Viewer);
     let clicks: [(&str, Change); 5] = [
         ("orthographic", |it| it.projection = Projection::ALL[1]),
         ("perspective", |it| it.projection = Projection::ALL[0]),
@@ -144,11 +144,11 @@ fn lists_of_choices_change_the_record() {
 fn the_tolerance_is_typed_and_dragged() {
     let mut harness = open();
     enter(&mut harness, "tolerance", 0, "2");
-    assert_eq!(harness.state().look::<Tolerance>(), Tolerance(2.0));
+    assert_eq!(harness.state().viewer().tolerance, 2.0);
     enter(&mut harness, "tolerance", 0, "0");
-    assert_eq!(harness.state().look::<Tolerance>(), Tolerance(0.0));
+    assert_eq!(harness.state().viewer().tolerance, 0.0);
     enter(&mut harness, "tolerance", 0, "1000");
-    assert_eq!(harness.state().look::<Tolerance>(), Tolerance(255.0));
+    assert_eq!(harness.state().viewer().tolerance, 255.0);
     let mut sliders = harness.query_all_by(|node| node.role() == Role::Slider);
     let slider = sliders.next().expect("a slider").rect();
     drop(sliders);
@@ -156,8 +156,8 @@ fn the_tolerance_is_typed_and_dragged() {
     for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
         let at = slider.left_center() + vec2(slider.width() * share, 0.0);
         click_at(&mut harness, at);
-        let Tolerance(levels) = harness.state().look();
-        assert!(Tolerance::is_legal(levels) && levels > last, "{levels}");
+        let levels = harness.state().viewer().tolerance;
+        assert!(Viewer::may_have(levels) && levels > last, "{levels}");
         last = levels;
     }
     assert_eq!(last, 255.0);
