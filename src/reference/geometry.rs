@@ -271,7 +271,10 @@ impl<R: Real> CuboidGeometry<R> {
             if inside == Some(false) {
                 continue;
             }
-            let depth = self.depth(number, line);
+            let depth = match inside {
+                Some(_) => self.depth(number, line),
+                None => self.depth_beside(number, line),
+            };
             meeting = Some(Meeting {
                 faces: meeting.map_or(0, |it| it.faces) | 1 << number,
                 is_certain: meeting.is_some_and(|it| it.is_certain) || inside == Some(true),
@@ -305,6 +308,16 @@ impl<R: Real> CuboidGeometry<R> {
         let (axis, outwards) = across(face);
         let height = self.height(face) + signed(outwards, line.offset.0[axis]);
         height / descent(face, line)
+    }
+
+    /// The depths of the points that a line near an edge of a face may show. Where the line meets the plane far beyond
+    /// the face, or not at all, [`Self::depth`] is none of them.
+    fn depth_beside(&self, face: usize, line: &Line<R>) -> R {
+        let depths = self.beside(face, line).into_iter();
+        let depths = depths.map(|place| place.point.dot(self.forward));
+        depths
+            .reduce(R::either)
+            .unwrap_or_else(|| self.depth(face, line))
     }
 
     /// The coordinate of the cuboid's end along an axis, on the side of this sign (0 for its middle), relative to the eye.
