@@ -43,7 +43,7 @@ pub struct Extreme {
     size: [usize; 2],
     projections: Vec<Projection>,
     modes: Vec<ShadingMode>,
-    fact: Option<Fact>,
+    fact: Option<KnownFact>,
 }
 
 impl Default for Extreme {
@@ -61,7 +61,7 @@ impl Default for Extreme {
 /// A property of every picture, known on paper.
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
-enum Fact {
+enum KnownFact {
     /// No cuboid is visible.
     Background,
     /// Only this cuboid is visible, counted from 0 in the order of the file.
@@ -72,7 +72,7 @@ enum Fact {
     Pixel { at: [usize; 2], levels: [f64; 3] },
 }
 
-impl Fact {
+impl KnownFact {
     /// Whether a pixel may show this cuboid, or the background, with these levels, each within `limit`.
     fn allows(self, pixel: [usize; 2], cuboid: Option<u32>, drawn: [f32; 3], limit: f64) -> bool {
         let has = |levels: [f64; 3]| {
@@ -80,10 +80,10 @@ impl Fact {
             channels.all(|(level, drawn)| (level - f64::from(drawn)).abs() <= limit)
         };
         match self {
-            Fact::Background => cuboid.is_none(),
-            Fact::Cuboid(number) => cuboid.is_none_or(|it| it == number),
-            Fact::Everywhere(level) => cuboid.is_none() || has([level; 3]),
-            Fact::Pixel { at, levels } => at != pixel || has(levels),
+            KnownFact::Background => cuboid.is_none(),
+            KnownFact::Cuboid(number) => cuboid.is_none_or(|it| it == number),
+            KnownFact::Everywhere(level) => cuboid.is_none() || has([level; 3]),
+            KnownFact::Pixel { at, levels } => at != pixel || has(levels),
         }
     }
 }
@@ -188,10 +188,10 @@ impl Extreme {
     fn expected(&self) -> String {
         match self.fact {
             None => "proven".to_owned(),
-            Some(Fact::Background) => "proven, nothing is seen".to_owned(),
-            Some(Fact::Cuboid(number)) => format!("proven, cuboid {number} alone"),
-            Some(Fact::Everywhere(level)) => format!("proven, {level} levels"),
-            Some(Fact::Pixel { at, levels }) => format!("proven, pixel {at:?} has {levels:?}"),
+            Some(KnownFact::Background) => "proven, nothing is seen".to_owned(),
+            Some(KnownFact::Cuboid(number)) => format!("proven, cuboid {number} alone"),
+            Some(KnownFact::Everywhere(level)) => format!("proven, {level} levels"),
+            Some(KnownFact::Pixel { at, levels }) => format!("proven, pixel {at:?} has {levels:?}"),
         }
     }
 
@@ -257,7 +257,7 @@ impl Extreme {
         let proof = prove(world, view, None, level, Monitor::NONE)?;
         // Intervals need not decide a pixel that is known on paper.
         let known = match self.fact {
-            Some(Fact::Pixel { at, .. }) => Some(at),
+            Some(KnownFact::Pixel { at, .. }) => Some(at),
             _ => None,
         };
         let mut examples = proof.examples.iter();
@@ -294,7 +294,7 @@ mod tests {
     use super::*;
 
     /// The outcome of an extreme with this fact instead of its own.
-    fn outcome(name: &str, fact: Option<Fact>) -> Outcome {
+    fn outcome(name: &str, fact: Option<KnownFact>) -> Outcome {
         let mut extremes = named(&[name.to_owned()]).expect("it is built in");
         extremes[0].fact = fact;
         examine(&extremes, Level::new(), false, Monitor::NONE).remove(0)
@@ -317,10 +317,10 @@ mod tests {
     #[test]
     fn a_wrong_fact_fails() {
         for (fact, expected) in [
-            (Fact::Cuboid(0), true),
-            (Fact::Cuboid(1), false),
-            (Fact::Background, false),
-            (Fact::Everywhere(1.0), false),
+            (KnownFact::Cuboid(0), true),
+            (KnownFact::Cuboid(1), false),
+            (KnownFact::Background, false),
+            (KnownFact::Everywhere(1.0), false),
         ] {
             assert_eq!(outcome("assignment", Some(fact)).pass, expected);
         }
@@ -330,11 +330,11 @@ mod tests {
     fn only_a_pixel_that_is_known_may_be_undecided() {
         let pass = |fact| outcome("point-over-a-light-an-ulp-under-it", fact).pass;
         let at = [7, 4];
-        assert!(pass(Some(Fact::Pixel {
+        assert!(pass(Some(KnownFact::Pixel {
             at,
             levels: [30.0; 3]
         })));
-        assert!(!pass(Some(Fact::Pixel {
+        assert!(!pass(Some(KnownFact::Pixel {
             at,
             levels: [31.0; 3]
         })));

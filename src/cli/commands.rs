@@ -86,7 +86,7 @@ pub struct TradeOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The folder for the reports, created if absent
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder))]
     pub output: Option<PathBuf>,
     /// Takes the least number of samples; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
@@ -217,6 +217,7 @@ pub struct ExtremesOptions {
         short,
         long,
         value_name = "DIR",
+        value_parser = OsStringValueParser::new().try_map(folder),
         requires = "chart",
         conflicts_with = "names"
     )]
@@ -233,7 +234,7 @@ pub struct ExtremesOptions {
 #[derive(Args, Debug)]
 pub struct FiguresOptions {
     /// The folder for the figures, created if absent
-    #[arg(short, long, value_name = "DIR", default_value = DEFAULT_FIGURES)]
+    #[arg(short, long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder), default_value = DEFAULT_FIGURES)]
     pub output: PathBuf,
 }
 
@@ -246,4 +247,12 @@ fn picture_file(path: OsString) -> Result<Output, &'static str> {
         Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
         Ok(_) => Err("pictures are written as PNG; give a name that ends in .png"),
     }
+}
+
+/// Refuses standard output, which cannot hold the files of a folder.
+fn folder(path: OsString) -> Result<PathBuf, &'static str> {
+    if path == "-" {
+        return Err("it is a folder, not standard output; ./- is a folder of that name");
+    }
+    Ok(path.into())
 }
