@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::Ui;
 
 use super::app::App;
-use super::keys::Command;
+use super::keys::Action;
 use super::widgets::{short, slider, two_digits};
 use crate::components::range::Milliseconds;
 use crate::components::{ShadingMode, Viewer};
@@ -89,7 +89,7 @@ impl App {
             if error.on_hover_text(says).clicked() {
                 self.set_budget(None);
             }
-            self.offer(ui, Command::HoldTime, budget.is_some());
+            self.offer(ui, Action::HoldTime, budget.is_some());
         });
         let Some(before) = budget else {
             return;

@@ -1,9 +1,9 @@
-//! Keys and the commands that they call up. A command writes components of the World, or the state of the window alone.
+//! Keys and their actions. An action writes components of the World, or the state of the window alone.
 
 use egui::{Event, Key, Ui};
 
 use super::app::App;
-use super::keys::{self, Command, EXACT_SIDES, TOLERANCES, gouraud_phong};
+use super::keys::{self, Action, EXACT_SIDES, TOLERANCES, gouraud_phong};
 use super::tags::choices;
 use crate::components::{
     Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered,
@@ -12,7 +12,7 @@ use crate::drawing::camera_name;
 use crate::scene::SceneRecord;
 
 impl App {
-    /// Runs the commands of the keys that were pressed, unless a text field has the focus.
+    /// Runs the actions of the keys that were pressed, unless a text field has the focus.
     pub fn take_keys(&mut self, ui: &Ui) {
         let has_field = ui.ctx().text_edit_focused();
         let events = ui.input(|input| input.events.clone());
@@ -27,26 +27,26 @@ impl App {
             else {
                 continue;
             };
-            let command = keys::command(key, modifiers);
-            if command == Some(Command::Blink) {
+            let action = keys::action(key, modifiers);
+            if action == Some(Action::Blink) {
                 self.blink_while(pressed && !has_field);
             }
-            let Some(command) = command.filter(|_| pressed) else {
+            let Some(action) = action.filter(|_| pressed) else {
                 continue;
             };
             // A text field has no use for these.
-            let works_in_fields = matches!(command, Command::Save | Command::SaveAs)
+            let works_in_fields = matches!(action, Action::Save | Action::SaveAs)
                 || (Key::F1..=Key::F12).contains(&key);
-            if (!has_field || works_in_fields) && (!repeat || goes_on(command)) {
-                self.run(command);
+            if (!has_field || works_in_fields) && (!repeat || goes_on(action)) {
+                self.run(action);
             }
         }
     }
 
-    /// Runs a command; one that cannot be run says so.
-    pub fn run(&mut self, command: Command) {
-        match command {
-            Command::Light(index) => match ordered::<Light>(&self.scene.world).get(index) {
+    /// Runs an action; one that cannot be run says so.
+    pub fn run(&mut self, action: Action) {
+        match action {
+            Action::Light(index) => match ordered::<Light>(&self.scene.world).get(index) {
                 Some(light) => {
                     let light = self.scene.world.get::<&mut Light>(*light);
                     // It was just found.
@@ -54,68 +54,68 @@ impl App {
                 }
                 None => self.say(format!("there is no light {}", index + 1)),
             },
-            Command::LightNamed(name) => {
+            Action::LightNamed(name) => {
                 let names = names::<Light>(&self.scene.world);
                 match names.iter().position(|own| own == name) {
-                    Some(index) => self.run(Command::Light(index)),
+                    Some(index) => self.run(Action::Light(index)),
                     None => self.say(format!("no light is named {name}")),
                 }
             }
-            Command::Shading(mode) => self.shade(mode),
-            Command::Tolerance(steps) => {
+            Action::Shading(mode) => self.shade(mode),
+            Action::Tolerance(steps) => {
                 let budget = self.viewer().budget;
                 match budget {
                     Some(budget) => self.step_budget(budget, steps),
                     None => self.step_tolerance(steps),
                 }
             }
-            Command::HoldTime => self.switch_budget(),
-            Command::NextProjection => {
+            Action::HoldTime => self.switch_budget(),
+            Action::NextProjection => {
                 let mut viewer = self.viewer_mut();
                 viewer.projection = match viewer.projection {
                     Projection::Perspective => Projection::Orthographic,
                     Projection::Orthographic => Projection::Perspective,
                 };
             }
-            Command::NextCamera => self.next_camera(),
-            Command::View(ViewMode::Wipe) => {
+            Action::NextCamera => self.next_camera(),
+            Action::View(ViewMode::Wipe) => {
                 let tolerance = self.viewer().tolerance;
                 self.wipe(gouraud_phong(tolerance));
             }
-            Command::View(mode) => self.viewer_mut().show = mode,
-            Command::WipeExact => self.wipe(EXACT_SIDES),
-            Command::Side(index, steps) => self.step_side(index, steps),
-            Command::Worst => self.explain_worst(),
-            Command::Probe(right, down) => self.step_probed([right, down]),
+            Action::View(mode) => self.viewer_mut().show = mode,
+            Action::WipeExact => self.wipe(EXACT_SIDES),
+            Action::Side(index, steps) => self.step_side(index, steps),
+            Action::Worst => self.explain_worst(),
+            Action::Probe(right, down) => self.step_probed([right, down]),
             // It acts while it is held.
-            Command::Blink => {}
-            Command::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
-            Command::Zoom(steps) => self.zoom(steps),
-            Command::ResetView => {
+            Action::Blink => {}
+            Action::Orbit(azimuth, elevation) => self.orbit(azimuth, elevation),
+            Action::Zoom(steps) => self.zoom(steps),
+            Action::ResetView => {
                 self.viewer_mut().turned = 0;
                 self.change_orbit("the view is reset", |_| Orbit::default());
             }
-            Command::Rotate => self.rotate(),
-            Command::Tab(tab) => {
+            Action::Rotate => self.rotate(),
+            Action::Tab(tab) => {
                 let mut viewer = self.viewer_mut();
                 let is_open = viewer.inspector == Some(tab);
                 viewer.inspector = (!is_open).then_some(tab);
             }
-            Command::Undo => {
+            Action::Undo => {
                 let before = self.history.undo(&self.state);
                 self.travel(before, "undo");
             }
-            Command::Redo => {
+            Action::Redo => {
                 let after = self.history.redo(&self.state);
                 self.travel(after, "redo");
             }
-            Command::Save => drop(self.save(false)),
-            Command::SaveAs => drop(self.save(true)),
-            Command::Panel => self.fold_panel(),
-            Command::Help => self.desk.help ^= true,
-            Command::Screenshot => self.screenshot(),
-            Command::Close => self.close(),
-            Command::Quit => self.quits = true,
+            Action::Save => drop(self.save(false)),
+            Action::SaveAs => drop(self.save(true)),
+            Action::Panel => self.fold_panel(),
+            Action::Help => self.desk.help ^= true,
+            Action::Screenshot => self.screenshot(),
+            Action::Close => self.close(),
+            Action::Quit => self.quits = true,
         }
     }
 
@@ -245,10 +245,10 @@ impl App {
     }
 }
 
-/// Whether a command goes on while its key is held.
-fn goes_on(command: Command) -> bool {
+/// Whether an action goes on while its key is held.
+fn goes_on(action: Action) -> bool {
     matches!(
-        command,
-        Command::Orbit(..) | Command::Zoom(_) | Command::Probe(..) | Command::Undo | Command::Redo
+        action,
+        Action::Orbit(..) | Action::Zoom(_) | Action::Probe(..) | Action::Undo | Action::Redo
     )
 }

@@ -190,12 +190,8 @@ impl Display {
         let Some((_, turned)) = self.window.get_scroll_wheel() else {
             return;
         };
-        self.wheel += turned
-            / if self.is_wayland {
-                WAYLAND_NOTCH
-            } else {
-                X11_NOTCH
-            };
+        let notch = [X11_NOTCH, WAYLAND_NOTCH][usize::from(self.is_wayland)];
+        self.wheel += turned / notch;
         let notches = self.wheel.trunc();
         if notches != 0.0 {
             self.wheel -= notches;
@@ -259,19 +255,14 @@ pub fn restart_in_fit_environment() -> anyhow::Result<()> {
         let desktop = std::env::var("XDG_CURRENT_DESKTOP").unwrap_or_default();
         let leaves_wayland = has_display && is_set("WAYLAND_DISPLAY") && desktop.contains("GNOME");
         if replaces_method || leaves_wayland {
-            let mut arguments = std::env::args_os();
             let restarted = std::env::current_exe().map(|program| {
                 let mut command = std::process::Command::new(program);
-                if let Some(name) = arguments.next() {
-                    command.arg0(name);
-                }
-                if replaces_method {
-                    command.env("XMODIFIERS", NO_METHOD);
-                }
+                command.args(std::env::args_os().skip(1));
+                command.env("XMODIFIERS", NO_METHOD);
                 if leaves_wayland {
                     command.env_remove("WAYLAND_DISPLAY");
                 }
-                command.args(arguments).exec()
+                command.exec()
             });
             let error = restarted.unwrap_or_else(|error| error);
             return Err(error).context("cannot restart in an environment that can open a window");

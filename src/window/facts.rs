@@ -16,24 +16,24 @@ use crate::requires::PartChange;
 use crate::requires::bits::StageBits;
 use crate::trade::Measurement;
 
-/// A fact about a picture.
+/// The value about the picture that was found last.
 #[derive(Debug)]
-pub struct Fact<T> {
+pub struct Latest<T> {
     pub value: Option<T>,
     /// Whether it is about the present picture. The value of an earlier one stays until then.
     pub is_current: bool,
 }
 
-impl<T> Default for Fact<T> {
+impl<T> Default for Latest<T> {
     fn default() -> Self {
-        Fact {
+        Latest {
             value: None,
             is_current: false,
         }
     }
 }
 
-impl<T> Fact<T> {
+impl<T> Latest<T> {
     pub fn finish(&mut self, value: Option<T>) {
         (self.value, self.is_current) = (value, true);
     }
@@ -48,13 +48,13 @@ impl<T> Fact<T> {
 #[derive(Default)]
 pub struct Facts {
     /// The pixels of a row on one face, from left to right.
-    pub section: Fact<Vec<Probe>>,
-    pub comparison: Fact<Comparison>,
-    pub proof: Fact<Proof>,
-    pub required: Fact<Vec<PartChange>>,
-    pub bits: Fact<Vec<StageBits>>,
+    pub section: Latest<Vec<Probe>>,
+    pub comparison: Latest<Comparison>,
+    pub proof: Latest<Proof>,
+    pub required: Latest<Vec<PartChange>>,
+    pub bits: Latest<Vec<StageBits>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
-    pub trade: Fact<Vec<Measurement>>,
+    pub trade: Latest<Vec<Measurement>>,
     /// Whether the times of the trade were measured a second time, for longer.
     pub is_refined: bool,
 }
@@ -123,7 +123,7 @@ impl Work {
     pub fn begin<T: Send + 'static>(
         pool: Option<&ThreadPool>,
         question: Question,
-        place: fn(&mut Facts) -> &mut Fact<T>,
+        place: fn(&mut Facts) -> &mut Latest<T>,
         find: impl FnOnce(Monitor) -> anyhow::Result<T> + Send + 'static,
     ) -> Work {
         let shared = Arc::<Shared>::default();

@@ -9,7 +9,7 @@ use std::iter;
 use egui::{Grid, ProgressBar, ScrollArea, Ui};
 
 use super::app::App;
-use super::facts::Fact;
+use super::facts::Latest;
 use super::widgets::{ink, short};
 use crate::components::Tab;
 use crate::requires::PartChange;
@@ -85,7 +85,7 @@ impl App {
         &self,
         ui: &mut Ui,
         name: &str,
-        fact: &Fact<T>,
+        fact: &Latest<T>,
         rows: impl Iterator<Item = Vec<String>>,
     ) {
         self.wait(ui, fact);
@@ -100,7 +100,7 @@ impl App {
     }
 
     /// Shows the progress of the work in the background until a fact is known.
-    fn wait<T>(&self, ui: &mut Ui, fact: &Fact<T>) {
+    fn wait<T>(&self, ui: &mut Ui, fact: &Latest<T>) {
         match self.progress() {
             _ if fact.is_current => {}
             None => drop(ui.weak("waits until nothing moves")),
@@ -114,28 +114,24 @@ impl App {
     fn proof_tab(&self, ui: &mut Ui) {
         let fact = &self.facts.proof;
         let rows = fact.value.iter().flat_map(|proof| {
-            [
-                (
-                    proof.proven.to_string(),
-                    "pixels proven within the tolerance",
-                ),
-                (proof.undecided.to_string(), "pixels undecided"),
-                (
-                    proof.refuted.to_string(),
-                    "pixels refuted: above the tolerance",
-                ),
-                (proof.outline.to_string(), "pixels within 0.01 of an edge"),
-                (proof.covered.to_string(), "pixels with a cuboid"),
-                (format!("{:.6}", proof.worst), "levels off at most"),
-                (
-                    format!("{:.1e}", proof.widest_enclosure),
-                    "levels, the widest enclosure",
-                ),
+            let counts = [
+                (proof.proven, "pixels proven within the tolerance"),
+                (proof.undecided, "pixels undecided"),
+                (proof.refuted, "pixels refuted: above the tolerance"),
+                (proof.outline, "pixels within 0.01 of an edge"),
+                (proof.covered, "pixels with a cuboid"),
+            ];
+            let [worst, widest] = [proof.worst, proof.widest_enclosure];
+            let levels = [
+                (format!("{worst:.6}"), "levels off at most"),
+                (format!("{widest:.1e}"), "levels, the widest enclosure"),
                 (
                     format!("{:.1e}", proof.reference_error),
                     "levels off at most in f64",
                 ),
-            ]
+            ];
+            let counts = counts.map(|(count, words)| (count.to_string(), words));
+            counts.into_iter().chain(levels)
         });
         let rows = rows.map(|(number, words)| vec![number, words.to_owned()]);
         self.table(ui, "proof", fact, rows);

@@ -6,7 +6,7 @@ use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollA
 use hecs::Entity;
 
 use super::app::App;
-use super::keys::{Command, EXACT_SIDES, binding, caption};
+use super::keys::{Action, EXACT_SIDES, binding, caption};
 use super::widgets::{color_button, number, slider};
 use crate::components::range::Strength;
 use crate::components::{
@@ -32,10 +32,10 @@ impl App {
         section(ui, "Scene", |ui| self.scene_rows(ui));
     }
 
-    /// A button with the name, the key and the sentence of a command, which a click runs.
-    pub fn offer(&mut self, ui: &mut Ui, command: Command, is_chosen: bool) {
-        if command_button(ui, command, is_chosen).clicked() {
-            self.run(command);
+    /// A button with the name, the key and the sentence of an action, which a click runs.
+    pub fn offer(&mut self, ui: &mut Ui, action: Action, is_chosen: bool) {
+        if action_button(ui, action, is_chosen).clicked() {
+            self.run(action);
         }
     }
 
@@ -43,7 +43,7 @@ impl App {
         let shading = self.method().map(|method| method.mode);
         ui.horizontal_wrapped(|ui| {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-                self.offer(ui, Command::Shading(mode), shading == Some(mode));
+                self.offer(ui, Action::Shading(mode), shading == Some(mode));
             }
         });
         self.budget_rows(ui);
@@ -93,25 +93,25 @@ impl App {
         number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
         let names = ["white", "red", "specular", "ambient"];
         let named = names.into_iter().find(|own| *own == name.0);
-        let command = named.map_or(Command::Light(place), Command::LightNamed);
-        ui.weak(caption(command));
+        let action = named.map_or(Action::Light(place), Action::LightNamed);
+        ui.weak(caption(action));
     }
 
     fn view_rows(&mut self, ui: &mut Ui) {
         let shown = match self.viewer().show {
-            ViewMode::Wipe if self.viewer().sides == EXACT_SIDES => Command::WipeExact,
-            mode => Command::View(mode),
+            ViewMode::Wipe if self.viewer().sides == EXACT_SIDES => Action::WipeExact,
+            mode => Action::View(mode),
         };
-        for command in [
-            Command::View(ViewMode::Picture),
-            Command::View(ViewMode::Wipe),
-            Command::WipeExact,
-            Command::View(ViewMode::Error),
-            Command::View(ViewMode::Tiles),
+        for action in [
+            Action::View(ViewMode::Picture),
+            Action::View(ViewMode::Wipe),
+            Action::WipeExact,
+            Action::View(ViewMode::Error),
+            Action::View(ViewMode::Tiles),
         ] {
-            self.offer(ui, command, command == shown);
+            self.offer(ui, action, action == shown);
         }
-        let hold = command_button(ui, Command::Blink, self.desk.blinks.is_some());
+        let hold = action_button(ui, Action::Blink, self.desk.blinks.is_some());
         let is_held = hold.is_pointer_button_down_on();
         if is_held || ui.input(|input| input.pointer.any_released()) {
             self.blink_while(is_held);
@@ -132,7 +132,7 @@ impl App {
                     ui.selectable_value(&mut active, name.clone(), name);
                 }
             });
-            ui.weak(caption(Command::NextCamera));
+            ui.weak(caption(Action::NextCamera));
         });
         self.viewer_mut().camera = Some(active);
         let mut projection = self.viewer().projection;
@@ -140,13 +140,13 @@ impl App {
             for each in Projection::ALL {
                 ui.selectable_value(&mut projection, each, each.name());
             }
-            ui.weak(caption(Command::NextProjection));
+            ui.weak(caption(Action::NextProjection));
         });
         self.viewer_mut().projection = projection;
         let turns = self.viewer().turns;
         ui.horizontal_wrapped(|ui| {
-            self.offer(ui, Command::Rotate, turns);
-            self.offer(ui, Command::ResetView, false);
+            self.offer(ui, Action::Rotate, turns);
+            self.offer(ui, Action::ResetView, false);
         });
     }
 
@@ -165,15 +165,15 @@ impl App {
             self.choose(scene);
         }
         ui.horizontal_wrapped(|ui| {
-            for command in [
-                Command::Tab(Tab::Scene),
-                Command::Undo,
-                Command::Redo,
-                Command::Save,
-                Command::SaveAs,
-                Command::Help,
+            for action in [
+                Action::Tab(Tab::Scene),
+                Action::Undo,
+                Action::Redo,
+                Action::Save,
+                Action::SaveAs,
+                Action::Help,
             ] {
-                self.offer(ui, command, false);
+                self.offer(ui, action, false);
             }
         });
     }
@@ -185,10 +185,10 @@ fn heading(text: &str) -> String {
     lines.collect::<Vec<_>>().join(" ")
 }
 
-/// A button with the name and the key of a command, and its sentence as a tooltip.
-fn command_button(ui: &mut Ui, command: Command, is_chosen: bool) -> Response {
-    let (name, says) = binding(command).map_or(("", ""), |it| (it.name, it.says));
-    let button = Button::selectable(is_chosen, name).shortcut_text(caption(command));
+/// A button with the name and the key of an action, and its sentence as a tooltip.
+fn action_button(ui: &mut Ui, action: Action, is_chosen: bool) -> Response {
+    let (name, says) = binding(action).map_or(("", ""), |it| (it.name, it.says));
+    let button = Button::selectable(is_chosen, name).shortcut_text(caption(action));
     let button = button.sense(Sense::click_and_drag());
     ui.add(button).on_hover_text(says)
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::app::App;
 use super::comparison::Comparison;
-use super::facts::{Fact, Facts, Question, Work};
+use super::facts::{Facts, Latest, Question, Work};
 use super::pictures::view_at;
 use crate::components::{ShadingMode, Side, Tab, View, ViewMode, Viewer};
 use crate::probe::{self, Probe};
@@ -113,7 +113,7 @@ impl App {
     fn find<T: Send + 'static>(
         &mut self,
         question: Question,
-        place: fn(&mut Facts) -> &mut Fact<T>,
+        place: fn(&mut Facts) -> &mut Latest<T>,
         find: impl FnOnce(&mut Scene, &View, Monitor) -> anyhow::Result<T> + Send + 'static,
     ) {
         let is_probe = question == Question::Probe;

@@ -6,7 +6,7 @@ use egui::{Align2, Color32, DragValue, FontId, Pos2, Response, Slider, Ui, vec2}
 use egui_plot::Plot;
 use glam::DVec3;
 
-use super::facts::Fact;
+use super::facts::Latest;
 use super::style::{INK, STALE};
 
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
@@ -32,7 +32,7 @@ fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
 }
 
 /// The colour of a fact: grey if it is about an earlier picture.
-pub fn ink<T>(fact: &Fact<T>) -> Color32 {
+pub fn ink<T>(fact: &Latest<T>) -> Color32 {
     if fact.current().is_some() { INK } else { STALE }
 }
 

@@ -1,11 +1,11 @@
-//! Every key binding, by its command.
+//! Every key binding, by its action.
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
 use shadetrade::components::{Orbit, Projection, ShadingMode, Side, ViewMode};
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::keys::{self, Command, gouraud_phong};
+use shadetrade::window::keys::{self, Action, gouraud_phong};
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::window::{default_scene, widgets};
@@ -13,31 +13,31 @@ use crate::support::window::{default_scene, widgets};
 /// The smallest size that opens with the panel.
 const SMALL: [usize; 2] = [430, 100];
 
-/// Brings the window into a state in which the command has an effect.
-fn prepare(window: &mut Window, command: Command) {
-    match command {
-        Command::Shading(ShadingMode::Gouraud) | Command::Undo => {
+/// Brings the window into a state in which the action has an effect.
+fn prepare(window: &mut Window, action: Action) {
+    match action {
+        Action::Shading(ShadingMode::Gouraud) | Action::Undo => {
             window.press(Key::P);
         }
-        Command::View(ViewMode::Picture) => window.press(Key::F5),
-        Command::ResetView => [Key::ArrowLeft, Key::Minus]
+        Action::View(ViewMode::Picture) => window.press(Key::F5),
+        Action::ResetView => [Key::ArrowLeft, Key::Minus]
             .map(|key| window.press(key))
             .into_iter()
             .collect(),
-        Command::Redo => {
+        Action::Redo => {
             window.press(Key::P);
             window.undo();
         }
-        Command::Close => window.press(Key::H),
+        Action::Close => window.press(Key::H),
         // The first of them probes the middle.
-        Command::Probe(..) => window.press_with(Modifiers::SHIFT, Key::ArrowUp),
+        Action::Probe(..) => window.press_with(Modifiers::SHIFT, Key::ArrowUp),
         _ => {}
     }
     window.wait(PAUSE);
 }
 
-/// The expected record after the command, according to its description and the scene format.
-fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
+/// The expected record after the action, according to its description and the scene format.
+fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
     let mut record = before.clone();
     let view = &mut record.view;
     let lights = ["white", "red", "specular", "ambient"];
@@ -46,27 +46,27 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
             light.on ^= true;
         }
     };
-    match command {
-        Command::Light(index) => switch(index),
-        Command::LightNamed(name) => {
+    match action {
+        Action::Light(index) => switch(index),
+        Action::LightNamed(name) => {
             switch(lights.iter().position(|own| *own == name).expect("a light"));
         }
-        Command::Shading(mode) => record.cuboid[0].shading = mode,
-        Command::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
-        Command::Redo => record.cuboid[0].shading = ShadingMode::Phong,
-        Command::Tolerance(way) => {
+        Action::Shading(mode) => record.cuboid[0].shading = mode,
+        Action::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
+        Action::Redo => record.cuboid[0].shading = ShadingMode::Phong,
+        Action::Tolerance(way) => {
             view.tolerance = if way > 0 { 1.0 } else { 0.25 };
             view.sides = gouraud_phong(view.tolerance);
         }
-        Command::HoldTime => view.budget = Some(1.0),
-        Command::NextProjection => view.projection = Projection::Orthographic,
-        Command::NextCamera => view.camera = Some("2".to_owned()),
-        Command::View(mode) => view.show = mode,
-        Command::WipeExact => {
+        Action::HoldTime => view.budget = Some(1.0),
+        Action::NextProjection => view.projection = Projection::Orthographic,
+        Action::NextCamera => view.camera = Some("2".to_owned()),
+        Action::View(mode) => view.show = mode,
+        Action::WipeExact => {
             view.show = ViewMode::Wipe;
             view.sides = [Side::Picture, Side::Reference];
         }
-        Command::Side(index, way) => {
+        Action::Side(index, way) => {
             view.show = ViewMode::Wipe;
             let other = match (index, way) {
                 (0, 1) => "phong-unit-vectors",
@@ -76,20 +76,20 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
             };
             view.sides[index] = other.to_owned().try_into().expect("a side");
         }
-        Command::Probe(right, down) => {
+        Action::Probe(right, down) => {
             let [x, y] = view.pixel.expect("the middle");
             let moved = |at: usize, by: i32| at.saturating_add_signed(by as isize);
             view.pixel = Some([moved(x, right), moved(y, down)]);
         }
-        Command::Orbit(right, up) => {
+        Action::Orbit(right, up) => {
             record.camera[0].orbit.azimuth = right;
             record.camera[0].orbit.elevation = up;
         }
-        Command::Zoom(steps) => record.camera[0].orbit.zoom = 1.1_f64.powi(-steps),
-        Command::ResetView => {
+        Action::Zoom(steps) => record.camera[0].orbit.zoom = 1.1_f64.powi(-steps),
+        Action::ResetView => {
             record.camera[0].orbit = Orbit::default();
         }
-        Command::Tab(tab) => view.inspector = Some(tab),
+        Action::Tab(tab) => view.inspector = Some(tab),
         _ => {}
     }
     record
@@ -97,29 +97,29 @@ fn expected(command: Command, before: &SceneRecord) -> SceneRecord {
 
 #[test]
 fn every_key_does_what_its_description_says() {
-    for (modifiers, key, command) in keys::keys() {
-        let (command, mut window) = (*command, Window::of(default_scene(), SMALL));
-        prepare(&mut window, command);
+    for (modifiers, key, action) in keys::keys() {
+        let (action, mut window) = (*action, Window::of(default_scene(), SMALL));
+        prepare(&mut window, action);
         let before = window.record();
         window.modifiers = *modifiers;
         window.key(*key, true);
         let blinks = window.app.turn().is_some();
         window.key(*key, false);
-        assert_eq!(window.record(), expected(command, &before), "{key:?}");
+        assert_eq!(window.record(), expected(action, &before), "{key:?}");
         let desk = &window.app.desk;
         for (is_on, own) in [
-            (blinks, Command::Blink),
-            (desk.help, Command::Help),
-            (desk.panel_folded, Command::Panel),
-            (window.app.viewer().turns, Command::Rotate),
-            (window.app.quits, Command::Quit),
+            (blinks, Action::Blink),
+            (desk.help, Action::Help),
+            (desk.panel_folded, Action::Panel),
+            (window.app.viewer().turns, Action::Rotate),
+            (window.app.quits, Action::Quit),
         ] {
-            assert_eq!(is_on, command == own, "{key:?}");
+            assert_eq!(is_on, action == own, "{key:?}");
         }
         assert_eq!(window.app.turn(), None, "{key:?}");
-        let saved = match command {
-            Command::Save | Command::SaveAs => vec!["cuboid.toml"],
-            Command::Screenshot => vec!["shadetrade-001.png"],
+        let saved = match action {
+            Action::Save | Action::SaveAs => vec!["cuboid.toml"],
+            Action::Screenshot => vec!["shadetrade-001.png"],
             _ => Vec::new(),
         };
         assert_eq!(window.files(), saved, "{key:?}");

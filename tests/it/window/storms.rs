@@ -5,7 +5,7 @@ use std::time::Duration;
 use egui::{Key, Modifiers, pos2};
 use shadetrade::components::{Tab, viewer_mut};
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::window::keys::{Command, keys};
+use shadetrade::window::keys::{Action, keys};
 
 use super::Window;
 use crate::support::cases::cases;
@@ -109,7 +109,7 @@ impl Storm {
     }
 
     fn press_any(&mut self) {
-        let keys = keys().filter(|(.., command)| self.most == SMALL || !is_slow(*command));
+        let keys = keys().filter(|(.., action)| self.most == SMALL || !is_slow(*action));
         let keys: Vec<_> = keys.collect();
         let (modifiers, key, _) = *keys[self.choice(keys.len())];
         self.window.press_with(modifiers, key);
@@ -134,14 +134,14 @@ impl Storm {
     }
 }
 
-fn is_slow(command: Command) -> bool {
+fn is_slow(action: Action) -> bool {
     use shadetrade::components::ViewMode;
     matches!(
-        command,
-        Command::Tab(Tab::Required)
-            | Command::View(ViewMode::Error)
-            | Command::WipeExact
-            | Command::Blink
+        action,
+        Action::Tab(Tab::Required)
+            | Action::View(ViewMode::Error)
+            | Action::WipeExact
+            | Action::Blink
     )
 }
 
@@ -160,7 +160,7 @@ fn after_a_storm_everything_can_be_undone_and_the_saved_file_is_read_again() {
         assert_eq!(SceneRecord::of(&read.world), window.record(), "{seed}");
         window.wait(Duration::from_secs(2));
         while window.message() != "nothing to undo" {
-            window.app.run(Command::Undo);
+            window.app.run(Action::Undo);
             window.step(Vec::new());
         }
         // Undo does not change these.

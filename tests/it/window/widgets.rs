@@ -8,7 +8,7 @@ use fearless_simd::Level;
 use shadetrade::components::{Light, Projection, Tab, Viewer, names};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
-use shadetrade::window::keys::{BINDINGS, Command};
+use shadetrade::window::keys::{Action, BINDINGS};
 
 use super::{PAUSE, Window};
 use crate::support::window::{app, default_scene, places, widgets};
@@ -85,10 +85,10 @@ fn every_button_does_what_its_key_does() {
     let open = || widgets(app(default_scene(), size, Level::new()), size);
     let mut count = 0;
     for binding in BINDINGS.iter().flat_map(|section| section.1) {
-        let (modifiers, key, command) = binding.keys[0];
+        let (modifiers, key, action) = binding.keys[0];
         let mut clicked = open();
         // They write files, and act while they are held.
-        let is_other = matches!(command, Command::Save | Command::SaveAs | Command::Blink);
+        let is_other = matches!(action, Action::Save | Action::SaveAs | Action::Blink);
         if places(&clicked, binding.name).is_empty() || is_other {
             continue;
         }
