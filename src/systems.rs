@@ -16,11 +16,8 @@ use crate::components::{Mesh, View};
 use crate::frame::Frame;
 use crate::memory::OutOfMemory;
 
-/// Reads components, and overwrites derived ones or the frame.
-pub type System = fn(&mut World, &View, &mut Frame);
-
-/// The stages of a frame, in order.
-pub const FRAME: [System; 6] = [
+/// The stages of a frame, in order. Each reads components, and overwrites derived ones or the frame.
+pub const FRAME: [fn(&mut World, &View, &mut Frame); 6] = [
     spin::run,
     viewpoint::run,
     normals::run,

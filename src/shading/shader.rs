@@ -170,17 +170,6 @@ pub struct Evaluations {
     pub specular: u64,
 }
 
-impl Evaluations {
-    /// None at pixels, on a square that is interpolated.
-    pub fn none(kind: TileKind) -> Self {
-        Evaluations {
-            kind,
-            model: 0,
-            specular: 0,
-        }
-    }
-}
-
 /// The memory of one face and its squares, reused for the next.
 #[derive(Debug, Default)]
 pub struct Scratch {

@@ -155,7 +155,12 @@ impl PiecePainter<'_, '_> {
                     simd,
                     interpolation::draw(simd, interpolant, index, form, square, store)
                 );
-                self.finish(Evaluations::none(form.kind), 1);
+                let work = Evaluations {
+                    kind: form.kind,
+                    model: 0,
+                    specular: 0,
+                };
+                self.finish(work, 1);
             } else {
                 let promising = promising >> index & 1 == 1;
                 cut[index] = square.side > MIN_SIDE && promising || !self.listed(simd, index);
@@ -213,20 +218,12 @@ impl PiecePainter<'_, '_> {
     }
 
     /// Counts the work on the square as `tiles` tiles, and records its kind if the frame keeps that.
-    fn finish(
-        &mut self,
-        Evaluations {
-            kind,
-            model,
-            specular,
-        }: Evaluations,
-        tiles: u64,
-    ) {
-        self.counts.model_evaluations += model;
-        self.counts.specular_evaluations += specular;
-        self.counts.tiles[kind as usize] += tiles;
+    fn finish(&mut self, work: Evaluations, tiles: u64) {
+        self.counts.model_evaluations += work.model;
+        self.counts.specular_evaluations += work.specular;
+        self.counts.tiles[work.kind as usize] += tiles;
         if !self.store.band.kinds.is_empty() {
-            self.store.mark(kind, self.shader.face(), self.picture);
+            self.store.mark(work.kind, self.shader.face(), self.picture);
         }
     }
 }
