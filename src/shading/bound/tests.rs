@@ -263,3 +263,24 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     let expected = (0.3 * 0.02 / 3.0_f64.sqrt() + 0.003) / 24.0;
     assert!((one(found) / expected - 1.0).abs() < 1e-6);
 }
+
+#[test]
+fn the_motion_of_a_vector_does_not_depend_on_its_scale() {
+    // At 2^-283 the square of the area of two steps is below the smallest f64.
+    let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+    let field = |scale: f64| {
+        let vector = Affine {
+            centre: DVec3::new(0.5, 1.0, 2.0) * scale,
+            dx: DVec3::new(0.25, 0.0, 0.125) * scale,
+            dy: DVec3::new(0.0, 0.5, 0.125) * scale,
+        };
+        Field::new(&vector, &places)
+    };
+    for scale in [2.0_f64.powi(-283), 2.0_f64.powi(283)] {
+        let [one, other] = [field(1.0), field(scale)];
+        assert_eq!(one.radius.as_array(), other.radius.as_array());
+        let rates =
+            |field: Field<Baseline>| field.rates.map(|axis| axis.map(|rate| *rate.as_array()));
+        assert_eq!(rates(one), rates(other), "{scale:e}");
+    }
+}
