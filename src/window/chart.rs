@@ -11,6 +11,7 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, Wid
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span};
 
 use super::app::App;
+use super::keys::{Action, caption};
 use super::style::{STALE, mode_ink};
 use super::widgets::{ink, short, still, two_digits};
 use crate::components::{ShadingMode, Side};
@@ -77,14 +78,19 @@ impl App {
         }
     }
 
-    /// Compares the method on screen with its alternatives.
+    /// Compares the method on screen with its alternatives. Under Gouraud it names the key of Phong.
     fn sentence(&self, ui: &mut Ui) {
         let trade = &self.facts.trade;
         let known = trade.value.as_deref().unwrap_or_default();
         let of_method = |method: Method| {
             let name = capital(&method_name(method));
             let later = || format!("{name} is measured as soon as nothing moves.");
-            sentence(known, method).unwrap_or_else(later)
+            let text = sentence(known, method).unwrap_or_else(later);
+            if method.mode != ShadingMode::Gouraud {
+                return text;
+            }
+            let key = caption(Action::Shading(ShadingMode::Phong));
+            format!("{text} {key} shows Phong.")
         };
         let mixed = || "The cuboids are shaded in different modes.".to_owned();
         let text = self.method().map_or_else(mixed, of_method);

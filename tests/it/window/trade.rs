@@ -248,3 +248,12 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     let [low, high] = shown.timing.interval;
     assert!(0.0 < low && low <= shown.timing.median && shown.timing.median <= high);
 }
+
+#[test]
+fn the_sentence_names_the_key_of_phong_while_gouraud_is_on_screen() {
+    let mut harness = widgets(app_with_trade(), SIZE);
+    assert!(harness.query_by_label_contains("P shows Phong.").is_some());
+    harness.key_press(Key::P);
+    harness.run_ok();
+    assert!(harness.query_by_label_contains("shows Phong").is_none());
+}
