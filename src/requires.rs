@@ -39,7 +39,8 @@ pub enum Part {
     /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
     /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. The reference subtracts positions
-    /// first. A formula that does not may have a larger error. The bounds of a cuboid on the screen are still computed in intervals.
+    /// first. A formula that does not may have a larger error. The bounds of a cuboid on the screen are still computed in
+    /// intervals.
     F64SetUp,
 }
 
@@ -130,7 +131,8 @@ impl Change {
     }
 }
 
-/// One change for each list of parts; all parts of a list, at most one of them a [`Part::Rule`], are left out together. Computed on rayon's current threads.
+/// One change for each list of parts. All parts of a list, at most one of them a [`Part::Rule`], are left out together.
+/// Computed on rayon's current threads.
 ///
 /// Each cuboid keeps its own shading; that of the view is not used.
 ///

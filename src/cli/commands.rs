@@ -234,7 +234,13 @@ pub struct ExtremesOptions {
 #[derive(Args, Debug)]
 pub struct FiguresOptions {
     /// The folder for the figures, created if absent
-    #[arg(short, long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder), default_value = DEFAULT_FIGURES)]
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        value_parser = OsStringValueParser::new().try_map(folder),
+        default_value = DEFAULT_FIGURES
+    )]
     pub output: PathBuf,
 }
 

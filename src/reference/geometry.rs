@@ -313,11 +313,10 @@ impl<R: Real> CuboidGeometry<R> {
     /// The depths of the points that a line near an edge of a face may show. Where the line meets the plane far beyond
     /// the face, or not at all, [`Self::depth`] is none of them.
     fn depth_beside(&self, face: usize, line: &Line<R>) -> R {
-        let depths = self.beside(face, line).into_iter();
-        let depths = depths.map(|place| place.point.dot(self.forward));
-        depths
-            .reduce(R::either)
-            .unwrap_or_else(|| self.depth(face, line))
+        let places = self.beside(face, line).into_iter();
+        let depths = places.map(|place| place.point.dot(self.forward));
+        // `beside` clamps to the face where it finds nothing else.
+        depths.reduce(R::either).expect("it shows a point")
     }
 
     /// The coordinate of the cuboid's end along an axis, on the side of this sign (0 for its middle), relative to the eye.
