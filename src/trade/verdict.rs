@@ -3,7 +3,7 @@
 //! Every word follows from a measured number. Times with overlapping intervals are called the same.
 
 use super::measurement::Measurement;
-use crate::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
 use crate::report::words::{capital, short};
 use crate::shading::Method;
 
@@ -24,23 +24,39 @@ pub fn verdict(measured: &[Measurement]) -> String {
         (Phong, 0.0),
         (UnitVectors, 0.0),
     ];
-    let sentence = |(mode, tolerance)| sentence(measured, Method::of(mode, tolerance));
-    let sentences: Vec<String> = subjects.into_iter().filter_map(sentence).collect();
+    let of = |(mode, tolerance)| against_phong(measured, find(measured, mode, tolerance)?);
+    let sentences: Vec<String> = subjects.into_iter().filter_map(of).collect();
     sentences.join(" ")
 }
 
-/// The time of `shown` against that of a rival, and its error; `None` if it was not measured.
-///
-/// The rival is Phong within half a level if that saves time, otherwise exact Phong.
+/// The time and the error of `shown`, against Phong and, where it is Phong, against Gouraud; `None` if it was not measured.
 pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
-    let find = |method: Method| measured.iter().find(|it| it.method == method);
-    let shown = find(shown)?;
-    let Some(error) = shown.largest_error() else {
+    let shown = find(measured, shown.mode, shown.tolerance)?;
+    let Some(text) = against_phong(measured, shown) else {
         return Some(NOTHING.to_owned());
     };
+    let gouraud = find(measured, Gouraud, UNSEEN).filter(|_| shown.method.mode == Phong);
+    Some(match gouraud {
+        Some(gouraud) => {
+            let (pace, error) = (pace(gouraud, shown), short(gouraud.largest_error()));
+            format!("{text} Gouraud is {pace} it, off by {error}.")
+        }
+        None => text,
+    })
+}
+
+fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&Measurement> {
+    let method = Method::of(mode, tolerance);
+    measured.iter().find(|it| it.method == method)
+}
+
+/// The time of `shown` against that of a rival, and its error; `None` if nothing is drawn.
+///
+/// The rival is Phong within half a level if that saves time, otherwise exact Phong.
+fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
+    let error = format!("off by {} of 255", short(Some(shown.largest_error()?)));
     let name = capital(&method_name(shown.method));
-    let error = format!("off by {} of 255", short(Some(error)));
-    let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(Method::of(Phong, tolerance)));
+    let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Phong, tolerance));
     let saves = |half: &&Measurement| exact.is_none_or(|exact| is_faster(half, exact));
     let rivals = [half.filter(saves), exact, half];
     let rival = rivals
